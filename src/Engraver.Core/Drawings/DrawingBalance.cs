@@ -1,0 +1,21 @@
+namespace Engraver.Core.Drawings;
+
+/// <summary>The balance sheet of an import: read = cut + construction + refused.</summary>
+/// <param name="EntityCounts">Model-space records as written, by DXF type, any layer.</param>
+/// <param name="Cut">Records from which at least one curve came.</param>
+/// <param name="Construction">Text, points, hatches, dimensions and the like.</param>
+/// <param name="Refused">Model-space records that gave no curve though they should have.</param>
+/// <param name="RefusedInBlocks">Trouble inside blocks, listed once per block entity.</param>
+/// <param name="TextCounts">TEXT, MTEXT, ATTRIB ... after expansion.</param>
+/// <param name="Points">POINT entities after expansion.</param>
+public sealed record DrawingBalance(
+    IReadOnlyDictionary<string, int> EntityCounts,
+    int Cut,
+    int Construction,
+    IReadOnlyList<RefusedEntity> Refused,
+    IReadOnlyList<RefusedEntity> RefusedInBlocks,
+    IReadOnlyDictionary<string, int> TextCounts,
+    int Points)
+{
+    public int Read => EntityCounts.Values.Sum();
+}

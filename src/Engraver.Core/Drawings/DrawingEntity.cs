@@ -1,0 +1,28 @@
+namespace Engraver.Core.Drawings;
+
+/// <summary>A curve of the drawing after every INSERT is expanded: where it came from, and which parts it has.</summary>
+/// <remarks>Its index in <see cref="Drawing.Entities"/> is the EntityIndex that travels with every segment and move to the controller.</remarks>
+public struct DrawingEntity
+{
+    /// <summary>Line of an ASCII DXF (byte offset of a binary one) where the entity (inside a block: the block's entity) begins.</summary>
+    public long SourceLine;
+
+    /// <summary>Handle as a number, 0 when the entity has none.</summary>
+    public ulong Handle;
+
+    /// <summary>First part in <see cref="Drawing.Parts"/>.</summary>
+    public int FirstPart;
+
+    public int PartCount;
+
+    /// <summary>Index into <see cref="Drawing.Layers"/>: the layer that counts (block content on layer 0 takes the insert's layer).</summary>
+    public int Layer;
+
+    public CurveType Type;
+
+    /// <summary>True when the entity is invisible itself (code 60) or by the insert that brought it (frozen or off layer of the insert).</summary>
+    public bool Hidden;
+
+    /// <summary>A closed polyline, a circle.</summary>
+    public bool Closed;
+}

@@ -1,0 +1,46 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Drawings;
+
+/// <summary>One line, arc or circle of a curve, in drawing units and world coordinates (OCS applied).</summary>
+/// <remarks>Line: A,B,C = start x,y,z; D,E,F = end x,y,z. Arc and circle: A,B,C = centre x,y,z; D = radius; E = start angle and F = signed sweep, degrees, as seen from +z.</remarks>
+public struct DrawingPart
+{
+    public double A;
+    public double B;
+    public double C;
+    public double D;
+    public double E;
+    public double F;
+
+    /// <summary>The curve this part belongs to: index into <see cref="Drawing.Entities"/>.</summary>
+    public int Entity;
+
+    public SegmentKind Kind;
+
+    /// <summary>Length along the curve in space, drawing units.</summary>
+    public readonly double SpaceLength => Kind == SegmentKind.Line
+        ? Math.Sqrt(((D - A) * (D - A)) + ((E - B) * (E - B)) + ((F - C) * (F - C)))
+        : D * Math.Abs(Angle.FromDegrees(F).Radians);
+
+    public static DrawingPart Line(int entity, double x1, double y1, double z1, double x2, double y2, double z2) =>
+        new() { Kind = SegmentKind.Line, Entity = entity, A = x1, B = y1, C = z1, D = x2, E = y2, F = z2 };
+
+    /// <summary>An arc, or a circle when the sweep is exactly +-360 degrees.</summary>
+    public static DrawingPart Arc(int entity, ArcSegment arc, double z) => new()
+    {
+        Kind = arc.IsFullTurn ? SegmentKind.Circle : SegmentKind.Arc,
+        Entity = entity,
+        A = arc.Centre.X,
+        B = arc.Centre.Y,
+        C = z,
+        D = arc.Radius,
+        E = arc.Start.Degrees,
+        F = arc.Sweep.Degrees,
+    };
+
+    /// <summary>The plan view (z dropped), drawing units.</summary>
+    public readonly Segment InPlan() => Kind == SegmentKind.Line
+        ? Segment.FromLine(new Point2D(A, B), new Point2D(D, E))
+        : Segment.FromArc(new ArcSegment(new Point2D(A, B), D, Angle.FromDegrees(E), Angle.FromDegrees(F)));
+}

@@ -1,0 +1,10 @@
+namespace Engraver.Galil.Programs;
+
+public enum VectorSegmentKind : byte
+{
+    /// <summary>VP x,y.</summary>
+    Line,
+
+    /// <summary>CR radius,theta,delta.</summary>
+    Arc,
+}

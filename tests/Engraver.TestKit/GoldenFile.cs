@@ -1,0 +1,35 @@
+namespace Engraver.TestKit;
+
+/// <summary>Compares a text with the file expected of it. With ENGRAVER_UPDATE_GOLDEN=1 the file is written instead (`./test --update-golden`).</summary>
+public static class GoldenFile
+{
+    private static bool Updating => Environment.GetEnvironmentVariable("ENGRAVER_UPDATE_GOLDEN") == "1";
+
+    /// <summary>Throws with the first differing line when <paramref name="actual"/> is not the content of the file, or when the file is missing.</summary>
+    /// <param name="path">Full path of the expected file.</param>
+    /// <param name="actual">What the program made; line ends are compared as LF.</param>
+    public static void Check(string path, string actual)
+    {
+        var text = actual.ReplaceLineEndings("\n");
+        if (Updating)
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(path)!);
+            File.WriteAllText(path, text);
+            return;
+        }
+
+        if (!File.Exists(path)) throw new GoldenFileException($"{path} is missing; run ./test --update-golden and read what it writes.");
+        var expected = File.ReadAllText(path).ReplaceLineEndings("\n");
+        if (expected != text) throw new GoldenFileException($"{path} differs: {FirstDifference(expected, text)}");
+    }
+
+    private static string FirstDifference(string expected, string actual)
+    {
+        var left = expected.Split('\n');
+        var right = actual.Split('\n');
+        var line = 0;
+        while (line < left.Length && line < right.Length && left[line] == right[line]) line++;
+        string At(string[] lines) => line < lines.Length ? lines[line] : "<end of text>";
+        return $"line {line + 1}: expected '{At(left)}', got '{At(right)}'";
+    }
+}

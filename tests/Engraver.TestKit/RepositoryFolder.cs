@@ -1,0 +1,29 @@
+namespace Engraver.TestKit;
+
+/// <summary>Finds the project's own folders from where a test runs.</summary>
+public static class RepositoryFolder
+{
+    /// <summary>The folder that holds CncEngraver.sln.</summary>
+    public static string Root { get; } = Find();
+
+    public static string Samples => Path.Combine(Root, "samples");
+
+    /// <summary>The corpus of real drawings beside the project, or null where it is not laid out. In CI it must be there.</summary>
+    public static string? Corpus
+    {
+        get
+        {
+            var folder = Path.GetFullPath(Path.Combine(Root, "..", "shared", "corpus"));
+            if (Directory.Exists(folder)) return folder;
+            if (Environment.GetEnvironmentVariable("CI") == "true") throw new DirectoryNotFoundException("In CI the corpus must stand beside the project.");
+            return null;
+        }
+    }
+
+    private static string Find()
+    {
+        var folder = new DirectoryInfo(AppContext.BaseDirectory);
+        while (folder is not null && !File.Exists(Path.Combine(folder.FullName, "CncEngraver.sln"))) folder = folder.Parent;
+        return folder?.FullName ?? throw new DirectoryNotFoundException("CncEngraver.sln was not found above the tests.");
+    }
+}
