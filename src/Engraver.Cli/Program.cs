@@ -1,1 +1,3 @@
-System.Console.WriteLine("engraver");
+using Engraver.Cli;
+
+return await EngraverProgram.RunAsync(args, new ConsoleStreams(Console.OpenStandardOutput(), Console.Error)).ConfigureAwait(false);

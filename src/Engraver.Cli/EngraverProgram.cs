@@ -1,0 +1,79 @@
+using System.CommandLine;
+using System.Globalization;
+using System.Runtime.InteropServices;
+using Engraver.Cli.Output;
+using Engraver.Cli.Verbs;
+using Engraver.Galil.Links;
+
+namespace Engraver.Cli;
+
+/// <summary>One run of <c>engraver</c>: parses the words, runs the verb, turns what went wrong into one sentence and an exit code.</summary>
+public static class EngraverProgram
+{
+    /// <summary>Runs the program.</summary>
+    /// <returns>The exit code (<see cref="ExitCode"/>).</returns>
+    /// <remarks>Ctrl-C and SIGTERM cancel the verb and then wait for it, however long the machine brakes: the library's own two-second limit is switched off.</remarks>
+    public static async Task<int> RunAsync(string[] args, ConsoleStreams streams)
+    {
+        using var stop = new CancellationTokenSource();
+        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
+        using var owned = streams;
+        return await RunAsync(args, streams, stop.Token).ConfigureAwait(false);
+
+        void Cancel(PosixSignalContext context)
+        {
+            context.Cancel = true;
+            stop.Cancel();
+        }
+    }
+
+    /// <summary>The same with the operator's stop as a token.</summary>
+    public static async Task<int> RunAsync(string[] args, ConsoleStreams streams, CancellationToken stop)
+    {
+        try
+        {
+            var code = await InvokeAsync(args, streams, stop).ConfigureAwait(false);
+            await streams.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
+            return code;
+        }
+        catch (UsageException wrong)
+        {
+            return Say(streams, wrong.Message, ExitCode.Usage);
+        }
+        catch (ControllerException link)
+        {
+            return Say(streams, link.Message, ExitCode.LinkLost);
+        }
+        catch (OperationCanceledException) when (stop.IsCancellationRequested)
+        {
+            return Say(streams, "Stopped by the operator.", ExitCode.StoppedByOperator);
+        }
+        catch (Exception bug)
+        {
+            return Say(streams, CrashReport.Write(bug, args), ExitCode.InternalError);
+        }
+    }
+
+    private static async Task<int> InvokeAsync(string[] args, ConsoleStreams streams, CancellationToken stop)
+    {
+        var root = EngraverCommandLine.Build(streams);
+        var parsed = root.Parse(args);
+        if (parsed.Errors.Count > 0) return Say(streams, $"{parsed.Errors[0].Message} Try: engraver --help", ExitCode.Usage);
+        if (parsed.GetValue(GlobalOptions.Culture) is { } culture) CultureInfo.CurrentUICulture = culture;
+        var settings = new InvocationConfiguration
+        {
+            EnableDefaultExceptionHandler = false,
+            ProcessTerminationTimeout = null,
+            Output = streams.Out,
+            Error = streams.Error,
+        };
+        return await parsed.InvokeAsync(settings, stop).ConfigureAwait(false);
+    }
+
+    private static int Say(ConsoleStreams streams, string sentence, int code)
+    {
+        streams.Error.WriteLine($"engraver: {sentence}");
+        return code;
+    }
+}

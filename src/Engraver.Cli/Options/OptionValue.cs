@@ -1,0 +1,43 @@
+using System.CommandLine.Parsing;
+using System.Globalization;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Cli.Options;
+
+/// <summary>How the words of the command line become values: invariant numbers only, and a clear sentence when a word cannot be read.</summary>
+internal static class OptionValue
+{
+    public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, "a number above 0");
+
+    public static double NumberFromZero(ArgumentResult result) => Number(result, value => value >= 0.0, "a number, 0 or more");
+
+    public static Point2D Point(ArgumentResult result)
+    {
+        var word = result.Tokens[0].Value;
+        if (TryPoint(word) is { } point) return point;
+        result.AddError($"{Name(result)}: '{word}' is not a point; write X,Y in millimetres with a decimal point, for example 12.5,-3.");
+        return default;
+    }
+
+    public static Point2D? TryPoint(string word)
+    {
+        var parts = word.Split(',');
+        return parts.Length == 2 && TryNumber(parts[0], out var x) && TryNumber(parts[1], out var y) ? new Point2D(x, y) : null;
+    }
+
+    public static IReadOnlyList<string> Names(ArgumentResult result) =>
+        result.Tokens[0].Value.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
+
+    private static double Number(ArgumentResult result, Func<double, bool> allowed, string wanted)
+    {
+        var word = result.Tokens[0].Value;
+        if (TryNumber(word, out var value) && allowed(value)) return value;
+        result.AddError($"{Name(result)}: '{word}' is not {wanted}.");
+        return double.NaN;
+    }
+
+    private static bool TryNumber(string word, out double value) =>
+        double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && double.IsFinite(value);
+
+    private static string Name(ArgumentResult result) => result.Argument.Name;
+}

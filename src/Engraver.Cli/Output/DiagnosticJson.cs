@@ -1,0 +1,10 @@
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Cli.Output;
+
+/// <summary>A diagnostic in the runner's JSON.</summary>
+internal sealed record DiagnosticJson(string Id, string Severity, long Line, string? Handle, string Message)
+{
+    public static DiagnosticJson From(Diagnostic diagnostic) =>
+        new(diagnostic.Id, DiagnosticPrinter.Word(diagnostic.Severity), diagnostic.Source.Line, diagnostic.Source.Handle, diagnostic.Message);
+}

@@ -1,0 +1,26 @@
+namespace Engraver.Cli.Output;
+
+/// <summary>What <c>engraver sequence --json</c> prints; names, units and meanings are the runner's contract.</summary>
+internal sealed record SequenceJson(
+    int Contours,
+    int Closed,
+    int Open,
+    int Segments,
+    int Reversed,
+    int DuplicatesRemoved,
+    double PathLength,
+    double Travel,
+    double TravelAndBack,
+    double TravelAsDrawn,
+    IReadOnlyList<SequenceJson.StrokeJson> Strokes,
+    IReadOnlyList<SequenceJson.DiscontinuityJson> Discontinuities,
+    SequenceJson.SecondsJson Seconds)
+{
+    internal sealed record StrokeJson(
+        int Index, bool Closed, int Segments, double Length, double StartX, double StartY, double EndX, double EndY, int Inside);
+
+    internal sealed record DiscontinuityJson(double X, double Y, double? Gap, string? NearestHandle, string Id);
+
+    /// <summary>Processor-free wall times of this run, seconds.</summary>
+    internal sealed record SecondsJson(double Read, double Chain, double Order);
+}

@@ -1,0 +1,19 @@
+namespace Engraver.Cli;
+
+/// <summary>An option whose value can be read but not used (an unknown layer, an unreadable profile). Ends the program with one sentence and exit code 2.</summary>
+public sealed class UsageException : Exception
+{
+    public UsageException()
+    {
+    }
+
+    public UsageException(string message)
+        : base(message)
+    {
+    }
+
+    public UsageException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+}

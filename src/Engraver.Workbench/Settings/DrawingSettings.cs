@@ -1,0 +1,37 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Galil.Profiles;
+
+namespace Engraver.Workbench.Settings;
+
+/// <summary>What the operator may choose between a drawing and its motion. The defaults are those of the runner's contract.</summary>
+public sealed record DrawingSettings
+{
+    /// <summary>Unit to take whatever the drawing says; null: the drawing's own.</summary>
+    public LengthUnit? Unit { get; init; }
+
+    /// <summary>Only these layers (even when switched off); null: visible, not frozen, plottable.</summary>
+    public IReadOnlyList<string>? Layers { get; init; }
+
+    /// <summary>Layers left out.</summary>
+    public IReadOnlyList<string> SkippedLayers { get; init; } = [];
+
+    /// <summary>Ends this close are one point, mm.</summary>
+    public double JoinToleranceMm { get; init; } = 0.01;
+
+    /// <summary>How far a chord may stand off its curve, mm.</summary>
+    public double MaxErrorMm { get; init; } = 0.001;
+
+    /// <summary>Drawing point where the tool stands when the job starts, mm.</summary>
+    public Point2D Start { get; init; }
+
+    /// <summary>Where cutting must begin; null: free choice.</summary>
+    public EnteringPlace? Enter { get; init; }
+
+    public StrokeOrder Order { get; init; } = StrokeOrder.Nearest;
+
+    public bool KeepDuplicates { get; init; }
+
+    /// <summary>The machine, with the feed of the feed option already in it.</summary>
+    public MachineProfile Machine { get; init; } = MachineProfile.Default;
+}
