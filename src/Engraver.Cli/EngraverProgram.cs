@@ -1,8 +1,8 @@
 using System.CommandLine;
 using System.Globalization;
 using System.Runtime.InteropServices;
+using Engraver.Cli.Options;
 using Engraver.Cli.Output;
-using Engraver.Cli.Verbs;
 using Engraver.Galil.Links;
 
 namespace Engraver.Cli;
@@ -57,10 +57,11 @@ public static class EngraverProgram
 
     private static async Task<int> InvokeAsync(string[] args, ConsoleStreams streams, CancellationToken stop)
     {
-        var root = EngraverCommandLine.Build(streams);
+        var global = new GlobalOptions();
+        var root = EngraverCommandLine.Build(streams, global);
         var parsed = root.Parse(args);
         if (parsed.Errors.Count > 0) return Say(streams, $"{parsed.Errors[0].Message} Try: engraver --help", ExitCode.Usage);
-        if (parsed.GetValue(GlobalOptions.Culture) is { } culture) CultureInfo.CurrentUICulture = culture;
+        if (global.Culture(parsed) is { } culture) CultureInfo.CurrentUICulture = culture;
         var settings = new InvocationConfiguration
         {
             EnableDefaultExceptionHandler = false,

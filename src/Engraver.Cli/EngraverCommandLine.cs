@@ -1,0 +1,24 @@
+using System.CommandLine;
+using Engraver.Cli.Options;
+using Engraver.Cli.Verbs;
+
+namespace Engraver.Cli;
+
+/// <summary>The verbs and options of the runner. A verb that is not built is not here, so it is a usage error.</summary>
+internal static class EngraverCommandLine
+{
+    public static RootCommand Build(ConsoleStreams streams, GlobalOptions global)
+    {
+        var root = new RootCommand("Turns a drawing (DXF) into motion of a CNC engraver on a Galil DMC-2143, and drives it.");
+        global.AddTo(root);
+        var host = new VerbHost(streams, global);
+        root.Subcommands.Add(InfoVerb.Build(host));
+        root.Subcommands.Add(TableVerb.Build(host));
+        root.Subcommands.Add(SequenceVerb.Build(host));
+        root.Subcommands.Add(PlotVerb.Build(host));
+        root.Subcommands.Add(PostVerb.Build(host));
+        root.Subcommands.Add(RunVerb.Build(host));
+        root.Subcommands.Add(SimulateVerb.Build(host));
+        return root;
+    }
+}

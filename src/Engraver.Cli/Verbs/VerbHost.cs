@@ -1,0 +1,46 @@
+using System.CommandLine;
+using Engraver.Cli.Options;
+using Engraver.Cli.Output;
+using Engraver.Core.Diagnostics;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary>What every verb needs around it: the streams, the global options, and the way diagnostics are printed and turned into an exit code.</summary>
+internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global)
+{
+    public TextWriter Out => streams.Out;
+
+    public TextWriter Error => streams.Error;
+
+    public bool Quiet(ParseResult parsed) => global.Quiet(parsed);
+
+    /// <summary>Prints what was found (warnings and errors; with --verbose also infos, with --quiet only errors).</summary>
+    /// <returns>The exit code that the findings ask for.</returns>
+    public int Report(ParseResult parsed, string file, IReadOnlyCollection<Diagnostic> diagnostics)
+    {
+        var least = global.Quiet(parsed) ? Severity.Error : global.Verbose(parsed) ? Severity.Info : Severity.Warning;
+        DiagnosticPrinter.Print(Error, file, diagnostics, least);
+        return diagnostics.Any(d => d.Severity == Severity.Error) ? ExitCode.DrawingError : ExitCode.Done;
+    }
+
+    /// <summary>Writes a result to a file, whole or not at all, or to standard output when no file is named.</summary>
+    /// <exception cref="UsageException">The place cannot be written.</exception>
+    public void Write(string? path, Action<TextWriter> write)
+    {
+        if (path is null)
+        {
+            write(Out);
+            return;
+        }
+
+        try
+        {
+            OutputFile.Write(path, write);
+        }
+        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
+        {
+            throw new UsageException($"{path} cannot be written: {unwritable.Message}", unwritable);
+        }
+    }
+}

@@ -1,0 +1,13 @@
+namespace Engraver.Core.Diagnostics;
+
+/// <summary>Findings about a file as a file, before anything in it is read.</summary>
+public static class DocumentRules
+{
+    public static readonly DiagnosticRule Unreadable = new(
+        "DOC0001",
+        Severity.Error,
+        "The file cannot be opened: {reason}.",
+        "Check the name and the right to read it.");
+
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [Unreadable];
+}

@@ -1,0 +1,24 @@
+using System.Text;
+
+namespace Engraver.Cli.Tests;
+
+/// <summary>One run of the program inside the test process: arguments in, exit code and both outputs back.</summary>
+internal sealed record CliRun(int ExitCode, string Out, string Error)
+{
+    public static Task<CliRun> Of(params string[] args) => Of(CancellationToken.None, args);
+
+    /// <param name="stop">Cancelling it is the operator's Ctrl-C.</param>
+    /// <param name="args">The words after <c>engraver</c>.</param>
+    public static async Task<CliRun> Of(CancellationToken stop, params string[] args)
+    {
+        using var output = new MemoryStream();
+        await using var error = new StringWriter();
+        int code;
+        using (var streams = new ConsoleStreams(output, error))
+        {
+            code = await EngraverProgram.RunAsync(args, streams, stop);
+        }
+
+        return new CliRun(code, Encoding.UTF8.GetString(output.ToArray()), error.ToString());
+    }
+}

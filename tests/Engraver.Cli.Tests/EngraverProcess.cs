@@ -1,0 +1,60 @@
+using System.Diagnostics;
+using System.Runtime.InteropServices;
+
+namespace Engraver.Cli.Tests;
+
+/// <summary>The program as a process of its own, for what only a process can show: signals, a killed host, two programs on one socket.</summary>
+internal sealed class EngraverProcess : IDisposable
+{
+    private readonly Process _process;
+
+    private EngraverProcess(Process process) => _process = process;
+
+    public int ExitCode => _process.ExitCode;
+
+    public StreamReader Out => _process.StandardOutput;
+
+    public StreamReader Error => _process.StandardError;
+
+    public static EngraverProcess Start(params string[] args)
+    {
+        var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true, UseShellExecute = false };
+        start.ArgumentList.Add(Path.Combine(AppContext.BaseDirectory, "engraver.dll"));
+        foreach (var arg in args) start.ArgumentList.Add(arg);
+        return new EngraverProcess(Process.Start(start) ?? throw new InvalidOperationException("dotnet did not start."));
+    }
+
+    /// <summary>Reads standard output up to the first line that begins so, and answers that line.</summary>
+    public async Task<string> LineAsync(string beginning, CancellationToken cancellation)
+    {
+        while (await _process.StandardOutput.ReadLineAsync(cancellation) is { } line)
+        {
+            if (line.StartsWith(beginning, StringComparison.Ordinal)) return line;
+        }
+
+        throw new EndOfStreamException($"The program ended without saying '{beginning}'.");
+    }
+
+    public Task WaitAsync(CancellationToken cancellation) => _process.WaitForExitAsync(cancellation);
+
+    public void Kill() => _process.Kill();
+
+    public void Signal(PosixSignal signal)
+    {
+        var number = signal switch { PosixSignal.SIGINT => 2, PosixSignal.SIGTERM => 15, _ => throw new ArgumentOutOfRangeException(nameof(signal)) };
+        if (NativeMethods.Kill(_process.Id, number) != 0) throw new InvalidOperationException($"kill failed: {Marshal.GetLastPInvokeErrorMessage()}");
+    }
+
+    public void Dispose()
+    {
+        if (!_process.HasExited) _process.Kill();
+        _process.Dispose();
+    }
+
+    private static class NativeMethods
+    {
+        [DllImport("libc", EntryPoint = "kill", SetLastError = true)]
+        [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
+        public static extern int Kill(int process, int signal);
+    }
+}
