@@ -1,0 +1,24 @@
+using Engraver.Galil.Profiles;
+
+namespace Engraver.Cli.Options;
+
+/// <summary>The machine profile named on the command line.</summary>
+internal static class MachineOption
+{
+    /// <exception cref="UsageException">The file cannot be read or is no machine profile; the message says where and why.</exception>
+    public static MachineProfile Load(string path)
+    {
+        string json;
+        try
+        {
+            json = File.ReadAllText(path);
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            throw new UsageException($"--machine: {path} cannot be read: {unreadable.Message}", unreadable);
+        }
+
+        var read = MachineProfileFile.Read(json);
+        return read.Profile ?? throw new UsageException($"--machine: {path}: {read.Error}");
+    }
+}
