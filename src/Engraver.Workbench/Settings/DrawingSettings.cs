@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
 using Engraver.Galil.Profiles;
 
 namespace Engraver.Workbench.Settings;

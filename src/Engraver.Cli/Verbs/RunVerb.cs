@@ -1,0 +1,114 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Engraver.Cli.Options;
+using Engraver.Cli.Output;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver run</c>: the main job, from a drawing to motion on a controller.</summary>
+internal sealed class RunVerb
+{
+    private readonly VerbHost _host;
+    private readonly DrawingOptions _drawing = new();
+    private readonly Option<ControllerAddress?> _connect = new("--connect") { Required = true, HelpName = "URL", Description = "tcp://HOST:PORT, or sim: for the simulated controller (sim:?speed=1 in real time).", CustomParser = ParseAddress };
+    private readonly Option<string> _mode = new("--mode") { Description = "stream: vector sequences fed live; calls: the paper's #LINEAR and #CIRC.", DefaultValueFactory = _ => "stream" };
+    private readonly Option<bool> _json = JsonOption.New();
+    private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = "Where progress is journalled (default: the user's data folder)." };
+    private readonly Option<bool> _dryRun = new("--dry-run") { Description = "Every motion, but the tool stays off." };
+    private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = "Write every line on the wire." };
+    private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = "Start although the drawing has errors." };
+
+    private RunVerb(VerbHost host)
+    {
+        _host = host;
+        _mode.AcceptOnlyFromAmong("stream", "calls");
+    }
+
+    public static Command Build(VerbHost host)
+    {
+        var verb = new RunVerb(host);
+        var command = new Command("run", "Runs the drawing on a controller and says how well it was cut.");
+        verb._drawing.AddTo(command);
+        foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors]) command.Options.Add(option);
+        command.SetAction(verb.RunAsync);
+        return command;
+    }
+
+    private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
+    {
+        var settings = _drawing.Settings(parsed);
+        var mode = parsed.GetValue(_mode) == "calls" ? JobMode.Calls : JobMode.Stream;
+        var read = DrawingFile.Open(_drawing.File(parsed), settings.Unit, stop);
+        var job = JobPreparation.Prepare(read, settings, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous);
+        var code = _host.Report(parsed, read.FileName, job.Diagnostics);
+        if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
+        {
+            return NotStarted(parsed, job, job.Motion.Program is null ? "nothing that this machine can cut" : "the drawing has errors; look at them, then start with --accept-errors");
+        }
+
+        if (program.SegmentCount == 0) return NotStarted(parsed, job, "no curve on the selected layers");
+        return await RunOnMachineAsync(parsed, job, program, mode, stop).ConfigureAwait(false);
+    }
+
+    private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, MotionProgram program, JobMode mode, CancellationToken stop)
+    {
+        var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, mode)
+        {
+            JournalPath = parsed.GetValue(_journal) ?? JournalFolder.NewJournal(job.Drawing.FileName, TimeProvider.System),
+            TracePath = parsed.GetValue(_trace),
+            DryRun = parsed.GetValue(_dryRun),
+        };
+        var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
+        MachineRunReport report;
+        try
+        {
+            report = await RunProgressBar.ShowAsync(quiet, program, progress => MachineRun.RunAsync(job, program, options, TimeProvider.System, progress, stop)).ConfigureAwait(false);
+        }
+        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
+        {
+            throw new UsageException($"The journal or the trace cannot be written: {unwritable.Message}", unwritable);
+        }
+
+        return Finish(parsed, job, report, options.JournalPath);
+    }
+
+    private int Finish(ParseResult parsed, PreparedJob job, MachineRunReport report, string journal)
+    {
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal), ContractJson.Default.RunJson);
+        else _host.Out.WriteLine(RunReport.Sentence(job, report));
+        if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
+        foreach (var left in report.Result.NotRestored) _host.Error.WriteLine($"engraver: not restored: {left}");
+        return report.Result.Outcome switch
+        {
+            JobOutcome.Complete => ExitCode.Done,
+            JobOutcome.Stopped => ExitCode.StoppedByOperator,
+            JobOutcome.Refused => ExitCode.Refused,
+            _ => ExitCode.LinkLost,
+        };
+    }
+
+    private int NotStarted(ParseResult parsed, PreparedJob job, string why)
+    {
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job), ContractJson.Default.RunJson);
+        _host.Error.WriteLine($"engraver: not started: {why}.");
+        return ExitCode.DrawingError;
+    }
+
+    private static ControllerAddress? ParseAddress(ArgumentResult result)
+    {
+        var word = result.Tokens[0].Value;
+        if (!ControllerAddress.TryParse(word, out var address))
+        {
+            result.AddError($"--connect: '{word}' is no controller address; write tcp://HOST:PORT or sim:.");
+            return null;
+        }
+
+        if (address is SerialAddress) result.AddError("--connect: serial links are not built yet; use tcp://HOST:PORT or sim:.");
+        return address;
+    }
+}

@@ -1,0 +1,42 @@
+using System.CommandLine;
+using Engraver.Cli.Options;
+using Engraver.Core.EntityTables;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver table</c>: the fixed-slot entity table of paper 001, in sequence order or as drawn.</summary>
+internal static class TableVerb
+{
+    public static Command Build(VerbHost host)
+    {
+        var drawing = new DrawingOptions();
+        var format = new Option<string>("--format") { Description = "How the table is written.", DefaultValueFactory = _ => "text" };
+        format.AcceptOnlyFromAmong("text", "csv", "json");
+        var asDrawn = new Option<bool>("--as-drawn") { Description = "Analysed, but in file order and not sequenced (slot 13 is 0)." };
+        var command = new Command("table", "Prints the fixed-slot entity table, one row for each directed segment.");
+        drawing.AddTo(command);
+        command.Options.Add(format);
+        command.Options.Add(asDrawn);
+        command.SetAction((parsed, stop) =>
+        {
+            var settings = drawing.Settings(parsed);
+            var read = DrawingFile.Open(drawing.File(parsed), settings.Unit, stop);
+            var analysed = JobPreparation.Analyse(read, settings);
+            var table = parsed.GetValue(asDrawn) ? analysed : JobPreparation.Sequence(read, analysed, settings).Table;
+            Write(parsed.GetRequiredValue(format), table, host.Out);
+            return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
+        });
+        return command;
+    }
+
+    private static void Write(string format, EntityTable table, TextWriter output)
+    {
+        switch (format)
+        {
+            case "csv": EntityTableCsv.Write(table, output); break;
+            case "json": EntityTableJson.Write(table, output); break;
+            default: EntityTableText.Write(table, output); break;
+        }
+    }
+}

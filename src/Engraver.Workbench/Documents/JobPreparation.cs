@@ -1,0 +1,54 @@
+using System.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Galil.Programs;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>The stages from a drawing to its motion program, with the operator's settings spelled for each of them.</summary>
+public static class JobPreparation
+{
+    /// <summary>The fixed-slot table of the selected layers, arcs analysed, file order.</summary>
+    /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
+    public static EntityTable Analyse(Drawing drawing, DrawingSettings settings)
+    {
+        var selection = new LayerSelection(settings.Layers ?? [], settings.SkippedLayers);
+        if (selection.UnknownNames(drawing.Layers) is { Count: > 0 } unknown) throw SettingException.UnknownLayers(unknown, drawing.Layers);
+        return ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, selection));
+    }
+
+    /// <summary>Contours, order, discontinuities.</summary>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    public static SequencingResult Sequence(Drawing drawing, EntityTable analysed, DrawingSettings settings) =>
+        Sequencer.Sequence(analysed, drawing, new SequencingOptions
+        {
+            JoinTolerance = settings.JoinToleranceMm,
+            DuplicateTolerance = settings.MaxErrorMm,
+            KeepDuplicates = settings.KeepDuplicates,
+            ToolStart = settings.Start,
+            Order = settings.Order,
+            Enter = Entering(drawing, settings.Enter),
+        });
+
+    /// <summary>All stages.</summary>
+    /// <param name="style">Continuous for the stream and the posted sequences, calls for the paper's way.</param>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style)
+    {
+        var sequence = Sequence(drawing, Analyse(drawing, settings), settings);
+        var toolpath = ToolpathPlanner.Plan(sequence, settings.Start);
+        var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, style, drawing.SourceOf);
+        return new PreparedJob(drawing, settings, sequence, toolpath, motion);
+    }
+
+    private static EnterAt? Entering(Drawing drawing, EnteringPlace? place) => place switch
+    {
+        null => null,
+        EnteringPlace.ByPoint point => new EnterAt.AtPlace(point.Point),
+        EnteringPlace.ByHandle handle => new EnterAt.AtEntity(drawing.IndexOfHandle(handle.Handle) ?? throw SettingException.UnknownHandle(handle.Handle)),
+        _ => throw new UnreachableException(),
+    };
+}

@@ -1,0 +1,17 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Galil.Programs;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>A drawing with everything made of it on the way to the machine. Immutable; every stage's findings are kept apart and together.</summary>
+/// <param name="Sequence">The analysed, chained and ordered drawing.</param>
+/// <param name="Toolpath">Ordered moves, mm.</param>
+/// <param name="Motion">The motion program, or why there is none.</param>
+public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, SequencingResult Sequence, Toolpath Toolpath, MotionGeneration Motion)
+{
+    public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Sequence.Diagnostics, .. Motion.Diagnostics];
+}

@@ -1,0 +1,17 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>How a prepared job is run.</summary>
+public sealed record MachineRunOptions(ControllerAddress Address, JobMode Mode)
+{
+    /// <summary>Where the journal goes.</summary>
+    public required string JournalPath { get; init; }
+
+    /// <summary>Where every line on the wire is written; null for nowhere.</summary>
+    public string? TracePath { get; init; }
+
+    /// <summary>Every motion, but the tool stays off.</summary>
+    public bool DryRun { get; init; }
+}

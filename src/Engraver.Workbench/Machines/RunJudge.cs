@@ -1,0 +1,51 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Verification;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+using Engraver.Simulator;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>Holds what the motors did against the drawing. It never looks at our own plan of the motion, only at what the controller or the simulator's record says.</summary>
+public static class RunJudge
+{
+    /// <summary>Judges by the record of a simulated controller: every motor sample counts.</summary>
+    /// <param name="frameX">Counts of the controller at the drawing's zero, axis A.</param>
+    /// <param name="frameY">The same, axis B.</param>
+    public static RunJudgement ByRecord(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY)
+    {
+        var profile = job.Settings.Machine;
+        var toolBit = 1 << (profile.ToolOutput - 1);
+        var trace = new TraceSample[record.Count];
+        for (var i = 0; i < trace.Length; i++)
+        {
+            var sample = record[i];
+            trace[i] = Sample(profile, sample.Seconds, sample.A - frameX, sample.B - frameY, (sample.Outputs & toolBit) != 0);
+        }
+
+        var found = TraceComparison.Compare(DrawingOf(job), trace, Coverage(job));
+        return new RunJudgement(found.MaxDeviation, found.MissingLength, "record");
+    }
+
+    /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed.</summary>
+    public static RunJudgement ByPolling(PreparedJob job, MotionProgram program, JobResult result)
+    {
+        var profile = job.Settings.Machine;
+        var trace = result.PolledTrace.Select(point => Sample(profile, point.Seconds, point.X, point.Y, point.ToolOn)).ToArray();
+        if (!trace.Any(sample => sample.Cutting)) return RunJudgement.Unknown;
+        var found = TraceComparison.Compare(DrawingOf(job), trace, Coverage(job));
+        var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
+        var missing = Math.Max(0.0, planned - result.LengthByStroke.Sum()) / Math.Max(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
+        return new RunJudgement(found.MaxDeviation, missing, "polled");
+    }
+
+    private static IReadOnlyList<Segment> DrawingOf(PreparedJob job) => job.DrawnSegments();
+
+    private static double Coverage(PreparedJob job) => TraceComparison.CoverageTolerance(
+        1.0 / Math.Min(Math.Abs(job.Settings.Machine.CountsPerMillimetreX), Math.Abs(job.Settings.Machine.CountsPerMillimetreY)), job.Settings.MaxErrorMm);
+
+    private static TraceSample Sample(MachineProfile profile, double seconds, long x, long y, bool cutting) =>
+        new(seconds, x / profile.CountsPerMillimetreX, y / profile.CountsPerMillimetreY, cutting);
+}

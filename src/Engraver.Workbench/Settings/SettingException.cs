@@ -1,0 +1,26 @@
+using Engraver.Core.Drawings;
+
+namespace Engraver.Workbench.Settings;
+
+/// <summary>A setting that can be read but does not fit the drawing: an unknown layer, an unknown handle. The message says what there is instead.</summary>
+public sealed class SettingException : Exception
+{
+    public SettingException()
+    {
+    }
+
+    public SettingException(string message)
+        : base(message)
+    {
+    }
+
+    public SettingException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+
+    public static SettingException UnknownLayers(IReadOnlyList<string> unknown, IReadOnlyList<Layer> layers) => new(
+        $"The drawing has no layer {string.Join(", ", unknown.Select(name => $"'{name}'"))}; it has {string.Join(", ", layers.Take(20).Select(layer => $"'{layer.Name}'"))}{(layers.Count > 20 ? " and others" : "")}.");
+
+    public static SettingException UnknownHandle(string handle) => new($"--enter: no curve of the drawing has the handle {handle}; engraver table and info show what there is.");
+}
