@@ -10,7 +10,10 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
     public Severity Severity => Rule.Severity;
 
     /// <summary>The sentence with its facts filled in, followed by the advice.</summary>
-    public string Message => $"{Fill(Rule.Sentence, Facts)} {Rule.Advice}";
+    public string Message => $"{Sentence} {Rule.Advice}";
+
+    /// <summary>The sentence with its facts filled in.</summary>
+    public string Sentence => Fill(Rule.Sentence, Facts);
 
     private static string Fill(string sentence, IReadOnlyList<string> facts)
     {

@@ -17,5 +17,8 @@ public sealed record DrawingBalance(
     IReadOnlyDictionary<string, int> TextCounts,
     int Points)
 {
+    /// <summary>Model-space records as written, by index into <see cref="Drawing.Layers"/> (an INSERT counts on its own layer, what it brings does not).</summary>
+    public IReadOnlyList<int> RecordsPerLayer { get; init; } = [];
+
     public int Read => EntityCounts.Values.Sum();
 }

@@ -1,0 +1,113 @@
+namespace Engraver.Core.Diagnostics;
+
+/// <summary>Everything the DXF reader can find. Facts of a record's finding are always its type, its place and a detail.</summary>
+public static class DxfRules
+{
+    public static readonly DiagnosticRule EmptyFile = new("DXF0001", Severity.Error,
+        "The file is empty.", "Export the drawing again.");
+
+    public static readonly DiagnosticRule NotDxf = new("DXF0002", Severity.Error,
+        "The file is no DXF: {found}.", "Save the drawing as DXF (any version, ASCII or binary) and open that.");
+
+    public static readonly DiagnosticRule UnitsAssumed = new("DXF0003", Severity.Warning,
+        "The drawing does not say its unit ($INSUNITS is {insunits}, $MEASUREMENT is {measurement}); millimetres were assumed.",
+        "Check the size shown; if it is wrong, give --units mm or --units inch.");
+
+    public static readonly DiagnosticRule DwgFile = new("DXF0004", Severity.Error,
+        "The file is a DWG ({version}), not a DXF.", "Open it in a CAD program and save it as DXF.");
+
+    public static readonly DiagnosticRule Truncated = new("DXF0005", Severity.Error,
+        "The file is incomplete: it ends at {place} without EOF.", "Everything before was read; export or copy the file again and compare.");
+
+    public static readonly DiagnosticRule DamagedRecord = new("DXF0006", Severity.Error,
+        "{type} at {place} was left out: '{found}' stands where a group code is due.", "Repair that line or export the drawing again.");
+
+    public static readonly DiagnosticRule BadValue = new("DXF0007", Severity.Error,
+        "{type} at {place} was left out: {value}, which is no usable number.", "Repair that value or export the drawing again.");
+
+    public static readonly DiagnosticRule MissingValue = new("DXF0008", Severity.Error,
+        "{type} at {place} was left out: it has no group {code}.", "Repair the entity or export the drawing again.");
+
+    public static readonly DiagnosticRule RepeatedValue = new("DXF0009", Severity.Warning,
+        "{type} at {place} has group {code} more than once; the first was used.", "Compare the entity with the original drawing.");
+
+    public static readonly DiagnosticRule NoLength = new("DXF0010", Severity.Warning,
+        "{type} at {place} has no length{why}; there is nothing to cut.", "Delete it, or draw it as it was meant.");
+
+    public static readonly DiagnosticRule NegativeRadius = new("DXF0011", Severity.Warning,
+        "{type} at {place} has the negative radius {radius}; its size was used.", "Compare the entity with the original drawing.");
+
+    public static readonly DiagnosticRule TypeNotRead = new("DXF0012", Severity.Warning,
+        "{type} at {place} was left out: this type is not read.", "Explode it to lines and arcs in the CAD program if it has to be cut.");
+
+    public static readonly DiagnosticRule CurveNotRead = new("DXF0013", Severity.Error,
+        "{type} at {place} was left out: this curve is not read yet.", "Convert it to a polyline in the CAD program.");
+
+    public static readonly DiagnosticRule TiltedCurve = new("DXF0014", Severity.Error,
+        "{type} at {place} was left out: it is tilted against the drawing plane, which makes it an ellipse.", "Flatten it in the CAD program, or convert it to a polyline.");
+
+    public static readonly DiagnosticRule UnequalScale = new("DXF0015", Severity.Error,
+        "{type} at {place} was left out: an INSERT scales it differently in x and y, which makes it an ellipse.", "Explode the block and convert the curve to a polyline.");
+
+    public static readonly DiagnosticRule MeshLeftOut = new("DXF0016", Severity.Warning,
+        "{type} at {place} was left out: it is a mesh, not a curve.", "Explode it if its edges have to be cut.");
+
+    public static readonly DiagnosticRule MissingBlock = new("DXF0017", Severity.Error,
+        "{type} at {place} was left out: its block '{name}' is not in the file.", "Export the drawing with all its blocks (bind external references).");
+
+    public static readonly DiagnosticRule RecursiveBlock = new("DXF0018", Severity.Error,
+        "{type} at {place} was left out: block '{name}' contains itself.", "Repair the block in the CAD program (AUDIT).");
+
+    public static readonly DiagnosticRule TooManyCurves = new("DXF0019", Severity.Error,
+        "{type} at {place} was left out: block '{name}' would expand beyond the limit of curves.", "Reduce the array or the nesting.");
+
+    public static readonly DiagnosticRule NestedTooDeep = new("DXF0020", Severity.Error,
+        "{type} at {place} was left out: block '{name}' is nested too deep.", "Explode the inner blocks.");
+
+    public static readonly DiagnosticRule PolylineWithoutEnd = new("DXF0022", Severity.Warning,
+        "{type} at {place} has no SEQEND; its vertices were used.", "Compare the polyline with the original drawing.");
+
+    public static readonly DiagnosticRule PartAlone = new("DXF0023", Severity.Warning,
+        "{type} at {place} was left out: it belongs to no POLYLINE and no INSERT.", "Compare the place with the original drawing.");
+
+    public static readonly DiagnosticRule WidthIgnored = new("DXF0024", Severity.Info,
+        "{type} at {place} has a width; polylines are cut along their centre line.", "Draw the outline if the width has to be cut.");
+
+    public static readonly DiagnosticRule NoExtrusion = new("DXF0025", Severity.Warning,
+        "{type} at {place} has an extrusion direction of zero; straight up was used.", "Compare the entity with the original drawing.");
+
+    public static readonly DiagnosticRule NothingInserted = new("DXF0026", Severity.Warning,
+        "{type} at {place} was left out: of its block '{name}' no curve could be taken.", "See what is reported of the block's entities.");
+
+    public static readonly DiagnosticRule ForeignText = new("DXF0028", Severity.Warning,
+        "Some names are not valid in the encoding that the file declares ({encoding}); another one was tried.", "Check the layer names.");
+
+    public static readonly DiagnosticRule MoreOfTheSame = new("DXF0029", Severity.Info,
+        "{id} was found {count} times in all; only the first {shown} are listed.", "Mend the cause of the first ones and open the drawing again.");
+
+    public static readonly DiagnosticRule VertexCount = new("DXF0030", Severity.Warning,
+        "{type} at {place} {counts}; the vertices that stand there were used.", "Compare the polyline with the original drawing.");
+
+    public static readonly DiagnosticRule CutRecord = new("DXF0031", Severity.Error,
+        "{type} at {place} was left out: the file ends in the middle of it.", "Export or copy the file again.");
+
+    public static readonly DiagnosticRule SectionWithoutEnd = new("DXF0032", Severity.Warning,
+        "Section {name} ends at {place} without ENDSEC.", "Compare the drawing with the original.");
+
+    public static readonly DiagnosticRule OutOfRange = new("DXF0033", Severity.Error,
+        "{type} at {place} was left out: its coordinates are too large to be used.", "Check the scale of the INSERT that brings it.");
+
+    public static readonly DiagnosticRule BlockTwice = new("DXF0035", Severity.Warning,
+        "{type} at {place} defines block '{name}' again; the first definition was used.", "Rename one of the two blocks.");
+
+    public static readonly DiagnosticRule UnknownCodePage = new("DXF0036", Severity.Info,
+        "The code page '{name}' is not known; names were read as Windows-1252 or UTF-8.", "Check the layer names.");
+
+    /// <summary>Every rule, by id.</summary>
+    public static IReadOnlyList<DiagnosticRule> All { get; } =
+    [
+        EmptyFile, NotDxf, UnitsAssumed, DwgFile, Truncated, DamagedRecord, BadValue, MissingValue, RepeatedValue, NoLength, NegativeRadius, TypeNotRead,
+        CurveNotRead, TiltedCurve, UnequalScale, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, NestedTooDeep, PolylineWithoutEnd, PartAlone,
+        WidthIgnored, NoExtrusion, NothingInserted, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, BlockTwice, UnknownCodePage,
+    ];
+}

@@ -1,0 +1,20 @@
+using System.Diagnostics;
+
+namespace Engraver.Core.Drawings;
+
+/// <summary>The DXF spelling of a curve type.</summary>
+public static class CurveTypeName
+{
+    /// <summary>"LINE", "LWPOLYLINE" ...</summary>
+    public static string ToDxfName(this CurveType type) => type switch
+    {
+        CurveType.Line => "LINE",
+        CurveType.Arc => "ARC",
+        CurveType.Circle => "CIRCLE",
+        CurveType.Ellipse => "ELLIPSE",
+        CurveType.Spline => "SPLINE",
+        CurveType.LwPolyline => "LWPOLYLINE",
+        CurveType.Polyline => "POLYLINE",
+        _ => throw new UnreachableException(),
+    };
+}

@@ -1,0 +1,127 @@
+using System.Buffers;
+using System.Text;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Pairs of lines: a group code, then its value. Line ends may be LF, CR LF, CR CR LF or CR, also mixed; codes may have blanks around them.</summary>
+internal sealed class AsciiTagSource : DxfTagSource
+{
+    private const int ShownText = 40;
+    private static readonly SearchValues<byte> KeywordBytes = SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"u8);
+    private int _valueStart;
+    private int _valueLength;
+
+    public AsciiTagSource(ReadOnlyMemory<byte> file)
+        : base(file)
+    {
+        NextLine = 1;
+        if (Bytes.StartsWith("\uFEFF"u8)) Position = 3;
+    }
+
+    public override bool IsBinary => false;
+
+    public override ReadOnlySpan<byte> Value => Bytes.Slice(_valueStart, _valueLength);
+
+    public override bool TryNumber(out double number) => DxfNumber.TryParse(Value, out number);
+
+    protected override bool ReadPair()
+    {
+        while (TakeLine(out var start, out var length, out _))
+        {
+            var line = Bytes.Slice(start, length);
+            if (TryCode(line, out var code))
+            {
+                Code = code;
+                Line = NextLine - 1;
+                var complete = TakeLine(out _valueStart, out _valueLength, out var ended);
+                CutInsidePair = !complete || !ended;
+                return complete;
+            }
+
+            if (IsBlank(line)) continue; // an empty line too many: the pairs behind it are sound
+            Damage(NextLine - 1, Encoding.Latin1.GetString(line[..Math.Min(length, ShownText)]));
+            SkipToNextRecord();
+        }
+
+        return false;
+    }
+
+    private static bool IsBlank(ReadOnlySpan<byte> line) => line.Trim(" \t\0\u001A"u8).IsEmpty;
+
+    /// <summary>A whole number of up to five digits, as the formats know it (-5 to 1071); anything else is no group code.</summary>
+    private static bool TryCode(ReadOnlySpan<byte> line, out int code)
+    {
+        code = 0;
+        var at = 0;
+        while (at < line.Length && line[at] is (byte)' ' or (byte)'\t') at++;
+        var negative = at < line.Length && line[at] == '-';
+        if (negative) at++;
+        var first = at;
+        for (; at < line.Length && (uint)line[at] - '0' <= 9; at++)
+        {
+            code = (code * 10) + line[at] - '0';
+            if (at - first >= 5) return false;
+        }
+
+        var digits = at - first;
+        while (at < line.Length && line[at] is (byte)' ' or (byte)'\t') at++;
+        if (negative) code = -code;
+        return digits > 0 && at == line.Length;
+    }
+
+    /// <summary>After a line that is no group code the pairs may have slipped by one; a "0" followed by a keyword is where they fit again.</summary>
+    private void SkipToNextRecord()
+    {
+        while (true)
+        {
+            var (place, number) = Bookmark();
+            if (!TakeLine(out var start, out var length, out _)) return;
+            if (!TryCode(Bytes.Slice(start, length), out var code) || code != 0) continue;
+            var afterCode = Bookmark();
+            if (!TakeLine(out start, out length, out _)) return;
+            if (IsKeyword(Bytes.Slice(start, length)))
+            {
+                Return((place, number));
+                return;
+            }
+
+            Return(afterCode);
+        }
+    }
+
+    private static bool IsKeyword(ReadOnlySpan<byte> line)
+    {
+        var word = line.Trim(" \t"u8);
+        return word.Length > 2 && char.IsAsciiLetterOrDigit((char)word[0]) && word.IndexOfAnyInRange((byte)'A', (byte)'Z') >= 0
+            && word.IndexOfAnyExcept(KeywordBytes) < 0;
+    }
+
+    /// <summary>The next line without its end; <paramref name="ended"/> is false when the file stops without one.</summary>
+    private bool TakeLine(out int start, out int length, out bool ended)
+    {
+        var bytes = Bytes;
+        start = Position;
+        if (start >= bytes.Length)
+        {
+            length = 0;
+            ended = false;
+            return false;
+        }
+
+        length = bytes[start..].IndexOfAny((byte)'\n', (byte)'\r');
+        ended = length >= 0;
+        if (!ended) length = bytes.Length - start;
+        var end = start + length;
+        if (ended) end += LineEndLength(bytes[end..]);
+        Position = end;
+        NextLine++;
+        return true;
+    }
+
+    private static int LineEndLength(ReadOnlySpan<byte> end)
+    {
+        if (end[0] == '\n') return 1;
+        if (end.Length > 1 && end[1] == '\n') return 2;
+        return end.Length > 2 && end[1] == '\r' && end[2] == '\n' ? 3 : 1;
+    }
+}

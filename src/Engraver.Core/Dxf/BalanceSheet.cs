@@ -1,0 +1,64 @@
+using Engraver.Core.Drawings;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Counts what becomes of every model-space record while the file is read.</summary>
+internal sealed class BalanceSheet(ImportLog log)
+{
+    private readonly Dictionary<string, int> _counts = new(StringComparer.Ordinal);
+    private readonly List<int> _perLayer = [];
+    private readonly List<RefusedEntity> _refused = [];
+    private readonly List<RefusedEntity> _refusedInBlocks = [];
+    private readonly Dictionary<string, long> _annotations = new(StringComparer.Ordinal);
+    private int _cut;
+    private int _construction;
+
+    public void AddCut(EntityRecord record)
+    {
+        AddRecord(record);
+        _cut++;
+    }
+
+    public void AddConstruction(EntityRecord record)
+    {
+        AddRecord(record);
+        _construction++;
+    }
+
+    public void AddRefused(EntityRecord record, in Trouble trouble)
+    {
+        AddRecord(record);
+        _refused.Add(log.Refusal(trouble));
+        log.Add(trouble);
+    }
+
+    /// <summary>A finding inside a block: listed among the refusals only when the entity was left out.</summary>
+    public void AddInBlock(in Trouble trouble)
+    {
+        if (trouble.Refused) _refusedInBlocks.Add(log.Refusal(trouble));
+        log.Add(trouble);
+    }
+
+    public void AddAnnotation(string type, long count) => _annotations[type] = BlockWeight.Sum(_annotations.GetValueOrDefault(type), count);
+
+    public void AddAnnotations(IReadOnlyDictionary<string, long> annotations, long copies) => BlockScale.AddAnnotations(_annotations, annotations, copies);
+
+    public DrawingBalance ToBalance(int layers)
+    {
+        while (_perLayer.Count < layers) _perLayer.Add(0);
+        var texts = _annotations.Where(entry => entry.Key != "POINT").ToDictionary(entry => entry.Key, entry => Count(entry.Value), StringComparer.Ordinal);
+        return new DrawingBalance(_counts, _cut, _construction, _refused, _refusedInBlocks, texts, Count(_annotations.GetValueOrDefault("POINT")))
+        {
+            RecordsPerLayer = _perLayer,
+        };
+    }
+
+    private static int Count(long count) => (int)Math.Min(count, int.MaxValue);
+
+    private void AddRecord(EntityRecord record)
+    {
+        _counts[record.Type] = _counts.GetValueOrDefault(record.Type) + 1;
+        while (_perLayer.Count <= record.Layer) _perLayer.Add(0);
+        _perLayer[record.Layer]++;
+    }
+}

@@ -1,0 +1,25 @@
+namespace Engraver.Core.Dxf;
+
+/// <summary>A block definition: a run of the block columns, the inserts between its curves, and what cannot be taken.</summary>
+internal sealed class Block(string name, Vector3D basePoint, int firstCurve)
+{
+    public string Name { get; } = name;
+
+    public Vector3D BasePoint { get; } = basePoint;
+
+    public int FirstCurve { get; } = firstCurve;
+
+    /// <summary>One past the last curve.</summary>
+    public int EndCurve { get; set; } = firstCurve;
+
+    public List<NestedInsert> Inserts { get; } = [];
+
+    /// <summary>Findings about its records; they concern the operator only when the block is used.</summary>
+    public List<Trouble> Troubles { get; } = [];
+
+    /// <summary>Texts and points directly in it, by type.</summary>
+    public Dictionary<string, long> Annotations { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>What the block amounts to with all that is nested in it; null until it has been weighed.</summary>
+    public BlockWeight? Weight { get; set; }
+}

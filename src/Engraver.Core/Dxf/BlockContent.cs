@@ -1,0 +1,31 @@
+using Engraver.Core.Drawings;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Fills a block definition.</summary>
+internal sealed class BlockContent(Block block, CurveColumns columns) : IContentTarget
+{
+    public bool Takes(EntityRecord record) => true;
+
+    public void AddCurve(EntityRecord record, CurveShape shape)
+    {
+        columns.Add(shape.ToEntity(record), shape.Parts);
+        block.EndCurve = columns.Count;
+        block.Troubles.AddRange(shape.Oddities);
+    }
+
+    public void AddInsert(EntityRecord record, in BlockInsert insert, int attributes)
+    {
+        block.Inserts.Add(new NestedInsert(insert, columns.Count));
+        if (attributes > 0) Count("ATTRIB", attributes);
+    }
+
+    public void AddConstruction(EntityRecord record)
+    {
+        if (record.Kind is RecordKind.Text or RecordKind.Point or RecordKind.Attribute) Count(record.Type, 1);
+    }
+
+    public void Refuse(EntityRecord record, in Trouble trouble) => block.Troubles.Add(trouble);
+
+    private void Count(string type, int count) => block.Annotations[type] = block.Annotations.GetValueOrDefault(type) + count;
+}

@@ -1,0 +1,116 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Puts the curves of a block into the drawing, once for every copy. What it would cost is known before the first curve is placed.</summary>
+internal sealed class BlockExpander(
+    IReadOnlyDictionary<int, Block> blocks,
+    NameTable blockNames,
+    CurveColumns blockCurves,
+    CurveColumns drawing,
+    LayerTable layers,
+    BalanceSheet balance,
+    int maxSteps,
+    CancellationToken cancellation)
+{
+    private readonly BlockScale _scale = new(blocks);
+    private readonly HashSet<Block> _reported = [];
+    private readonly HashSet<int> _lostCurves = [];
+    private readonly List<DrawingPart> _parts = [];
+    private long _steps;
+
+    /// <summary>Expands an insert of model space. Returns why nothing or not everything came of it, null when all went well.</summary>
+    public Trouble? Expand(in BlockInsert insert)
+    {
+        var name = blockNames[insert.Block];
+        if (!blocks.TryGetValue(insert.Block, out var block)) return insert.Finding(DxfRules.MissingBlock, name);
+        var weight = _scale.Weigh(block);
+        var steps = BlockWeight.Times(insert.Copies, weight.Steps);
+        if (weight.Curves > 0 && _steps + steps > maxSteps) return insert.Finding(DxfRules.TooManyCurves, name);
+        Report(block);
+        balance.AddAnnotations(weight.Annotations, insert.Copies);
+        if (weight.Curves > 0)
+        {
+            _steps += steps;
+            PlaceCopies(insert, block, Placement.Identity, insert.Layer, hidden: false);
+        }
+
+        return weight.Loses || weight.Curves > 0 ? insert.Finding(DxfRules.NothingInserted, name) : null;
+    }
+
+    /// <summary>Tells the findings of a block and of all it leads to, once.</summary>
+    private void Report(Block first)
+    {
+        var open = new Stack<Block>([first]);
+        while (open.TryPop(out var block))
+        {
+            if (!_reported.Add(block)) continue;
+            foreach (var trouble in block.Troubles) balance.AddInBlock(trouble);
+            foreach (var nested in block.Inserts)
+            {
+                if (nested.Obstacle is null) open.Push(blocks[nested.Insert.Block]);
+                else balance.AddInBlock(nested.Insert.Finding(nested.Obstacle, blockNames[nested.Insert.Block]));
+            }
+        }
+    }
+
+    private void PlaceCopies(in BlockInsert insert, Block block, in Placement outer, int layer, bool hidden)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        hidden |= insert.Invisible || layers.IsFrozen(layer);
+        for (var row = 0; row < insert.Rows; row++)
+        {
+            for (var column = 0; column < insert.Columns; column++) Place(block, outer.After(insert.Copy(column, row, block.BasePoint)), layer, hidden);
+        }
+    }
+
+    private void Place(Block block, in Placement at, int layer, bool hidden)
+    {
+        var curve = block.FirstCurve;
+        foreach (var nested in block.Inserts)
+        {
+            for (; curve < nested.BeforeCurve; curve++) PlaceCurve(curve, at, layer, hidden);
+            if (nested.Obstacle is not null) continue;
+            var child = blocks[nested.Insert.Block];
+            if (child.Weight!.Curves > 0) PlaceCopies(nested.Insert, child, at, Effective(nested.Insert.Layer, layer), hidden);
+        }
+
+        for (; curve < block.EndCurve; curve++) PlaceCurve(curve, at, layer, hidden);
+    }
+
+    private void PlaceCurve(int index, in Placement at, int layer, bool hidden)
+    {
+        var entity = blockCurves.Entities[index];
+        _parts.Clear();
+        for (var i = entity.FirstPart; i < entity.FirstPart + entity.PartCount; i++)
+        {
+            var outcome = PlacedPart.Try(blockCurves.Parts[i], at, out var part);
+            if (outcome != PlacementOutcome.Exact)
+            {
+                Lose(index, outcome);
+                return;
+            }
+
+            if (!IsPoint(part)) _parts.Add(part);
+        }
+
+        entity.Layer = Effective(entity.Layer, layer);
+        entity.Hidden |= hidden;
+        drawing.Add(entity, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_parts));
+    }
+
+    /// <summary>A scale of zero can leave nothing of a part.</summary>
+    private static bool IsPoint(in DrawingPart part) =>
+        part.Kind == SegmentKind.Line ? part.A == part.D && part.B == part.E && part.C == part.F : part.D == 0.0;
+
+    private int Effective(int layer, int layerOfInsert) => layer == layers.Zero ? layerOfInsert : layer;
+
+    private void Lose(int index, PlacementOutcome outcome)
+    {
+        if (!_lostCurves.Add(index)) return;
+        ref var entity = ref blockCurves.Entities[index];
+        balance.AddInBlock(new Trouble(PlacedPart.RuleFor(outcome), entity.Type.ToDxfName(), entity.Handle, (int)entity.SourceLine, "", Refused: true));
+    }
+}

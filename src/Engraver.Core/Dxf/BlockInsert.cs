@@ -1,0 +1,61 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>An INSERT as written: which block, where and how often. The block's base point is not yet taken off.</summary>
+internal readonly record struct BlockInsert
+{
+    private const int MostCopies = short.MaxValue;
+
+    public BlockInsert(EntityRecord record)
+    {
+        Type = record.Type;
+        Block = record.Name;
+        Layer = record.Layer;
+        Handle = record.Handle;
+        Line = record.Line;
+        Invisible = record.Invisible;
+        Columns = Math.Clamp(record.Flags(70), 1, MostCopies);
+        Rows = Math.Clamp(record.Flags(71), 1, MostCopies);
+        var direction = record.Extrusion();
+        var system = direction == default ? Placement.Identity : Placement.OfExtrusion(direction);
+        var rotation = Angle.FromDegrees(record.Number(50, 0.0));
+        var scale = new Vector3D(record.Number(41, 1.0), record.Number(42, 1.0), record.Number(43, 1.0));
+        Placement = system.After(Placement.OfInsert(scale, rotation).MovedBy(record.Point(10)));
+        ColumnStep = system.ApplyToDirection(new Vector3D(rotation.Cos(), rotation.Sin(), 0.0) * record.Number(44, 0.0));
+        RowStep = system.ApplyToDirection(new Vector3D(-rotation.Sin(), rotation.Cos(), 0.0) * record.Number(45, 0.0));
+    }
+
+    public string Type { get; }
+
+    /// <summary>Number of the block's name.</summary>
+    public int Block { get; }
+
+    public int Layer { get; }
+
+    public ulong Handle { get; }
+
+    public int Line { get; }
+
+    public bool Invisible { get; }
+
+    public int Columns { get; }
+
+    public int Rows { get; }
+
+    /// <summary>Scale, turn, own system and insertion point.</summary>
+    public Placement Placement { get; }
+
+    /// <summary>From one copy of an array to the next; the scale does not stretch it, the rotation turns it.</summary>
+    public Vector3D ColumnStep { get; }
+
+    public Vector3D RowStep { get; }
+
+    public long Copies => (long)Columns * Rows;
+
+    /// <summary>Where one copy of the block lies, its base point taken off.</summary>
+    public Placement Copy(int column, int row, Vector3D basePoint) =>
+        Placement.MovedBy((ColumnStep * column) + (RowStep * row) - Placement.ApplyToDirection(basePoint));
+
+    public Trouble Finding(Diagnostics.DiagnosticRule rule, string block) => new(rule, Type, Handle, Line, block, Refused: true);
+}

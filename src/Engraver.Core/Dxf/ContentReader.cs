@@ -1,0 +1,103 @@
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Reads the entities of a block or of model space, each with the records that belong to it, and hands them to a target.</summary>
+internal sealed class ContentReader(RecordReader records)
+{
+    private readonly EntityRecord _record = new();
+    private readonly EntityRecord _part = new();
+    private readonly CurveMapper _mapper = new();
+
+    /// <summary>Reads the next record and its parts. The caller has made sure that it is no end of block, section or file.</summary>
+    public void ReadEntity(IContentTarget target)
+    {
+        records.Read(_record);
+        var attributes = 0;
+        if (_record.Kind == RecordKind.Polyline) ReadVertices();
+        if (_record.Kind == RecordKind.Insert) attributes = ReadAttributes();
+        if (!target.Takes(_record)) return;
+        switch (_record.Kind)
+        {
+            case RecordKind.Line:
+                _mapper.Line(_record);
+                break;
+            case RecordKind.Arc:
+                _mapper.Arc(_record);
+                break;
+            case RecordKind.Circle:
+                _mapper.Circle(_record);
+                break;
+            case RecordKind.LwPolyline:
+                _mapper.LwPolyline(_record, records.Truncated);
+                break;
+            case RecordKind.Polyline:
+                _mapper.FinishPolyline(_record);
+                break;
+            case RecordKind.Insert:
+                AddInsert(target, attributes);
+                return;
+            default:
+                AddOther(target);
+                return;
+        }
+
+        if (_record.Fault is { } fault) target.Refuse(_record, fault);
+        else target.AddCurve(_record, _mapper.Shape);
+    }
+
+    private void AddInsert(IContentTarget target, int attributes)
+    {
+        if (_record.Name < 0) _record.Required(2);
+        var insert = new BlockInsert(_record);
+        if (_record.Fault is { } fault) target.Refuse(_record, fault);
+        else target.AddInsert(_record, insert, attributes);
+    }
+
+    private void AddOther(IContentTarget target)
+    {
+        if (_record.Fault is null)
+        {
+            switch (_record.Kind)
+            {
+                case RecordKind.Ellipse or RecordKind.Spline:
+                    _record.Refuse(DxfRules.CurveNotRead, _record.Line, "");
+                    break;
+                case RecordKind.Vertex or RecordKind.SequenceEnd:
+                    _record.Refuse(DxfRules.PartAlone, _record.Line, "");
+                    break;
+                case RecordKind.Text or RecordKind.Point or RecordKind.Attribute or RecordKind.Construction:
+                    target.AddConstruction(_record);
+                    return;
+                default:
+                    _record.Refuse(DxfRules.TypeNotRead, _record.Line, "");
+                    break;
+            }
+        }
+
+        target.Refuse(_record, _record.Fault!.Value);
+    }
+
+    private void ReadVertices()
+    {
+        _mapper.BeginPolyline();
+        while (records.Next == RecordKind.Vertex)
+        {
+            records.Read(_part);
+            _mapper.AddVertex(_record, _part);
+        }
+
+        if (records.Next == RecordKind.SequenceEnd) records.Skip();
+        else if (records.Truncated) _record.Refuse(DxfRules.CutRecord, _record.Line, "");
+        else _mapper.NoteMissingEnd(_record);
+    }
+
+    /// <summary>The attributes of an INSERT are texts of that copy, counted but not entities of their own.</summary>
+    private int ReadAttributes()
+    {
+        var count = 0;
+        for (; records.Next == RecordKind.Attribute; count++) records.Skip();
+        if (records.Next == RecordKind.SequenceEnd && (count > 0 || _record.Flags(66) == 1)) records.Skip();
+        return count;
+    }
+}

@@ -1,0 +1,165 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Turns a record into the curve it draws, in world coordinates (inside a block: the block's). A record that cannot be taken gets a fault.</summary>
+internal sealed class CurveMapper
+{
+    /// <summary>Degrees: angles that differ by whole turns within this are a whole turn, or none when they are equal (corpus convention).</summary>
+    private const double WholeTurnTolerance = 1e-9;
+
+    private readonly List<PolylineVertex> _vertices = [];
+
+    public CurveShape Shape { get; } = new();
+
+    public void Line(EntityRecord record)
+    {
+        Shape.Begin(CurveType.Line);
+        var start = record.Point(10);
+        var end = record.Point(11);
+        if (start != end) Shape.Add(DrawingPart.Line(0, start.X, start.Y, start.Z, end.X, end.Y, end.Z));
+        Finish(record);
+    }
+
+    public void Circle(EntityRecord record)
+    {
+        Shape.Begin(CurveType.Circle);
+        Shape.Closed = true;
+        AddArc(record, 0.0, 360.0);
+        ToWorld(record);
+        Finish(record);
+    }
+
+    public void Arc(EntityRecord record)
+    {
+        Shape.Begin(CurveType.Arc);
+        var start = record.Required(50);
+        var sweep = Sweep(start, record.Required(51));
+        Shape.Closed = sweep == 360.0;
+        AddArc(record, start, sweep);
+        ToWorld(record);
+        Finish(record);
+    }
+
+    /// <param name="record">The polyline with its sequence of vertices.</param>
+    /// <param name="atEndOfFile">True when the file stops behind the record, so that vertices may be missing.</param>
+    public void LwPolyline(EntityRecord record, bool atEndOfFile)
+    {
+        Shape.Begin(CurveType.LwPolyline);
+        TakeVertices(record);
+        CheckCount(record, atEndOfFile);
+        PolylineParts.Connect(CollectionsMarshal.AsSpan(_vertices), (record.Flags(70) & 1) != 0, Shape);
+        ToWorld(record);
+        Finish(record);
+    }
+
+    /// <summary>Starts a POLYLINE; its vertices follow one by one, then <see cref="FinishPolyline"/>.</summary>
+    public void BeginPolyline()
+    {
+        Shape.Begin(CurveType.Polyline);
+        _vertices.Clear();
+    }
+
+    /// <summary>The vertices stopped without SEQEND though the file goes on.</summary>
+    public void NoteMissingEnd(EntityRecord record) => Note(record, DxfRules.PolylineWithoutEnd, "");
+
+    /// <summary>Adds a VERTEX. Control points of a spline frame (flag 16) are not drawn.</summary>
+    public void AddVertex(EntityRecord polyline, EntityRecord vertex)
+    {
+        var point = vertex.Point(10);
+        var bulge = vertex.Number(42, 0.0);
+        polyline.TakeFaultOf(vertex);
+        if ((vertex.Flags(70) & PolylineFlags.FrameVertex) == 0) _vertices.Add(new PolylineVertex(point.X, point.Y, point.Z, bulge));
+    }
+
+    /// <summary>The curve of a POLYLINE whose vertices have been added. A flat one lies at its own elevation, a 3D one where its vertices are.</summary>
+    public void FinishPolyline(EntityRecord record)
+    {
+        var flags = record.Flags(70);
+        if ((flags & PolylineFlags.Mesh) != 0) record.Refuse(DxfRules.MeshLeftOut, record.Line, "");
+        var flat = (flags & PolylineFlags.InSpace) == 0;
+        foreach (ref var vertex in CollectionsMarshal.AsSpan(_vertices)) vertex = flat ? vertex with { Z = record.Number(30, 0.0) } : vertex with { Bulge = 0.0 };
+        PolylineParts.Connect(CollectionsMarshal.AsSpan(_vertices), (flags & PolylineFlags.Closed) != 0, Shape);
+        if (record.Number(40, 0.0) != 0.0 || record.Number(41, 0.0) != 0.0) Note(record, DxfRules.WidthIgnored, "");
+        if (flat) ToWorld(record);
+        Finish(record);
+    }
+
+    /// <summary>Counter-clockwise from start to end, degrees in [0, 360]: equal angles give 0, whole turns 360.</summary>
+    private static double Sweep(double start, double end)
+    {
+        var difference = end - start;
+        if (Math.Abs(difference) <= WholeTurnTolerance) return 0.0;
+        var sweep = difference % 360.0;
+        if (sweep < 0.0) sweep += 360.0;
+        return sweep <= WholeTurnTolerance || sweep >= 360.0 - WholeTurnTolerance ? 360.0 : sweep;
+    }
+
+    private void AddArc(EntityRecord record, double start, double sweep)
+    {
+        var centre = record.Point(10);
+        var radius = record.Required(40);
+        if (radius < 0.0) Note(record, DxfRules.NegativeRadius, radius.ToString(CultureInfo.InvariantCulture));
+        if (radius == 0.0 || sweep == 0.0) return;
+        var arc = new ArcSegment(new Point2D(centre.X, centre.Y), Math.Abs(radius), Angle.FromDegrees(start).Positive(), Angle.FromDegrees(sweep));
+        Shape.Add(DrawingPart.Arc(0, arc, centre.Z));
+    }
+
+    private void TakeVertices(EntityRecord record)
+    {
+        _vertices.Clear();
+        var elevation = record.Number(38, 0.0);
+        var wide = record.Number(43, 0.0) != 0.0;
+        foreach (var (code, value) in record.Sequence)
+        {
+            if (code == 10) _vertices.Add(new PolylineVertex(value, double.NaN, elevation, 0.0));
+            if (_vertices.Count == 0) continue;
+            ref var vertex = ref CollectionsMarshal.AsSpan(_vertices)[^1];
+            if (code == 20) vertex.Y = value;
+            else if (code == 42) vertex.Bulge = value;
+            else wide |= code is 40 or 41 && value != 0.0;
+        }
+
+        if (wide) Note(record, DxfRules.WidthIgnored, "");
+        if (_vertices.Exists(vertex => double.IsNaN(vertex.Y))) record.Refuse(DxfRules.MissingValue, record.Line, "20 for one of its vertices");
+    }
+
+    /// <summary>Group 90 is never believed, only compared: it may be anything in a damaged file.</summary>
+    private void CheckCount(EntityRecord record, bool atEndOfFile)
+    {
+        var declared = record.Number(90, _vertices.Count);
+        if (declared == _vertices.Count) return;
+        if (atEndOfFile) record.Refuse(DxfRules.CutRecord, record.Line, "");
+        Note(record, DxfRules.VertexCount, string.Create(CultureInfo.InvariantCulture, $"announces {declared} vertices and has {_vertices.Count}"));
+    }
+
+    private void ToWorld(EntityRecord record)
+    {
+        var direction = record.Extrusion();
+        if (direction == default)
+        {
+            Note(record, DxfRules.NoExtrusion, "");
+            return;
+        }
+
+        var system = Placement.OfExtrusion(direction);
+        if (system.IsIdentity) return;
+        foreach (ref var part in Shape.MutableParts)
+        {
+            var outcome = PlacedPart.Try(part, system, out part);
+            if (outcome != PlacementOutcome.Exact) record.Refuse(PlacedPart.RuleFor(outcome), record.Line, "");
+        }
+    }
+
+    private void Finish(EntityRecord record)
+    {
+        if (Shape.Parts.IsEmpty) Note(record, DxfRules.NoLength, "");
+        if (record.RepeatedCode != 0) Note(record, DxfRules.RepeatedValue, record.RepeatedCode.ToString(CultureInfo.InvariantCulture));
+    }
+
+    private void Note(EntityRecord record, DiagnosticRule rule, string detail) => Shape.Oddities.Add(record.Finding(rule, detail, refused: false));
+}

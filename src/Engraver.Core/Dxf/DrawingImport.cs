@@ -1,0 +1,159 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>One file on its way into a <see cref="Drawing"/>: walks the sections and holds what they share.</summary>
+internal sealed class DrawingImport
+{
+    private readonly DxfTagSource _tags;
+    private readonly DxfReadOptions _options;
+    private readonly DxfHeader _header = new();
+    private readonly DxfTextDecoder _text = new();
+    private readonly ImportLog _log;
+    private readonly RecordReader _records;
+    private readonly ContentReader _content;
+    private readonly LayerTable _layers;
+    private readonly Dictionary<int, Block> _blocks = [];
+    private readonly CurveColumns _blockCurves = new();
+    private readonly CurveColumns _curves = new();
+    private readonly BalanceSheet _balance;
+    private readonly ModelSpace _modelSpace;
+    private readonly EntityRecord _record = new();
+    private readonly List<(int Position, int Line)> _postponed = [];
+    private int _sections;
+
+    public DrawingImport(DxfTagSource tags, DxfReadOptions options, CancellationToken cancellation)
+    {
+        _tags = tags;
+        _options = options;
+        _log = new ImportLog(tags.IsBinary ? "byte" : "line");
+        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), cancellation);
+        _content = new ContentReader(_records);
+        _layers = new LayerTable(_records.Layers);
+        _balance = new BalanceSheet(_log);
+        var expander = new BlockExpander(_blocks, _records.Blocks, _blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
+        _modelSpace = new ModelSpace(_curves, expander, _balance, _log);
+    }
+
+    /// <summary>Reads everything; false when not one section was found, so that the file is no DXF.</summary>
+    public bool ReadSections()
+    {
+        while (_records.Next != RecordKind.FileEnd)
+        {
+            if (_records.Next == RecordKind.Section) ReadSection();
+            else _records.Skip();
+        }
+
+        if (_records.Truncated) _log.Add(DxfRules.Truncated, _records.NextLine, _log.Place(_records.NextLine));
+        foreach (var entities in _postponed)
+        {
+            _tags.Return(entities);
+            ReadEntities();
+        }
+
+        return _sections > 0;
+    }
+
+    public Drawing ToDrawing(string fileName, long bytes)
+    {
+        var unit = Unit();
+        if (_text.MetForeignBytes) _log.Add(DxfRules.ForeignText, 0, _header.CodePage ?? "UTF-8");
+        var layers = _layers.ToLayers();
+        return new Drawing(fileName, bytes, _header.Version, _tags.IsBinary ? "binary" : "ascii", unit, layers, _curves.Entities, _curves.Parts, _balance.ToBalance(layers.Count), _log.ToList());
+    }
+
+    private void ReadSection()
+    {
+        _sections++;
+        var name = _records.EnterSection();
+        switch (name)
+        {
+            case "HEADER":
+                ReadHeader();
+                break;
+            case "TABLES":
+                ReadTables();
+                break;
+            case "BLOCKS":
+                ReadBlocks();
+                break;
+            case "ENTITIES" when IsAheadOfItsBlocks():
+                _postponed.Add(_tags.Bookmark());
+                break;
+            case "ENTITIES":
+                ReadEntities();
+                break;
+        }
+
+        while (!AtSectionEnd()) _records.Skip();
+        if (_records.Next == RecordKind.SectionEnd) _records.Skip();
+        else if (!_records.Truncated) _log.Add(DxfRules.SectionWithoutEnd, _records.NextLine, name, _log.Place(_records.NextLine));
+    }
+
+    /// <summary>Inserts need their blocks and the switches of their layers. In the rare file that has them behind its entities, those wait for a second pass.</summary>
+    private bool IsAheadOfItsBlocks() => _tags.Rest.IndexOf("BLOCKS"u8) >= 0 || _tags.Rest.IndexOf("TABLES"u8) >= 0;
+
+    private bool AtSectionEnd() => _records.Next is RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;
+
+    private void ReadHeader()
+    {
+        _records.Skip(_header.Take);
+        _text.UseVersion(_header.Version);
+        if (_header.CodePage is { } name && !_text.UseCodePage(name)) _log.Add(DxfRules.UnknownCodePage, 0, name);
+    }
+
+    private void ReadTables()
+    {
+        for (_records.Skip(); !AtSectionEnd();)
+        {
+            if (_records.Next != RecordKind.LayerEntry)
+            {
+                _records.Skip();
+                continue;
+            }
+
+            _records.Read(_record);
+            if (_record.Fault is { } fault) _log.Add(fault);
+            if (_record.Name >= 0) _layers.Define(_record);
+        }
+    }
+
+    private void ReadBlocks()
+    {
+        for (_records.Skip(); !AtSectionEnd();)
+        {
+            if (_records.Next == RecordKind.Block) ReadBlock();
+            else _records.Skip();
+        }
+    }
+
+    private void ReadBlock()
+    {
+        _records.Read(_record);
+        var basePoint = new Vector3D(_record.Number(10, 0.0), _record.Number(20, 0.0), _record.Number(30, 0.0));
+        var block = new Block(_record.Name < 0 ? "" : _records.Blocks[_record.Name], basePoint, _blockCurves.Count);
+        if (_record.Fault is { } fault) _balance.AddInBlock(fault);
+        else if (_record.Name >= 0 && !_blocks.TryAdd(_record.Name, block)) _log.Add(_record.Finding(DxfRules.BlockTwice, block.Name, refused: false));
+        var content = new BlockContent(block, _blockCurves);
+        while (!AtSectionEnd() && _records.Next is not (RecordKind.Block or RecordKind.BlockEnd)) _content.ReadEntity(content);
+        if (_records.Next == RecordKind.BlockEnd) _records.Skip();
+    }
+
+    private void ReadEntities()
+    {
+        _records.Skip();
+        while (!AtSectionEnd()) _content.ReadEntity(_modelSpace);
+    }
+
+    private LengthUnit Unit()
+    {
+        if (_options.UnitOverride is { } chosen) return chosen with { Source = "option" };
+        if (LengthUnits.FromInsUnits(_header.InsUnits ?? 0.0) is { } declared) return declared;
+        _log.Add(DxfRules.UnitsAssumed, 0, Shown(_header.InsUnits), Shown(_header.Measurement));
+        return LengthUnit.AssumedMillimetres;
+    }
+
+    private static string Shown(double? variable) => variable?.ToString(CultureInfo.InvariantCulture) ?? "missing";
+}

@@ -1,0 +1,52 @@
+using System.Buffers;
+using System.Text;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Reads a DXF of any version, ASCII or binary.</summary>
+public static class DxfReader
+{
+    private const int ShownStart = 24;
+    private static readonly SearchValues<byte> VersionBytes = SearchValues.Create("0123456789."u8);
+
+    /// <summary>
+    /// Every curve of model space, blocks expanded, in drawing units. Total: whatever the bytes are, a drawing comes back; what could not be read is in its
+    /// balance and its diagnostics, each with type, handle and line. A bad entity costs that entity and no other.
+    /// </summary>
+    /// <param name="file">The whole file.</param>
+    /// <param name="fileName">Name to show; nothing is opened.</param>
+    /// <param name="options">What the operator decided.</param>
+    /// <param name="cancellation">Ends reading with an <see cref="OperationCanceledException"/>.</param>
+    public static Drawing Read(ReadOnlyMemory<byte> file, string fileName, DxfReadOptions options, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        var bytes = file.Span;
+        if (bytes.IsEmpty) return Unreadable(fileName, 0, DxfRules.EmptyFile.At(default));
+        if (IsDwg(bytes)) return Unreadable(fileName, bytes.Length, DxfRules.DwgFile.At(default, Encoding.ASCII.GetString(bytes[..6])));
+        DxfTagSource tags = bytes.StartsWith(BinaryTagSource.Sentinel) ? new BinaryTagSource(file) : new AsciiTagSource(file);
+        var import = new DrawingImport(tags, options, cancellation);
+        return import.ReadSections()
+            ? import.ToDrawing(fileName, bytes.Length)
+            : Unreadable(fileName, bytes.Length, DxfRules.NotDxf.At(default, Beginning(bytes)));
+    }
+
+    /// <summary>A DWG opens with AC and four digits or dots, then binary; in a DXF a version never stands in the first line.</summary>
+    private static bool IsDwg(ReadOnlySpan<byte> bytes) => bytes.Length > 6 && bytes.StartsWith("AC"u8) && bytes[2..6].IndexOfAnyExcept(VersionBytes) < 0;
+
+    private static string Beginning(ReadOnlySpan<byte> bytes)
+    {
+        if (bytes is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..]) return "it is UTF-16 text";
+        if (bytes.StartsWith(BinaryTagSource.Sentinel)) return "nothing follows the mark of a binary DXF";
+        var start = Encoding.Latin1.GetString(bytes[..Math.Min(ShownStart, bytes.Length)]);
+        return $"it begins with '{string.Concat(start.Select(c => char.IsControl(c) ? '.' : c))}' and has no section";
+    }
+
+    private static Drawing Unreadable(string fileName, long bytes, Diagnostic why)
+    {
+        var nothing = new Dictionary<string, int>();
+        var balance = new DrawingBalance(nothing, 0, 0, [], [], nothing, 0);
+        return new Drawing(fileName, bytes, "", "ascii", LengthUnit.AssumedMillimetres, [], new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), balance, [why]);
+    }
+}

@@ -1,0 +1,80 @@
+namespace Engraver.Core.Dxf;
+
+/// <summary>A DXF as a stream of (group code, value) pairs over its bytes. Nothing is copied: a value is a span of the file.</summary>
+internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
+{
+    private const int CommentCode = 999;
+
+    /// <summary>Group code of the pair read last.</summary>
+    public int Code { get; protected set; }
+
+    /// <summary>Where the pair's code stands: line of an ASCII file (1 is the first), byte offset of a binary one.</summary>
+    public int Line { get; protected set; }
+
+    /// <summary>Where the pair's value stands: the line below the code, or the pair's own offset.</summary>
+    public int ValueLine => IsBinary ? Line : Line + 1;
+
+    /// <summary>True once <see cref="Read"/> found nothing more.</summary>
+    public bool AtEnd { get; private set; }
+
+    /// <summary>True when the file ended inside a pair: the last value may be cut short.</summary>
+    public bool CutInsidePair { get; protected set; }
+
+    /// <summary>Line of the last place that could not be read as a pair; -1 when there was none.</summary>
+    public int DamageLine { get; private set; } = -1;
+
+    /// <summary>What stood at <see cref="DamageLine"/>, shortened.</summary>
+    public string DamageText { get; private set; } = "";
+
+    /// <summary>How many such places there were.</summary>
+    public int DamageCount { get; private set; }
+
+    public abstract bool IsBinary { get; }
+
+    /// <summary>The value's bytes, without the line end; for a number of a binary file its raw bytes.</summary>
+    public abstract ReadOnlySpan<byte> Value { get; }
+
+    /// <summary>Bytes that are still to be read.</summary>
+    public ReadOnlySpan<byte> Rest => Bytes[Position..];
+
+    protected ReadOnlySpan<byte> Bytes => file.Span;
+
+    protected int Position { get; set; }
+
+    /// <summary>Reads the next pair, comments left out; false at the end of the file.</summary>
+    public bool Read()
+    {
+        while (ReadPair())
+        {
+            if (Code != CommentCode) return true;
+        }
+
+        AtEnd = true;
+        return false;
+    }
+
+    /// <summary>The value as a finite number, whole numbers included; false when it is none.</summary>
+    public abstract bool TryNumber(out double number);
+
+    /// <summary>Where reading stands, to come back to with <see cref="Return"/>.</summary>
+    public (int Position, int Line) Bookmark() => (Position, NextLine);
+
+    public void Return((int Position, int Line) bookmark)
+    {
+        Position = bookmark.Position;
+        NextLine = bookmark.Line;
+        CutInsidePair = false;
+        AtEnd = false;
+    }
+
+    protected int NextLine { get; set; }
+
+    protected abstract bool ReadPair();
+
+    protected void Damage(int line, string text)
+    {
+        DamageLine = line;
+        DamageText = text;
+        DamageCount++;
+    }
+}

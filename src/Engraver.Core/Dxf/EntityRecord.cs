@@ -1,0 +1,119 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>One record of the file (LINE, VERTEX, LAYER ...): its type and the values that any of the types we read asks for. Filled again for every record.</summary>
+internal sealed class EntityRecord
+{
+    private const int CodeCount = 300;
+
+    /// <summary>Codes whose first value is kept: points, sizes, angles, scales, flags, counts, extrusion.</summary>
+    private static readonly int[] KeptCodes =
+        [10, 11, 20, 21, 30, 31, 38, 40, 41, 42, 43, 44, 45, 50, 51, 60, 62, 66, 67, 70, 71, 90, 210, 220, 230, 290];
+
+    private static readonly sbyte[] Slots = BuildSlots();
+
+    private readonly double[] _values = new double[KeptCodes.Length];
+    private uint _seen;
+
+    public RecordKind Kind { get; private set; }
+
+    public int TypeId { get; private set; }
+
+    public string Type { get; private set; } = "";
+
+    /// <summary>Line at which the record begins.</summary>
+    public int Line { get; private set; }
+
+    public ulong Handle { get; set; }
+
+    public int Layer { get; set; }
+
+    /// <summary>The block or layer it names (code 2), -1 without one.</summary>
+    public int Name { get; set; }
+
+    /// <summary>A code that appeared twice, 0 when none did.</summary>
+    public int RepeatedCode { get; private set; }
+
+    /// <summary>The first value that could not be read; the record must be refused then.</summary>
+    public Trouble? Fault { get; private set; }
+
+    /// <summary>Numbers in file order, of types in which codes repeat.</summary>
+    public List<CodedNumber> Sequence { get; } = [];
+
+    public bool InPaperSpace => Number(67, 0.0) == 1.0;
+
+    public bool Invisible => Number(60, 0.0) == 1.0;
+
+    public static bool Keeps(int code) => (uint)code < CodeCount && Slots[code] >= 0;
+
+    public void Begin(RecordKind kind, string type, int typeId, int line, int layer)
+    {
+        Kind = kind;
+        TypeId = typeId;
+        Type = type;
+        Line = line;
+        Layer = layer;
+        Handle = 0;
+        Name = -1;
+        RepeatedCode = 0;
+        Fault = null;
+        Sequence.Clear();
+        _seen = 0;
+    }
+
+    /// <summary>Keeps the value of a code for which <see cref="Keeps"/> holds. The first one counts: what follows a complete entity is the damage.</summary>
+    public void Set(int code, double value)
+    {
+        var slot = Slots[code];
+        var bit = 1u << slot;
+        if ((_seen & bit) != 0)
+        {
+            RepeatedCode = code;
+            return;
+        }
+
+        _seen |= bit;
+        _values[slot] = value;
+    }
+
+    public bool Has(int code) => (_seen & (1u << Slots[code])) != 0;
+
+    /// <summary>The value of a code that may be missing.</summary>
+    public double Number(int code, double otherwise) => Has(code) ? _values[Slots[code]] : otherwise;
+
+    /// <summary>A flag word; what does not fit is read as 0.</summary>
+    public int Flags(int code) => Number(code, 0.0) is var value && Math.Abs(value) <= int.MaxValue ? (int)value : 0;
+
+    /// <summary>The value of a code without which the record makes no sense; a missing one becomes the <see cref="Fault"/>.</summary>
+    public double Required(int code)
+    {
+        if (Has(code)) return _values[Slots[code]];
+        Refuse(DxfRules.MissingValue, Line, code.ToString(CultureInfo.InvariantCulture));
+        return 0.0;
+    }
+
+    /// <summary>The point of codes (<paramref name="xCode"/>, +10, +20); z may be missing.</summary>
+    public Vector3D Point(int xCode) => new(Required(xCode), Required(xCode + 10), Number(xCode + 20, 0.0));
+
+    public Vector3D Extrusion() => new(Number(210, 0.0), Number(220, 0.0), Number(230, 1.0));
+
+    public void Refuse(DiagnosticRule rule, int line, string detail) => Fault ??= Finding(rule, detail, refused: true) with { Line = line };
+
+    /// <summary>Makes the fault of a part (a VERTEX) the fault of the whole.</summary>
+    public void TakeFaultOf(EntityRecord part)
+    {
+        if (part.Fault is { } fault) Refuse(fault.Rule, fault.Line, fault.Detail);
+    }
+
+    public Trouble Finding(DiagnosticRule rule, string detail, bool refused) => new(rule, Type, Handle, Line, detail, refused);
+
+    private static sbyte[] BuildSlots()
+    {
+        var slots = new sbyte[CodeCount];
+        Array.Fill(slots, (sbyte)-1);
+        for (var slot = 0; slot < KeptCodes.Length; slot++) slots[KeptCodes[slot]] = (sbyte)slot;
+        return slots;
+    }
+}

@@ -1,0 +1,18 @@
+namespace Engraver.Core.Dxf;
+
+/// <summary>Where the records of a BLOCK or of model space go.</summary>
+internal interface IContentTarget
+{
+    /// <summary>False for records that are no concern of the target (paper space).</summary>
+    bool Takes(EntityRecord record);
+
+    void AddCurve(EntityRecord record, CurveShape shape);
+
+    void AddInsert(EntityRecord record, in BlockInsert insert, int attributes);
+
+    /// <summary>A text, point, dimension ...: drawn, not cut.</summary>
+    void AddConstruction(EntityRecord record);
+
+    /// <summary>A record that gives no curve though it should have.</summary>
+    void Refuse(EntityRecord record, in Trouble trouble);
+}

@@ -1,0 +1,41 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded where they stand.</summary>
+internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, BalanceSheet balance, ImportLog log) : IContentTarget
+{
+    public bool Takes(EntityRecord record) => !record.InPaperSpace;
+
+    public void AddCurve(EntityRecord record, CurveShape shape)
+    {
+        columns.Add(shape.ToEntity(record), shape.Parts);
+        balance.AddCut(record);
+        foreach (var oddity in shape.Oddities) Note(oddity);
+    }
+
+    public void AddInsert(EntityRecord record, in BlockInsert insert, int attributes)
+    {
+        if (attributes > 0) balance.AddAnnotation("ATTRIB", attributes);
+        var before = columns.Count;
+        var trouble = expander.Expand(insert);
+        if (columns.Count > before) balance.AddCut(record);
+        else if (trouble is { } reason) balance.AddRefused(record, reason);
+        else balance.AddConstruction(record);
+    }
+
+    public void AddConstruction(EntityRecord record)
+    {
+        balance.AddConstruction(record);
+        if (record.Kind is RecordKind.Text or RecordKind.Point or RecordKind.Attribute) balance.AddAnnotation(record.Type, 1);
+    }
+
+    public void Refuse(EntityRecord record, in Trouble trouble) => balance.AddRefused(record, trouble);
+
+    private void Note(in Trouble oddity)
+    {
+        if (oddity.Rule == DxfRules.WidthIgnored) log.AddOnce(oddity);
+        else log.Add(oddity);
+    }
+}

@@ -1,0 +1,62 @@
+using System.Diagnostics.CodeAnalysis;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Gives names small numbers. A name is looked up by its bytes; only a spelling that is new is decoded, and spellings that differ by case share a number.</summary>
+internal sealed class NameTable(Func<ReadOnlySpan<byte>, string> decode)
+{
+    private readonly Dictionary<byte[], int> _byBytes = new(BytesComparer.Instance);
+    private readonly Dictionary<string, int> _byName = new(StringComparer.OrdinalIgnoreCase);
+    private readonly List<string> _names = [];
+    private byte[] _last = [];
+    private int _lastId = -1;
+
+    public int Count => _names.Count;
+
+    /// <summary>The name as first spelled.</summary>
+    public string this[int id] => _names[id];
+
+    public int IdOf(ReadOnlySpan<byte> bytes)
+    {
+        var name = bytes.Trim(" \t"u8);
+        if (_lastId >= 0 && name.SequenceEqual(_last)) return _lastId; // runs of one layer or type are the rule
+        var lookup = _byBytes.GetAlternateLookup<ReadOnlySpan<byte>>();
+        if (!lookup.TryGetValue(name, out var id))
+        {
+            id = IdOf(decode(name));
+            lookup[name] = id;
+        }
+
+        lookup.TryGetValue(name, out _last!, out _lastId);
+        return id;
+    }
+
+    public int IdOf(string name)
+    {
+        if (_byName.TryGetValue(name, out var id)) return id;
+        _byName.Add(name, _names.Count);
+        _names.Add(name);
+        return _names.Count - 1;
+    }
+
+    private sealed class BytesComparer : IEqualityComparer<byte[]>, IAlternateEqualityComparer<ReadOnlySpan<byte>, byte[]>
+    {
+        public static BytesComparer Instance { get; } = new();
+
+        public bool Equals(byte[]? x, byte[]? y) => x.AsSpan().SequenceEqual(y);
+
+        public bool Equals(ReadOnlySpan<byte> alternate, byte[] other) => alternate.SequenceEqual(other);
+
+        public int GetHashCode([DisallowNull] byte[] obj) => GetHashCode(obj.AsSpan());
+
+        /// <summary>Seeded per process, so that no file can be made to collide.</summary>
+        public int GetHashCode(ReadOnlySpan<byte> alternate)
+        {
+            var hash = new HashCode();
+            hash.AddBytes(alternate);
+            return hash.ToHashCode();
+        }
+
+        public byte[] Create(ReadOnlySpan<byte> alternate) => alternate.ToArray();
+    }
+}

@@ -1,0 +1,30 @@
+namespace Engraver.Core.Dxf;
+
+/// <summary>What the reader does with a record, decided by its type name.</summary>
+internal enum RecordKind : byte
+{
+    /// <summary>A type we do not know: refused, counted.</summary>
+    Unknown,
+    Line,
+    Arc,
+    Circle,
+    Ellipse,
+    Spline,
+    LwPolyline,
+    Polyline,
+    Vertex,
+    Insert,
+    Attribute,
+    SequenceEnd,
+    Point,
+    Text,
+
+    /// <summary>Drawn for the reader of the drawing, not for the tool: dimensions, hatches, images, solids.</summary>
+    Construction,
+    LayerEntry,
+    Block,
+    BlockEnd,
+    Section,
+    SectionEnd,
+    FileEnd,
+}

@@ -1,0 +1,55 @@
+using System.Collections.Frozen;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>The table of type names. BODY and REGION are unknown on purpose: what they would cut is lost, and the operator is told.</summary>
+internal static class RecordKinds
+{
+    private static readonly string[] Construction =
+    [
+        "HATCH", "MPOLYGON", "DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "LEADER", "MLEADER", "MULTILEADER", "MLINE", "SOLID", "TRACE",
+        "3DFACE", "3DSOLID", "MESH", "SURFACE", "EXTRUDEDSURFACE", "LOFTEDSURFACE", "REVOLVEDSURFACE", "SWEPTSURFACE", "PLANESURFACE", "NURBSURFACE",
+        "VIEWPORT", "RAY", "XLINE", "ACAD_TABLE", "TABLE", "IMAGE", "WIPEOUT", "HELIX", "TOLERANCE", "SHAPE", "LIGHT", "OLEFRAME", "OLE2FRAME",
+        "ACAD_PROXY_ENTITY", "PDFUNDERLAY", "DWFUNDERLAY", "DGNUNDERLAY", "POINTCLOUD", "POSITIONMARKER", "CAMERA",
+    ];
+
+    private static readonly FrozenDictionary<string, RecordKind> Known = Build();
+
+    public static RecordKind Of(string type) => Known.GetValueOrDefault(type, RecordKind.Unknown);
+
+    /// <summary>True when the record's numbers matter; of the others only visibility and space are read, so that junk in a dimension harms nothing.</summary>
+    public static bool HasNumbers(RecordKind kind) => kind is not (RecordKind.Unknown or RecordKind.Construction or RecordKind.Text or RecordKind.Point
+        or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.Ellipse or RecordKind.Spline);
+
+    private static FrozenDictionary<string, RecordKind> Build()
+    {
+        var kinds = new Dictionary<string, RecordKind>(StringComparer.OrdinalIgnoreCase)
+        {
+            ["LINE"] = RecordKind.Line,
+            ["ARC"] = RecordKind.Arc,
+            ["CIRCLE"] = RecordKind.Circle,
+            ["ELLIPSE"] = RecordKind.Ellipse,
+            ["SPLINE"] = RecordKind.Spline,
+            ["LWPOLYLINE"] = RecordKind.LwPolyline,
+            ["POLYLINE"] = RecordKind.Polyline,
+            ["VERTEX"] = RecordKind.Vertex,
+            ["INSERT"] = RecordKind.Insert,
+            ["ATTRIB"] = RecordKind.Attribute,
+            ["SEQEND"] = RecordKind.SequenceEnd,
+            ["POINT"] = RecordKind.Point,
+            ["TEXT"] = RecordKind.Text,
+            ["MTEXT"] = RecordKind.Text,
+            ["ATTDEF"] = RecordKind.Construction,
+            ["RTEXT"] = RecordKind.Text,
+            ["ARCALIGNEDTEXT"] = RecordKind.Text,
+            ["LAYER"] = RecordKind.LayerEntry,
+            ["BLOCK"] = RecordKind.Block,
+            ["ENDBLK"] = RecordKind.BlockEnd,
+            ["SECTION"] = RecordKind.Section,
+            ["ENDSEC"] = RecordKind.SectionEnd,
+            ["EOF"] = RecordKind.FileEnd,
+        };
+        foreach (var type in Construction) kinds.Add(type, RecordKind.Construction);
+        return kinds.ToFrozenDictionary(StringComparer.OrdinalIgnoreCase);
+    }
+}

@@ -1,0 +1,138 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Reads pairs into records: everything from one group code 0 to the next.</summary>
+internal sealed class RecordReader
+{
+    private const int ShownValue = 40;
+    private readonly DxfTagSource _tags;
+    private readonly NameTable _types = new(bytes => Encoding.Latin1.GetString(bytes).ToUpperInvariant());
+    private readonly List<RecordKind> _kinds = [];
+    private readonly CancellationToken _cancellation;
+    private readonly int _layerZero;
+    private int _nextType;
+
+    public RecordReader(DxfTagSource tags, NameTable layers, NameTable blocks, CancellationToken cancellation)
+    {
+        _tags = tags;
+        _cancellation = cancellation;
+        Layers = layers;
+        Blocks = blocks;
+        _layerZero = layers.IdOf("0");
+        Skip();
+    }
+
+    public NameTable Layers { get; }
+
+    public NameTable Blocks { get; }
+
+    /// <summary>The type names met, by the numbers that records carry.</summary>
+    public NameTable Types => _types;
+
+    /// <summary>What the next record is; <see cref="RecordKind.FileEnd"/> also where the file just stops.</summary>
+    public RecordKind Next { get; private set; }
+
+    /// <summary>True when the bytes ran out before EOF.</summary>
+    public bool Truncated { get; private set; }
+
+    /// <summary>Line (binary: byte offset) of the next record.</summary>
+    public int NextLine => _tags.Line;
+
+    /// <summary>Reads the next record whole, whatever it is.</summary>
+    public void Read(EntityRecord record)
+    {
+        _cancellation.ThrowIfCancellationRequested();
+        record.Begin(Next, _types[_nextType], _nextType, _tags.Line, _layerZero);
+        var damages = _tags.DamageCount;
+        while (_tags.Read() && _tags.Code != 0) Accept(record);
+        Settle();
+        if (_tags.DamageCount != damages) record.Refuse(DxfRules.DamagedRecord, _tags.DamageLine, _tags.DamageText);
+        if (Truncated && _tags.CutInsidePair) record.Refuse(DxfRules.CutRecord, record.Line, "");
+    }
+
+    /// <summary>Passes over the next record.</summary>
+    public void Skip()
+    {
+        _cancellation.ThrowIfCancellationRequested();
+        while (_tags.Read() && _tags.Code != 0)
+        {
+        }
+
+        Settle();
+    }
+
+    /// <summary>Passes over the pairs up to the next record and shows each to <paramref name="take"/>: the HEADER section has no records.</summary>
+    public void Skip(Action<DxfTagSource> take)
+    {
+        while (_tags.Read() && _tags.Code != 0) take(_tags);
+        Settle();
+    }
+
+    /// <summary>Reads the name of the section that begins here, in capitals; "" when there is none.</summary>
+    public string EnterSection()
+    {
+        if (_tags.Read() && _tags.Code == 2) return Encoding.Latin1.GetString(_tags.Value.Trim(" \t"u8)).ToUpperInvariant();
+        if (_tags.AtEnd || _tags.Code == 0) Settle();
+        return "";
+    }
+
+    private void Settle()
+    {
+        Truncated = _tags.AtEnd;
+        if (Truncated)
+        {
+            Next = RecordKind.FileEnd;
+            return;
+        }
+
+        _nextType = _types.IdOf(_tags.Value);
+        while (_kinds.Count < _types.Count) _kinds.Add(RecordKinds.Of(_types[_kinds.Count]));
+        Next = _kinds[_nextType];
+    }
+
+    private void Accept(EntityRecord record)
+    {
+        switch (_tags.Code)
+        {
+            case 5 when record.Handle == 0:
+                record.Handle = ulong.TryParse(_tags.Value, NumberStyles.HexNumber, CultureInfo.InvariantCulture, out var handle) ? handle : 0;
+                break;
+            case 8:
+                record.Layer = Layers.IdOf(_tags.Value);
+                break;
+            case 2 when record.Kind is RecordKind.Insert or RecordKind.Block:
+                record.Name = Blocks.IdOf(_tags.Value);
+                break;
+            case 2 when record.Kind is RecordKind.LayerEntry:
+                record.Name = Layers.IdOf(_tags.Value);
+                break;
+            default:
+                AcceptNumber(record, _tags.Code);
+                break;
+        }
+    }
+
+    private void AcceptNumber(EntityRecord record, int code)
+    {
+        if (!EntityRecord.Keeps(code) || !(RecordKinds.HasNumbers(record.Kind) || code is 60 or 67)) return;
+        if (!_tags.TryNumber(out var value))
+        {
+            record.Refuse(DxfRules.BadValue, _tags.ValueLine, string.Create(CultureInfo.InvariantCulture, $"group {code} is '{ShownText()}'"));
+        }
+        else if (record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 40 or 41 or 42)
+        {
+            record.Sequence.Add(new CodedNumber(code, value));
+        }
+        else
+        {
+            record.Set(code, value);
+        }
+    }
+
+    private string ShownText() => _tags.IsBinary
+        ? Convert.ToHexString(_tags.Value[..Math.Min(_tags.Value.Length, ShownValue)])
+        : Encoding.Latin1.GetString(_tags.Value[..Math.Min(_tags.Value.Length, ShownValue)]);
+}

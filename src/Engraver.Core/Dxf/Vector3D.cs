@@ -1,0 +1,17 @@
+namespace Engraver.Core.Dxf;
+
+/// <summary>A point or displacement in space, drawing units. The reader needs z for tilted and elevated entities; later stages work in plan.</summary>
+internal readonly record struct Vector3D(double X, double Y, double Z)
+{
+    public double Length => Math.Sqrt(Dot(this));
+
+    public double Dot(Vector3D other) => (X * other.X) + (Y * other.Y) + (Z * other.Z);
+
+    public Vector3D Cross(Vector3D other) => new((Y * other.Z) - (Z * other.Y), (Z * other.X) - (X * other.Z), (X * other.Y) - (Y * other.X));
+
+    public static Vector3D operator +(Vector3D left, Vector3D right) => new(left.X + right.X, left.Y + right.Y, left.Z + right.Z);
+
+    public static Vector3D operator -(Vector3D left, Vector3D right) => new(left.X - right.X, left.Y - right.Y, left.Z - right.Z);
+
+    public static Vector3D operator *(Vector3D vector, double factor) => new(vector.X * factor, vector.Y * factor, vector.Z * factor);
+}
