@@ -40,8 +40,8 @@ public static class MotionRules
         "Correct its spelling (upper and lower case count) or delete it.");
 
     public static readonly DiagnosticRule ProfileValueUnreadable = new("MOT0010", Severity.Error,
-        "The machine profile gives {field} a value that cannot be read as {kind}.",
-        "Write a number with a decimal point and without quotation marks.");
+        "The machine profile gives {field} a value that is no number, or no whole number where one is needed, or gives it twice.",
+        "Write the field once, as a number with a decimal point and without quotation marks.");
 
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
