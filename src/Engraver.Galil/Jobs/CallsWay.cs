@@ -1,0 +1,66 @@
+using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
+using static Engraver.Galil.Jobs.JobMachine;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>The paper's method made right (paper 001; galil-dmc.md F.0, EX11): #LINEAR and #CIRC in the controller are called for each segment with assigned variables,
+/// relative to where the machine really stands; a full stop after each. Progress is <c>seq</c>, for <c>done</c> alone races (F.3).</summary>
+internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : IJobWay
+{
+    public async ValueTask<JobStep> CutAsync(VectorSequence sequence)
+    {
+        if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } end) return end;
+        foreach (var segment in sequence.Segments)
+        {
+            if (await CallAsync(segment, sequence.Speed).ConfigureAwait(false) is { Ends: true } broken) return broken;
+        }
+
+        return JobStep.Done;
+    }
+
+    /// <summary>A call that the stop cut short is not counted: the program counts it up all the same, when its motion has come to rest.</summary>
+    public void StoppedAt(int counter)
+    {
+    }
+
+    private async ValueTask<JobStep> CallAsync(VectorSegment segment, int speed)
+    {
+        var here = machine.Here;
+        if (segment.Kind == VectorSegmentKind.Line && segment.End == here)
+        {
+            ledger.Confirm(segment);
+            return JobStep.Done;
+        }
+
+        var arguments = segment.Kind == VectorSegmentKind.Line
+            ? Text($"x={segment.End.X - here.X};y={segment.End.Y - here.Y};f={speed};op=1")
+            : Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};f={speed};op=2");
+        var where = Text($" Drawing entity {segment.EntityIndex}.");
+        if (await machine.SendAsync(arguments, where).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        if (await machine.ToolOnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        var calls = machine.State.Calls;
+        if (await machine.SendAsync("go=1", where).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        ledger.Sent++;
+        if (await machine.PollUntilAsync(state => state.Calls != calls || !state.ServerRuns).ConfigureAwait(false) is { Ends: true } broken) return broken;
+        return await CheckAsync(segment).ConfigureAwait(false);
+    }
+
+    private async ValueTask<JobStep> CheckAsync(VectorSegment segment)
+    {
+        var state = machine.State;
+        if (!state.ServerRuns) return await ProgramDiedAsync(segment).ConfigureAwait(false);
+        if (state.StopCode != StopCodes.SequenceEnded)
+            return JobStep.Broken(Text($"The call for drawing entity {segment.EntityIndex} ended at {state.Position.X},{state.Position.Y} ({StopCodes.Text(state.StopCode)}); find out what stopped it."));
+        ledger.Confirm(segment);
+        return JobStep.Done;
+    }
+
+    private async ValueTask<JobStep> ProgramDiedAsync(VectorSegment segment)
+    {
+        var (code, _) = await machine.AskAsync("_TC").ConfigureAwait(false);
+        var (line, _) = await machine.AskAsync("_ED0").ConfigureAwait(false);
+        var rejected = new Rejected((TcCode)(int)code, TcCodes.Text((TcCode)(int)code), Text($"program line {line:0}"));
+        return machine.Refuse(rejected, Text($" Drawing entity {segment.EntityIndex}."));
+    }
+}

@@ -1,0 +1,42 @@
+namespace Engraver.Galil.Jobs;
+
+/// <summary>Slows the path down by VR when the lead of the feeder gets short, instead of letting the buffer run dry (galil-dmc.md F.1, J 7).</summary>
+internal sealed class FeedThrottle
+{
+    /// <summary>Below this lead, in segments, the ratio is <see cref="Slow"/>; below the second one <see cref="VerySlow"/>.</summary>
+    private const int ShortLead = 20;
+    private const int VeryShortLead = 8;
+
+    /// <summary>Full speed again above this lead; wide apart from <see cref="ShortLead"/>, so that the speed does not hunt.</summary>
+    private const int ComfortableLead = 100;
+
+    /// <summary>A few long segments are lead enough: 1.6 ms a command feeds more than a hundred in this time, seconds.</summary>
+    private const double ComfortableSeconds = 0.25;
+    private const string Full = "VR 1";
+    private const string Slow = "VR 0.5";
+    private const string VerySlow = "VR 0.1";
+
+    private string _now = Full;
+
+    /// <summary>The command that sets the ratio for this lead, or null when it stands so already.</summary>
+    /// <param name="lead">Segments sent and not yet executed.</param>
+    /// <param name="secondsAhead">How long they last at full speed.</param>
+    /// <param name="remaining">Segments not yet sent.</param>
+    public string? Command(int lead, double secondsAhead, int remaining)
+    {
+        if (remaining == 0 || secondsAhead > ComfortableSeconds) return Release();
+        if (lead < VeryShortLead) return Change(VerySlow);
+        if (lead < ShortLead && _now == Full) return Change(Slow);
+        return lead > ComfortableLead ? Change(Full) : null;
+    }
+
+    /// <summary>Back to full speed: nothing more has to be sent in time.</summary>
+    public string? Release() => Change(Full);
+
+    private string? Change(string command)
+    {
+        if (command == _now) return null;
+        _now = command;
+        return command;
+    }
+}

@@ -1,0 +1,163 @@
+using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>One run of one motion program: prepare, cut stroke by stroke, bring to rest, leave as found.</summary>
+internal sealed class Job
+{
+    private static readonly int[] OwnThreads = [ResidentServer.ServerThread, ResidentServer.WatchdogThread];
+
+    private readonly MotionProgram _program;
+    private readonly ControllerSession _session;
+    private readonly JobOptions _options;
+    private readonly JobLog _log;
+    private readonly CancellationToken _stop;
+    private readonly JobLedger _ledger;
+    private readonly JobMachine _machine;
+    private readonly IJobWay _way;
+    private readonly ProgramMemory _memory;
+    private readonly OperatorStop _stopper;
+    private bool _touched;
+
+    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop)
+    {
+        _program = program;
+        _session = session;
+        _options = options;
+        _stop = stop;
+        _ledger = new JobLedger(program);
+        _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), stop);
+        _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
+        _way = options.Mode == JobMode.Calls ? new CallsWay(_machine, _ledger) : new StreamWay(_machine, _ledger);
+        _memory = new ProgramMemory(session);
+        _stopper = new OperatorStop(session, program.Profile.ToolOutput, OwnThreads);
+    }
+
+    public async Task<JobResult> RunAsync()
+    {
+        JobStep step;
+        using (_stop.UnsafeRegister(state => ((OperatorStop)state!).Begin(), _stopper))
+        {
+            step = await RunToTheEndAsync().ConfigureAwait(false);
+        }
+
+        var (end, standstill) = await BringToRestAsync(step).ConfigureAwait(false);
+        var notRestored = await LeaveAsFoundAsync().ConfigureAwait(false);
+        var result = Result(end, standstill, notRestored);
+        _log.End(result);
+        return result;
+    }
+
+    private async Task<JobStep> RunToTheEndAsync()
+    {
+        try
+        {
+            if (await _session.BusyReasonAsync(_stop).ConfigureAwait(false) is { } busy) return JobStep.Broken(busy);
+            _touched = true;
+            if (await PrepareAsync().ConfigureAwait(false) is { Ends: true } unprepared) return unprepared;
+            return await CutAsync().ConfigureAwait(false);
+        }
+        catch (OperationCanceledException) when (_stop.IsCancellationRequested)
+        {
+            return new JobStep(JobOutcome.Stopped, "Stopped by the operator.", null);
+        }
+        catch (ControllerException failure)
+        {
+            return JobStep.LinkLost(failure.Message);
+        }
+    }
+
+    private async Task<JobStep> PrepareAsync()
+    {
+        var copy = _options.JournalPath is { } journal ? journal + ".program.dmc" : null;
+        var resident = ResidentServer.Text(_program.Profile);
+        if (await _memory.BorrowAsync(resident, copy, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
+        var acceleration = _program.Profile.AccelerationCounts;
+        string[] settings = ["AC", "DC"];
+        var commands = new List<string> { ResidentServer.DefineVariables };
+        commands.AddRange(_session.Found.MotorsOff.Where("AB".Contains).Select(letter => $"SH{letter}"));
+        commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
+        commands.Add(ResidentServer.StartWatchdog);
+        if (_options.Mode == JobMode.Calls) commands.Add(ResidentServer.StartServer);
+        if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;
+        _log.Begin(_options, _session.Identity.Model);
+        return JobStep.Done;
+    }
+
+    private async Task<JobStep> CutAsync()
+    {
+        for (var stroke = 0; stroke < _program.Strokes.Count; stroke++)
+        {
+            _ledger.Stroke = stroke;
+            if (await CutAsync(_program.Strokes[stroke]).ConfigureAwait(false) is { Ends: true } end) return end;
+        }
+
+        return new JobStep(JobOutcome.Complete, JobMachine.Text($"Done: {_ledger.Executed} segments."), null);
+    }
+
+    private async Task<JobStep> CutAsync(MotionStroke stroke)
+    {
+        if (await _machine.RapidAsync(stroke.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
+        for (var i = 0; i < stroke.Sequences.Count; i++)
+        {
+            if (await _way.CutAsync(stroke.Sequences[i]).ConfigureAwait(false) is { Ends: true } end) return end;
+            _log.SequenceDone(i);
+        }
+
+        return await _machine.ToolOffAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>After a job that did not complete: tool off, stop, wait. Over a link that is lost it is tried all the same, for the other handle may stand.</summary>
+    private async Task<(JobStep Step, StandstillReport? Standstill)> BringToRestAsync(JobStep step)
+    {
+        if (!_touched) return (step, null);
+        try
+        {
+            if (!step.Ends) return (step, await _stopper.FinishAsync(_options.PollInterval, CancellationToken.None).ConfigureAwait(false));
+            var standstill = await _stopper.FinishAsync(_options.PollInterval, CancellationToken.None).ConfigureAwait(false);
+            _way.StoppedAt(standstill.SegmentCounter);
+            return (step, standstill);
+        }
+        catch (ControllerException failure)
+        {
+            return (step.Outcome == JobOutcome.LinkLost ? step : JobStep.LinkLost(failure.Message), null);
+        }
+    }
+
+    /// <summary>The found program, speeds and motors; the machine stands and our threads are halted.</summary>
+    private async Task<IReadOnlyList<string>> LeaveAsFoundAsync()
+    {
+        if (!_touched) return [];
+        try
+        {
+            var refused = await _memory.GiveBackAsync(CancellationToken.None).ConfigureAwait(false);
+            var settings = await _session.RestoreAsync(CancellationToken.None).ConfigureAwait(false);
+            return refused is null ? settings : [refused.Explain(), .. settings];
+        }
+        catch (ControllerException failure)
+        {
+            return [$"The controller could not be left as it was found: {failure.Message}"];
+        }
+    }
+
+    private JobResult Result(JobStep step, StandstillReport? standstill, IReadOnlyList<string> notRestored) => new()
+    {
+        Outcome = step.Outcome,
+        Sentence = step.Sentence,
+        SegmentsSent = _ledger.Sent,
+        SegmentsExecuted = _ledger.Executed,
+        Seconds = _machine.Seconds,
+        Underruns = _ledger.Underruns,
+        Rejected = _ledger.Rejected,
+        FinalPosition = standstill is { } rest ? new CountsPoint(rest.X, rest.Y) : _machine.Known?.Position,
+        Refusal = step.Refusal,
+        PolledTrace = _ledger.Trace,
+        ExecutedEntityIndices = _ledger.Entities,
+        ExecutedByStroke = _ledger.ExecutedByStroke,
+        LengthByStroke = _ledger.LengthByStroke,
+        NotRestored = notRestored,
+    };
+}

@@ -1,0 +1,19 @@
+using System.Text.Json;
+using System.Text.Json.Serialization;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>The journal file: one JSON object a line, each flushed to the file before the job goes on, so that a crash leaves every line but the last readable.</summary>
+internal sealed class JobJournal : IDisposable
+{
+    private static readonly JsonSerializerOptions Json = new(JsonSerializerDefaults.Web) { Converters = { new JsonStringEnumConverter(JsonNamingPolicy.CamelCase) } };
+
+    private readonly StreamWriter? _file;
+
+    /// <param name="path">Appended to; null for no journal.</param>
+    public JobJournal(string? path) => _file = path is null ? null : new StreamWriter(path, append: true) { AutoFlush = true, NewLine = "\n" };
+
+    public void Write<T>(T line) => _file?.WriteLine(JsonSerializer.Serialize(line, Json));
+
+    public void Dispose() => _file?.Dispose();
+}

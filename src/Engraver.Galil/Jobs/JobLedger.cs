@@ -1,0 +1,49 @@
+using Engraver.Galil.Programs;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>What was sent and what the controller confirmed. The one place where a job is counted.</summary>
+internal sealed class JobLedger(MotionProgram program)
+{
+    private readonly List<TracePoint> _trace = [];
+    private readonly List<int> _entities = [];
+    private readonly HashSet<int> _seen = [];
+    private readonly int[] _executed = new int[program.Strokes.Count];
+    private readonly double[] _lengths = new double[program.Strokes.Count];
+
+    public int SegmentCount { get; } = program.SegmentCount;
+
+    /// <summary>Place of the stroke under way in the motion program.</summary>
+    public int Stroke { get; set; }
+
+    public int Sent { get; set; }
+
+    public int Executed { get; private set; }
+
+    public int Underruns { get; set; }
+
+    public int Rejected { get; set; }
+
+    public IReadOnlyList<TracePoint> Trace => _trace;
+
+    public IReadOnlyList<int> Entities => _entities;
+
+    public IReadOnlyList<int> ExecutedByStroke => _executed;
+
+    public IReadOnlyList<double> LengthByStroke => _lengths;
+
+    public void Confirm(in VectorSegment segment)
+    {
+        Executed++;
+        _executed[Stroke]++;
+        _lengths[Stroke] += segment.Length;
+        if (_seen.Add(segment.EntityIndex)) _entities.Add(segment.EntityIndex);
+    }
+
+    /// <summary>Keeps a polled position unless nothing has changed since the last.</summary>
+    public void Trail(TracePoint point)
+    {
+        if (_trace.Count > 0 && _trace[^1] with { Seconds = point.Seconds } == point) return;
+        _trace.Add(point);
+    }
+}

@@ -1,0 +1,52 @@
+namespace Engraver.Galil.Jobs;
+
+/// <summary>Tells the operator and the journal where the job is.</summary>
+internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal journal, IProgress<JobProgress>? progress, TimeProvider time)
+{
+    /// <summary>Between two lines of the journal inside one sequence, controller seconds.</summary>
+    private const double JournalSeconds = 1.0;
+
+    private static readonly TimeSpan ProgressInterval = TimeSpan.FromMilliseconds(50);
+
+    private long _reported = time.GetTimestamp();
+    private double _journalled;
+    private int _sequence;
+
+    public void Begin(JobOptions options, string controller)
+    {
+        var at = machine.State.Position;
+        journal.Write(new JournalHeader(
+            options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow()));
+    }
+
+    public void Polled()
+    {
+        if (machine.Seconds - _journalled >= JournalSeconds) WriteProgress();
+        if (time.GetElapsedTime(_reported) < ProgressInterval) return;
+        _reported = time.GetTimestamp();
+        Report();
+    }
+
+    public void SequenceDone(int sequence)
+    {
+        WriteProgress();
+        _sequence = sequence + 1;
+    }
+
+    public void End(JobResult result)
+    {
+        journal.Write(new JournalEnd(result.Outcome, result.Sentence, result.SegmentsExecuted, result.FinalPosition?.X, result.FinalPosition?.Y, result.Seconds));
+        if (machine.Known is not null) Report();
+    }
+
+    private void WriteProgress()
+    {
+        _journalled = machine.Seconds;
+        var at = machine.State.Position;
+        var entity = ledger.Entities.Count == 0 ? -1 : ledger.Entities[^1];
+        journal.Write(new JournalProgress(ledger.Stroke, _sequence, entity, ledger.Executed, at.X, at.Y, machine.Seconds));
+    }
+
+    private void Report() => progress?.Report(new JobProgress(
+        ledger.Stroke, ledger.Sent, ledger.Executed, ledger.SegmentCount, machine.Here.X, machine.Here.Y, machine.ToolOn, machine.Seconds));
+}

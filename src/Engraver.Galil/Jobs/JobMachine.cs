@@ -1,0 +1,167 @@
+using System.Globalization;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>The machine as a job sees it: commands with the heartbeat between them, polls, the tool, rapids. Nothing is sent after the operator's stop.</summary>
+internal sealed class JobMachine
+{
+    /// <summary>Samples in a second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so a settle time is never cut short.</summary>
+    private const double SamplesPerSecond = 1024.0;
+
+    private readonly ControllerSession _session;
+    private readonly JobOptions _options;
+    private readonly JobLedger _ledger;
+    private readonly Action _polled;
+    private readonly CancellationToken _stop;
+    private readonly Heartbeat _heartbeat;
+    private long? _startTime;
+
+    public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, Action polled, CancellationToken stop)
+    {
+        _session = session;
+        Profile = program.Profile;
+        Start = program.Start;
+        _options = options;
+        _ledger = ledger;
+        _polled = polled;
+        _stop = stop;
+        _heartbeat = new Heartbeat(session.Time);
+    }
+
+    public MachineProfile Profile { get; }
+
+    /// <summary>Where the job frame takes the machine to stand at the start.</summary>
+    public CountsPoint Start { get; }
+
+    /// <summary>The last poll; null before the first.</summary>
+    public MachineState? Known { get; private set; }
+
+    public MachineState State => Known ?? throw new InvalidOperationException("The machine was not polled yet.");
+
+    /// <summary>What is added to a point of the job frame to get the controller's counts.</summary>
+    public CountsPoint Frame { get; private set; }
+
+    /// <summary>Where the machine stands, job frame.</summary>
+    public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
+
+    public bool ToolOn { get; private set; }
+
+    /// <summary>Controller time since the job began: samples of the nominal length TM. The counter wraps at 2^31.</summary>
+    public double Seconds => _startTime is { } start && Known is { } state ? SamplesSince(start, state.Time) * (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6 : 0.0;
+
+    public async ValueTask<JobStep> SendAsync(string command, string where = "") =>
+        await ReplyAsync(command).ConfigureAwait(false) is Rejected rejected ? Refuse(rejected, where) : JobStep.Done;
+
+    public async ValueTask<JobStep> SendAllAsync(IEnumerable<string> commands)
+    {
+        foreach (var command in commands)
+        {
+            if (await SendAsync(command).ConfigureAwait(false) is { Ends: true } end) return end;
+        }
+
+        return JobStep.Done;
+    }
+
+    /// <summary>Sends one command, and the heartbeat when it is due.</summary>
+    public async ValueTask<Reply> ReplyAsync(string command)
+    {
+        var reply = await _session.Commands.SendAsync(command, _stop).ConfigureAwait(false);
+        if (!_heartbeat.IsDueAfterCommand()) return reply;
+        var beat = await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false);
+        return beat is Rejected && reply is Accepted ? beat : reply;
+    }
+
+    public JobStep Refuse(Rejected rejected, string where)
+    {
+        _ledger.Rejected++;
+        return JobStep.Refused(rejected, where);
+    }
+
+    /// <summary>Asks for one number.</summary>
+    public async ValueTask<(double Value, JobStep Step)> AskAsync(string operand)
+    {
+        var reading = await _session.Commands.ReadAsync(operand, _stop).ConfigureAwait(false);
+        return reading.Refusal is { } refused ? (0.0, Refuse(refused, "")) : (reading.Values[0], JobStep.Done);
+    }
+
+    /// <summary>Asks where the machine is. Ends the job when the watchdog has tripped.</summary>
+    public async ValueTask<JobStep> PollAsync()
+    {
+        var reading = await _session.Commands.ReadAsync(MachineState.Operands, _stop).ConfigureAwait(false);
+        if (reading.Refusal is { } refused) return Refuse(refused, "");
+        Known = MachineState.Of(reading.Values);
+        _startTime ??= State.Time;
+        _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, ToolOn));
+        _polled();
+        if (State.Tripped) return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.");
+        return _heartbeat.IsDueAfterCommand() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
+    }
+
+    /// <summary>Polls until <paramref name="reached"/>, with a pause and a heartbeat before each poll.</summary>
+    public async ValueTask<JobStep> PollUntilAsync(Func<MachineState, bool> reached)
+    {
+        while (true)
+        {
+            if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+            if (reached(State)) return JobStep.Done;
+            if (_options.PollInterval > TimeSpan.Zero) await Task.Delay(_options.PollInterval, _session.Time, _stop).ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>The position at the start of the job becomes the drawing's start point.</summary>
+    public async ValueTask<JobStep> TakeFrameAsync()
+    {
+        if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        Frame = new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
+        return JobStep.Done;
+    }
+
+    public ValueTask<JobStep> ToolOnAsync() => _options.DryRun || ToolOn ? new(JobStep.Done) : SwitchToolAsync(true);
+
+    public ValueTask<JobStep> ToolOffAsync() => ToolOn ? SwitchToolAsync(false) : new(JobStep.Done);
+
+    /// <summary>Moves both axes at their own speeds; only an axis with something to do is begun. The tool is off.</summary>
+    public async ValueTask<JobStep> RapidAsync(CountsPoint target)
+    {
+        if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        var goal = new CountsPoint(target.X + Frame.X, target.Y + Frame.Y);
+        var commands = new List<string>();
+        var axes = "";
+        if (goal.X != State.Position.X)
+        {
+            commands.AddRange([Text($"SPA={Profile.RapidSpeedX}"), Text($"PAA={goal.X}")]);
+            axes += "A";
+        }
+
+        if (goal.Y != State.Position.Y)
+        {
+            commands.AddRange([Text($"SPB={Profile.RapidSpeedY}"), Text($"PAB={goal.Y}")]);
+            axes += "B";
+        }
+
+        if (axes.Length == 0) return JobStep.Done;
+        if (await SendAllAsync(commands.Append("BG" + axes)).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        if (await PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } broken) return broken;
+        return State.Position == goal
+            ? JobStep.Done
+            : JobStep.Broken(Text($"The rapid to {goal.X},{goal.Y} ended at {State.Position.X},{State.Position.Y} ({StopCodes.Text(State.StopCode)}); find out what stopped the axis."));
+    }
+
+    public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    private async ValueTask<JobStep> SwitchToolAsync(bool on)
+    {
+        if (await SendAsync(Text($"{(on ? "SB" : "CB")} {Profile.ToolOutput}")).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        ToolOn = on;
+        if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        var from = State.Time;
+        var samples = Math.Ceiling(Profile.ToolSettleSeconds * SamplesPerSecond);
+        return await PollUntilAsync(state => SamplesSince(from, state.Time) >= samples).ConfigureAwait(false);
+    }
+
+    private static long SamplesSince(long from, long to) => to >= from ? to - from : to - from + (1L << 31);
+}

@@ -1,0 +1,48 @@
+using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>How a job ended, in what the controller said and not in what was planned.</summary>
+public sealed record JobResult
+{
+    public required JobOutcome Outcome { get; init; }
+
+    /// <summary>One sentence for the operator: what happened, where, and what to do.</summary>
+    public required string Sentence { get; init; }
+
+    public required int SegmentsSent { get; init; }
+
+    /// <summary>By _CS or seq of the controller.</summary>
+    public required int SegmentsExecuted { get; init; }
+
+    /// <summary>Controller time, in nominal samples (TM).</summary>
+    public required double Seconds { get; init; }
+
+    /// <summary>How often the segment buffer ran dry before the end of a sequence was sent.</summary>
+    public required int Underruns { get; init; }
+
+    /// <summary>Number of <c>?</c> replies; buffer full (32) is none.</summary>
+    public required int Rejected { get; init; }
+
+    /// <summary>_RPA and _RPB, the controller's own absolute counts; the last known when the link was lost, null when none was ever read.</summary>
+    public required CountsPoint? FinalPosition { get; init; }
+
+    /// <summary>The refused command that ended the job, when one did.</summary>
+    public Rejected? Refusal { get; init; }
+
+    /// <summary>Positions polled during the run, job frame.</summary>
+    public required IReadOnlyList<TracePoint> PolledTrace { get; init; }
+
+    /// <summary>Drawing entities with at least one executed segment, in order of cutting.</summary>
+    public required IReadOnlyList<int> ExecutedEntityIndices { get; init; }
+
+    /// <summary>Executed segments of each stroke of the motion program.</summary>
+    public required IReadOnlyList<int> ExecutedByStroke { get; init; }
+
+    /// <summary>Cut length of each stroke in counts, whole segments only.</summary>
+    public required IReadOnlyList<double> LengthByStroke { get; init; }
+
+    /// <summary>What could not be left as it was found, a sentence each.</summary>
+    public IReadOnlyList<string> NotRestored { get; init; } = [];
+}

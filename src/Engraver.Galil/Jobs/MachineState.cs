@@ -1,0 +1,26 @@
+using Engraver.Galil.Programs;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>One poll of the controller.</summary>
+/// <param name="SequenceRunning">_BGS.</param>
+/// <param name="AxesRunning">_BGA or _BGB.</param>
+/// <param name="Counter">_CSS: segments of the sequence that are done.</param>
+/// <param name="Calls">seq: calls that are done.</param>
+/// <param name="PathSpeed">_VMS, counts/s.</param>
+/// <param name="Position">_RPA and _RPB, the controller's frame.</param>
+/// <param name="Time">TIME, samples.</param>
+/// <param name="StopCode">_SCA.</param>
+/// <param name="ServerRuns">_XQ0 is a line.</param>
+/// <param name="Tripped">wtrip: the watchdog has stopped the machine.</param>
+internal readonly record struct MachineState(
+    bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ServerRuns, bool Tripped)
+{
+    /// <summary>What is asked, in the order of the parameters; within the 80 characters of a line.</summary>
+    public const string Operands = "_BGS,_BGA,_BGB,_CSS,seq,_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,wtrip";
+
+    public bool Stands => !SequenceRunning && !AxesRunning;
+
+    public static MachineState Of(IReadOnlyList<double> v) => new(
+        v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, v[11] != 0);
+}

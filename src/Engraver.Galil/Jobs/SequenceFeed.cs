@@ -1,0 +1,169 @@
+using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
+using static Engraver.Galil.Jobs.JobMachine;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>One VM ... VE on the wire: fills the segment buffer, begins, keeps feeding by _CSS, slows down when the lead gets short, ends with VE (galil-dmc.md B.7, F.1).</summary>
+internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
+{
+    /// <summary>Segments between two looks at the counter.</summary>
+    private const int SegmentsBetweenPolls = 16;
+
+    /// <summary>Free places that are left alone: one command is on its way, and the controller's count is as old as the last poll.</summary>
+    private const int SpareSegments = 5;
+
+    /// <summary>A sequence begins when this many segments are buffered, or this many seconds of motion.</summary>
+    private const int StartSegments = 200;
+    private const double StartSeconds = 1.0;
+
+    /// <summary>Segments shorter than this come slower over the wire than they are cut: the whole buffer is filled first (galil-dmc.md A.4: 1.6 ms a command).</summary>
+    private const double ShortSegmentSeconds = 0.004;
+
+    private readonly FeedThrottle _throttle = new();
+    private int _capacity;
+    private int _sent;
+    private int _executed;
+    private int _skipped;
+    private double _countsAhead;
+    private bool _begun;
+    private CountsPoint _origin;
+
+    /// <summary>The first segment that this feed has not dealt with.</summary>
+    public int Next => first + _skipped + _executed;
+
+    /// <summary>What is buffered lasts this long at full speed.</summary>
+    private double SecondsAhead => _countsAhead / sequence.Speed;
+
+    private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
+
+    public async ValueTask<JobStep> RunAsync()
+    {
+        if (await OpenAsync().ConfigureAwait(false) is { Ends: true } unopened) return unopened;
+        if (Remaining == 0) return JobStep.Done;
+        while (Remaining > 0)
+        {
+            if (await SendNextAsync().ConfigureAwait(false) is { Ends: true } refused) return refused;
+            if (!_begun && IsReadyToBegin && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
+            if (!_begun || _sent % SegmentsBetweenPolls != 0) continue;
+            if (await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
+            if (HasRunDry) return await CloseDryAsync().ConfigureAwait(false);
+        }
+
+        return await CloseAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>Confirms the segments before <paramref name="counter"/>, never one twice and never one that was not sent.</summary>
+    public void ConfirmUpTo(int counter)
+    {
+        for (; _executed < Math.Min(counter, _sent); _executed++)
+        {
+            var segment = sequence.Segments[first + _skipped + _executed];
+            _countsAhead -= segment.Length;
+            ledger.Confirm(segment);
+        }
+    }
+
+    private bool IsReadyToBegin =>
+        _sent >= _capacity - SpareSegments
+        || (Remaining > 0 && SecondsAhead / _sent >= ShortSegmentSeconds && (_sent >= StartSegments || SecondsAhead >= StartSeconds));
+
+    /// <summary>Everything sent was executed before VE: the controller stood still at once, with the sequence open (galil-dmc.md B.7).</summary>
+    private bool HasRunDry => Remaining > 0 && (machine.State.Counter >= _sent || (machine.State.Counter == _sent - 1 && machine.State.PathSpeed == 0 && _executed > 0));
+
+    private async ValueTask<JobStep> OpenAsync()
+    {
+        if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } end) return end;
+        _origin = machine.Here;
+        while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
+        if (Remaining == 0) return JobStep.Done;
+        var acceleration = machine.Profile.AccelerationCounts;
+        var opened = await machine.SendAllAsync(["CSS", "VMAB", Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
+        return opened.Ends ? opened : await AskCapacityAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>A line that ends where the machine stands has no length for the controller (TC 30): it is done before it is sent.</summary>
+    private bool IsAlreadyThere(in VectorSegment segment) => segment.Kind == VectorSegmentKind.Line && segment.End == _origin;
+
+    private void SkipOne() => ledger.Confirm(sequence.Segments[first + _skipped++]);
+
+    private async ValueTask<JobStep> AskCapacityAsync()
+    {
+        var (capacity, end) = await machine.AskAsync("_LMS").ConfigureAwait(false);
+        _capacity = (int)capacity;
+        return end;
+    }
+
+    /// <summary>Sends one segment; while the buffer is full the same one is sent again (TC 32).</summary>
+    private async ValueTask<JobStep> SendNextAsync()
+    {
+        var segment = sequence.Segments[first + _skipped + _sent];
+        var command = DmcFormat.Command(segment, _origin);
+        while (true)
+        {
+            while (_begun && _capacity - (_sent - _executed) < SpareSegments)
+            {
+                if (await WatchAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+            }
+
+            var reply = await machine.ReplyAsync(command).ConfigureAwait(false);
+            if (reply is Accepted) break;
+            if (reply is Rejected rejected && !(rejected.Code == TcCode.SegmentBufferFull && _begun)) return machine.Refuse(rejected, Text($" Drawing entity {segment.EntityIndex}."));
+            if (await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
+        }
+
+        _sent++;
+        ledger.Sent++;
+        _countsAhead += segment.Length;
+        return JobStep.Done;
+    }
+
+    private async ValueTask<JobStep> BeginAsync()
+    {
+        if (await machine.ToolOnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        _begun = true;
+        return await machine.SendAsync("BGS").ConfigureAwait(false);
+    }
+
+    /// <summary>Looks at the counter, without a pause: the controller lives on what it is fed.</summary>
+    private async ValueTask<JobStep> WatchAsync()
+    {
+        if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        ConfirmUpTo(machine.State.Counter);
+        if (!machine.State.SequenceRunning) return EndedEarly();
+        return _throttle.Command(_sent - _executed, SecondsAhead, Remaining) is { } command ? await machine.SendAsync(command).ConfigureAwait(false) : JobStep.Done;
+    }
+
+    private async ValueTask<JobStep> CloseAsync()
+    {
+        if (await machine.SendAsync("VE").ConfigureAwait(false) is { Ends: true } refused) return refused;
+        if (!_begun && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
+        if (_throttle.Release() is { } command && await machine.SendAsync(command).ConfigureAwait(false) is { Ends: true } unreleased) return unreleased;
+        if (await machine.PollUntilAsync(HasEnded).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (machine.State.StopCode != StopCodes.SequenceEnded) return EndedEarly();
+        ConfirmUpTo(_sent);
+        return JobStep.Done;
+    }
+
+    private bool HasEnded(MachineState state)
+    {
+        if (state.SequenceRunning) ConfirmUpTo(state.Counter);
+        return state.Stands;
+    }
+
+    /// <summary>Tool off at once, then the only documented way out of an open sequence: AB1, wait, CSS.</summary>
+    private async ValueTask<JobStep> CloseDryAsync()
+    {
+        ledger.Underruns++;
+        ConfirmUpTo(_sent);
+        if (await machine.ToolOffAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.SendAsync("AB 1").ConfigureAwait(false) is { Ends: true } refused) return refused;
+        return await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false);
+    }
+
+    private JobStep EndedEarly()
+    {
+        var at = machine.State.Position;
+        return JobStep.Broken(Text($"The vector sequence ended at {at.X},{at.Y} before its last segment ({StopCodes.Text(machine.State.StopCode)}); find out what stopped it."));
+    }
+}

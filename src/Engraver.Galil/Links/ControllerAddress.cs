@@ -1,0 +1,59 @@
+using System.Diagnostics.CodeAnalysis;
+using System.Globalization;
+
+namespace Engraver.Galil.Links;
+
+/// <summary>Where a controller is reached: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> or <c>sim:?speed=max</c>. A value; opening it is the caller's business.</summary>
+public abstract record ControllerAddress
+{
+    /// <summary>Port 23 is the convention of Galil's own hosts (galil-dmc.md A.1).</summary>
+    public const int DefaultTcpPort = 23;
+
+    /// <summary>19200 without a jumper (galil-dmc.md A.2).</summary>
+    public const int DefaultBaud = 19200;
+
+    /// <exception cref="FormatException">The text is no address; the message says what is accepted.</exception>
+    public static ControllerAddress Parse(string text) =>
+        TryParse(text, out var address) ? address : throw new FormatException($"'{text}' is no controller address; write tcp://HOST:PORT, serial://DEVICE?baud=19200 or sim:?speed=max.");
+
+    public static bool TryParse(string text, [NotNullWhen(true)] out ControllerAddress? address)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        var (body, query) = Split(text);
+        address = body switch
+        {
+            _ when body.StartsWith("tcp://", StringComparison.Ordinal) && query.Length == 0 => Tcp(body["tcp://".Length..]),
+            _ when body.StartsWith("serial://", StringComparison.Ordinal) => Serial(body["serial://".Length..], query),
+            "sim:" => Simulated(query),
+            _ => null,
+        };
+        return address is not null;
+    }
+
+    private static (string Body, string Query) Split(string text) =>
+        text.IndexOf('?', StringComparison.Ordinal) is >= 0 and var mark ? (text[..mark], text[(mark + 1)..]) : (text, "");
+
+    private static TcpAddress? Tcp(string authority)
+    {
+        if (!Uri.TryCreate("tcp://" + authority, UriKind.Absolute, out var uri) || uri.Host.Length == 0 || uri.AbsolutePath.Length > 1) return null;
+        return uri.Port == 0 ? null : new TcpAddress(uri.Host, uri.Port < 0 ? DefaultTcpPort : uri.Port);
+    }
+
+    private static SerialAddress? Serial(string device, string query)
+    {
+        if (device.Length == 0) return null;
+        if (query.Length == 0) return new SerialAddress(device, DefaultBaud);
+        return query.StartsWith("baud=", StringComparison.Ordinal) && int.TryParse(query.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && baud > 0
+            ? new SerialAddress(device, baud)
+            : null;
+    }
+
+    private static SimulatedAddress? Simulated(string query)
+    {
+        if (query.Length == 0 || query == "speed=max") return new SimulatedAddress(double.PositiveInfinity);
+        return query.StartsWith("speed=", StringComparison.Ordinal)
+            && double.TryParse(query.AsSpan(6), NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0
+            ? new SimulatedAddress(speed)
+            : null;
+    }
+}

@@ -1,0 +1,14 @@
+namespace Engraver.Galil.Links;
+
+/// <summary>Bytes to and from a controller, whatever carries them: a socket, a serial line, memory. One reader and one writer at a time.</summary>
+/// <remarks>Failures are <see cref="IOException"/>; the protocol above turns them into the three link exceptions.</remarks>
+public interface IControllerLink : IAsyncDisposable
+{
+    /// <summary>What the operator knows it by, for example <c>tcp://10.0.0.5:23</c>.</summary>
+    string Description { get; }
+
+    ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation);
+
+    /// <returns>The number of bytes read; 0 when the other side has closed.</returns>
+    ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation);
+}

@@ -1,0 +1,17 @@
+namespace Engraver.Galil.Links;
+
+/// <summary>A link over any stream, which it owns: the in-process simulator's bytes, or a test's.</summary>
+public sealed class StreamLink(Stream stream, string description) : IControllerLink
+{
+    public string Description => description;
+
+    public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    {
+        await stream.WriteAsync(bytes, cancellation).ConfigureAwait(false);
+        await stream.FlushAsync(cancellation).ConfigureAwait(false);
+    }
+
+    public ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation) => stream.ReadAsync(buffer, cancellation);
+
+    public ValueTask DisposeAsync() => stream.DisposeAsync();
+}

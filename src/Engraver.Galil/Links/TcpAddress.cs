@@ -1,0 +1,3 @@
+namespace Engraver.Galil.Links;
+
+public sealed record TcpAddress(string Host, int Port) : ControllerAddress;

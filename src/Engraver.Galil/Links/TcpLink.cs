@@ -1,0 +1,80 @@
+using System.Net.Sockets;
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Links;
+
+/// <summary>A link over one TCP connection, which is one handle of the controller (galil-dmc.md A.1).</summary>
+/// <remarks>No delay on the socket: one command is one packet, and the next packet carries the acknowledgement (galil-dmc.md A.4).</remarks>
+public sealed class TcpLink : IControllerLink
+{
+    private readonly Socket _socket;
+
+    private TcpLink(Socket socket, string description)
+    {
+        _socket = socket;
+        Description = description;
+    }
+
+    public string Description { get; }
+
+    /// <summary>Connects within <paramref name="timeout"/>.</summary>
+    /// <exception cref="ControllerLinkException">Nobody listens there, the name is unknown, or every handle is taken (the controller then answers with RST).</exception>
+    /// <exception cref="ControllerTimeoutException">Nothing answered in time.</exception>
+    public static async Task<TcpLink> ConnectAsync(string host, int port, TimeSpan timeout, TimeProvider time, CancellationToken cancellation)
+    {
+        var description = $"tcp://{host}:{port}";
+        using var limit = new CancellationTokenSource(timeout, time);
+        using var either = CancellationTokenSource.CreateLinkedTokenSource(limit.Token, cancellation);
+        var socket = new Socket(SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
+        try
+        {
+            await socket.ConnectAsync(host, port, either.Token).ConfigureAwait(false);
+            return new TcpLink(socket, description);
+        }
+        catch (SocketException failure)
+        {
+            socket.Dispose();
+            throw new ControllerLinkException($"No connection to {description}: {failure.Message}", failure);
+        }
+        catch (OperationCanceledException failure) when (!cancellation.IsCancellationRequested)
+        {
+            socket.Dispose();
+            throw new ControllerTimeoutException($"{description} did not answer within {timeout.TotalSeconds:0.#} s.", failure);
+        }
+        catch (OperationCanceledException)
+        {
+            socket.Dispose();
+            throw;
+        }
+    }
+
+    public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    {
+        try
+        {
+            while (!bytes.IsEmpty) bytes = bytes[await _socket.SendAsync(bytes, SocketFlags.None, cancellation).ConfigureAwait(false)..];
+        }
+        catch (SocketException failure)
+        {
+            throw new IOException(failure.Message, failure);
+        }
+    }
+
+    public async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation)
+    {
+        try
+        {
+            return await _socket.ReceiveAsync(buffer, SocketFlags.None, cancellation).ConfigureAwait(false);
+        }
+        catch (SocketException failure)
+        {
+            throw new IOException(failure.Message, failure);
+        }
+    }
+
+    public ValueTask DisposeAsync()
+    {
+        _socket.Dispose();
+        return ValueTask.CompletedTask;
+    }
+}

@@ -1,0 +1,168 @@
+using System.Text;
+using Engraver.Galil.Links;
+
+namespace Engraver.Galil.Protocol;
+
+/// <summary>Commands and replies over one link: one outstanding command, every prompt counted, the reason of a <c>?</c> fetched with TC1 (galil-dmc.md A.3, A.4).</summary>
+/// <remarks>A cancellation is honoured before a command is sent; what was sent is waited for, otherwise the prompts would shift. After an exception of the
+/// <see cref="ControllerException"/> family the channel is dead and says so.</remarks>
+public sealed class CommandChannel : IAsyncDisposable
+{
+    /// <summary>DL, UL and burning take longer than a command (galil-dmc.md A.6).</summary>
+    public static readonly TimeSpan TransferTimeout = TimeSpan.FromSeconds(10);
+
+    private readonly IControllerLink _link;
+    private readonly string _name;
+    private readonly TimeSpan _replyTimeout;
+    private readonly WireTrace? _trace;
+    private readonly ReplyDeadline _deadline;
+    private readonly ReplyFramer _framer;
+    private readonly SemaphoreSlim _turn = new(1, 1);
+    private readonly byte[] _received = new byte[4096];
+    private byte[] _sent = new byte[256];
+    private ControllerException? _failure;
+
+    /// <param name="link">Owned: closed with the channel.</param>
+    /// <param name="name">The handle's name in the trace.</param>
+    public CommandChannel(IControllerLink link, string name, TimeSpan replyTimeout, TimeProvider time, WireTrace? trace)
+    {
+        _link = link;
+        _name = name;
+        _replyTimeout = replyTimeout;
+        _trace = trace;
+        _deadline = new ReplyDeadline(time);
+        _framer = new ReplyFramer { MessageReceived = OnMessage };
+    }
+
+    /// <summary>True after a failure: nothing can be sent any more.</summary>
+    public bool IsBroken => _failure is not null;
+
+    /// <summary>Called with each line that a program in the controller printed.</summary>
+    public Action<string>? MessageReceived { get; set; }
+
+    /// <summary>Sends one line and waits for the prompts of all its parts. The first refused part makes the reply a <see cref="Rejected"/>.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    /// <exception cref="ArgumentException">The line breaks the rules of <see cref="CommandLine"/>.</exception>
+    public ValueTask<Reply> SendAsync(string line, CancellationToken cancellation) => ExchangeAsync(CommandLine.Checked(line), ReplyShape.Text, 0, _replyTimeout, cancellation);
+
+    /// <summary>UL: the program memory, lines separated by LF, without the end mark; empty when the memory is.</summary>
+    public async ValueTask<Reply> UploadAsync(CancellationToken cancellation) =>
+        await ExchangeAsync("UL", ReplyShape.Upload, 0, TransferTimeout, cancellation).ConfigureAwait(false) is var reply && reply is Accepted text
+            ? new Accepted(ProgramText.FromUpload(text.Data))
+            : reply;
+
+    /// <summary>DL: replaces the program memory. The controller is silent until the end mark and then prompts twice (galil-dmc.md A.6).</summary>
+    /// <remarks>The caller has made sure that no thread runs: after a refused DL the lines would be taken for commands.</remarks>
+    public ValueTask<Reply> DownloadAsync(string program, CancellationToken cancellation) =>
+        ExchangeAsync("DL\r" + ProgramText.ForDownload(program) + "\\", ReplyShape.Text, 0, TransferTimeout, cancellation);
+
+    /// <summary>QR: the data record, one character of the data is one byte.</summary>
+    /// <param name="length">Bytes of the record, from QZ.</param>
+    public ValueTask<Reply> ReadRecordAsync(int length, CancellationToken cancellation) => ExchangeAsync("QR", ReplyShape.Record, length, _replyTimeout, cancellation);
+
+    public async ValueTask DisposeAsync()
+    {
+        _failure ??= new ControllerLinkException($"The link to {_link.Description} was closed.");
+        await _link.DisposeAsync().ConfigureAwait(false);
+        _deadline.Dispose();
+        _turn.Dispose();
+    }
+
+    private async ValueTask<Reply> ExchangeAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
+    {
+        await _turn.WaitAsync(cancellation).ConfigureAwait(false);
+        try
+        {
+            if (_failure is not null) throw new ControllerLinkException(_failure.Message, _failure);
+            var isDownload = text.EndsWith('\\');
+            var parts = isDownload ? 2 : text.Contains(';', StringComparison.Ordinal) ? CommandLine.Parts(text).Count : 1;
+            await WriteAsync(text, isDownload, shape, recordLength, timeout).ConfigureAwait(false);
+            var data = "";
+            var refused = -1;
+            for (var part = 0; part < parts; part++)
+            {
+                var frame = await ReadFrameAsync(text).ConfigureAwait(false);
+                if (!frame.Accepted && refused < 0) refused = part;
+                if (frame.Data.Length > 0) data = data.Length == 0 ? frame.Data : data + frame.Data;
+            }
+
+            if (refused >= 0) return await FetchReasonAsync(isDownload ? "DL" : CommandLine.Parts(text)[refused]).ConfigureAwait(false);
+            return data.Length == 0 ? Accepted.Silent : new Accepted(shape == ReplyShape.Text ? Trimmed(data) : data);
+        }
+        finally
+        {
+            _deadline.Stop();
+            _turn.Release();
+        }
+    }
+
+    private static string Trimmed(string data) => data.Replace("\r\n", "\n", StringComparison.Ordinal).Trim();
+
+    /// <summary>The command's own <c>?</c> says nothing; TC1 gives number and text and clears them.</summary>
+    private async ValueTask<Rejected> FetchReasonAsync(string command)
+    {
+        await WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout).ConfigureAwait(false);
+        var frame = await ReadFrameAsync("TC1").ConfigureAwait(false);
+        if (!frame.Accepted || !TcCodes.TryParse(frame.Data, out var code, out var text))
+            throw Fail(new ProtocolViolationException($"{_link.Description} refused '{command}' and answered '{Trimmed(frame.Data)}' to TC1, which is no reason."));
+        return new Rejected(code, text, command);
+    }
+
+    private async ValueTask WriteAsync(string text, bool isDownload, ReplyShape shape, int recordLength, TimeSpan timeout)
+    {
+        _trace?.Write(_name, '>', text);
+        _framer.Expect(shape, recordLength);
+        if (_sent.Length < text.Length + 1) _sent = new byte[text.Length + 1];
+        var count = Encoding.Latin1.GetBytes(text, _sent);
+        if (!isDownload) _sent[count++] = (byte)'\r';
+        _deadline.Start(timeout);
+        try
+        {
+            await _link.WriteAsync(_sent.AsMemory(0, count), _deadline.Expired).ConfigureAwait(false);
+        }
+        catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
+        {
+            throw Fail(Describe(failure, text));
+        }
+    }
+
+    private async ValueTask<ReplyFrame> ReadFrameAsync(string text)
+    {
+        ReplyFrame frame;
+        while (!_framer.TryTake(out frame)) await ReadSomeAsync(text).ConfigureAwait(false);
+        _trace?.Write(_name, '<', frame.Data + (frame.Accepted ? ":" : "?"));
+        return frame;
+    }
+
+    private async ValueTask ReadSomeAsync(string text)
+    {
+        try
+        {
+            var count = await _link.ReadAsync(_received, _deadline.Expired).ConfigureAwait(false);
+            if (count == 0) throw Fail(new ControllerLinkException($"{_link.Description} closed the connection."));
+            _framer.Append(_received.AsSpan(0, count));
+        }
+        catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
+        {
+            throw Fail(Describe(failure, text));
+        }
+        catch (ProtocolViolationException failure)
+        {
+            throw Fail(failure);
+        }
+    }
+
+    private ControllerException Describe(Exception failure, string text) => failure is OperationCanceledException
+        ? new ControllerTimeoutException($"{_link.Description} did not answer '{FirstLine(text)}' in time.", failure)
+        : new ControllerLinkException($"The link to {_link.Description} was lost: {failure.Message}", failure);
+
+    private static string FirstLine(string text) => text.IndexOf('\r', StringComparison.Ordinal) is >= 0 and var end ? text[..end] : text;
+
+    private ControllerException Fail(ControllerException failure) => _failure ??= failure;
+
+    private void OnMessage(string message)
+    {
+        _trace?.Write(_name, '!', message);
+        MessageReceived?.Invoke(message);
+    }
+}

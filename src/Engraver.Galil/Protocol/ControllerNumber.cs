@@ -1,0 +1,40 @@
+using System.Globalization;
+
+namespace Engraver.Galil.Protocol;
+
+/// <summary>Numbers as the controller prints them: blanks or commas between them, leading zeros, a point, or hexadecimal with a dollar sign (galil-dmc.md A.3).</summary>
+public static class ControllerNumber
+{
+    private static readonly char[] Separators = [' ', ',', '\t', '\r', '\n'];
+
+    /// <summary>All numbers of a reply's data, in order.</summary>
+    /// <returns>False when anything in it is no number; column widths are never relied on.</returns>
+    public static bool TryParseAll(string data, out double[] values)
+    {
+        ArgumentNullException.ThrowIfNull(data);
+        var words = data.Split(Separators, StringSplitOptions.RemoveEmptyEntries);
+        values = new double[words.Length];
+        for (var i = 0; i < words.Length; i++)
+        {
+            if (!TryParse(words[i], out values[i])) return false;
+        }
+
+        return true;
+    }
+
+    private static bool TryParse(string word, out double value) => word.StartsWith('$')
+        ? TryParseHexadecimal(word.AsSpan(1), out value)
+        : double.TryParse(word, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out value);
+
+    /// <summary>$7FFFFFFF.FFFF: 32 bits in two's complement and a fraction of 1/65536.</summary>
+    private static bool TryParseHexadecimal(ReadOnlySpan<char> digits, out double value)
+    {
+        var point = digits.IndexOf('.');
+        var whole = point < 0 ? digits : digits[..point];
+        var fraction = point < 0 ? "0" : digits[(point + 1)..];
+        var ok = uint.TryParse(whole, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out var high);
+        ok &= ushort.TryParse(fraction, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out var low);
+        value = (int)high + (low / 65536.0);
+        return ok;
+    }
+}

@@ -1,0 +1,78 @@
+using System.Text;
+
+namespace Engraver.Galil.Protocol;
+
+/// <summary>Bytes in, replies out: finds the prompts and takes the unsolicited text out of the stream. Any split of the bytes gives the same replies.</summary>
+/// <remarks>A prompt stands at the start of a line, so a colon inside a data line is none. Bytes with bit 7 set are unsolicited characters
+/// (galil-dmc.md A.5, CW 1) except inside a binary record. Not thread-safe: the channel has one command under way.</remarks>
+public sealed class ReplyFramer
+{
+    /// <summary>Longest reply taken, bytes; a whole program memory is 80,000.</summary>
+    public const int LongestReply = 1 << 20;
+
+    private const byte CtrlZ = 0x1A;
+    private readonly List<byte> _data = [];
+    private readonly List<byte> _message = [];
+    private readonly Queue<ReplyFrame> _frames = new();
+    private ReplyShape _shape;
+    private int _recordLength;
+
+    /// <summary>Called with each unsolicited line, without its line end.</summary>
+    public Action<string>? MessageReceived { get; init; }
+
+    /// <summary>A command is about to be sent. What is left of an earlier one (the extra colon that a trailing <c>;</c> may bring, text under CW 2) is dropped.</summary>
+    /// <param name="recordLength">Bytes of the record when <paramref name="shape"/> is <see cref="ReplyShape.Record"/>.</param>
+    public void Expect(ReplyShape shape, int recordLength)
+    {
+        _shape = shape;
+        _recordLength = recordLength;
+        _data.Clear();
+        _frames.Clear();
+    }
+
+    /// <exception cref="ProtocolViolationException">More than <see cref="LongestReply"/> bytes came without a prompt.</exception>
+    public void Append(ReadOnlySpan<byte> bytes)
+    {
+        foreach (var value in bytes) Append(value);
+    }
+
+    /// <summary>Takes the oldest complete reply.</summary>
+    public bool TryTake(out ReplyFrame frame) => _frames.TryDequeue(out frame);
+
+    private void Append(byte value)
+    {
+        var inRecord = _shape == ReplyShape.Record && _data.Count < _recordLength && !(_data.Count == 0 && value == '?');
+        if (inRecord) _data.Add(value);
+        else if (value >= 0x80) AppendToMessage((byte)(value - 0x80));
+        else if (IsPrompt(value)) Complete(value == ':');
+        else _data.Add(value);
+        if (_data.Count > LongestReply) throw new ProtocolViolationException($"More than {LongestReply} bytes came without a prompt: this is no Galil controller.");
+    }
+
+    private bool IsPrompt(byte value)
+    {
+        if (value is not ((byte)':' or (byte)'?')) return false;
+        if (_data.Count == 0) return value == '?' || _shape != ReplyShape.Record;
+        return _shape switch
+        {
+            ReplyShape.Upload => _data[^1] is CtrlZ or (byte)'\\',
+            ReplyShape.Record => _data.Count == _recordLength,
+            _ => _data[^1] == '\n',
+        };
+    }
+
+    private void Complete(bool accepted)
+    {
+        var data = _data.Count == 0 ? "" : Encoding.Latin1.GetString([.. _data]);
+        _data.Clear();
+        _frames.Enqueue(new ReplyFrame(accepted, data));
+    }
+
+    private void AppendToMessage(byte character)
+    {
+        if (character != '\n' && character != '\r') _message.Add(character);
+        if (character != '\n' && _message.Count < LongestReply) return;
+        MessageReceived?.Invoke(Encoding.ASCII.GetString([.. _message]));
+        _message.Clear();
+    }
+}

@@ -1,0 +1,34 @@
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Sessions;
+
+/// <summary>Questions with numbers for answers, and commands without.</summary>
+public static class ChannelQuestions
+{
+    /// <summary>MG of a list of operands, for example <c>_RPA,_RPB,TIME</c>; as many numbers come back as were asked for.</summary>
+    /// <exception cref="ProtocolViolationException">The answer is not that many numbers.</exception>
+    public static async ValueTask<Reading> ReadAsync(this CommandChannel channel, string operands, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(channel);
+        ArgumentNullException.ThrowIfNull(operands);
+        var reply = await channel.SendAsync("MG " + operands, cancellation).ConfigureAwait(false);
+        if (reply is not Accepted { Data: var data }) return new Reading([], reply as Rejected);
+        if (!ControllerNumber.TryParseAll(data, out var values) || values.Length != operands.AsSpan().Count(',') + 1)
+            throw new ProtocolViolationException($"The controller answered '{data}' to 'MG {operands}'.");
+        return new Reading(values, null);
+    }
+
+    /// <summary>Sends commands one after the other and stops at the first that is refused.</summary>
+    /// <returns>The refusal, or null when all were accepted.</returns>
+    public static async ValueTask<Rejected?> SendAllAsync(this CommandChannel channel, IEnumerable<string> commands, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(channel);
+        ArgumentNullException.ThrowIfNull(commands);
+        foreach (var command in commands)
+        {
+            if (await channel.SendAsync(command, cancellation).ConfigureAwait(false) is Rejected rejected) return rejected;
+        }
+
+        return null;
+    }
+}

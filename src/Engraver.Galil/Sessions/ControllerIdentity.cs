@@ -1,0 +1,24 @@
+namespace Engraver.Galil.Sessions;
+
+/// <summary>Who answers on the link.</summary>
+/// <param name="Model">The answer to ^R^V, for example <c>DMC2143 Rev 1.0o</c>.</param>
+/// <param name="Axes">Number of axes, from the model string (galil-dmc.md G).</param>
+/// <param name="Handle">The answer to WH for the command handle: IHA to IHH, or RS232.</param>
+/// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9).</param>
+public sealed record ControllerIdentity(string Model, int Axes, string Handle, int RecordBytes, ControllerLimits Limits)
+{
+    private const string AxisLetters = "ABCDEFGH";
+
+    /// <summary>The letters of the axes: ABCD for four.</summary>
+    public string Letters => AxisLetters[..Axes];
+
+    /// <summary>The axes by the model string: the digit after the family, which is the sixth character, on the 500x0 the seventh.</summary>
+    /// <returns>Null when the string is no model of the DMC family.</returns>
+    public static int? AxesOf(string model)
+    {
+        ArgumentNullException.ThrowIfNull(model);
+        if (!model.StartsWith("DMC", StringComparison.Ordinal)) return null;
+        var place = model.StartsWith("DMC500", StringComparison.Ordinal) ? 6 : 5;
+        return model.Length > place && model[place] is >= '1' and <= '8' ? model[place] - '0' : null;
+    }
+}

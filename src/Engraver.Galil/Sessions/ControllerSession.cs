@@ -1,0 +1,126 @@
+using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Sessions;
+
+/// <summary>A conversation with one controller: a handle for commands and, where the link allows, a second one for the stop and for unsolicited text.</summary>
+/// <remarks>Disposing leaves the controller as it was found, best effort when the link is lost. A job changes speeds and motors and calls <see cref="RestoreAsync"/>.</remarks>
+public sealed class ControllerSession : IAsyncDisposable
+{
+    private readonly CommandChannel _commands;
+    private readonly CommandChannel? _second;
+
+    private ControllerSession(CommandChannel commands, CommandChannel? second, ControllerIdentity identity, FoundState found, TimeProvider time)
+    {
+        _commands = commands;
+        _second = second;
+        Identity = identity;
+        Found = found;
+        Time = time;
+    }
+
+    public ControllerIdentity Identity { get; }
+
+    public FoundState Found { get; }
+
+    public TimeProvider Time { get; }
+
+    /// <summary>The handle for commands; when its link is lost and the second handle still stands, that one.</summary>
+    public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
+
+    /// <summary>The handle for the operator's stop: it never waits behind the feeder, except on a single wire.</summary>
+    public CommandChannel StopHandle => _second is { IsBroken: false } ? _second : _commands;
+
+    /// <summary>Opens both handles and shakes hands (galil-dmc.md F.2). Changes CW, CF, DR and the number format, nothing else.</summary>
+    /// <param name="openLink">Opens one more link to the same controller; called twice when a second handle is wanted.</param>
+    /// <exception cref="ControllerException">No link, silence, or no controller at the other end.</exception>
+    public static async Task<ControllerSession> OpenAsync(
+        Func<CancellationToken, Task<IControllerLink>> openLink, SessionOptions options, TimeProvider time, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(openLink);
+        ArgumentNullException.ThrowIfNull(options);
+        CommandChannel? commands = null;
+        CommandChannel? second = null;
+        var opened = false;
+        try
+        {
+            commands = new CommandChannel(await openLink(cancellation).ConfigureAwait(false), "A", options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
+            if (options.SecondHandle)
+                second = new CommandChannel(await openLink(cancellation).ConfigureAwait(false), "B", options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
+            var identity = await Handshake.IdentifyAsync(commands, cancellation).ConfigureAwait(false);
+            var found = await FoundState.ReadAsync(commands, identity.Letters, cancellation).ConfigureAwait(false);
+            var session = new ControllerSession(commands, second, identity, found, time);
+            await session.AgreeOnWireAsync(cancellation).ConfigureAwait(false);
+            opened = true;
+            return session;
+        }
+        finally
+        {
+            if (!opened && second is not null) await second.DisposeAsync().ConfigureAwait(false);
+            if (!opened && commands is not null) await commands.DisposeAsync().ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>Why no job can start now: a thread of somebody else runs, or something moves. Null when the machine is free.</summary>
+    public async Task<string?> BusyReasonAsync(CancellationToken cancellation)
+    {
+        for (var thread = 0; thread < 8; thread++)
+        {
+            var line = (await Commands.ReadAsync($"_XQ{thread}", cancellation).ConfigureAwait(false)).OrNothing;
+            if (line is >= 0) return $"Thread {thread} of a program that is not ours runs in the controller (line {line:0}); halt it (HX{thread}) or let it end, then start the job again.";
+        }
+
+        foreach (var mover in Identity.Letters + "ST")
+        {
+            var moving = (await Commands.ReadAsync($"_BG{mover}", cancellation).ConfigureAwait(false)).OrNothing;
+            if (moving is 1.0) return $"{(mover is 'S' or 'T' ? "Plane" : "Axis")} {mover} is moving; wait until the machine stands, then start the job again.";
+        }
+
+        return null;
+    }
+
+    /// <summary>Speeds, accelerations and motors as they were found. To be called at rest.</summary>
+    /// <returns>One sentence for each setting that could not be brought back.</returns>
+    /// <exception cref="ControllerException">The link failed on the way.</exception>
+    public async Task<IReadOnlyList<string>> RestoreAsync(CancellationToken cancellation)
+    {
+        var commands = Found.Motion.Select(setting => setting.RestoreCommand).Concat(Found.MotorsOff.Select(letter => $"MO{letter}"));
+        return await TryEachAsync(commands, cancellation).ConfigureAwait(false);
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        try
+        {
+            var echo = Found.Wire.Echo is null ? null : (await Commands.ReadAsync("_EO", CancellationToken.None).ConfigureAwait(false)).OrNothing;
+            await TryEachAsync(Found.Wire.RestoreCommands(echo), CancellationToken.None).ConfigureAwait(false);
+        }
+        catch (ControllerException)
+        {
+            // The link is gone: there is nobody left to tell.
+        }
+
+        if (_second is not null) await _second.DisposeAsync().ConfigureAwait(false);
+        await _commands.DisposeAsync().ConfigureAwait(false);
+    }
+
+    private async Task<IReadOnlyList<string>> TryEachAsync(IEnumerable<string> commands, CancellationToken cancellation)
+    {
+        var failures = new List<string>();
+        foreach (var command in commands)
+        {
+            if (await Commands.SendAsync(command, cancellation).ConfigureAwait(false) is Rejected rejected) failures.Add(rejected.Explain());
+        }
+
+        return failures;
+    }
+
+    /// <summary>No pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not carry the job, numbers wide enough for any position.</summary>
+    private async Task AgreeOnWireAsync(CancellationToken cancellation)
+    {
+        if (Found.Wire.RecordPeriod is not 0.0) await _commands.SendAsync("DR 0", cancellation).ConfigureAwait(false);
+        await _commands.SendAsync("CW 1", cancellation).ConfigureAwait(false);
+        await (_second ?? _commands).SendAsync("CF I", cancellation).ConfigureAwait(false);
+        await _commands.SendAsync("VF 10.4", cancellation).ConfigureAwait(false);
+    }
+}

@@ -1,0 +1,45 @@
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Sessions;
+
+/// <summary>The first questions on a fresh connection (galil-dmc.md F.2): nothing here changes the controller.</summary>
+internal static class Handshake
+{
+    private const string RevisionQuestion = "\x12\x16";
+
+    /// <exception cref="ProtocolViolationException">What answers is no controller of the DMC family.</exception>
+    public static async Task<ControllerIdentity> IdentifyAsync(CommandChannel channel, CancellationToken cancellation)
+    {
+        await channel.SendAsync("", cancellation).ConfigureAwait(false);
+        var model = await TextAsync(channel, RevisionQuestion, cancellation).ConfigureAwait(false);
+        var axes = ControllerIdentity.AxesOf(model) ?? throw new ProtocolViolationException($"'{model}' answers on the link; a controller of the DMC family was expected.");
+        var handle = await TextAsync(channel, "WH", cancellation).ConfigureAwait(false);
+        var record = await RecordBytesAsync(channel, axes, cancellation).ConfigureAwait(false);
+        await channel.SendAsync("TC1", cancellation).ConfigureAwait(false);
+        return new ControllerIdentity(model, axes, handle, record, await LimitsAsync(channel, cancellation).ConfigureAwait(false));
+    }
+
+    private static async Task<string> TextAsync(CommandChannel channel, string question, CancellationToken cancellation) =>
+        await channel.SendAsync(question, cancellation).ConfigureAwait(false) is Accepted { Data: var text } ? text : "";
+
+    /// <summary>QZ: axes, bytes of the general, coordinated and axis blocks. The first number is not trusted: EPICS takes the model's digit too.</summary>
+    private static async Task<int> RecordBytesAsync(CommandChannel channel, int axes, CancellationToken cancellation)
+    {
+        var answer = await TextAsync(channel, "QZ", cancellation).ConfigureAwait(false);
+        if (!ControllerNumber.TryParseAll(answer, out var blocks) || blocks.Length != 4)
+            throw new ProtocolViolationException($"The controller answered '{answer}' to QZ; four numbers were expected.");
+        return 4 + (int)blocks[1] + (int)blocks[2] + (axes * (int)blocks[3]);
+    }
+
+    private static async Task<ControllerLimits> LimitsAsync(CommandChannel channel, CancellationToken cancellation)
+    {
+        async Task<int?> Ask(string operand) => (int?)(await channel.ReadAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
+        return new ControllerLimits(
+            await Ask("_DL").ConfigureAwait(false),
+            await Ask("_UL").ConfigureAwait(false),
+            await Ask("_DM").ConfigureAwait(false),
+            await Ask("_IA2").ConfigureAwait(false),
+            await Ask("_LMS").ConfigureAwait(false),
+            await Ask("_TM").ConfigureAwait(false));
+    }
+}

@@ -1,0 +1,60 @@
+using System.Globalization;
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Sessions;
+
+/// <summary>Tool off and machine at rest, in the complete order of galil-dmc.md F.4: CB, STS, ST AB, HX of our threads, wait for every _BG, CSS.</summary>
+/// <remarks>Two passes. <see cref="Begin"/> goes at once over the stop handle, while the feeder may still have a command on its way; when the feeder is silent,
+/// <see cref="FinishAsync"/> says it again, so that a BGS that arrived in between starts nothing.</remarks>
+public sealed class OperatorStop(ControllerSession session, int toolOutput, IReadOnlyList<int> ownThreads)
+{
+    private const string Operands = "_BGS,_BGA,_BGB,_VMS,_CSS,_RPA,_RPB,TIME";
+
+    /// <summary>Polls at standstill after which an open sequence is ended by AB1: STS does not close one that ran dry (galil-dmc.md B.7).</summary>
+    private const int PatiencePolls = 20;
+
+    private Task _begun = Task.CompletedTask;
+
+    /// <summary>Switches the tool off and stops the plane and the axes at once. Returns without waiting; failures are told by <see cref="FinishAsync"/>.</summary>
+    public void Begin() => _begun = BrakeAsync();
+
+    /// <summary>Brakes again, halts our threads and waits until the machine stands, however long it brakes. Then the segment buffer is emptied.</summary>
+    /// <returns>_CSS, _RPA, _RPB and TIME at the standstill.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async Task<StandstillReport> FinishAsync(TimeSpan pollInterval, CancellationToken cancellation)
+    {
+        await _begun.ConfigureAwait(false);
+        await BrakeAsync().ConfigureAwait(false);
+        foreach (var thread in ownThreads) await SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}")).ConfigureAwait(false);
+
+        // A program of ours may have begun a motion or switched the tool between the stop and its halt.
+        await BrakeAsync().ConfigureAwait(false);
+        var report = await WaitForRestAsync(pollInterval, cancellation).ConfigureAwait(false);
+        await SendAsync("CSS").ConfigureAwait(false);
+        return report;
+    }
+
+    private async Task BrakeAsync()
+    {
+        await SendAsync(string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}")).ConfigureAwait(false);
+        await SendAsync("STS").ConfigureAwait(false);
+        await SendAsync("ST AB").ConfigureAwait(false);
+    }
+
+    private async Task<StandstillReport> WaitForRestAsync(TimeSpan pollInterval, CancellationToken cancellation)
+    {
+        for (var standing = 0; ;)
+        {
+            var reading = await session.StopHandle.ReadAsync(Operands, cancellation).ConfigureAwait(false);
+            if (reading.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
+            var v = reading.Values;
+            if (v[0] == 0 && v[1] == 0 && v[2] == 0) return new StandstillReport((int)v[4], (int)v[5], (int)v[6], (long)v[7]);
+            standing = v[0] != 0 && v[3] == 0 && v[1] == 0 && v[2] == 0 ? standing + 1 : 0;
+            if (standing == PatiencePolls) await SendAsync("AB 1").ConfigureAwait(false);
+            if (pollInterval > TimeSpan.Zero) await Task.Delay(pollInterval, session.Time, cancellation).ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>A refusal does not keep the stop from going on: each command is worth trying on its own.</summary>
+    private async Task SendAsync(string command) => await session.StopHandle.SendAsync(command, CancellationToken.None).ConfigureAwait(false);
+}

@@ -1,0 +1,36 @@
+using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Sessions;
+
+/// <summary>The settings of the conversation itself as they were found; null where the controller could not say.</summary>
+/// <param name="Echo">_EO. Never sent over Ethernet, so it is written back only when it has changed.</param>
+/// <param name="MessagePort">_CF: letter of the port that gets the text of programs (galil-dmc.md A.5).</param>
+/// <param name="MessageMark">_CW: 1 marks unsolicited bytes with bit 7, 2 does not.</param>
+/// <param name="RecordPeriod">_DR0: samples between pushed records, 0 for none.</param>
+/// <param name="RecordHandle">_DR1.</param>
+/// <param name="NumberFormat">_VF.</param>
+public sealed record WireState(double? Echo, char? MessagePort, double? MessageMark, double? RecordPeriod, double? RecordHandle, double? NumberFormat)
+{
+    internal static async Task<WireState> ReadAsync(CommandChannel channel, CancellationToken cancellation)
+    {
+        async Task<double?> Ask(string operand) => (await channel.ReadAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
+        var echo = await Ask("_EO").ConfigureAwait(false);
+        var port = await Ask("_CF").ConfigureAwait(false);
+        var mark = await Ask("_CW").ConfigureAwait(false);
+        var period = await Ask("_DR0").ConfigureAwait(false);
+        var handle = await Ask("_DR1").ConfigureAwait(false);
+        var format = await Ask("_VF").ConfigureAwait(false);
+        return new WireState(echo, port is >= 'A' and <= 'Z' ? (char)port : null, mark, period, handle, format);
+    }
+
+    /// <summary>The commands that bring the conversation back, in the order that keeps the replies readable to the last.</summary>
+    internal IEnumerable<string> RestoreCommands(double? echoNow)
+    {
+        if (NumberFormat is { } format) yield return "VF " + DmcFormat.Number(format);
+        if (RecordPeriod is > 0 && RecordHandle is { } handle) yield return $"DR {DmcFormat.Number(RecordPeriod.Value)},{DmcFormat.Number(handle)}";
+        if (MessagePort is { } port) yield return $"CF {port}";
+        if (MessageMark is 1 or 2) yield return "CW " + DmcFormat.Number(MessageMark.Value);
+        if (Echo is { } echo && echoNow is { } now && now != echo) yield return "EO " + DmcFormat.Number(echo);
+    }
+}
