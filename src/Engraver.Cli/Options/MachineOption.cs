@@ -19,6 +19,7 @@ internal static class MachineOption
         }
 
         var read = MachineProfileFile.Read(json);
-        return read.Profile ?? throw new UsageException($"--machine: {path}: {read.Error}");
+        if (read.Profile is { } profile) return profile;
+        throw new UsageException($"--machine: {path}({read.Diagnostics[0].Source.Line}): {read.Diagnostics[0].Id}: {read.Diagnostics[0].Message}");
     }
 }

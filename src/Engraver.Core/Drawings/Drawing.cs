@@ -1,3 +1,4 @@
+using System.Globalization;
 using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Drawings;
@@ -18,9 +19,29 @@ public sealed record Drawing(
     /// <summary>True when a diagnostic of severity error stands against the drawing (exit code 1; a job does not start without consent).</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 
+    /// <summary>A drawing from which nothing could be read, with the reason.</summary>
+    public static Drawing Unusable(string fileName, long bytes, Diagnostic why)
+    {
+        var nothing = new Dictionary<string, int>();
+        var balance = new DrawingBalance(nothing, 0, 0, [], [], nothing, 0);
+        return new Drawing(fileName, bytes, "", "ascii", LengthUnit.AssumedMillimetres, [], new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), balance, [why]);
+    }
+
     public SourceRef SourceOf(int entityIndex)
     {
         ref var entity = ref Entities[entityIndex];
-        return new SourceRef(entity.SourceLine, entity.Handle == 0 ? null : entity.Handle.ToString("X", System.Globalization.CultureInfo.InvariantCulture));
+        return new SourceRef(entity.SourceLine, entity.Handle == 0 ? null : entity.Handle.ToString("X", CultureInfo.InvariantCulture));
+    }
+
+    /// <summary>The first curve with a handle (hexadecimal, any case, leading zeros allowed); null when there is none.</summary>
+    public int? IndexOfHandle(string handle)
+    {
+        if (!ulong.TryParse(handle, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out var number) || number == 0) return null;
+        for (var i = 0; i < Entities.Count; i++)
+        {
+            if (Entities[i].Handle == number) return i;
+        }
+
+        return null;
     }
 }

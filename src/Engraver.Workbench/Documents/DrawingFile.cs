@@ -16,7 +16,7 @@ public static class DrawingFile
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return Drawing.Unusable(path, DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.')));
+            return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.')));
         }
     }
 }
