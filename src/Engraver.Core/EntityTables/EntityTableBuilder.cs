@@ -1,0 +1,62 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.EntityTables;
+
+/// <summary>Drawing to entity table: the only place where drawing units become millimetres.</summary>
+public static class EntityTableBuilder
+{
+    /// <summary>One row per directed segment of the selected layers, in file order and as drawn; polylines are taken apart (paper 001, section 3.3).</summary>
+    /// <returns>Lines complete; arcs and circles with slots 7 to 12 only (analysis fills the rest). Slot 15 is already set for parts that have no drawn angles
+    /// of their own to compute it from (polyline bulges, approximated curves) and for parts drawn clockwise (mirrored blocks).</returns>
+    public static EntityTable Build(Drawing drawing, LayerSelection selection)
+    {
+        var taken = selection.Taken(drawing.Layers);
+        var table = new EntityTable();
+        for (var entity = 0; entity < drawing.Entities.Count; entity++)
+        {
+            if (IsCut(drawing.Entities[entity], taken)) AppendParts(table, drawing, entity);
+        }
+
+        return table;
+    }
+
+    private static bool IsCut(in DrawingEntity entity, bool[] taken) => !entity.Hidden && taken[entity.Layer];
+
+    private static void AppendParts(EntityTable table, Drawing drawing, int entityIndex)
+    {
+        ref var entity = ref drawing.Entities[entityIndex];
+        for (var part = entity.FirstPart; part < entity.FirstPart + entity.PartCount; part++)
+        {
+            var slots = SlotsOf(drawing.Parts[part], drawing.Unit.ToMillimetres, hasDrawnAngles: entity.Type is CurveType.Arc or CurveType.Circle);
+            table.Append(slots, entityIndex);
+        }
+    }
+
+    private static EntitySlots SlotsOf(in DrawingPart part, double toMillimetres, bool hasDrawnAngles)
+    {
+        var slots = default(EntitySlots);
+        slots[EntitySlot.Kind] = (int)part.Kind;
+        var first = new Point2D(part.A * toMillimetres, part.B * toMillimetres);
+        if (part.Kind == SegmentKind.Line)
+        {
+            slots.SetStart(first, part.C * toMillimetres);
+            slots.SetEnd(new Point2D(part.D * toMillimetres, part.E * toMillimetres), part.F * toMillimetres);
+            return slots;
+        }
+
+        slots.SetCentre(first, part.C * toMillimetres);
+        slots[EntitySlot.Radius] = part.D * toMillimetres;
+        if (part.Kind == SegmentKind.Arc)
+        {
+            slots[EntitySlot.StartAngle] = part.E;
+            slots[EntitySlot.EndAngle] = WithinOneTurn(part.E + part.F);
+        }
+
+        if (part.F < 0.0 || !hasDrawnAngles) slots[EntitySlot.Sweep] = part.F;
+        return slots;
+    }
+
+    /// <summary>350 to 10 degrees is drawn as 10, not 370; 270 to 360 stays 360.</summary>
+    private static double WithinOneTurn(double degrees) => degrees > 360.0 ? degrees - 360.0 : degrees < -360.0 ? degrees + 360.0 : degrees;
+}

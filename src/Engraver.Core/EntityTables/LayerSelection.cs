@@ -1,0 +1,27 @@
+using Engraver.Core.Drawings;
+
+namespace Engraver.Core.EntityTables;
+
+/// <summary>Which layers are cut. Default: visible, not frozen, plottable. Names compare without regard to case, as in DXF.</summary>
+/// <remarks>An entity that is hidden itself (code 60, or by its insert) is never cut, whatever the selection says of its layer.</remarks>
+/// <param name="Only">When not empty: only these layers, even when they are off, frozen or not plotted.</param>
+/// <param name="Skip">Layers left out of what would be cut otherwise.</param>
+public sealed record LayerSelection(IReadOnlyList<string> Only, IReadOnlyList<string> Skip)
+{
+    public static LayerSelection Default { get; } = new([], []);
+
+    /// <summary>Names of the selection that the drawing does not have, each once, as the operator spelled them; empty when all are known.</summary>
+    public IReadOnlyList<string> UnknownNames(IReadOnlyList<Layer> layers)
+    {
+        var known = layers.Select(layer => layer.Name).ToHashSet(StringComparer.OrdinalIgnoreCase);
+        return [.. Only.Concat(Skip).Where(name => !known.Contains(name)).Distinct(StringComparer.OrdinalIgnoreCase)];
+    }
+
+    /// <summary>For each layer of the drawing whether it is cut.</summary>
+    public bool[] Taken(IReadOnlyList<Layer> layers)
+    {
+        var only = Only.ToHashSet(StringComparer.OrdinalIgnoreCase);
+        var skip = Skip.ToHashSet(StringComparer.OrdinalIgnoreCase);
+        return [.. layers.Select(layer => (only.Count == 0 ? layer.CutByDefault : only.Contains(layer.Name)) && !skip.Contains(layer.Name))];
+    }
+}

@@ -1,0 +1,211 @@
+namespace Engraver.Core.Geometry;
+
+/// <summary>Boxes sorted along a Hilbert curve under a tree of boxes four to a node: nearest and overlap questions in logarithmic time however unevenly a drawing is spread.</summary>
+/// <remarks>Items can be hidden and shown again, which is how a travelling tool forgets what it has cut. Not safe for use from several threads while items are hidden or shown.</remarks>
+public sealed class BoxTree
+{
+    private const int Fanout = 4;
+    private readonly int[] _items;
+    private readonly int[] _slotOfItem;
+    private readonly Bounds2D[][] _boxes;
+    private readonly int[][] _shown;
+
+    private BoxTree(int[] items, Bounds2D[] leaves)
+    {
+        _items = items;
+        _slotOfItem = new int[items.Length];
+        for (var slot = 0; slot < items.Length; slot++) _slotOfItem[items[slot]] = slot;
+        var boxes = new List<Bounds2D[]> { leaves };
+        var shown = new List<int[]> { Ones(leaves.Length) };
+        while (boxes[^1].Length > 1) AddLevel(boxes, shown);
+        _boxes = [.. boxes];
+        _shown = [.. shown];
+    }
+
+    /// <summary>Distance of item <paramref name="item"/> from <paramref name="place"/>; never less than the distance of its box.</summary>
+    public delegate double Measure(int item, Point2D place);
+
+    /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>.</summary>
+    public static BoxTree Of(ReadOnlySpan<Bounds2D> boxes)
+    {
+        var keys = HilbertKeys(boxes);
+        var items = new int[boxes.Length];
+        for (var i = 0; i < items.Length; i++) items[i] = i;
+        Array.Sort(keys, items);
+        var leaves = new Bounds2D[boxes.Length];
+        for (var slot = 0; slot < leaves.Length; slot++) leaves[slot] = boxes[items[slot]];
+        return new BoxTree(items, leaves);
+    }
+
+    public static BoxTree Of(ReadOnlySpan<Point2D> places)
+    {
+        var boxes = new Bounds2D[places.Length];
+        for (var i = 0; i < boxes.Length; i++) boxes[i] = Bounds2D.Of(places[i], places[i]);
+        return Of(boxes);
+    }
+
+    /// <summary>Leaves an item out of every answer until it is shown again. Hiding twice is hiding once.</summary>
+    public void Hide(int item) => SetShown(item, 0);
+
+    public void Show(int item) => SetShown(item, 1);
+
+    /// <summary>The nearest shown item by <paramref name="measure"/>, ties to the lower number; -1 when none is nearer than or as near as <paramref name="within"/>.</summary>
+    /// <param name="place">Seen from here.</param>
+    /// <param name="measure">Exact distance of an item.</param>
+    /// <param name="within">Largest distance of interest; positive infinity for any.</param>
+    /// <param name="distance">Distance of the answer, or <paramref name="within"/> when there is none.</param>
+    public int Nearest(Point2D place, Measure measure, double within, out double distance)
+    {
+        var best = new Best(-1, within);
+        if (_items.Length > 0 && _shown[^1][0] > 0) Descend(_boxes.Length - 1, 0, place, measure, ref best);
+        distance = best.Distance;
+        return best.Item;
+    }
+
+    /// <summary>Adds every shown item whose box overlaps (or touches) <paramref name="box"/> to <paramref name="found"/>, in no particular order.</summary>
+    public void Overlapping(Bounds2D box, List<int> found)
+    {
+        if (_items.Length > 0) Collect(_boxes.Length - 1, 0, box, found);
+    }
+
+    private static int[] Ones(int count)
+    {
+        var ones = new int[count];
+        Array.Fill(ones, 1);
+        return ones;
+    }
+
+    private static void AddLevel(List<Bounds2D[]> boxes, List<int[]> shown)
+    {
+        var (below, counts) = (boxes[^1], shown[^1]);
+        var size = (below.Length + Fanout - 1) / Fanout;
+        var unions = new Bounds2D[size];
+        var sums = new int[size];
+        Array.Fill(unions, Bounds2D.Empty);
+        for (var i = 0; i < below.Length; i++)
+        {
+            unions[i / Fanout] = unions[i / Fanout].Union(below[i]);
+            sums[i / Fanout] += counts[i];
+        }
+
+        boxes.Add(unions);
+        shown.Add(sums);
+    }
+
+    private static uint[] HilbertKeys(ReadOnlySpan<Bounds2D> boxes)
+    {
+        var all = Bounds2D.Empty;
+        foreach (var box in boxes) all = all.Union(box);
+        var scale = 65535.0 / Math.Max(Math.Max(all.Width, all.Height), double.Epsilon * 65536.0);
+        var keys = new uint[boxes.Length];
+        for (var i = 0; i < keys.Length; i++)
+        {
+            var x = (uint)Math.Clamp((((boxes[i].MinX + boxes[i].MaxX) / 2.0) - all.MinX) * scale, 0.0, 65535.0);
+            var y = (uint)Math.Clamp((((boxes[i].MinY + boxes[i].MaxY) / 2.0) - all.MinY) * scale, 0.0, 65535.0);
+            keys[i] = HilbertKey(x, y);
+        }
+
+        return keys;
+    }
+
+    /// <summary>Place of a cell of the 65536 x 65536 grid along the Hilbert curve.</summary>
+    private static uint HilbertKey(uint x, uint y)
+    {
+        var key = 0u;
+        for (var side = 1u << 15; side > 0; side >>= 1)
+        {
+            var right = (x & side) != 0;
+            var upper = (y & side) != 0;
+            key += side * side * ((right ? 3u : 0u) ^ (upper ? 1u : 0u));
+            if (upper) continue;
+            if (right) (x, y) = (65535u - x, 65535u - y);
+            (x, y) = (y, x);
+        }
+
+        return key;
+    }
+
+    private static double Distance(in Bounds2D box, Point2D place)
+    {
+        var x = Math.Max(0.0, Math.Max(box.MinX - place.X, place.X - box.MaxX));
+        var y = Math.Max(0.0, Math.Max(box.MinY - place.Y, place.Y - box.MaxY));
+        return x == 0.0 ? y : y == 0.0 ? x : Math.Sqrt((x * x) + (y * y));
+    }
+
+    private static bool Overlap(in Bounds2D a, in Bounds2D b) => a.MinX <= b.MaxX && b.MinX <= a.MaxX && a.MinY <= b.MaxY && b.MinY <= a.MaxY;
+
+    private void SetShown(int item, int value)
+    {
+        var index = _slotOfItem[item];
+        var change = value - _shown[0][index];
+        if (change == 0) return;
+        foreach (var level in _shown)
+        {
+            level[index] += change;
+            index /= Fanout;
+        }
+    }
+
+    private void Descend(int level, int index, Point2D place, Measure measure, ref Best best)
+    {
+        if (level == 0)
+        {
+            best.Offer(_items[index], measure(_items[index], place));
+            return;
+        }
+
+        var first = index * Fanout;
+        var count = Math.Min(Fanout, _boxes[level - 1].Length - first);
+        Span<double> distances = stackalloc double[Fanout];
+        for (var i = 0; i < count; i++)
+        {
+            distances[i] = _shown[level - 1][first + i] == 0 ? double.PositiveInfinity : Distance(_boxes[level - 1][first + i], place);
+        }
+
+        for (var visit = 0; visit < count; visit++)
+        {
+            var nearest = IndexOfSmallest(distances[..count]);
+            if (double.IsPositiveInfinity(distances[nearest]) || distances[nearest] > best.Distance) return;
+            distances[nearest] = double.PositiveInfinity;
+            Descend(level - 1, first + nearest, place, measure, ref best);
+        }
+    }
+
+    private static int IndexOfSmallest(ReadOnlySpan<double> values)
+    {
+        var smallest = 0;
+        for (var i = 1; i < values.Length; i++)
+        {
+            if (values[i] < values[smallest]) smallest = i;
+        }
+
+        return smallest;
+    }
+
+    private void Collect(int level, int index, in Bounds2D box, List<int> found)
+    {
+        if (_shown[level][index] == 0 || !Overlap(_boxes[level][index], box)) return;
+        if (level == 0)
+        {
+            found.Add(_items[index]);
+            return;
+        }
+
+        var end = Math.Min((index + 1) * Fanout, _boxes[level - 1].Length);
+        for (var child = index * Fanout; child < end; child++) Collect(level - 1, child, box, found);
+    }
+
+    private struct Best(int item, double distance)
+    {
+        public int Item { get; private set; } = item;
+
+        public double Distance { get; private set; } = distance;
+
+        public void Offer(int item, double distance)
+        {
+            if (distance > Distance || (distance == Distance && Item >= 0 && item >= Item)) return;
+            Item = item;
+            Distance = distance;
+        }
+    }
+}

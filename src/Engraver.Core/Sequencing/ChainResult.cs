@@ -1,0 +1,7 @@
+namespace Engraver.Core.Sequencing;
+
+/// <summary>What chaining found.</summary>
+/// <param name="Contours">In order of their lowest row.</param>
+/// <param name="Discontinuities">Two for every open contour, start before end, in contour order.</param>
+/// <param name="Branches">Times a contour had to choose between several continuations.</param>
+public sealed record ChainResult(IReadOnlyList<Contour> Contours, IReadOnlyList<Discontinuity> Discontinuities, int Branches);

@@ -1,0 +1,20 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing;
+
+/// <summary>The paper's AUTOSEQUENCE: loose, arbitrarily directed segments become contours (paper 000, figure 2).</summary>
+public static class ContourChainer
+{
+    /// <summary>Joins segments end to start within <paramref name="joinTolerance"/> (millimetres). Every segment lands in exactly one contour.</summary>
+    /// <returns>Contours in order of their lowest row, and one discontinuity for each end without a partner. Empty input gives an empty result.</returns>
+    /// <remarks>Linear in the number of segments (hash grid of ends); paper 000's repeated passes give the same contours. A contour grows from its lowest row
+    /// forwards, then, when it did not close, backwards. Two ends join when they lie within the tolerance of each other (not by way of a third).
+    /// At a branch: segments shorter than the tolerance first, nearest first (they lead nowhere else), then the straightest continuation, then the lowest row.</remarks>
+    public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(joinTolerance);
+        var walker = new ContourWalker(segments.ToArray(), joinTolerance);
+        var contours = walker.WalkAll();
+        return new ChainResult(contours, OpenEnds.Find(contours, segments), walker.Branches);
+    }
+}

@@ -1,0 +1,23 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Toolpaths;
+
+namespace Engraver.Core.Sequencing;
+
+/// <summary>Counts what is cut as the operator drew it: a line or arc part is one, and so is an ellipse or spline however many arcs approximate it.</summary>
+/// <remarks>A spline that falls into several strokes counts in the first, so that the strokes add up to the whole.</remarks>
+internal sealed class CurveCount(Drawing? drawing)
+{
+    private readonly HashSet<int> _counted = [];
+
+    public int Add(IReadOnlyList<ToolpathMove> moves)
+    {
+        if (drawing is null) return moves.Count;
+        var count = 0;
+        foreach (var move in moves)
+        {
+            if (drawing.Entities[move.EntityIndex].Type is not (CurveType.Ellipse or CurveType.Spline) || _counted.Add(move.EntityIndex)) count++;
+        }
+
+        return count;
+    }
+}

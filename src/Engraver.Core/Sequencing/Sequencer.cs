@@ -1,0 +1,96 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing;
+
+/// <summary>Analysed table to strokes in the order of cutting. In two steps, so that a caller can time or repeat the second alone.</summary>
+public static class Sequencer
+{
+    /// <summary>Chaining and ordering in one.</summary>
+    /// <param name="analysed">What <see cref="ArcAnalysis.Analyse"/> returned.</param>
+    /// <param name="drawing">The drawing behind the entity indices: names handles and tells ellipses and splines from their parts. Null when there is none.</param>
+    /// <param name="options">Tolerances and wishes.</param>
+    public static SequencingResult Sequence(EntityTable analysed, Drawing? drawing, SequencingOptions options) =>
+        Order(Chain(analysed, drawing, options), options);
+
+    /// <summary>Removes duplicates, joins contours, finds which lies inside which.</summary>
+    public static ChainedTable Chain(EntityTable analysed, Drawing? drawing, SequencingOptions options)
+    {
+        var segments = analysed.ToSegments();
+        var kept = analysed;
+        var findings = new SequencingFindings(drawing, options);
+        if (!options.KeepDuplicates)
+        {
+            var rows = DuplicateRemoval.Keep(segments, options.DuplicateTolerance);
+            if (rows.Length < segments.Length)
+            {
+                findings.AddDuplicates(analysed, rows);
+                kept = analysed.Picking(rows);
+                segments = kept.ToSegments();
+            }
+        }
+
+        var chain = ContourChainer.Chain(segments, options.JoinTolerance);
+        var inside = ContourNesting.Find(chain.Contours, segments, options.JoinTolerance);
+        findings.AddChain(chain, kept, segments);
+        return new ChainedTable(analysed, kept, segments, chain, inside, drawing, findings.Diagnostics);
+    }
+
+    /// <summary>Puts the contours in order, turns and rotates them, and writes the sequenced table.</summary>
+    public static SequencingResult Order(ChainedTable chained, SequencingOptions options)
+    {
+        var findings = new SequencingFindings(chained.Drawing, options, chained.Diagnostics);
+        var entries = Entries(chained, options, findings);
+        var (table, reversed) = SequencedTable.Write(chained, entries);
+        var strokes = Strokes(chained, entries, table);
+        var travel = Travels.Through(options.ToolStart, strokes);
+        return new SequencingResult
+        {
+            Strokes = strokes,
+            Discontinuities = [.. chained.Chain.Discontinuities.Select(end => findings.Describe(end, chained.Kept))],
+            Table = table,
+            Segments = strokes.Sum(stroke => stroke.Segments),
+            Reversed = reversed,
+            DuplicatesRemoved = chained.DuplicatesRemoved,
+            PathLength = strokes.Sum(stroke => stroke.Length),
+            Travel = travel,
+            TravelAndBack = travel + (strokes.Length == 0 ? 0.0 : strokes[^1].End.DistanceTo(options.ToolStart)),
+            TravelAsDrawn = Travels.AsDrawn(options.ToolStart, chained.Analysed),
+            Diagnostics = findings.Diagnostics,
+        };
+    }
+
+    private static IReadOnlyList<StrokeEntry> Entries(ChainedTable chained, SequencingOptions options, SequencingFindings findings)
+    {
+        var contours = chained.Chain.Contours;
+        var segments = chained.Segments.Span;
+        int[] inside = [.. chained.Inside];
+        var first = options.Enter is { } enter ? EntrySearch.Find(enter, chained, options.ToolStart) : null;
+        if (options.Enter is not null) findings.AddEntry(first, inside);
+        return options.Order == StrokeOrder.Drawn
+            ? TravelOrder.Drawn(contours, segments, inside, options.ToolStart, first)
+            : TravelOrder.Nearest(contours, segments, inside, options.ToolStart, first);
+    }
+
+    private static SequencedStroke[] Strokes(ChainedTable chained, IReadOnlyList<StrokeEntry> entries, EntityTable table)
+    {
+        var place = new int[entries.Count];
+        for (var i = 0; i < place.Length; i++) place[entries[i].Contour] = i;
+        var curves = new CurveCount(chained.Drawing);
+        var strokes = new SequencedStroke[entries.Count];
+        var row = 0;
+        for (var i = 0; i < strokes.Length; i++)
+        {
+            var contour = chained.Chain.Contours[entries[i].Contour];
+            var outer = chained.Inside[entries[i].Contour];
+            var moves = new TableMoves(table, row, contour.Pieces.Length);
+            var length = moves.Sum(move => move.Segment.Length);
+            strokes[i] = new SequencedStroke(i, contour.Closed, moves, curves.Add(moves), length, outer < 0 ? -1 : place[outer]);
+            row += moves.Count;
+        }
+
+        return strokes;
+    }
+}

@@ -1,0 +1,88 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing;
+
+/// <summary>Collects what sequencing has to say, in the operator's terms.</summary>
+internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions options, IReadOnlyList<Diagnostic>? earlier = null)
+{
+    private readonly List<Diagnostic> _diagnostics = [.. earlier ?? []];
+
+    public IReadOnlyList<Diagnostic> Diagnostics => _diagnostics;
+
+    /// <param name="analysed">Before removal.</param>
+    /// <param name="kept">Rows that stay, ascending; at least one is missing.</param>
+    public void AddDuplicates(EntityTable analysed, ReadOnlySpan<int> kept)
+    {
+        var first = 0;
+        while (first < kept.Length && kept[first] == first) first++;
+        var entity = analysed.EntityIndexOf(first);
+        Add(SequencingRules.DuplicatesRemoved, entity, Number(analysed.Count - kept.Length), HandleOf(entity) ?? "without a handle");
+    }
+
+    public void AddChain(ChainResult chain, EntityTable table, ReadOnlySpan<Segment> segments)
+    {
+        if (table.Count == 0) _diagnostics.Add(SequencingRules.NothingToCut.At(default));
+        if (chain.Branches > 0) _diagnostics.Add(SequencingRules.Branches.At(default, Number(chain.Branches)));
+        AddShortSegments(table, segments);
+        var wide = new List<Discontinuity>();
+        foreach (var end in chain.Discontinuities)
+        {
+            if (IsSuspicious(end)) AddSmallGap(end, table);
+            else wide.Add(end);
+        }
+
+        if (wide.Count == 0) return;
+        Add(SequencingRules.OpenEnds, table.EntityIndexOf(wide[0].Row), Number(wide.Count), Number(options.SuspiciousGap), Number(wide[0].Place.X), Number(wide[0].Place.Y));
+    }
+
+    public void AddEntry(StrokeEntry? entry, ReadOnlySpan<int> inside)
+    {
+        if (entry is not { } found)
+        {
+            _diagnostics.Add(SequencingRules.EntryNotFound.At(default));
+            return;
+        }
+
+        var within = inside.Count(found.Contour);
+        if (within > 0) _diagnostics.Add(SequencingRules.EntryWaits.At(default, Number(within)));
+    }
+
+    public OpenEnd Describe(Discontinuity end, EntityTable table)
+    {
+        var nearest = end.NearestRow < 0 ? -1 : table.EntityIndexOf(end.NearestRow);
+        var rule = IsSuspicious(end) ? SequencingRules.SmallGap : SequencingRules.OpenEnds;
+        return new OpenEnd(end.Place, table.EntityIndexOf(end.Row), end.Gap, nearest, nearest < 0 ? null : HandleOf(nearest), rule.Id);
+    }
+
+    private static string Number(double value) => Math.Round(value, 6).ToString("0.######", CultureInfo.InvariantCulture);
+
+    private bool IsSuspicious(Discontinuity end) => end.Gap < options.SuspiciousGap;
+
+    private void AddSmallGap(Discontinuity end, EntityTable table)
+    {
+        var nearest = HandleOf(table.EntityIndexOf(end.NearestRow)) ?? "without a handle";
+        Add(SequencingRules.SmallGap, table.EntityIndexOf(end.Row), Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest);
+    }
+
+    private void AddShortSegments(EntityTable table, ReadOnlySpan<Segment> segments)
+    {
+        var (count, first) = (0, 0);
+        for (var row = segments.Length - 1; row >= 0; row--)
+        {
+            if (segments[row].Length > options.JoinTolerance) continue;
+            (count, first) = (count + 1, row);
+        }
+
+        if (count == 0) return;
+        var place = segments[first].Start;
+        Add(SequencingRules.ShortSegments, table.EntityIndexOf(first), Number(count), Number(options.JoinTolerance), Number(place.X), Number(place.Y));
+    }
+
+    private void Add(DiagnosticRule rule, int entity, params ReadOnlySpan<string> facts) => _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts));
+
+    private string? HandleOf(int entity) => drawing?.SourceOf(entity).Handle;
+}

@@ -1,0 +1,28 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing;
+
+/// <summary>The named tolerances and wishes of sequencing; lengths in millimetres. Defaults are the runner's.</summary>
+public sealed record SequencingOptions
+{
+    public static SequencingOptions Default { get; } = new();
+
+    /// <summary>Ends this near to each other are joined.</summary>
+    public double JoinTolerance { get; init; } = 0.01;
+
+    /// <summary>Segments that lie on each other within this are one; smaller than the join tolerance, because what is left out must count as cut.</summary>
+    public double DuplicateTolerance { get; init; } = 0.001;
+
+    public bool KeepDuplicates { get; init; }
+
+    /// <summary>An open end with another open end nearer than this is probably a drawing mistake and is warned of.</summary>
+    public double SuspiciousGap { get; init; } = 1.0;
+
+    /// <summary>Where the tool stands when the job starts.</summary>
+    public Point2D ToolStart { get; init; }
+
+    public StrokeOrder Order { get; init; } = StrokeOrder.Nearest;
+
+    /// <summary>The stroke to come first; null leaves it to the order.</summary>
+    public EnterAt? Enter { get; init; }
+}
