@@ -1,3 +1,5 @@
+using Engraver.Galil.Programs;
+
 namespace Engraver.Galil.Profiles;
 
 /// <summary>The machine as its owner describes it. The defaults are the default machine profile of the runner's contract.</summary>
@@ -31,6 +33,11 @@ public sealed record MachineProfile
 
     /// <summary>Steps in which the controller holds the angles of CR, degrees (galil-dmc.md B.3: 1/65536; older manuals 1/256).</summary>
     public double AngleQuantumDegrees { get; init; } = 1.0 / 65536.0;
+
+    public CountsScale Scale => new(CountsPerMillimetreX, CountsPerMillimetreY);
+
+    /// <summary>The settle time as WT takes it: an even number of milliseconds, 0 for no wait (galil-dmc.md F.5).</summary>
+    public int ToolSettleMilliseconds => 2 * (int)Math.Ceiling(Math.Round(ToolSettleSeconds * 1000.0, 6) / 2.0);
 
     /// <summary>Vector speed for the feed, even counts/s. 1200 mm/min at 1000 counts/mm is 20000.</summary>
     public int VectorSpeed => EvenCountsPerSecond(FeedMmPerMinute, Math.Max(Math.Abs(CountsPerMillimetreX), Math.Abs(CountsPerMillimetreY)));

@@ -8,5 +8,8 @@ namespace Engraver.Galil.Programs;
 /// <param name="Strokes">In the order of cutting.</param>
 public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IReadOnlyList<MotionStroke> Strokes)
 {
+    /// <summary>How the segments were put into sequences; the calls way needs <see cref="MotionStyle.Calls"/>.</summary>
+    public MotionStyle Style { get; init; }
+
     public int SegmentCount => Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Segments.Count));
 }

@@ -1,0 +1,52 @@
+namespace Engraver.Core.Diagnostics;
+
+/// <summary>What can be wrong between a toolpath and the commands of a motion controller: the drawing's size, the machine profile, the controller's memory.</summary>
+public static class MotionRules
+{
+    public static readonly DiagnosticRule OutsideCounts = new("MOT0001", Severity.Error,
+        "The entity reaches {x}, {y} mm, which at {scaleX} x {scaleY} counts per mm cannot be counted in the controller's 32 bits.",
+        "Move the drawing nearer to its origin, correct its units, or correct the counts per millimetre of the machine profile.");
+
+    public static readonly DiagnosticRule NotFinite = new("MOT0002", Severity.Error,
+        "The entity has a coordinate that is not a number or is infinite.",
+        "Repair or delete the entity in the CAD program.");
+
+    public static readonly DiagnosticRule ToolStartUnusable = new("MOT0003", Severity.Error,
+        "The tool start {x}, {y} mm cannot be counted in the controller's 32 bits.",
+        "Give a start point near the drawing.");
+
+    public static readonly DiagnosticRule SmallerThanACount = new("MOT0004", Severity.Warning,
+        "The stroke at {x}, {y} mm is shorter than one count of the machine and is not cut.",
+        "Check the units of the drawing, or delete the entity.");
+
+    public static readonly DiagnosticRule ArcsBecomeChords = new("MOT0005", Severity.Info,
+        "The axes have {scaleX} and {scaleY} counts per mm, so every arc is cut as chords within {maxError} mm.",
+        "Nothing needs to be done; equal counts per mm on both axes would let the controller cut true arcs.");
+
+    public static readonly DiagnosticRule SettingOutOfRange = new("MOT0006", Severity.Error,
+        "The machine profile sets {setting} to {value}; it must be {limit}.",
+        "Correct the setting in the machine profile.");
+
+    public static readonly DiagnosticRule StrokeCutByMemory = new("MOT0007", Severity.Warning,
+        "Stroke {stroke} does not fit the controller's memory of {lines} lines; the tool lifts at {x}, {y} counts and the stroke goes on in the next chunk.",
+        "Run the job as a stream if the mark of the standstill matters.");
+
+    public static readonly DiagnosticRule ProfileUnreadable = new("MOT0008", Severity.Error,
+        "The machine profile cannot be read: {reason}.",
+        "Correct the file; its fields are those of the default machine profile.");
+
+    public static readonly DiagnosticRule ProfileFieldUnknown = new("MOT0009", Severity.Error,
+        "The machine profile has the field {field}, which does not exist.",
+        "Correct its spelling (upper and lower case count) or delete it.");
+
+    public static readonly DiagnosticRule ProfileValueUnreadable = new("MOT0010", Severity.Error,
+        "The machine profile gives {field} a value that is no number, or no whole number where one is needed, or gives it twice.",
+        "Write the field once, as a number with a decimal point and without quotation marks.");
+
+    /// <summary>Every rule of this table, in order of id.</summary>
+    public static IReadOnlyList<DiagnosticRule> All { get; } =
+    [
+        OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
+        StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable,
+    ];
+}

@@ -1,0 +1,102 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Galil.Programs;
+
+/// <summary>Packs strokes into programs that fit the controller's memory, whole strokes where possible.</summary>
+internal sealed class ChunkPacker
+{
+    private readonly PostForm _form;
+    private readonly DmcPostOptions _options;
+    private readonly Func<int, SourceRef>? _sourceOf;
+    private readonly int _room;
+    private readonly List<List<string>> _chunks = [[]];
+    private readonly List<Diagnostic> _diagnostics = [];
+
+    private ChunkPacker(PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    {
+        const int CommentLine = 1;
+        _form = form;
+        _options = options;
+        _sourceOf = sourceOf;
+        _room = options.MemoryLines - form.Opening(0).Count - form.Closing.Count - CommentLine;
+    }
+
+    /// <summary>The job's text. The memory must have room for the subprograms and a few lines of job.</summary>
+    public static DmcPostText Pack(IEnumerable<MotionStroke> strokes, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    {
+        const int LeastRoom = 16;
+        var packer = new ChunkPacker(form, options, sourceOf);
+        ArgumentOutOfRangeException.ThrowIfLessThan(packer._room, LeastRoom, nameof(options));
+        foreach (var stroke in strokes) packer.Add(stroke);
+        return packer.Finish();
+    }
+
+    private void Add(MotionStroke stroke)
+    {
+        var rest = stroke;
+        IReadOnlyList<string> lines;
+        while (!FitsAChunk(rest, out lines))
+        {
+            (var first, rest) = LargestPart(rest);
+            Put(_form.Stroke(first));
+            Report(rest);
+        }
+
+        Put(lines);
+    }
+
+    private bool FitsAChunk(MotionStroke part, out IReadOnlyList<string> lines)
+    {
+        lines = SegmentsOf(part) > _room * DmcLimits.LineLength ? [] : _form.Stroke(part);
+        return lines.Count > 0 && lines.Count <= _room;
+    }
+
+    /// <summary>The longest beginning of the stroke that fits a chunk, found from above by proportion.</summary>
+    private (MotionStroke First, MotionStroke Tail) LargestPart(MotionStroke stroke)
+    {
+        const double Shrink = 0.97;
+        var segments = Math.Min(SegmentsOf(stroke) - 1, _room * 8);
+        while (true)
+        {
+            var parts = StrokeCut.Before(stroke, segments);
+            var lines = _form.Stroke(parts.First).Count;
+            if (lines <= _room) return parts;
+            segments = Math.Max(1, (int)(SegmentsOf(parts.First) * Shrink * _room / lines));
+        }
+    }
+
+    private void Put(IReadOnlyList<string> lines)
+    {
+        if (_chunks[^1].Count + lines.Count > _room) _chunks.Add([]);
+        _chunks[^1].AddRange(lines);
+    }
+
+    private void Report(MotionStroke rest)
+    {
+        var entity = rest.Sequences[0].Segments[0].EntityIndex;
+        _diagnostics.Add(MotionRules.StrokeCutByMemory.At(
+            _sourceOf?.Invoke(entity) ?? default, Text(rest.Index), Text(_options.MemoryLines), Text(rest.Start.X), Text(rest.Start.Y)));
+    }
+
+    private DmcPostText Finish()
+    {
+        var done = 0;
+        var texts = new List<string>();
+        foreach (var chunk in _chunks)
+        {
+            var text = new StringBuilder();
+            if (_chunks.Count > 1) text.Append(CultureInfo.InvariantCulture, $"'CHUNK {texts.Count + 1} OF {_chunks.Count}\n");
+            foreach (var line in _form.Opening(done).Concat(chunk).Concat(_form.Closing)) text.Append(line).Append('\n');
+            texts.Add(text.ToString());
+            done += chunk.Count;
+        }
+
+        return new DmcPostText(texts, _diagnostics);
+    }
+
+    private static int SegmentsOf(MotionStroke stroke) => stroke.Sequences.Sum(sequence => sequence.Segments.Count);
+
+    private static string Text(int value) => value.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,79 @@
+using Engraver.Core.Diagnostics;
+using static Engraver.Galil.Programs.Subprograms;
+
+namespace Engraver.Galil.Programs;
+
+/// <summary>Writes a motion program as self-contained controller programs, started with XQ #JOB.</summary>
+public static class DmcPost
+{
+    private const string CountCall = "seq=seq+1";
+
+    /// <summary>The paper's way (section 5.2): variables are assigned and #LINEAR or #CIRC is called, a line for each; seq counts the calls, rapids and tool changes included.</summary>
+    /// <param name="program">Generated with <see cref="MotionStyle.Calls"/>: every call ends at rest, so its arcs must be aimed from there.</param>
+    /// <param name="options">Controller's position and memory.</param>
+    /// <param name="sourceOf">Where an entity stands in the drawing, for diagnostics.</param>
+    public static DmcPostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
+    {
+        if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
+        var frame = new ControllerFrame(program.Start, options.ControllerAtStart);
+        var form = new PostForm(done => CallsOpening(program, done), stroke => CallsStroke(stroke, frame), CallsClosing(program));
+        return ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
+    }
+
+    /// <summary>Continuous vector sequences (galil-dmc.md F.1 method 2): the machine stops only where the motion program does.</summary>
+    public static DmcPostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
+    {
+        var frame = new ControllerFrame(program.Start, options.ControllerAtStart);
+        var writer = new SequenceWriter(program.Profile, frame);
+        var form = new PostForm(_ => Opening(program, string.Empty), writer.Stroke, SequencesClosing(program));
+        return ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
+    }
+
+    private static IReadOnlyList<string> Opening(MotionProgram program, string variables)
+    {
+        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SHAB");
+        foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
+        return lines.Line(variables).Lines;
+    }
+
+    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done) => Opening(program, Text($"f={program.Profile.VectorSpeed};seq={done}"));
+
+    private static IReadOnlyList<string> CallsStroke(MotionStroke stroke, ControllerFrame frame)
+    {
+        var (x, y) = frame.Of(stroke.Start);
+        var lines = new ProgramLines().Line(Text($"x={x}"), Text($"y={y}"), $"JS{Rapid}").Line("JS#TOOLON");
+        foreach (var sequence in stroke.Sequences)
+        {
+            foreach (var segment in sequence.Segments) lines.Line(Call(segment, sequence.Start));
+        }
+
+        return lines.Line("JS#TOOLOFF").Lines;
+    }
+
+    private static string Call(in VectorSegment segment, CountsPoint start) => segment.Kind == VectorSegmentKind.Line
+        ? Text($"x={(long)segment.End.X - start.X};y={(long)segment.End.Y - start.Y};JS{Linear}")
+        : Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};JS{Circ}");
+
+    private static IReadOnlyList<string> CallsClosing(MotionProgram program)
+    {
+        var profile = program.Profile;
+        return
+        [
+            .. End(program),
+            .. LinearLines(CountCall),
+            .. CircLines(CountCall),
+            .. RapidLines(CountCall),
+            .. new ProgramLines().Line("#TOOLON").Line(ToolOn(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
+            .. new ProgramLines().Line("#TOOLOFF").Line(ToolOff(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
+            .. CommandErrorEndsTheJob(program),
+        ];
+    }
+
+    private static IReadOnlyList<string> SequencesClosing(MotionProgram program) => [.. End(program), .. SequenceWriter.RoomLines, .. CommandErrorEndsTheJob(program)];
+
+    private static IReadOnlyList<string> End(MotionProgram program) => new ProgramLines().Line(ToolOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
+
+    /// <summary>Without HX0 the controller would go on behind the refused command, from a place the program does not expect (galil-dmc.md C.3).</summary>
+    private static IReadOnlyList<string> CommandErrorEndsTheJob(MotionProgram program) =>
+        new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line("HX0").Line("EN").Lines;
+}

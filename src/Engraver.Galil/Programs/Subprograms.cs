@@ -1,0 +1,49 @@
+using System.Globalization;
+using Engraver.Galil.Profiles;
+
+namespace Engraver.Galil.Programs;
+
+/// <summary>The routines in the controller that the calls way needs, as lines. The paper's #LINEAR made right (galil-dmc.md F.0, EX1), and the #CIRC it does not print.</summary>
+internal static class Subprograms
+{
+    public const string Linear = "#LINEAR";
+    public const string Circ = "#CIRC";
+    public const string Rapid = "#RAPID";
+    public const string CommandError = "#CMDERR";
+
+    /// <summary>Cuts a straight to x, y relative to where the machine stands, and waits for its end.</summary>
+    /// <param name="last">A statement before the return ("seq=seq+1"), or empty.</param>
+    public static IReadOnlyList<string> LinearLines(string last) => Interpolation(Linear, "VP x,y", last);
+
+    /// <summary>Cuts an arc of radius r that begins at angle th of its circle and sweeps da, and waits for its end.</summary>
+    public static IReadOnlyList<string> CircLines(string last) => Interpolation(Circ, "CR r,th,da", last);
+
+    /// <summary>Travels to x, y in the controller's own coordinates, each axis at its speed, and waits for the end.</summary>
+    public static IReadOnlyList<string> RapidLines(string last) => new ProgramLines().Line(Rapid).Line("PAA=x;PAB=y").Line("BGAB").Line("AMAB").Line(last).Line("EN").Lines;
+
+    /// <summary>Plane S, speeds and accelerations of the profile. VS goes with every sequence. Only valid at rest.</summary>
+    public static IReadOnlyList<string> SetUpLines(MachineProfile profile)
+    {
+        var acceleration = profile.AccelerationCounts;
+        return new ProgramLines()
+            .Line("CAS", Text($"VA {acceleration}"), Text($"VD {acceleration}"))
+            .Line(Text($"ACA={acceleration}"), Text($"ACB={acceleration}"), Text($"DCA={acceleration}"), Text($"DCB={acceleration}"))
+            .Line(Text($"SPA={profile.RapidSpeedX}"), Text($"SPB={profile.RapidSpeedY}"))
+            .Lines;
+    }
+
+    public static string ToolOn(MachineProfile profile) => Text($"SB{profile.ToolOutput}");
+
+    public static string ToolOff(MachineProfile profile) => Text($"CB{profile.ToolOutput}");
+
+    /// <summary>The wait after a change of the tool; empty when the profile wants none.</summary>
+    public static string Settle(MachineProfile profile) => profile.ToolSettleMilliseconds == 0 ? string.Empty : Text($"WT {profile.ToolSettleMilliseconds}");
+
+    /// <summary>Tool off before anything else, then every motion of the plane and of its axes is stopped. One line, so that no other thread runs in between.</summary>
+    public static string StopEverything(MachineProfile profile) => $"{ToolOff(profile)};STS;STAB";
+
+    public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    private static IReadOnlyList<string> Interpolation(string label, string segment, string last) =>
+        new ProgramLines().Line(label).Line("VMAB").Line("VS f").Line(segment).Line("VE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
+}

@@ -1,0 +1,62 @@
+using System.Globalization;
+using Engraver.Core.Geometry;
+using Engraver.Galil.Programs;
+
+namespace Engraver.Galil.Tests.Programs;
+
+/// <summary>Executes VP and CR as the reference describes them (galil-dmc.md B.2, B.3), from the text that is sent. Written for the tests, with plain trigonometry, and shares nothing with the prediction.</summary>
+internal sealed class SegmentReplay(double angleQuantum)
+{
+    private const double LongestStep = 3.0;
+
+    /// <summary>Real position in the job's frame.</summary>
+    public double X { get; private set; }
+
+    public double Y { get; private set; }
+
+    /// <summary>Places passed, at most a few counts apart near bends and never fewer than 64 on a segment.</summary>
+    public List<Point2D> Track { get; } = [];
+
+    /// <summary>Runs the sequence from where it says it starts; the controller is at rest there, on whole counts.</summary>
+    public void Run(VectorSequence sequence)
+    {
+        X = sequence.Start.X;
+        Y = sequence.Start.Y;
+        Track.Add(new Point2D(X, Y));
+        foreach (var segment in sequence.Segments) Execute(DmcFormat.Command(segment, sequence.Start), sequence.Start);
+    }
+
+    private void Execute(string command, CountsPoint origin)
+    {
+        var numbers = command[3..].Split(',').Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray();
+        if (command.StartsWith("VP ", StringComparison.Ordinal)) Straight(origin.X + numbers[0], origin.Y + numbers[1]);
+        else Round(numbers[0], Kept(numbers[1]), Kept(numbers[2]));
+    }
+
+    private void Straight(double x, double y)
+    {
+        var (fromX, fromY) = (X, Y);
+        var steps = Steps(Math.Sqrt(((x - fromX) * (x - fromX)) + ((y - fromY) * (y - fromY))));
+        for (var i = 1; i <= steps; i++) Track.Add(new Point2D(fromX + ((x - fromX) * i / steps), fromY + ((y - fromY) * i / steps)));
+        (X, Y) = (x, y);
+    }
+
+    private void Round(double radius, double theta, double delta)
+    {
+        const double Degree = Math.PI / 180.0;
+        var centreX = X - (radius * Math.Cos(theta * Degree));
+        var centreY = Y - (radius * Math.Sin(theta * Degree));
+        var steps = Steps(radius * Math.Abs(delta) * Degree);
+        for (var i = 1; i <= steps; i++)
+        {
+            var angle = (theta + (delta * i / steps)) * Degree;
+            Track.Add(new Point2D(centreX + (radius * Math.Cos(angle)), centreY + (radius * Math.Sin(angle))));
+        }
+
+        (X, Y) = (Track[^1].X, Track[^1].Y);
+    }
+
+    private double Kept(double degrees) => Math.Round(degrees / angleQuantum) * angleQuantum;
+
+    private static int Steps(double length) => (int)Math.Clamp(length / LongestStep, 64, 720);
+}
