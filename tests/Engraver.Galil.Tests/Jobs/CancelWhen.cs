@@ -1,0 +1,16 @@
+using Engraver.Galil.Jobs;
+
+namespace Engraver.Galil.Tests.Jobs;
+
+/// <summary>The operator: presses stop at the first report of which the condition holds.</summary>
+internal sealed class CancelWhen(Func<JobProgress, bool> condition, Action press) : IProgress<JobProgress>
+{
+    private bool _pressed;
+
+    public void Report(JobProgress value)
+    {
+        if (_pressed || !condition(value)) return;
+        _pressed = true;
+        press();
+    }
+}

@@ -1,0 +1,43 @@
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+
+namespace Engraver.Galil.Tests.Jobs;
+
+/// <summary>Motion programs for jobs, written down by hand so that the generator has no part in them.</summary>
+internal static class MotionPrograms
+{
+    /// <summary>The paper's Table 3 drawing at 100 counts/mm (galil-dmc.md EX5), with a stop at its two sharp corners; 4 segments, ends at 5000,5000.</summary>
+    public static MotionProgram Paper => One(
+        Sequence(new(5000, 5000), Line(15000, 5000, 0, 10000)),
+        Sequence(new(15000, 5000), Line(15000, 15000, 1, 10000), Arc(5000, 15000, 5000, 0, 180, 2), Line(5000, 5000, 3, 10000)));
+
+    /// <summary>One line of <paramref name="counts"/> along X from 1000,0, after a rapid of 1000 counts.</summary>
+    public static MotionProgram LongLine(int counts) => One(Sequence(new(1000, 0), Line(1000 + counts, 0, 0, counts)));
+
+    /// <summary>A rapid to <paramref name="counts"/>,<paramref name="counts"/> and a short line there.</summary>
+    public static MotionProgram LongRapid(int counts) => One(Sequence(new(counts, counts), Line(counts + 100, counts, 0, 100)));
+
+    /// <summary>One sequence of <paramref name="count"/> half circles in a row, each from a multiple of 2 * radius to the next.</summary>
+    public static MotionProgram ArcChain(int count, int radius) => One(Sequence(
+        new(0, 0), [.. Enumerable.Range(1, count).Select(i => Arc(i * 2 * radius, 0, radius, 180, i % 2 == 0 ? 180 : -180, i - 1))]));
+
+    /// <summary>One sequence of <paramref name="count"/> short lines: a gentle zigzag of 60 counts a piece.</summary>
+    public static MotionProgram ShortLines(int count) => One(Sequence(
+        new(0, 0), [.. Enumerable.Range(1, count).Select(i => Line(i * 60, i % 2, i - 1, Math.Sqrt(3601)))]));
+
+    /// <summary>Two strokes with a rapid between them.</summary>
+    public static MotionProgram TwoStrokes => new(MachineProfile.Default, default,
+    [
+        new MotionStroke(0, new(2000, 0), [Sequence(new(2000, 0), Line(4000, 0, 7, 2000))]),
+        new MotionStroke(1, new(4000, 3000), [Sequence(new(4000, 3000), Line(2000, 3000, 3, 2000))]),
+    ]);
+
+    public static VectorSegment Line(int x, int y, int entity, double length) => new(VectorSegmentKind.Line, new(x, y), 0, 0, 0, entity, length);
+
+    private static VectorSegment Arc(int x, int y, int radius, double theta, double delta, int entity) =>
+        new(VectorSegmentKind.Arc, new(x, y), radius, theta, delta, entity, radius * Math.Abs(delta) * Math.PI / 180);
+
+    private static VectorSequence Sequence(CountsPoint start, params VectorSegment[] segments) => new(start, 20000, segments);
+
+    private static MotionProgram One(params VectorSequence[] sequences) => new(MachineProfile.Default, default, [new MotionStroke(0, sequences[0].Start, sequences)]);
+}

@@ -1,0 +1,68 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Sessions;
+using Engraver.Simulator;
+
+namespace Engraver.Galil.Tests.Jobs;
+
+/// <summary>A simulated controller at full speed and the wires to it.</summary>
+internal sealed class SimulatedBench : IAsyncDisposable
+{
+    /// <summary>The simulator's time is the commands it receives: no pause between polls.</summary>
+    public static readonly JobOptions Job = new() { PollInterval = TimeSpan.Zero };
+
+    public SimulatedBench(FaultPlan? faults = null) => Controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults });
+
+    public SimulatedController Controller { get; }
+
+    public MotionSample Last => Controller.Record[Controller.Record.Count - 1];
+
+    public Task<ControllerSession> OpenAsync() => ControllerSession.OpenAsync(
+        _ => Task.FromResult<IControllerLink>(new StreamLink(Controller.OpenConnection(), "memory")), new SessionOptions(), TimeProvider.System, CancellationToken.None);
+
+    public async Task<ControllerSession> OpenTcpAsync()
+    {
+        var end = await Controller.ListenTcpAsync(0, CancellationToken.None);
+        return await ControllerSession.OpenAsync(
+            async cancellation => await TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(5), TimeProvider.System, cancellation),
+            new SessionOptions(), TimeProvider.System, CancellationToken.None);
+    }
+
+    /// <summary>Runs a job and closes the session behind it.</summary>
+    public async Task<JobResult> RunAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress = null, CancellationToken stop = default)
+    {
+        await using var session = await OpenAsync();
+        return await JobRunner.RunAsync(program, session, options, progress, stop);
+    }
+
+    /// <summary>Everything that a job may change, asked over a wire of its own.</summary>
+    public async Task<string> FingerprintAsync()
+    {
+        string[] questions =
+        [
+            "_CF", "_CW", "_DR0", "_VF", "_VSS", "_VAS", "_VDS", "_VRS", "_OP0", "_NO",
+            .. "ABCD".SelectMany(axis => new[] { "_SP", "_AC", "_DC", "_MO" }.Select(name => name + axis)),
+        ];
+        await using var channel = new Galil.Protocol.CommandChannel(new StreamLink(Controller.OpenConnection(), "memory"), "F", TimeSpan.FromSeconds(5), TimeProvider.System, null);
+        var answers = new List<string>();
+        foreach (var question in questions) answers.Add($"{question} {await channel.SendAsync("MG " + question, CancellationToken.None)}");
+        answers.Add($"UL {await channel.UploadAsync(CancellationToken.None)}");
+        return string.Join('\n', answers);
+    }
+
+    /// <summary>Sends commands as somebody else would, before or beside our session.</summary>
+    public async Task SendAsync(params string[] commands)
+    {
+        await using var channel = new Galil.Protocol.CommandChannel(new StreamLink(Controller.OpenConnection(), "memory"), "F", TimeSpan.FromSeconds(5), TimeProvider.System, null);
+        foreach (var command in commands) Assert.IsType<Galil.Protocol.Accepted>(await channel.SendAsync(command, CancellationToken.None));
+    }
+
+    public async Task DownloadAsync(string program)
+    {
+        await using var channel = new Galil.Protocol.CommandChannel(new StreamLink(Controller.OpenConnection(), "memory"), "F", TimeSpan.FromSeconds(5), TimeProvider.System, null);
+        Assert.IsType<Galil.Protocol.Accepted>(await channel.DownloadAsync(program, CancellationToken.None));
+    }
+
+    public ValueTask DisposeAsync() => Controller.DisposeAsync();
+}
