@@ -6,5 +6,5 @@ namespace Engraver.Cli.Output;
 internal sealed record DiagnosticJson(string Id, string Severity, long Line, string? Handle, string Message)
 {
     public static DiagnosticJson From(Diagnostic diagnostic) =>
-        new(diagnostic.Id, DiagnosticPrinter.Word(diagnostic.Severity), diagnostic.Source.Line, diagnostic.Source.Handle, diagnostic.Message);
+        new(diagnostic.Id, DiagnosticTable.SeverityWord(diagnostic.Severity), diagnostic.Source.Line, diagnostic.Source.Handle, diagnostic.Message);
 }

@@ -21,6 +21,6 @@ internal sealed record SequenceJson(
 
     internal sealed record DiscontinuityJson(double X, double Y, double? Gap, string? NearestHandle, string Id);
 
-    /// <summary>Processor-free wall times of this run, seconds.</summary>
+    /// <summary>Wall times of the stages of this run, seconds; analysis counts to chaining.</summary>
     internal sealed record SecondsJson(double Read, double Chain, double Order);
 }

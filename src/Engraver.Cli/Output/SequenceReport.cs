@@ -1,5 +1,4 @@
 using System.Globalization;
-using Engraver.Core.Drawings;
 using Engraver.Core.Sequencing;
 
 namespace Engraver.Cli.Output;
@@ -7,7 +6,7 @@ namespace Engraver.Cli.Output;
 /// <summary>How sequencing is told.</summary>
 internal static class SequenceReport
 {
-    public static SequenceJson Json(Drawing drawing, SequencingResult result, SequenceJson.SecondsJson seconds) => new(
+    public static SequenceJson Json(SequencingResult result, SequenceJson.SecondsJson seconds) => new(
         result.Contours,
         result.Closed,
         result.Open,
@@ -21,7 +20,7 @@ internal static class SequenceReport
         [.. result.Strokes.Select(stroke => new SequenceJson.StrokeJson(
             stroke.Index, stroke.Closed, stroke.Segments, stroke.Length, stroke.Start.X, stroke.Start.Y, stroke.End.X, stroke.End.Y, stroke.Inside))],
         [.. result.Discontinuities.Select(end => new SequenceJson.DiscontinuityJson(
-            end.Place.X, end.Place.Y, end.Gap, end.NearestEntity < 0 ? null : drawing.SourceOf(end.NearestEntity).Handle, end.DiagnosticId))],
+            end.Place.X, end.Place.Y, end.Gap, end.NearestHandle, end.DiagnosticId))],
         seconds);
 
     public static void Text(TextWriter output, SequencingResult result)

@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Diagnostics;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Core.Sequencing;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Verbs;
@@ -19,14 +20,22 @@ internal static class SequenceVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
-            var start = Stopwatch.GetTimestamp();
-            var read = DrawingFile.Open(drawing.File(parsed), settings.Unit, stop);
-            var readSeconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
-            var result = JobPreparation.Sequence(read, JobPreparation.Analyse(read, settings), settings);
-            if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(read, result, readSeconds), ContractJson.Default.SequenceJson);
+            var (read, readSeconds) = Timed(() => DrawingFile.Open(drawing.File(parsed), settings.Unit, stop));
+            var options = JobPreparation.SequencingFor(read, settings);
+            var (chained, chainSeconds) = Timed(() => Sequencer.Chain(JobPreparation.Analyse(read, settings), read, options));
+            var (result, orderSeconds) = Timed(() => Sequencer.Order(chained, options));
+            var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
+            if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);
             else SequenceReport.Text(host.Out, result);
             return Task.FromResult(host.Report(parsed, read.FileName, [.. read.Diagnostics, .. result.Diagnostics]));
         });
         return command;
+    }
+
+    private static (T Result, double Seconds) Timed<T>(Func<T> stage)
+    {
+        var start = Stopwatch.GetTimestamp();
+        var result = stage();
+        return (result, Stopwatch.GetElapsedTime(start).TotalSeconds);
     }
 }

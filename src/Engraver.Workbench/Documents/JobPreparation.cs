@@ -23,25 +23,30 @@ public static class JobPreparation
     /// <summary>Contours, order, discontinuities.</summary>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
     public static SequencingResult Sequence(Drawing drawing, EntityTable analysed, DrawingSettings settings) =>
-        Sequencer.Sequence(analysed, drawing, new SequencingOptions
-        {
-            JoinTolerance = settings.JoinToleranceMm,
-            DuplicateTolerance = settings.MaxErrorMm,
-            KeepDuplicates = settings.KeepDuplicates,
-            ToolStart = settings.Start,
-            Order = settings.Order,
-            Enter = Entering(drawing, settings.Enter),
-        });
+        Sequencer.Sequence(analysed, drawing, SequencingFor(drawing, settings));
+
+    /// <summary>The settings in the words of sequencing.</summary>
+    /// <exception cref="SettingException">The entering entity is not in the drawing.</exception>
+    public static SequencingOptions SequencingFor(Drawing drawing, DrawingSettings settings) => new()
+    {
+        JoinTolerance = settings.JoinToleranceMm,
+        DuplicateTolerance = settings.MaxErrorMm,
+        KeepDuplicates = settings.KeepDuplicates,
+        ToolStart = settings.Start,
+        Order = settings.Order,
+        Enter = Entering(drawing, settings.Enter),
+    };
 
     /// <summary>All stages.</summary>
     /// <param name="style">Continuous for the stream and the posted sequences, calls for the paper's way.</param>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
     public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style)
     {
-        var sequence = Sequence(drawing, Analyse(drawing, settings), settings);
+        var analysed = Analyse(drawing, settings);
+        var sequence = Sequence(drawing, analysed, settings);
         var toolpath = ToolpathPlanner.Plan(sequence, settings.Start);
-        var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, style, drawing.SourceOf);
-        return new PreparedJob(drawing, settings, sequence, toolpath, motion);
+        var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
+        return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion);
     }
 
     private static EnterAt? Entering(Drawing drawing, EnteringPlace? place) => place switch

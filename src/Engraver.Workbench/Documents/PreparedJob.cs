@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Programs;
@@ -8,10 +9,11 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Documents;
 
 /// <summary>A drawing with everything made of it on the way to the machine. Immutable; every stage's findings are kept apart and together.</summary>
-/// <param name="Sequence">The analysed, chained and ordered drawing.</param>
+/// <param name="Analysed">The table of what is to be cut, as drawn: what a run is judged by.</param>
+/// <param name="Sequence">The table chained and ordered.</param>
 /// <param name="Toolpath">Ordered moves, mm.</param>
 /// <param name="Motion">The motion program, or why there is none.</param>
-public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, SequencingResult Sequence, Toolpath Toolpath, MotionGeneration Motion)
+public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, EntityTable Analysed, SequencingResult Sequence, Toolpath Toolpath, MotionGeneration Motion)
 {
     public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Sequence.Diagnostics, .. Motion.Diagnostics];
 }

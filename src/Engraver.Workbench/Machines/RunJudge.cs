@@ -1,4 +1,3 @@
-using Engraver.Core.Geometry;
 using Engraver.Core.Verification;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Profiles;
@@ -25,7 +24,7 @@ public static class RunJudge
             trace[i] = Sample(profile, sample.Seconds, sample.A - frameX, sample.B - frameY, (sample.Outputs & toolBit) != 0);
         }
 
-        var found = TraceComparison.Compare(DrawingOf(job), trace, Coverage(job));
+        var found = TraceComparison.Compare(job.Analysed.ToSegments(), trace, Coverage(job));
         return new RunJudgement(found.MaxDeviation, found.MissingLength, "record");
     }
 
@@ -35,13 +34,11 @@ public static class RunJudge
         var profile = job.Settings.Machine;
         var trace = result.PolledTrace.Select(point => Sample(profile, point.Seconds, point.X, point.Y, point.ToolOn)).ToArray();
         if (!trace.Any(sample => sample.Cutting)) return RunJudgement.Unknown;
-        var found = TraceComparison.Compare(DrawingOf(job), trace, Coverage(job));
+        var found = TraceComparison.Compare(job.Analysed.ToSegments(), trace, Coverage(job));
         var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
         var missing = Math.Max(0.0, planned - result.LengthByStroke.Sum()) / Math.Max(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
         return new RunJudgement(found.MaxDeviation, missing, "polled");
     }
-
-    private static IReadOnlyList<Segment> DrawingOf(PreparedJob job) => job.DrawnSegments();
 
     private static double Coverage(PreparedJob job) => TraceComparison.CoverageTolerance(
         1.0 / Math.Min(Math.Abs(job.Settings.Machine.CountsPerMillimetreX), Math.Abs(job.Settings.Machine.CountsPerMillimetreY)), job.Settings.MaxErrorMm);

@@ -1,0 +1,34 @@
+using System.Text;
+
+namespace Engraver.Core.Diagnostics;
+
+/// <summary>Every rule there is, and the page that documents them: written from the same table the code uses, so it cannot lag behind.</summary>
+public static class DiagnosticTable
+{
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [.. DocumentRules.All, .. DxfRules.All, .. SequencingRules.All, .. MotionRules.All];
+
+    /// <summary>docs/diagnostics.md.</summary>
+    public static string ToMarkdown()
+    {
+        var page = new StringBuilder();
+        page.Append("# Diagnostics\n\nWritten from the program's own table; `./test --update-golden` writes it anew. Ids are permanent. An *error* means that the file is unusable or truncated, or that a curve is lost (exit code 1).\n\n");
+        page.Append("| Id | Severity | What it says | What to do |\n|---|---|---|---|\n");
+        foreach (var rule in All.OrderBy(rule => rule.Id, StringComparer.Ordinal))
+        {
+            page.Append('|').Append(' ').Append(rule.Id).Append(" | ").Append(SeverityWord(rule.Severity)).Append(" | ").Append(Cell(rule.Sentence)).Append(" | ").Append(Cell(rule.Advice)).Append(" |\n");
+        }
+
+        return page.ToString();
+    }
+
+    /// <summary>Severity as texts and JSON spell it.</summary>
+    public static string SeverityWord(Severity severity) => severity switch
+    {
+        Severity.Info => "info",
+        Severity.Warning => "warning",
+        Severity.Error => "error",
+        _ => throw new ArgumentOutOfRangeException(nameof(severity)),
+    };
+
+    private static string Cell(string text) => text.Replace("|", "\\|", StringComparison.Ordinal);
+}
