@@ -8,6 +8,14 @@ namespace Engraver.Galil.Jobs;
 /// relative to where the machine really stands; a full stop after each. Progress is <c>seq</c>, for <c>done</c> alone races (F.3).</summary>
 internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : IJobWay
 {
+    /// <summary>The server clears go and the arguments when it starts, and then sets the machine up: an empty call that comes back says that it has done both.</summary>
+    public async ValueTask<JobStep> StartAsync()
+    {
+        if (await machine.AwaitAsync(ResidentProgram.Variables.Done, value => value != 0).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.SendAsync(ResidentServer.GoCommand).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        return await machine.PollUntilAsync(state => state.Calls != 0).ConfigureAwait(false);
+    }
+
     public async ValueTask<JobStep> CutAsync(VectorSequence sequence)
     {
         if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } end) return end;
@@ -33,34 +41,23 @@ internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : IJobWay
             return JobStep.Done;
         }
 
-        var arguments = segment.Kind == VectorSegmentKind.Line
-            ? Text($"x={segment.End.X - here.X};y={segment.End.Y - here.Y};f={speed};op=1")
-            : Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};f={speed};op=2");
+        var arguments = ResidentServer.Arguments(segment, here, speed);
         var where = Text($" Drawing entity {segment.EntityIndex}.");
         if (await machine.SendAsync(arguments, where).ConfigureAwait(false) is { Ends: true } refused) return refused;
         if (await machine.ToolOnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         var calls = machine.State.Calls;
-        if (await machine.SendAsync("go=1", where).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        if (await machine.SendAsync(ResidentServer.GoCommand, where).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         ledger.Sent++;
-        if (await machine.PollUntilAsync(state => state.Calls != calls || !state.ServerRuns).ConfigureAwait(false) is { Ends: true } broken) return broken;
-        return await CheckAsync(segment).ConfigureAwait(false);
+        if (await machine.PollUntilAsync(state => state.Calls != calls).ConfigureAwait(false) is { Ends: true } broken) return broken;
+        return Check(segment);
     }
 
-    private async ValueTask<JobStep> CheckAsync(VectorSegment segment)
+    private JobStep Check(in VectorSegment segment)
     {
         var state = machine.State;
-        if (!state.ServerRuns) return await ProgramDiedAsync(segment).ConfigureAwait(false);
         if (state.StopCode != StopCodes.SequenceEnded)
             return JobStep.Broken(Text($"The call for drawing entity {segment.EntityIndex} ended at {state.Position.X},{state.Position.Y} ({StopCodes.Text(state.StopCode)}); find out what stopped it."));
         ledger.Confirm(segment);
         return JobStep.Done;
-    }
-
-    private async ValueTask<JobStep> ProgramDiedAsync(VectorSegment segment)
-    {
-        var (code, _) = await machine.AskAsync("_TC").ConfigureAwait(false);
-        var (line, _) = await machine.AskAsync("_ED0").ConfigureAwait(false);
-        var rejected = new Rejected((TcCode)(int)code, TcCodes.Text((TcCode)(int)code), Text($"program line {line:0}"));
-        return machine.Refuse(rejected, Text($" Drawing entity {segment.EntityIndex}."));
     }
 }

@@ -5,6 +5,9 @@ namespace Engraver.Galil.Jobs;
 /// <summary>How one vector sequence gets into the machine: fed live, or as calls of a program in the controller.</summary>
 internal interface IJobWay
 {
+    /// <summary>Called once, when the resident program has been started: waits until it is ready.</summary>
+    ValueTask<JobStep> StartAsync();
+
     /// <summary>Cuts the sequence from where the machine stands and returns when it stands again. Switches the tool on when everything is ready to move.</summary>
     ValueTask<JobStep> CutAsync(VectorSequence sequence);
 

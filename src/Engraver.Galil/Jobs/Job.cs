@@ -7,7 +7,7 @@ namespace Engraver.Galil.Jobs;
 /// <summary>One run of one motion program: prepare, cut stroke by stroke, bring to rest, leave as found.</summary>
 internal sealed class Job
 {
-    private static readonly int[] OwnThreads = [ResidentServer.ServerThread, ResidentServer.WatchdogThread];
+    private static readonly int[] OwnThreads = [ResidentProgram.MainThread, ResidentProgram.WatchdogThread];
 
     private readonly MotionProgram _program;
     private readonly ControllerSession _session;
@@ -72,16 +72,17 @@ internal sealed class Job
     private async Task<JobStep> PrepareAsync()
     {
         var copy = _options.JournalPath is { } journal ? journal + ".program.dmc" : null;
-        var resident = ResidentServer.Text(_program.Profile);
-        if (await _memory.BorrowAsync(resident, copy, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
+        var resident = ResidentServer.Program(_options.Mode, _program.Profile);
+        if (await _memory.BorrowAsync(resident.Text, copy, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         string[] settings = ["AC", "DC"];
         var commands = new List<string> { ResidentServer.DefineVariables };
         commands.AddRange(_session.Found.MotorsOff.Where("AB".Contains).Select(letter => $"SH{letter}"));
         commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
-        commands.Add(ResidentServer.StartWatchdog);
-        if (_options.Mode == JobMode.Calls) commands.Add(ResidentServer.StartServer);
+        commands.Add(ResidentServer.StartCommand(resident));
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await _machine.AwaitAsync(ResidentServer.WatchdogLine, line => line >= 0).ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
+        if (await _way.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
         if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;
         _log.Begin(_options, _session.Identity.Model);
         return JobStep.Done;

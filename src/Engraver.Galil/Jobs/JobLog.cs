@@ -6,9 +6,10 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     /// <summary>Between two lines of the journal inside one sequence, controller seconds.</summary>
     private const double JournalSeconds = 1.0;
 
-    private static readonly TimeSpan ProgressInterval = TimeSpan.FromMilliseconds(50);
+    /// <summary>Between two reports to the operator, controller seconds.</summary>
+    private const double ProgressSeconds = 0.05;
 
-    private long _reported = time.GetTimestamp();
+    private double _reported = double.NegativeInfinity;
     private double _journalled;
     private int _sequence;
 
@@ -22,8 +23,8 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     public void Polled()
     {
         if (machine.Seconds - _journalled >= JournalSeconds) WriteProgress();
-        if (time.GetElapsedTime(_reported) < ProgressInterval) return;
-        _reported = time.GetTimestamp();
+        if (machine.Seconds - _reported < ProgressSeconds) return;
+        _reported = machine.Seconds;
         Report();
     }
 

@@ -97,18 +97,30 @@ internal sealed class JobMachine
         _startTime ??= State.Time;
         _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, ToolOn));
         _polled();
-        if (State.Tripped) return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.");
+        if (State.Tripped || State.ProgramError != 0 || !State.ProgramRuns) return await ProgramEndedAsync().ConfigureAwait(false);
         return _heartbeat.IsDueAfterCommand() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
     }
 
-    /// <summary>Polls until <paramref name="reached"/>, with a pause and a heartbeat before each poll.</summary>
+    /// <summary>Asks for one number until it is as wanted, and polls in between.</summary>
+    public async ValueTask<JobStep> AwaitAsync(string operand, Func<double, bool> wanted)
+    {
+        while (true)
+        {
+            var (value, end) = await AskAsync(operand).ConfigureAwait(false);
+            if (end.Ends || wanted(value)) return end;
+            if (await PollAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
+            await PauseAsync().ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>Polls until <paramref name="reached"/>, with a pause between two polls.</summary>
     public async ValueTask<JobStep> PollUntilAsync(Func<MachineState, bool> reached)
     {
         while (true)
         {
             if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
             if (reached(State)) return JobStep.Done;
-            if (_options.PollInterval > TimeSpan.Zero) await Task.Delay(_options.PollInterval, _session.Time, _stop).ConfigureAwait(false);
+            await PauseAsync().ConfigureAwait(false);
         }
     }
 
@@ -153,6 +165,17 @@ internal sealed class JobMachine
 
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
+    /// <summary>The program in the controller is no longer at work: the watchdog tripped, one of its lines was refused, or somebody halted it.</summary>
+    private async ValueTask<JobStep> ProgramEndedAsync()
+    {
+        if (State.Tripped)
+            return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.");
+        if (State.ProgramError == 0) return JobStep.Broken("Somebody halted the program in the controller that watches over this job; nobody else may use the controller while a job runs.");
+        var (line, _) = await AskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false);
+        var code = (TcCode)State.ProgramError;
+        return Refuse(new Rejected(code, TcCodes.Text(code), Text($"line {line:0} of the downloaded program")), "");
+    }
+
     private async ValueTask<JobStep> SwitchToolAsync(bool on)
     {
         if (await SendAsync(Text($"{(on ? "SB" : "CB")} {Profile.ToolOutput}")).ConfigureAwait(false) is { Ends: true } refused) return refused;
@@ -161,6 +184,11 @@ internal sealed class JobMachine
         var from = State.Time;
         var samples = Math.Ceiling(Profile.ToolSettleSeconds * SamplesPerSecond);
         return await PollUntilAsync(state => SamplesSince(from, state.Time) >= samples).ConfigureAwait(false);
+    }
+
+    private async ValueTask PauseAsync()
+    {
+        if (_options.PollInterval > TimeSpan.Zero) await Task.Delay(_options.PollInterval, _session.Time, _stop).ConfigureAwait(false);
     }
 
     private static long SamplesSince(long from, long to) => to >= from ? to - from : to - from + (1L << 31);

@@ -8,7 +8,7 @@ public static class JobRunner
 {
     /// <summary>Runs the job to its end, to the operator's stop, to the first refusal or to the loss of the link; it always returns with what the controller said last.</summary>
     /// <param name="session">Open, and the machine at rest. It stays open.</param>
-    /// <param name="progress">Told where the job is, at most 20 times a second; may be null.</param>
+    /// <param name="progress">Told where the job is, 20 times a second of controller time; may be null.</param>
     /// <param name="stop">The operator's stop: the machine is stopped first, however long it brakes, then this returns.</param>
     public static async Task<JobResult> RunAsync(
         MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
@@ -17,6 +17,9 @@ public static class JobRunner
         ArgumentNullException.ThrowIfNull(session);
         ArgumentNullException.ThrowIfNull(options);
         using var journal = new JobJournal(options.JournalPath);
-        return await new Job(program, session, options, progress, journal, stop).RunAsync().ConfigureAwait(false);
+        var job = new Job(program, session, options, progress, journal, stop);
+
+        // Replies from memory come at once: without a thread of its own the whole job would run before this method returns.
+        return await Task.Run(job.RunAsync, CancellationToken.None).ConfigureAwait(false);
     }
 }

@@ -1,4 +1,5 @@
 using Engraver.Galil.Programs;
+using static Engraver.Galil.Programs.ResidentProgram;
 
 namespace Engraver.Galil.Jobs;
 
@@ -11,16 +12,18 @@ namespace Engraver.Galil.Jobs;
 /// <param name="Position">_RPA and _RPB, the controller's frame.</param>
 /// <param name="Time">TIME, samples.</param>
 /// <param name="StopCode">_SCA.</param>
-/// <param name="ServerRuns">_XQ0 is a line.</param>
+/// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
+/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none.</param>
 /// <param name="Tripped">wtrip: the watchdog has stopped the machine.</param>
 internal readonly record struct MachineState(
-    bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ServerRuns, bool Tripped)
+    bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, int ProgramError, bool Tripped)
 {
     /// <summary>What is asked, in the order of the parameters; within the 80 characters of a line.</summary>
-    public const string Operands = "_BGS,_BGA,_BGB,_CSS,seq,_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,wtrip";
+    public const string Operands =
+        $"_BGS,_BGA,_BGB,_CSS,{Variables.Sequence},_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,{Variables.ErrorCode},{Variables.WatchdogTripped}";
 
     public bool Stands => !SequenceRunning && !AxesRunning;
 
     public static MachineState Of(IReadOnlyList<double> v) => new(
-        v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, v[11] != 0);
+        v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, (int)v[11], v[12] != 0);
 }

@@ -1,31 +1,35 @@
 using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+using static Engraver.Galil.Programs.ResidentProgram;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>What the job and the program downloaded for it have agreed on: threads, variables, operations (galil-dmc.md EX11, EX12, F.3).</summary>
+/// <summary>The commands by which a job starts and feeds the program that is downloaded for it (galil-dmc.md EX11, EX12, F.3).</summary>
 internal static class ResidentServer
 {
-    public const int ServerThread = 0;
-    public const int WatchdogThread = 1;
+    /// <summary>Winds the watchdog up again.</summary>
+    public static string HeartbeatCommand { get; } = JobMachine.Text($"{Variables.Heartbeat}={HeartbeatTicks}");
 
-    /// <summary>Winds the watchdog up: 20 turns of 50 ms.</summary>
-    public const string HeartbeatCommand = "hb=20";
+    /// <summary>Gives every variable that is polled a value before it is read: an undefined one is refused.</summary>
+    public static string DefineVariables { get; } =
+        $"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0";
 
-    /// <summary>Gives every variable a value before anything reads it: an undefined one is refused.</summary>
-    public const string DefineVariables = "hb=20;wtrip=0;seq=0;go=0";
+    public static string GoCommand { get; } = $"{Variables.Go}=1";
 
-    public const string StartWatchdog = "XQ #WDOG,1";
-    public const string StartServer = "XQ #SERVER,0";
+    public static ResidentProgram Program(JobMode mode, MachineProfile profile) => mode switch
+    {
+        JobMode.Stream => ForStream(profile),
+        JobMode.Calls => ForCalls(profile),
+        _ => throw new ArgumentOutOfRangeException(nameof(mode)),
+    };
 
-    public static string Text(MachineProfile profile) => string.Join('\n', Lines(profile.ToolOutput, profile.AccelerationCounts));
+    public static string StartCommand(ResidentProgram program) => JobMachine.Text($"XQ {program.EntryLabel},{MainThread}");
 
-    private static string[] Lines(int tool, int acceleration) =>
-    [
-        "#SERVER", "op=0;x=0;y=0;r=0;th=0;da=0;f=5000", $"VAS={acceleration};VDS={acceleration}", "go=0;seq=0",
-        "#SLOOP", "WT 2", "JP#SLOOP,go=0", "IF (op=1)", "JS#LINEAR", "ENDIF", "IF (op=2)", "JS#CIRC", "ENDIF", "go=0;seq=seq+1", "JP#SLOOP", "EN",
-        "#LINEAR", "VMAB", "VSS=f", "VP x,y", "VE", "BGS", "AMS", "EN",
-        "#CIRC", "VMAB", "VSS=f", "CR r,th,da", "VE", "BGS", "AMS", "EN",
-        "#WDOG", "wtrip=0", "hb=20", "#WLOOP", "WT 50", "hb=hb-1", "JP#WLOOP,hb>0", $"CB{tool};STS;STAB", "wtrip=1", "MG \"HOST LOST\"", "EN",
-        "#CMDERR", $"CB{tool};STS;STAB", "MG \"CMDERR\",_TC,_ED0", "EN",
-    ];
+    /// <summary>Line of the watchdog's thread, -1 while it does not run.</summary>
+    public static string WatchdogLine { get; } = JobMachine.Text($"_XQ{WatchdogThread}");
+
+    /// <summary>Arguments of one call; a line is relative to where the machine stands.</summary>
+    public static string Arguments(in VectorSegment segment, CountsPoint here, int speed) => segment.Kind == VectorSegmentKind.Line
+        ? JobMachine.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Feed}={speed};{Variables.Operation}={Operations.Line}")
+        : JobMachine.Text($"{Variables.Radius}={segment.Radius};{Variables.Theta}={DmcFormat.Number(segment.ThetaDegrees)};{Variables.Delta}={DmcFormat.Number(segment.DeltaDegrees)};{Variables.Feed}={speed};{Variables.Operation}={Operations.Arc}");
 }

@@ -7,6 +7,8 @@ internal sealed class StreamWay(JobMachine machine, JobLedger ledger) : IJobWay
 {
     private SequenceFeed? _feed;
 
+    public ValueTask<JobStep> StartAsync() => new(JobStep.Done);
+
     public async ValueTask<JobStep> CutAsync(VectorSequence sequence)
     {
         var next = 0;
