@@ -3,7 +3,8 @@ using System.Globalization;
 using System.Runtime.InteropServices;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
-using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli;
 
@@ -38,6 +39,10 @@ public static class EngraverProgram
             return code;
         }
         catch (UsageException wrong)
+        {
+            return Say(streams, wrong.Message, ExitCode.Usage);
+        }
+        catch (SettingException wrong)
         {
             return Say(streams, wrong.Message, ExitCode.Usage);
         }

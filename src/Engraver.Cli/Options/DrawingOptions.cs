@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
 using Engraver.Galil.Profiles;
 using Engraver.Workbench.Settings;
 

@@ -27,7 +27,7 @@ internal static class PostVerb
             var diagnostics = job.Diagnostics.ToList();
             if (job.Motion.Program is { } program)
             {
-                var post = calls ? DmcPost.Calls(program) : DmcPost.Sequences(program);
+                var post = calls ? DmcPost.Calls(program, DmcPostOptions.Default, read.SourceOf) : DmcPost.Sequences(program, DmcPostOptions.Default, read.SourceOf);
                 diagnostics.AddRange(post.Diagnostics);
                 host.Write(parsed.GetValue(output), writer => writer.Write(post.Text));
             }

@@ -154,6 +154,7 @@ internal sealed class Job
         Underruns = _ledger.Underruns,
         Rejected = _ledger.Rejected,
         FinalPosition = standstill is { } rest ? new CountsPoint(rest.X, rest.Y) : _machine.Known?.Position,
+        FrameOrigin = _machine.FrameTaken,
         Refusal = step.Refusal,
         PolledTrace = _ledger.Trace,
         ExecutedEntityIndices = _ledger.Entities,

@@ -43,7 +43,10 @@ internal sealed class JobMachine
     public MachineState State => Known ?? throw new InvalidOperationException("The machine was not polled yet.");
 
     /// <summary>What is added to a point of the job frame to get the controller's counts.</summary>
-    public CountsPoint Frame { get; private set; }
+    public CountsPoint Frame => FrameTaken ?? default;
+
+    /// <summary>The same; null before <see cref="TakeFrameAsync"/>.</summary>
+    public CountsPoint? FrameTaken { get; private set; }
 
     /// <summary>Where the machine stands, job frame.</summary>
     public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
@@ -128,7 +131,7 @@ internal sealed class JobMachine
     public async ValueTask<JobStep> TakeFrameAsync()
     {
         if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        Frame = new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
+        FrameTaken = new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
         return JobStep.Done;
     }
 

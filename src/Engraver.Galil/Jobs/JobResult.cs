@@ -28,6 +28,9 @@ public sealed record JobResult
     /// <summary>_RPA and _RPB, the controller's own absolute counts; the last known when the link was lost, null when none was ever read.</summary>
     public required CountsPoint? FinalPosition { get; init; }
 
+    /// <summary>Controller counts at the drawing's zero: what was added to the job frame. Null when the job ended before the frame was taken.</summary>
+    public required CountsPoint? FrameOrigin { get; init; }
+
     /// <summary>The refused command that ended the job, when one did.</summary>
     public Rejected? Refusal { get; init; }
 
