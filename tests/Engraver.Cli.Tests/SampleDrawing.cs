@@ -1,0 +1,11 @@
+using Engraver.TestKit;
+
+namespace Engraver.Cli.Tests;
+
+/// <summary>The drawings of the samples folder.</summary>
+internal static class SampleDrawing
+{
+    public static IEnumerable<string> Names => Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Select(path => Path.GetFileNameWithoutExtension(path)).Order(StringComparer.Ordinal);
+
+    public static string PathOf(string name) => Path.Combine(RepositoryFolder.Samples, name + ".dxf");
+}

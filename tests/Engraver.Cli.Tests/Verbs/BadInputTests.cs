@@ -1,0 +1,137 @@
+using Engraver.TestKit;
+
+namespace Engraver.Cli.Tests.Verbs;
+
+/// <summary>Bad input: an exit code, one clear sentence, no stack trace.</summary>
+public class BadInputTests
+{
+    private static readonly string[] s_drawingVerbs = ["info", "table", "sequence"];
+
+    public static TheoryData<string> DrawingVerbs => [.. s_drawingVerbs];
+
+    [Theory]
+    [MemberData(nameof(DrawingVerbs))]
+    public async Task A_missing_file_is_one_error_and_exit_1(string verb)
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of(verb, folder.PathOf("nowhere.dxf"));
+
+        AssertOneError(run, "DOC0001");
+    }
+
+    [Theory]
+    [MemberData(nameof(DrawingVerbs))]
+    public async Task An_empty_file_is_one_error_and_exit_1(string verb)
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of(verb, folder.WithFile("empty.dxf", ""));
+
+        AssertOneError(run, "DXF");
+    }
+
+    [Theory]
+    [MemberData(nameof(DrawingVerbs))]
+    public async Task A_file_that_is_no_DXF_is_one_error_and_exit_1(string verb)
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of(verb, folder.WithFile("letter.dxf", "Dear Sir or Madam,\nthis is a letter.\n"));
+
+        AssertOneError(run, "DXF");
+    }
+
+    [Fact]
+    public async Task A_truncated_file_is_exit_1_and_what_stands_before_the_cut_is_read()
+    {
+        using var folder = new TemporaryFolder();
+        var whole = await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001"));
+        var run = await CliRun.Of("info", folder.WithFile("cut.dxf", whole[..whole.IndexOf("ARC\n", StringComparison.Ordinal)]), "--json");
+
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        Assert.Equal(2, JsonText.Of(run).GetProperty("leaf").GetProperty("LINE").GetInt32());
+        AssertNoStackTrace(run);
+    }
+
+    [Fact]
+    public async Task A_folder_instead_of_a_file_is_exit_1()
+    {
+        var run = await CliRun.Of("info", RepositoryFolder.Samples);
+
+        AssertOneError(run, "DOC0001");
+    }
+
+    [Fact]
+    public async Task An_unknown_layer_is_a_usage_error_that_names_the_layers_there_are()
+    {
+        var run = await CliRun.Of("table", SampleDrawing.PathOf("nameplate"), "--layers", "Frame");
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("'Frame'", run.Error, StringComparison.Ordinal);
+        Assert.Contains("'Rahmen'", run.Error, StringComparison.Ordinal);
+        AssertNoStackTrace(run);
+    }
+
+    [Theory]
+    [InlineData("engrave")]
+    [InlineData("info")]
+    [InlineData("info", "FILE", "--layer-of-nobody")]
+    [InlineData("info", "FILE", "--join-tolerance", "0,5")]
+    [InlineData("info", "FILE", "--join-tolerance", "-1")]
+    [InlineData("info", "FILE", "--max-error", "0")]
+    [InlineData("info", "FILE", "--units", "furlong")]
+    [InlineData("sequence", "FILE", "--order", "optimal")]
+    [InlineData("sequence", "FILE", "--start", "1;2")]
+    [InlineData("sequence", "FILE", "--enter", "xyz")]
+    [InlineData("table", "FILE", "--format", "xml")]
+    [InlineData("post", "FILE")]
+    [InlineData("post", "FILE", "--target", "agie")]
+    [InlineData("run", "FILE")]
+    [InlineData("run", "FILE", "--connect", "usb:1")]
+    [InlineData("run", "FILE", "--connect", "serial:///dev/ttyS0")]
+    [InlineData("run", "FILE", "--connect", "sim:", "--mode", "program")]
+    [InlineData("run", "FILE", "--connect", "sim:", "--machine", "nowhere.json")]
+    [InlineData("simulate", "--tcp", "99999")]
+    [InlineData("simulate", "--speed", "fast")]
+    [InlineData("info", "FILE", "--culture", "Klingon!!")]
+    public async Task What_cannot_be_understood_is_exit_2_with_a_sentence(params string[] words)
+    {
+        var run = await CliRun.Of([.. words.Select(word => word == "FILE" ? SampleDrawing.PathOf("paper-001") : word)]);
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.StartsWith("engraver: ", run.Error, StringComparison.Ordinal);
+        Assert.Single(run.Error.TrimEnd().Split('\n'));
+        AssertNoStackTrace(run);
+    }
+
+    [Fact]
+    public async Task A_place_that_cannot_be_written_is_exit_2_and_leaves_nothing_behind()
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of("post", SampleDrawing.PathOf("paper-001"), "--target", "galil", "-o", folder.PathOf("no/such/folder.dmc"));
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("cannot be written", run.Error, StringComparison.Ordinal);
+        AssertNoStackTrace(run);
+    }
+
+    [Fact]
+    public async Task A_machine_profile_with_a_misspelt_field_names_the_field_and_its_line()
+    {
+        using var folder = new TemporaryFolder();
+        var profile = folder.WithFile("machine.json", "{\n  \"feedMmPerMinute\": 600,\n  \"feeed\": 3\n}\n");
+        var run = await CliRun.Of("post", SampleDrawing.PathOf("paper-001"), "--target", "galil", "--machine", profile);
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("feeed", run.Error, StringComparison.Ordinal);
+        Assert.Contains("(3)", run.Error, StringComparison.Ordinal);
+    }
+
+    private static void AssertOneError(CliRun run, string id)
+    {
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        var line = Assert.Single(run.Error.TrimEnd().Split('\n'));
+        Assert.Contains($": error {id}", line, StringComparison.Ordinal);
+        AssertNoStackTrace(run);
+    }
+
+    private static void AssertNoStackTrace(CliRun run) => Assert.DoesNotContain("   at ", run.Error + run.Out, StringComparison.Ordinal);
+}

@@ -1,0 +1,68 @@
+namespace Engraver.Cli.Tests.Verbs;
+
+public class InfoVerbTests
+{
+    [Fact]
+    public async Task The_object_has_every_field_of_the_contract()
+    {
+        var info = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("nameplate"), "--json"));
+
+        Assert.Equal(
+            ["file", "bytes", "dxfVersion", "encoding", "units", "entities", "balance", "primitives", "leaf", "text", "length", "bounds", "layers", "diagnostics"],
+            info.EnumerateObject().Select(field => field.Name));
+        Assert.Equal("AC1032", info.GetProperty("dxfVersion").GetString());
+        Assert.Equal(1.0, info.GetProperty("units").GetProperty("toMillimetres").GetDouble());
+        Assert.Equal(1, info.GetProperty("text").GetProperty("TEXT").GetInt32());
+    }
+
+    [Fact]
+    public async Task Everything_read_is_cut_construction_or_refused()
+    {
+        foreach (var name in SampleDrawing.Names)
+        {
+            var info = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf(name), "--json"));
+            var balance = info.GetProperty("balance");
+
+            Assert.Equal(
+                balance.GetProperty("read").GetInt32(),
+                balance.GetProperty("cut").GetInt32() + balance.GetProperty("construction").GetInt32() + balance.GetProperty("refused").GetArrayLength());
+            Assert.Equal(balance.GetProperty("read").GetInt32(), info.GetProperty("entities").EnumerateObject().Sum(type => type.Value.GetInt32()));
+        }
+    }
+
+    [Fact]
+    public async Task Binary_and_inches_are_recognised()
+    {
+        var dial = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("clock-dial"), "--json"));
+        var gasket = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("gasket"), "--json"));
+
+        Assert.Equal("binary", dial.GetProperty("encoding").GetString());
+        Assert.Equal(25.4, gasket.GetProperty("units").GetProperty("toMillimetres").GetDouble());
+    }
+
+    [Fact]
+    public async Task A_curve_that_cannot_be_read_is_an_error_and_the_rest_is_read_all_the_same()
+    {
+        using var folder = new TemporaryFolder();
+        var file = folder.WithFile("body.dxf", "0\nSECTION\n2\nENTITIES\n0\nSPLINE\n5\n2F\n8\n0\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n4\n0\nENDSEC\n0\nEOF\n");
+        var run = await CliRun.Of("info", file, "--json");
+        var refused = JsonText.Of(run).GetProperty("balance").GetProperty("refused")[0];
+
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        Assert.Equal("SPLINE", refused.GetProperty("type").GetString());
+        Assert.Equal("2F", refused.GetProperty("handle").GetString());
+        Assert.Equal(5, refused.GetProperty("line").GetInt32());
+        Assert.Equal(5.0, JsonText.Of(run).GetProperty("length").GetProperty("total").GetDouble());
+    }
+
+    [Fact]
+    public async Task Quiet_says_nothing_about_warnings_and_the_culture_changes_no_number()
+    {
+        var loud = await CliRun.Of("info", SampleDrawing.PathOf("pcb-outline"), "--json");
+        var quiet = await CliRun.Of("info", SampleDrawing.PathOf("pcb-outline"), "--json", "--quiet", "--culture", "de-DE");
+
+        Assert.Contains("warning", loud.Error, StringComparison.Ordinal);
+        Assert.Empty(quiet.Error);
+        Assert.Equal(loud.Out, quiet.Out);
+    }
+}
