@@ -314,10 +314,15 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         var silent = options.Time.GetElapsedTime(lastActivity);
         if (silent >= Silence && !Machine.IsDormant && (silent >= LongSilence || !Machine.AwaitsSegments))
         {
-            bool busyOnly = !Machine.Motion.CanProgress && Machine.Threads.QuietUntil(Machine.Sample) <= Machine.Sample;
-            Machine.AdvanceToEvent(busyOnly ? BusyLeap : LongestLeap);
+            Machine.AdvanceToEvent(Leap());
         }
     }
+
+    /// <summary>Pure waiting is jumped over whatever its length; simulated samples and lines take processor time and come in portions.</summary>
+    private long Leap() =>
+        Machine.Motion.CanProgress ? LongestLeap
+        : Machine.Threads.QuietUntil(Machine.Sample) <= Machine.Sample ? BusyLeap
+        : int.MaxValue;
 
     private void FlushRecord()
     {

@@ -96,6 +96,13 @@ internal sealed class Rig : IAsyncDisposable
         return this;
     }
 
+    /// <summary>Lets controller time pass until nothing moves; threads may run on.</summary>
+    public Rig RunUntilStill()
+    {
+        Assert.True(Controller.AdvanceUntil(s => !s.IsMoving, TimeSpan.FromSeconds(60)), "not still in time");
+        return this;
+    }
+
     public Rig Pass(double milliseconds)
     {
         Controller.Advance(TimeSpan.FromMilliseconds(milliseconds));

@@ -5,7 +5,7 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator.Commands;
 
-/// <summary>The QR data record of a 21x3 (galil-dmc.md A.9): header 4, general 24, planes 2 x 16, axes 4 x 28 bytes, little endian.</summary>
+/// <summary>The QR data record of a 21x3 (galil-dmc.md A.9): header 4, general 24, planes 2 x 8, axes 4 x 28 bytes, little endian.</summary>
 internal sealed class DataRecord
 {
     private const string Blocks = "STIABCD";
@@ -81,7 +81,7 @@ internal sealed class DataRecord
 
     private void AddPlane(VectorPlane plane)
     {
-        var block = Next(16);
+        var block = Next(8);
         BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)plane.SegmentIndex);
         int status = (plane.IsActive ? 1 << 15 : 0)
             | (plane is { IsActive: true, IsStopping: false, Speed: > 0 } && plane.IsAtSpeed ? 1 << 5 : 0)

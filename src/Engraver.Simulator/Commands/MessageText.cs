@@ -100,7 +100,7 @@ internal sealed class MessageText
 
         if (value is { } plain)
         {
-            AppendNumber(reader.Machine.ValueFormat.Print(plain));
+            AppendNumber((pending ?? reader.Machine.ValueFormat).Print(plain));
         }
     }
 

@@ -61,7 +61,7 @@ internal sealed class Scheduler
         while (budget > TimeSpan.Zero && NextReady() is { } thread)
         {
             int commands = RunLine(thread);
-            budget -= Math.Max(1, commands) * machine.Options.LineCost;
+            budget -= commands * machine.Options.LineCost; // a label alone costs nothing
             if (machine.Options.LineCost == TimeSpan.Zero)
             {
                 budget -= TimeSpan.FromTicks(TimeSpan.TicksPerMillisecond / 100); // free lines must not stop the clock
