@@ -93,7 +93,7 @@ internal sealed class BlockExpander(
                 return;
             }
 
-            if (!IsPoint(part)) _parts.Add(part);
+            if (entity.Type == CurveType.Line || !IsPoint(part)) _parts.Add(part);
         }
 
         entity.Layer = Effective(entity.Layer, layer);

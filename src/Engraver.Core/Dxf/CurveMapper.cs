@@ -21,7 +21,9 @@ internal sealed class CurveMapper
         Shape.Begin(CurveType.Line);
         var start = record.Point(10);
         var end = record.Point(11);
-        if (start != end) Shape.Add(DrawingPart.Line(0, start.X, start.Y, start.Z, end.X, end.Y, end.Z));
+        // Without length, too: a drawing's box includes the spot (corpus convention).
+        Shape.Add(DrawingPart.Line(0, start.X, start.Y, start.Z, end.X, end.Y, end.Z));
+        if (start == end) Note(record, DxfRules.NoLength, "");
         Finish(record);
     }
 
