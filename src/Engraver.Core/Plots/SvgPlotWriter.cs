@@ -9,14 +9,14 @@ namespace Engraver.Core.Plots;
 public static class SvgPlotWriter
 {
     private const int LabelsAtMost = 300;
-    private const double ArrowLength = 9.0;
+    private const double ArrowLength = 11.0;
     private const double FontSize = 12.0;
 
     private const string Style = """
         <style>
           .field{fill:#1b1f24} .caption{fill:#242a31} text{font-family:'DejaVu Sans',Verdana,sans-serif;fill:#c9d1d9}
           .cut{fill:none;stroke-linejoin:round;stroke-linecap:round} .closed{stroke:#4fc3f7} .open{stroke:#ffb74d}
-          .rapid{fill:none;stroke:#ef6f6c;stroke-opacity:.55;stroke-dasharray:6 5} .start{fill:none;stroke:#7ee787;stroke-width:2}
+          .rapid{fill:none;stroke:#ef6f6c;stroke-opacity:.8;stroke-dasharray:6 5} .start{fill:none;stroke:#7ee787;stroke-width:2}
           .number{fill:#f0f3f6;stroke:#1b1f24;stroke-width:3;paint-order:stroke} .arrow.closed{fill:#4fc3f7;stroke:none} .arrow.open{fill:#ffb74d;stroke:none}
         </style>
         """;
@@ -101,7 +101,7 @@ public static class SvgPlotWriter
         Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{plot.Strokes.Count} strokes, cut {Millimetres(plot.CutLength)} mm{travel}</text>");
         var entries = new List<(string Class, string Text)> { ("cut closed", $"closed ({closed})"), ("cut open", $"open ({plot.Strokes.Count - closed})") };
         if (plot.ToolStart is not null) entries.AddRange([("rapid", "rapid"), ("start", "start")]);
-        for (var i = 0; i < entries.Count; i++) WriteLegend(entries[i].Class, entries[i].Text, frame.FieldWidth - (110.0 * (entries.Count - i)), top + 42.0, output);
+        for (var i = 0; i < entries.Count; i++) WriteLegend(entries[i].Class, entries[i].Text, frame.FieldWidth - (122.0 * (entries.Count - i)), top + 42.0, output);
     }
 
     private static void WriteLegend(string css, string text, double x, double y, TextWriter output) =>
