@@ -22,7 +22,7 @@ public sealed class BoxTree
         _shown = [.. shown];
     }
 
-    /// <summary>Distance of item <paramref name="item"/> from <paramref name="place"/>; never less than the distance of its box.</summary>
+    /// <summary>Distance of item <paramref name="item"/> from <paramref name="place"/>. Several items may be pieces of one thing and measure the whole: then each piece's box must hold its piece.</summary>
     public delegate double Measure(int item, Point2D place);
 
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>.</summary>

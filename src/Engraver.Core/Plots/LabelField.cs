@@ -1,0 +1,26 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Plots;
+
+/// <summary>Keeps numbers and arrows from lying on each other: a place is given once, whoever comes later goes without.</summary>
+internal sealed class LabelField(double cell)
+{
+    private readonly HashSet<(int X, int Y)> _given = [];
+
+    /// <summary>Reserves a box of picture units; false when part of it is given already.</summary>
+    public bool TryReserve(Point2D corner, double width, double height)
+    {
+        var cells = Cells(corner, width, height).ToList();
+        if (cells.Exists(_given.Contains)) return false;
+        _given.UnionWith(cells);
+        return true;
+    }
+
+    private IEnumerable<(int X, int Y)> Cells(Point2D corner, double width, double height)
+    {
+        for (var x = (int)Math.Floor(corner.X / cell); x <= (int)Math.Floor((corner.X + width) / cell); x++)
+        {
+            for (var y = (int)Math.Floor(corner.Y / cell); y <= (int)Math.Floor((corner.Y + height) / cell); y++) yield return (x, y);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Plots;
+
+/// <summary>Spells segments as the d attribute of an SVG path; arcs stay arcs.</summary>
+internal static class SvgPath
+{
+    /// <summary>Segments that join become one pen stroke; a jump starts a new one.</summary>
+    public static string Of(IReadOnlyList<Segment> segments, PlotFrame frame)
+    {
+        var path = new StringBuilder();
+        string? pen = null;
+        foreach (var segment in segments)
+        {
+            var start = Pair(frame.Place(segment.Start));
+            if (start != pen) path.Append('M').Append(start);
+            if (segment.Kind == SegmentKind.Line) path.Append('L').Append(Pair(frame.Place(segment.End)));
+            else AppendArc(path, segment, frame);
+            pen = Pair(frame.Place(segment.End));
+        }
+
+        return path.ToString();
+    }
+
+    public static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
+
+    public static string Pair(Point2D place) => $"{Number(place.X)},{Number(place.Y)}";
+
+    /// <summary>In two halves: SVG cannot draw a whole turn, and nearly whole ones lose their direction to rounding. Counter-clockwise is sweep flag 0 with y down.</summary>
+    private static void AppendArc(StringBuilder path, Segment segment, PlotFrame frame)
+    {
+        var radius = Number(segment.Arc.Radius * frame.Scale);
+        var flag = segment.Arc.Sweep.Degrees > 0.0 ? 0 : 1;
+        foreach (var end in new[] { segment.PointAt(0.5), segment.End })
+        {
+            path.Append(CultureInfo.InvariantCulture, $"A{radius},{radius} 0 0 {flag} {Pair(frame.Place(end))}");
+        }
+    }
+}

@@ -1,0 +1,122 @@
+using System.Globalization;
+using System.Net;
+using Engraver.Core.Geometry;
+using static Engraver.Core.Plots.SvgPath;
+
+namespace Engraver.Core.Plots;
+
+/// <summary>A plot as one self-contained SVG file: dark like a CAD canvas, y up, legend and size below. The same model gives the same bytes.</summary>
+public static class SvgPlotWriter
+{
+    private const int LabelsAtMost = 300;
+    private const double ArrowLength = 11.0;
+    private const double FontSize = 12.0;
+
+    private const string Style = """
+        <style>
+          .field{fill:#1b1f24} .caption{fill:#242a31} text{font-family:'DejaVu Sans',Verdana,sans-serif;fill:#c9d1d9}
+          .cut{fill:none;stroke-linejoin:round;stroke-linecap:round} .closed{stroke:#4fc3f7} .open{stroke:#ffb74d}
+          .rapid{fill:none;stroke:#ef6f6c;stroke-opacity:.8;stroke-dasharray:6 5} .start{fill:none;stroke:#7ee787;stroke-width:2}
+          .number{fill:#f0f3f6;stroke:#1b1f24;stroke-width:3;paint-order:stroke} .arrow.closed{fill:#4fc3f7;stroke:none} .arrow.open{fill:#ffb74d;stroke:none}
+        </style>
+        """;
+
+    /// <summary>Writes the picture; LF line ends, numbers invariant.</summary>
+    public static void Write(PlotModel plot, TextWriter output)
+    {
+        var frame = new PlotFrame(plot.Seen);
+        var size = $"{Number(frame.FieldWidth)} {Number(frame.Height)}";
+        Line(output, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {size}\" width=\"{Number(frame.FieldWidth)}\" height=\"{Number(frame.Height)}\">");
+        Line(output, Style.ReplaceLineEndings("\n"));
+        Line(output, $"<rect class=\"field\" width=\"100%\" height=\"100%\"/>");
+        WriteRapids(plot, frame, output);
+        WriteStrokes(plot, frame, output);
+        WriteMarks(plot, frame, output);
+        WriteCaption(plot, frame, output);
+        Line(output, "</svg>");
+    }
+
+    private static void WriteRapids(PlotModel plot, PlotFrame frame, TextWriter output)
+    {
+        if (plot.Rapids.Count == 0) return;
+        Line(output, $"<path class=\"rapid\" d=\"{Of([.. plot.Rapids.Select(Segment.FromLine)], frame)}\"/>");
+    }
+
+    private static void WriteStrokes(PlotModel plot, PlotFrame frame, TextWriter output)
+    {
+        var width = Number(Math.Clamp(2.2 - (plot.Strokes.Count / 1000.0), 0.8, 2.0));
+        Line(output, $"<g stroke-width=\"{width}\">");
+        foreach (var stroke in plot.Strokes) Line(output, $"<path class=\"cut {Colour(stroke)}\" d=\"{Of(stroke.Segments, frame)}\"/>");
+        Line(output, "</g>");
+    }
+
+    private static void WriteMarks(PlotModel plot, PlotFrame frame, TextWriter output)
+    {
+        if (plot.ToolStart is { } start) WriteToolStart(frame.Place(start), output);
+        if (!plot.Strokes.Any(stroke => stroke.Number is not null)) return;
+        var labels = new LabelField(FontSize / 2.0);
+        var every = ((plot.Strokes.Count - 1) / LabelsAtMost) + 1;
+        for (var i = 0; i < plot.Strokes.Count; i += every) WriteNumber(plot.Strokes[i], frame, labels, output);
+        for (var i = 0; i < plot.Strokes.Count; i += every) WriteArrow(plot.Strokes[i], frame, labels, output);
+    }
+
+    private static void WriteToolStart(Point2D place, TextWriter output) =>
+        Line(output, $"<path class=\"start\" d=\"M{Number(place.X - 9.0)},{Number(place.Y)}h18M{Number(place.X)},{Number(place.Y - 9.0)}v18\"/><circle class=\"start\" cx=\"{Number(place.X)}\" cy=\"{Number(place.Y)}\" r=\"5\"/>");
+
+    /// <summary>A dot where the tool goes down, its number beside it (four places are tried, a crowded number is left out).</summary>
+    private static void WriteNumber(PlotStroke stroke, PlotFrame frame, LabelField labels, TextWriter output)
+    {
+        var text = stroke.Number?.ToString(CultureInfo.InvariantCulture) ?? string.Empty;
+        var start = frame.Place(stroke.Segments[0].Start);
+        var width = text.Length * FontSize * 0.64;
+        foreach (var offset in new Vector2D[] { new(5.0, -4.0), new(-5.0 - width, -4.0), new(5.0, FontSize + 3.0), new(-5.0 - width, FontSize + 3.0) })
+        {
+            var place = start + offset;
+            if (!labels.TryReserve(place - new Vector2D(0.0, FontSize * 0.8), width, FontSize * 0.8)) continue;
+            Line(output, $"<circle class=\"arrow {Colour(stroke)}\" cx=\"{Number(start.X)}\" cy=\"{Number(start.Y)}\" r=\"2.6\"/><text class=\"number\" font-size=\"{Number(FontSize)}\" x=\"{Number(place.X)}\" y=\"{Number(place.Y)}\">{text}</text>");
+            return;
+        }
+    }
+
+    /// <summary>An arrow head on the middle of the stroke's middle segment; short strokes go without.</summary>
+    private static void WriteArrow(PlotStroke stroke, PlotFrame frame, LabelField labels, TextWriter output)
+    {
+        if (stroke.Length * frame.Scale < 3.0 * ArrowLength) return;
+        var segment = stroke.Segments.Count > 1 ? stroke.Segments.MaxBy(part => part.Length) : stroke.Segments[0];
+        var travel = PlotFrame.Turn(segment.Kind == SegmentKind.Line ? segment.StartTangent : segment.Arc.TangentAt(0.5));
+        var side = new Vector2D(-travel.Y, travel.X) * (ArrowLength * 0.38);
+        var tip = frame.Place(segment.PointAt(0.5)) + (travel * (ArrowLength / 2.0));
+        var back = tip - (travel * ArrowLength);
+        if (!labels.TryReserve(tip - new Vector2D(ArrowLength / 2.0, ArrowLength / 2.0), ArrowLength, ArrowLength)) return;
+        Line(output, $"<path class=\"arrow {Colour(stroke)}\" d=\"M{Pair(tip)}L{Pair(back + side)}L{Pair(back - side)}Z\"/>");
+    }
+
+    private static void WriteCaption(PlotModel plot, PlotFrame frame, TextWriter output)
+    {
+        var (top, drawn) = (frame.FieldHeight, plot.Drawn);
+        var closed = plot.Strokes.Count(stroke => stroke.Closed);
+        Line(output, $"<rect class=\"caption\" y=\"{Number(top)}\" width=\"100%\" height=\"{Number(PlotFrame.CaptionHeight)}\"/>");
+        Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{Escaped(plot.Title)}   {Millimetres(drawn.Width)} x {Millimetres(drawn.Height)} mm</text>");
+        var travel = plot.ToolStart is null ? string.Empty : $", travel {Millimetres(plot.Travel)} mm";
+        Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{plot.Strokes.Count} strokes, cut {Millimetres(plot.CutLength)} mm{travel}</text>");
+        var entries = new List<(string Class, string Text)> { ("cut closed", $"closed ({closed})"), ("cut open", $"open ({plot.Strokes.Count - closed})") };
+        if (plot.ToolStart is not null) entries.AddRange([("rapid", "rapid"), ("start", "start")]);
+        for (var i = 0; i < entries.Count; i++) WriteLegend(entries[i].Class, entries[i].Text, frame.FieldWidth - (122.0 * (entries.Count - i)), top + 42.0, output);
+    }
+
+    private static void WriteLegend(string css, string text, double x, double y, TextWriter output) =>
+        Line(output, $"<path class=\"{css}\" stroke-width=\"2\" d=\"M{Number(x)},{Number(y - 4.0)}h24\"/><text x=\"{Number(x + 30.0)}\" y=\"{Number(y)}\" font-size=\"12\">{text}</text>");
+
+    private static string Colour(PlotStroke stroke) => stroke.Closed ? "closed" : "open";
+
+    private static string Millimetres(double value) => value.ToString("0.##", CultureInfo.InvariantCulture);
+
+    /// <summary>Control characters have no place in XML at all.</summary>
+    private static string Escaped(string text) => WebUtility.HtmlEncode(string.Concat(text.Where(letter => !char.IsControl(letter))));
+
+    private static void Line(TextWriter output, string text)
+    {
+        output.Write(text);
+        output.Write('\n');
+    }
+}
