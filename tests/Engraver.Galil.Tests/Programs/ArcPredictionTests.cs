@@ -79,7 +79,7 @@ public class ArcPredictionTests
             foreach (var sequence in stroke.Sequences) replay.Run(sequence);
             var wanted = drawn.Moves.Select(move => profile.Scale.Exact(move.Segment.Arc)).ToList();
             var chords = stroke.Sequences.Any(sequence => sequence.Segments.Any(segment => segment.Kind == VectorSegmentKind.Line)) ? ChordError : 0.0;
-            path = Math.Max(path, replay.Track.Max(place => wanted.Min(arc => arc.DistanceTo(place))) - chords);
+            path = Math.Max(path, replay.Track.Max(at => wanted[at.Entity].DistanceTo(at.Place)) - chords);
             end = Math.Max(end, profile.Scale.Exact(drawn.End).DistanceTo(new Point2D(replay.X, replay.Y)));
         }
 

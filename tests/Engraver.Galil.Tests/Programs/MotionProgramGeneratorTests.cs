@@ -222,6 +222,6 @@ public class MotionProgramGeneratorTests
     {
         var replay = new SegmentReplay(MachineProfile.Default.AngleQuantumDegrees);
         foreach (var sequence in stroke.Sequences) replay.Run(sequence);
-        return replay.Track.Max(off);
+        return replay.Track.Max(at => off(at.Place));
     }
 }
