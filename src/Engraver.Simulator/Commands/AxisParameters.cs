@@ -1,0 +1,199 @@
+using System.Collections.Frozen;
+using Engraver.Simulator.Language;
+using Engraver.Simulator.Motion;
+
+namespace Engraver.Simulator.Commands;
+
+/// <summary>The table of per-axis settings (galil-dmc.md C): <c>SP a,b</c>, <c>SPA=n</c>, <c>SP*=n</c>, <c>SP ?,?</c>, <c>SPA=?</c>.</summary>
+internal static class AxisParameters
+{
+    public const double LargestAcceleration = 67_107_840;
+    private const double AccelerationStep = 1024;
+    private static readonly NumberFormat Whole = new(10, 0, false, false);
+
+    public static IReadOnlyList<AxisParameter> All { get; } =
+    [
+        new("SP", a => FixedPoint.FromDouble(a.CruiseSpeed), (_, a, v) => a.CruiseSpeed = Speed(Math.Abs(v.Value), 0, LargestSpeed(a)), Whole),
+        new("AC", a => FixedPoint.FromDouble(a.Acceleration), (_, a, v) => a.Acceleration = Acceleration(v.Value), Whole),
+        new("DC", a => FixedPoint.FromDouble(a.Deceleration), SetDeceleration, Whole),
+        new("JG", a => FixedPoint.FromDouble(Math.Abs(a.JogSpeed)), SetJog, Whole),
+        new("PA", a => FixedPoint.FromInteger(a.LastStop), SetAbsolute),
+        new("PR", a => FixedPoint.FromInteger(a.NextMove == AxisMove.Absolute ? a.AbsoluteTarget - a.Reference : a.RelativeDistance), SetRelative),
+        new("DP", a => FixedPoint.FromInteger(a.Reference), SetPosition),
+        new("FL", a => FixedPoint.FromInteger(a.ForwardSoftLimit), (_, a, v) => a.ForwardSoftLimit = v.Integer),
+        new("BL", a => FixedPoint.FromInteger(a.ReverseSoftLimit), (_, a, v) => a.ReverseSoftLimit = v.Integer),
+        new("MT", a => a.MotorType, SetMotorType, new NumberFormat(4, 1, false, false)),
+        new("OE", a => FixedPoint.FromInteger(a.OffOnError), (_, a, v) => a.OffOnError = (int)InRange(v.Value, 0, 3), Whole),
+        Stored("KP", 6, 0, 1023.875, 2),
+        Stored("KI", 0, 0, 255.999, 4),
+        Stored("KD", 64, 0, 4095.875, 2),
+        Stored("ER", 16384, -1, 2147483647, 0),
+        Stored("TL", 9.9982, 0, 9.9982, 4),
+        Stored("TK", 0, 0, 9.9982, 4),
+        Stored("IL", 9.9982, -9.9982, 9.9982, 4),
+        Stored("OF", 0, -9.9982, 9.9982, 4),
+        Stored("KS", 2, 0.5, 64, 3),
+        Stored("IT", 1, 0.004, 1, 4),
+        Stored("CE", 0, 0, 15, 0),
+        Stored("FA", 0, 0, 8191, 2),
+        Stored("FV", 0, 0, 8191, 0),
+        Stored("TW", 32766, -1, 32766, 0),
+    ];
+
+    private static readonly FrozenDictionary<string, AxisParameter> Table = All.ToFrozenDictionary(p => p.Mnemonic, StringComparer.Ordinal);
+
+    public static IEnumerable<CommandEntry> Entries { get; } =
+        All.Select(p => new CommandEntry(p.Mnemonic, CommandScope.Both, r => Run(r, p), TakesLetter: true));
+
+    public static AxisParameter? Find(string mnemonic) => Table.GetValueOrDefault(mnemonic);
+
+    /// <summary>Calls <paramref name="apply"/> for every axis that was given a value, by position or by letter.</summary>
+    public static void ForEachValue(StatementReader reader, Action<Axis, FixedPoint> apply)
+    {
+        foreach (var (axis, field) in TakeAxisFields(reader))
+        {
+            if (field.Value is { } value)
+            {
+                apply(axis, value);
+            }
+        }
+    }
+
+    /// <summary>Speeds are even (C, SP); anything outside the range is TC 6.</summary>
+    public static double Speed(double value, double smallest, double largest)
+    {
+        double even = Math.Truncate(value / 2) * 2;
+        return even >= smallest && value <= largest ? even : throw new CommandRefusedException(Tc.OutOfRange);
+    }
+
+    /// <summary>Accelerations are floored to multiples of 1024 (L.2 point 10).</summary>
+    public static double Acceleration(double value) =>
+        Math.Floor(InRange(value, AccelerationStep, LargestAcceleration) / AccelerationStep) * AccelerationStep;
+
+    public static double InRange(double value, double smallest, double largest) =>
+        value >= smallest && value <= largest ? value : throw new CommandRefusedException(Tc.OutOfRange);
+
+    public static double LargestSpeed(Axis axis) => axis.IsStepper ? 3_000_000 : 12_000_000;
+
+    private static AxisParameter Stored(string mnemonic, double start, double smallest, double largest, int decimals) => new(
+        mnemonic,
+        a => a.Settings.TryGetValue(mnemonic, out var value) ? value : FixedPoint.FromDouble(start),
+        (_, a, v) => a.Settings[mnemonic] = FixedPoint.FromDouble(InRange(v.Value, smallest, largest)),
+        new NumberFormat(10, decimals, false, false));
+
+    private static void Run(StatementReader reader, AxisParameter parameter)
+    {
+        var printed = new List<string>();
+        foreach (var (axis, field) in TakeAxisFields(reader))
+        {
+            if (field.IsQuery)
+            {
+                printed.Add((parameter.Format ?? reader.Machine.PositionFormat).Print(parameter.Read(axis)));
+            }
+            else if (field.Value is { } value)
+            {
+                parameter.Write!(reader.Machine, axis, value);
+            }
+        }
+
+        if (printed.Count > 0)
+        {
+            reader.Context.WriteLine(ReportCommands.Join(printed));
+        }
+    }
+
+    private static List<(Axis Axis, Field Field)> TakeAxisFields(StatementReader reader)
+    {
+        var axes = reader.Machine.Motion.Axes;
+        var result = new List<(Axis, Field)>();
+        if (AxisSelection.IndexOf(reader.Next) >= 0 || reader.Next == '*')
+        {
+            var selection = reader.TakeAxes();
+            reader.Take('=', Tc.OperandError);
+            var field = reader.TakeField();
+            result.AddRange(selection.Axes.Select(a => (a, field.IsMissing ? new Field(true, null) : field)));
+        }
+        else
+        {
+            var fields = reader.TakeFields();
+            // Surplus fields are tolerated when they are empty (L.2 point 8).
+            for (int i = 0; i < fields.Count; i++)
+            {
+                if (!fields[i].IsMissing)
+                {
+                    result.Add(i < Axis.Real ? (axes[i], fields[i]) : throw new CommandRefusedException(Tc.BadAxis));
+                }
+            }
+        }
+
+        reader.ExpectEnd();
+        return result.Count > 0 ? result : throw new CommandRefusedException(Tc.NotEnoughFields);
+    }
+
+    private static void NotWhileBusy(Machine machine, Axis axis)
+    {
+        if (machine.Motion.IsBusy(axis))
+        {
+            throw new CommandRefusedException(Tc.NotWhileRunning);
+        }
+    }
+
+    /// <summary>DC is refused in motion except for a jog or an axis that already stops (C).</summary>
+    private static void SetDeceleration(Machine machine, Axis axis, FixedPoint value)
+    {
+        if (axis is { IsMoving: true, IsStopping: false, CurrentMove: not AxisMove.Jog })
+        {
+            throw new CommandRefusedException(Tc.NotWhileRunning);
+        }
+
+        axis.Deceleration = Acceleration(value.Value);
+    }
+
+    /// <summary>JG also overwrites SP with its absolute value (C).</summary>
+    private static void SetJog(Machine machine, Axis axis, FixedPoint value)
+    {
+        if (axis.IsMoving && axis.CurrentMove != AxisMove.Jog)
+        {
+            throw new CommandRefusedException(Tc.NotJogging);
+        }
+
+        double speed = Speed(Math.Abs(value.Value), 0, LargestSpeed(axis));
+        axis.JogSpeed = value.Raw < 0 ? -speed : speed;
+        axis.CruiseSpeed = speed;
+        axis.NextMove = AxisMove.Jog;
+    }
+
+    private static void SetAbsolute(Machine machine, Axis axis, FixedPoint value)
+    {
+        NotWhileBusy(machine, axis);
+        axis.AbsoluteTarget = value.Integer;
+        axis.NextMove = AxisMove.Absolute;
+    }
+
+    private static void SetRelative(Machine machine, Axis axis, FixedPoint value)
+    {
+        NotWhileBusy(machine, axis);
+        axis.RelativeDistance = value.Integer;
+        axis.NextMove = AxisMove.Relative;
+    }
+
+    private static void SetPosition(Machine machine, Axis axis, FixedPoint value)
+    {
+        NotWhileBusy(machine, axis);
+        axis.SetPosition(value.Integer);
+        axis.LastStop = value.Integer;
+    }
+
+    /// <summary>MT needs the motor off (C).</summary>
+    private static void SetMotorType(Machine machine, Axis axis, FixedPoint value)
+    {
+        NotWhileBusy(machine, axis);
+        if (!axis.MotorOff)
+        {
+            throw new CommandRefusedException(Tc.NotWhileRunning);
+        }
+
+        double magnitude = Math.Abs(value.Value);
+        axis.MotorType = magnitude is 1 or 1.5 or 2 or 2.5 ? value : throw new CommandRefusedException(Tc.OutOfRange);
+    }
+}

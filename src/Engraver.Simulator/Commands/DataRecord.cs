@@ -1,0 +1,118 @@
+using System.Buffers.Binary;
+using System.Text;
+using Engraver.Simulator.Language;
+using Engraver.Simulator.Motion;
+
+namespace Engraver.Simulator.Commands;
+
+/// <summary>The QR data record of a 21x3 (galil-dmc.md A.9): header 4, general 24, planes 2 x 8, axes 4 x 28 bytes, little endian.</summary>
+internal sealed class DataRecord
+{
+    private const string Blocks = "STIABCD";
+    private readonly byte[] bytes = new byte[156];
+    private readonly Machine machine;
+    private int length = 4;
+
+    private DataRecord(Machine machine) => this.machine = machine;
+
+    /// <summary>The record as Latin-1 characters, without the prompt.</summary>
+    /// <param name="mask">Letters of the wanted blocks; empty wants all.</param>
+    public static string Build(Machine machine, string mask)
+    {
+        string wanted = mask.Trim().Length == 0 ? Blocks : mask.Trim();
+        if (wanted.Any(c => !Blocks.Contains(c, StringComparison.Ordinal)))
+        {
+            throw new CommandRefusedException(Tc.OperandError);
+        }
+
+        var record = new DataRecord(machine);
+        record.Fill(wanted);
+        return Encoding.Latin1.GetString(record.bytes, 0, record.length);
+    }
+
+    private void Fill(string wanted)
+    {
+        bytes[0] = 0x80;
+        if (Wants(wanted, 'I'))
+        {
+            bytes[0] |= 4;
+            AddGeneral();
+        }
+
+        for (int i = 0; i < 2; i++)
+        {
+            if (Wants(wanted, (char)('S' + i)))
+            {
+                bytes[0] |= (byte)(1 << i);
+                AddPlane(machine.Motion.Planes[i]);
+            }
+        }
+
+        for (int i = 0; i < Axis.Real; i++)
+        {
+            if (Wants(wanted, (char)('A' + i)))
+            {
+                bytes[1] |= (byte)(1 << i);
+                AddAxis(machine.Motion.Axes[i]);
+            }
+        }
+
+        BinaryPrimitives.WriteUInt16LittleEndian(bytes.AsSpan(2), (ushort)length);
+    }
+
+    private static bool Wants(string wanted, char block) => wanted.Contains(block, StringComparison.Ordinal);
+
+    private Span<byte> Next(int size)
+    {
+        var span = bytes.AsSpan(length, size);
+        length += size;
+        return span;
+    }
+
+    private void AddGeneral()
+    {
+        var block = Next(24);
+        BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)machine.Sample);
+        block[2] = machine.Io.Inputs;
+        block[12] = machine.Io.Outputs;
+        block[22] = (byte)machine.LastError;
+        block[23] = (byte)(machine.Threads.AnyRunning ? 0x80 : 0);
+    }
+
+    private void AddPlane(VectorPlane plane)
+    {
+        var block = Next(8);
+        BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)plane.SegmentIndex);
+        int status = (plane.IsActive ? 1 << 15 : 0)
+            | (plane is { IsActive: true, IsStopping: false, Speed: > 0 } && plane.IsAtSpeed ? 1 << 5 : 0)
+            | (plane.IsStopping ? 1 << 4 : 0);
+        BinaryPrimitives.WriteUInt16LittleEndian(block[2..], (ushort)status);
+        BinaryPrimitives.WriteInt32LittleEndian(block[4..], (int)Math.Floor(plane.Travelled + 1e-6));
+    }
+
+    private void AddAxis(Axis axis)
+    {
+        var block = Next(28);
+        BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)Status(axis));
+        block[2] = (byte)((axis.ForwardSwitch ? 0 : 8) | (axis.ReverseSwitch ? 0 : 4) | 2 | (axis.IsStepper ? 1 : 0));
+        block[3] = (byte)axis.StopCode;
+        BinaryPrimitives.WriteInt32LittleEndian(block[4..], axis.Reference);
+        BinaryPrimitives.WriteInt32LittleEndian(block[8..], axis.Reference);
+        BinaryPrimitives.WriteInt32LittleEndian(block[16..], axis.IsStepper ? axis.Reference : 0);
+        BinaryPrimitives.WriteInt32LittleEndian(block[20..], (int)Math.Round(machine.Motion.VelocityOf(axis) * 64));
+    }
+
+    private int Status(Axis axis)
+    {
+        bool coordinated = machine.Motion.IsCoordinated(axis);
+        return (axis.IsMoving || coordinated ? 1 << 15 : 0)
+            | (axis is { IsMoving: true, CurrentMove: not AxisMove.Jog } ? 1 << 14 : 0)
+            | (axis is { IsMoving: true, CurrentMove: AxisMove.Absolute } ? 1 << 13 : 0)
+            | (coordinated ? 1 << 8 : 0)
+            | (machine.Motion.VelocityOf(axis) < 0 ? 1 << 7 : 0)
+            | (axis.IsAtSpeed ? 1 << 5 : 0)
+            | (axis.IsStopping ? 1 << 4 : 0)
+            | (axis.OffOnError is 1 or 3 ? 1 << 1 : 0)
+            | (axis.MotorOff ? 1 : 0);
+    }
+}

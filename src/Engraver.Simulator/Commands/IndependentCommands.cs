@@ -1,0 +1,74 @@
+using Engraver.Simulator.Language;
+using Engraver.Simulator.Motion;
+
+namespace Engraver.Simulator.Commands;
+
+/// <summary>Begin and motor state (galil-dmc.md B.1, C).</summary>
+internal static class IndependentCommands
+{
+    public static IEnumerable<CommandEntry> Entries { get; } =
+    [
+        new("BG", CommandScope.Both, Begin),
+        new("SH", CommandScope.Both, r => SwitchMotors(r, off: false)),
+        new("MO", CommandScope.Both, r => SwitchMotors(r, off: true)),
+    ];
+
+    private static void Begin(StatementReader reader)
+    {
+        var motion = reader.Machine.Motion;
+        var selection = reader.TakeAxes();
+        Axis[] axes = [.. selection.AxesOrAll];
+        foreach (var axis in axes)
+        {
+            CheckAxis(motion, axis);
+        }
+
+        foreach (var plane in selection.Planes)
+        {
+            CheckPlane(plane);
+        }
+
+        // Everything is checked before anything starts: BG is one command, not one per axis.
+        selection.Planes.ForEach(p => p.Begin());
+        Array.ForEach(axes, a => a.Begin());
+    }
+
+    private static void CheckAxis(MotionKernel motion, Axis axis)
+    {
+        Refuse(axis.MotorOff && axis.Index < Axis.Real, Tc.MotorOff);
+        Refuse(axis.IsMoving, Tc.BeginWhileRunning);
+        Refuse(motion.IsCoordinated(axis), Tc.CoordinatedMove);
+        double heading = axis.PendingTarget() is { } target ? target - (long)axis.Reference : axis.JogSpeed;
+        Refuse(heading != 0 && axis.RunsIntoLimit(heading, out _), Tc.BeginAtLimit);
+        Refuse(axis.PendingTarget() is { } end && (IsBeyond(end, axis)), Tc.BeginAtLimit);
+    }
+
+    /// <summary>A move commanded beyond a software limit does not begin (C, BL/FL).</summary>
+    private static bool IsBeyond(long target, Axis axis) => target > axis.ForwardSoftLimit || target < axis.ReverseSoftLimit;
+
+    private static void CheckPlane(VectorPlane plane)
+    {
+        Refuse(plane.IsActive, Tc.BeginWhileRunning);
+        Refuse(plane.FreeSlots == VectorPlane.Slots, Tc.NoSequence);
+        foreach (var axis in plane.Axes)
+        {
+            Refuse(axis.MotorOff && axis.Index < Axis.Real, Tc.MotorOff);
+            Refuse(axis.IsMoving, Tc.BeginWhileRunning);
+        }
+    }
+
+    private static void SwitchMotors(StatementReader reader, bool off)
+    {
+        Axis[] axes = [.. reader.TakeAxes().AxesOrAll];
+        Refuse(Array.Exists(axes, reader.Machine.Motion.IsBusy), Tc.NotWhileRunning);
+        Array.ForEach(axes, a => a.MotorOff = off);
+    }
+
+    private static void Refuse(bool condition, int code)
+    {
+        if (condition)
+        {
+            throw new CommandRefusedException(code);
+        }
+    }
+}

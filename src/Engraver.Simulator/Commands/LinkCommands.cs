@@ -1,0 +1,104 @@
+using System.Globalization;
+using Engraver.Simulator.Language;
+
+namespace Engraver.Simulator.Commands;
+
+/// <summary>Handles, routing of messages, data record setting (galil-dmc.md A.1, A.5, A.9).</summary>
+internal static class LinkCommands
+{
+    public static IEnumerable<CommandEntry> Entries { get; } =
+    [
+        new("WH", CommandScope.Host, r => r.Context.WriteLine(r.Context.Handle!.Name)),
+        new("TH", CommandScope.Both, TellHandles),
+        new("IH", CommandScope.Both, CloseHandles, TakesLetter: true),
+        new("CF", CommandScope.Both, ConfigureMessages),
+        new("CW", CommandScope.Both, MarkMessages),
+        new("DR", CommandScope.Both, DataRecordRate),
+        new("EO", CommandScope.Host, _ => throw new CommandRefusedException(Tc.Unrecognized)), // serial port only (A.2)
+    ];
+
+    private static void TellHandles(StatementReader reader)
+    {
+        reader.ExpectEnd();
+        reader.Context.WriteLine("CONTROLLER IP ADDRESS 127,0,0,1 ETHERNET ADDRESS 00-50-4C-08-01-1F");
+        var handles = reader.Machine.Handles;
+        for (int i = 0; i < handles.Capacity; i++)
+        {
+            string name = "IH" + (char)('A' + i);
+            reader.Context.WriteLine(handles[i] is { } handle
+                ? string.Create(CultureInfo.InvariantCulture, $"{name} TCP PORT {handle.LocalPort} TO IP ADDRESS 127,0,0,1 PORT {handle.RemotePort}")
+                : name + " AVAILABLE");
+        }
+    }
+
+    /// <summary>IHT closes the others, IHS the sender, IHA to IHH one handle; written =&gt;-3 or =-3, types -1 UDP, -2 TCP, -3 any (A.1).</summary>
+    private static void CloseHandles(StatementReader reader)
+    {
+        char which = reader.TakeCharacter();
+        reader.Take('=', Tc.OperandError);
+        reader.TryTake('>');
+        int type = reader.TakeExpression().Integer;
+        reader.ExpectEnd();
+        AxisParameters.InRange(type, -3, -1);
+        bool tcp = type != -1;
+        var own = reader.Context.Handle;
+        var handles = reader.Machine.Handles;
+        if (which is not ('T' or 'S' or (>= 'A' and <= 'H')))
+        {
+            throw new CommandRefusedException(Tc.OperandError);
+        }
+
+        foreach (var handle in handles.Open.Where(h => which switch { 'T' => h != own, 'S' => h == own, _ => h.Index == which - 'A' }).ToArray())
+        {
+            if (tcp)
+            {
+                handle.CloseWhenAnswered(handle == own);
+            }
+        }
+    }
+
+    private static void ConfigureMessages(StatementReader reader)
+    {
+        char port = reader.TakeCharacter();
+        reader.ExpectEnd();
+        if (port == 'I')
+        {
+            port = reader.Context.Handle is { } handle ? (char)('A' + handle.Index) : throw new CommandRefusedException(Tc.NotInProgram);
+        }
+
+        bool known = port == 'S' || (port >= 'A' && port < 'A' + reader.Machine.Handles.Capacity);
+        reader.Machine.Messages.Port = known ? port : throw new CommandRefusedException(Tc.OperandError);
+    }
+
+    /// <summary>CW 1 sets bit 7 of messages, CW 2 does not; the second field is about a blocked serial port.</summary>
+    private static void MarkMessages(StatementReader reader)
+    {
+        var fields = reader.TakeFields();
+        reader.ExpectEnd();
+        var messages = reader.Machine.Messages;
+        switch (fields[0].Value?.Integer)
+        {
+            case null or 0 when fields.Count == 1:
+                reader.Context.WriteLine("GALIL MOTION CONTROL (simulated)");
+                return;
+            case 1 or 2:
+                messages.Marking = fields[0].Value!.Value.Integer;
+                break;
+            case not null:
+                throw new CommandRefusedException(Tc.OutOfRange);
+        }
+
+        messages.WhenBlocked = fields.ElementAtOrDefault(1).Value?.Integer ?? messages.WhenBlocked;
+    }
+
+    /// <summary>Records are pushed over UDP only, which is not modelled: anything but DR 0 asks for a UDP handle (A.9).</summary>
+    private static void DataRecordRate(StatementReader reader)
+    {
+        var fields = reader.TakeFields();
+        reader.ExpectEnd();
+        if (fields[0].Value is { Raw: not 0 })
+        {
+            throw new CommandRefusedException(Tc.MustBeUdp);
+        }
+    }
+}

@@ -1,0 +1,216 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Simulator.Language;
+
+namespace Engraver.Simulator.Commands;
+
+/// <summary>Program, variable and array memory (galil-dmc.md A.6, E).</summary>
+internal static class MemoryCommands
+{
+    private const char ControlZ = '\x1A';
+
+    public static IEnumerable<CommandEntry> Entries { get; } =
+    [
+        new("DL", CommandScope.Host, Download),
+        new("UL", CommandScope.Host, Upload),
+        new("LS", CommandScope.Host, List),
+        new("QD", CommandScope.Host, DownloadArray),
+        new("QU", CommandScope.Host, UploadArray),
+        new("DM", CommandScope.Both, Dimension),
+        new("DA", CommandScope.Both, Deallocate),
+        new("LA", CommandScope.Both, r => Each(r, r.Machine.Variables.Arrays.Select(a => Invariant($"{a.Key}[{a.Value.Length}]")))),
+        new("LV", CommandScope.Both, r => Each(r, r.Machine.Variables.Variables.Select(v => $"{v.Key} ={r.Machine.Print(v.Value)}"))),
+        new("LL", CommandScope.Both, r => Each(r, r.Machine.Program.Labels.Select(l => Invariant($"#{l.Key}={l.Value}")))),
+        new("BP", CommandScope.Both, BurnProgram),
+        new("BN", CommandScope.Host, RefuseWhileRunning),
+        new("BV", CommandScope.Both, _ => { }),
+    ];
+
+    private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>DL, DL n, DL #label, DL #: from there on the handle swallows program text until a terminator.</summary>
+    private static void Download(StatementReader reader)
+    {
+        RefuseWhileRunning(reader);
+        var program = reader.Machine.Program;
+        int keep = 0;
+        if (reader.TryTake('#'))
+        {
+            string label = reader.TakeName();
+            keep = label.Length == 0 ? program.Count
+                : program.TryFind(label, out int line) ? line
+                : throw new CommandRefusedException(Tc.UndefinedLabel);
+        }
+        else if (!reader.IsAtEnd)
+        {
+            keep = reader.TakeExpression().Integer;
+        }
+
+        reader.ExpectEnd();
+        program.Truncate(keep >= 0 && keep <= program.Count ? keep : throw new CommandRefusedException(Tc.InvalidLine));
+        reader.Context.Handle!.BeginDownload();
+    }
+
+    private static void RefuseWhileRunning(StatementReader reader)
+    {
+        if (reader.Machine.Threads.AnyRunning)
+        {
+            throw new CommandRefusedException(Tc.ProgramRunning);
+        }
+    }
+
+    private static void Upload(StatementReader reader)
+    {
+        reader.ExpectEnd();
+        var program = reader.Machine.Program;
+        for (int i = 0; i < program.Count; i++)
+        {
+            reader.Context.WriteLine(program[i].Text);
+        }
+
+        reader.Context.Output.Append(program.Count == 0 ? "\r\n" : "").Append(ControlZ);
+    }
+
+    private static void List(StatementReader reader)
+    {
+        var program = reader.Machine.Program;
+        var fields = reader.TakeFields();
+        int first = fields[0].Value?.Integer ?? 0;
+        int last = fields.Count > 1 && fields[1].Value is { } value ? value.Integer : program.Count - 1;
+        for (int i = Math.Max(0, first); i <= Math.Min(last, program.Count - 1); i++)
+        {
+            reader.Context.WriteLine(Invariant($"{i} {program[i].Text}"));
+        }
+    }
+
+    /// <summary>QD name[],first,last: values follow up to a backslash.</summary>
+    private static void DownloadArray(StatementReader reader)
+    {
+        var (array, first, last, _) = TakeRange(reader);
+        reader.Context.Handle!.BeginArrayDownload(text => StoreArray(text, array, first, last));
+    }
+
+    private static void StoreArray(string text, FixedPoint[] array, int first, int last)
+    {
+        int index = first;
+        foreach (string item in text.Split(',', '\r'))
+        {
+            if (item.Length == 0)
+            {
+                continue;
+            }
+
+            if (!decimal.TryParse(item, NumberStyles.Number, CultureInfo.InvariantCulture, out decimal value))
+            {
+                throw new CommandRefusedException(Tc.NotANumber);
+            }
+
+            array[index <= last ? index++ : throw new CommandRefusedException(Tc.TooManyElements)] =
+                new FixedPoint((long)decimal.Truncate(value * 65536));
+        }
+    }
+
+    private static void UploadArray(StatementReader reader)
+    {
+        var (array, first, last, commas) = TakeRange(reader);
+        var format = reader.Machine.ValueFormat;
+        var output = new StringBuilder();
+        for (int i = first; i <= last; i++)
+        {
+            output.Append(format.Print(array[i])).Append(!commas ? "\r\n" : i < last ? "," : "\r\n");
+        }
+
+        reader.Context.Output.Append(output).Append(ControlZ);
+    }
+
+    private static (FixedPoint[] Array, int First, int Last, bool Commas) TakeRange(StatementReader reader)
+    {
+        var array = reader.Machine.Variables.ArrayNamed(reader.TakeName(), Tc.UndefinedArray);
+        reader.Take('[', Tc.MissingBracket);
+        reader.Take(']', Tc.MissingBracket);
+        var fields = reader.TryTake(',') ? reader.TakeFields() : [];
+        reader.ExpectEnd();
+        int first = fields.ElementAtOrDefault(0).Value?.Integer ?? 0;
+        int last = fields.ElementAtOrDefault(1).Value?.Integer ?? array.Length - 1;
+        return (array, StatementReader.Checked(first, array), StatementReader.Checked(last, array), fields.ElementAtOrDefault(2).Value is { Integer: 1 });
+    }
+
+    private static void Dimension(StatementReader reader)
+    {
+        if (reader.TryTake('?'))
+        {
+            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(reader.Machine.Variables.ElementsLeft)));
+            return;
+        }
+
+        do
+        {
+            string name = reader.TakeName();
+            reader.Machine.Variables.Dimension(name, reader.TakeIndex());
+        }
+        while (reader.TryTake(','));
+        reader.ExpectEnd();
+    }
+
+    /// <summary>DA name[], DA name, DA *[] for all arrays, DA * for all variables.</summary>
+    private static void Deallocate(StatementReader reader)
+    {
+        var variables = reader.Machine.Variables;
+        if (reader.TryTake('?'))
+        {
+            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(VariableStore.MaximumArrays - variables.Arrays.Count)));
+            return;
+        }
+
+        do
+        {
+            string name = reader.TryTake('*') ? "*" : reader.TakeName();
+            bool array = reader.TryTake('[');
+            if (array)
+            {
+                reader.TakeUntil(']', Tc.MissingBracket);
+            }
+
+            Remove(variables, name, array);
+        }
+        while (reader.TryTake(','));
+        reader.ExpectEnd();
+    }
+
+    private static void Remove(VariableStore variables, string name, bool array)
+    {
+        if (name != "*")
+        {
+            bool removed = array ? variables.Arrays.Remove(name) : variables.Variables.Remove(name);
+            _ = removed ? true : throw new CommandRefusedException(array ? Tc.UndefinedArray : Tc.VariableError);
+        }
+        else if (array)
+        {
+            variables.Arrays.Clear();
+        }
+        else
+        {
+            variables.Variables.Clear();
+        }
+    }
+
+    private static void BurnProgram(StatementReader reader)
+    {
+        if (Array.Exists(reader.Machine.Motion.Axes, reader.Machine.Motion.IsBusy))
+        {
+            throw new CommandRefusedException(Tc.NotWhileRunning);
+        }
+
+        var program = reader.Machine.Program;
+        reader.Machine.BurnedProgram = [.. Enumerable.Range(0, program.Count).Select(i => program[i].Text)];
+    }
+
+    private static void Each(StatementReader reader, IEnumerable<string> lines)
+    {
+        reader.ExpectEnd();
+        foreach (string line in lines)
+        {
+            reader.Context.WriteLine(line);
+        }
+    }
+}

@@ -1,0 +1,76 @@
+using Engraver.Simulator.Language;
+
+namespace Engraver.Simulator.Commands;
+
+/// <summary>Settings of the whole controller (galil-dmc.md A.1, A.3 format commands, C).</summary>
+internal static class SystemCommands
+{
+    public static IEnumerable<CommandEntry> Entries { get; } =
+    [
+        new("\x12\x16", CommandScope.Host, r => r.Context.WriteLine(r.Machine.Options.Model)),
+        new("RS", CommandScope.Host, Reset),
+        new("TM", CommandScope.Both, SampleTime),
+        new("PF", CommandScope.Both, r => SetFormat(r, f => r.Machine.PositionFormat = f)),
+        new("VF", CommandScope.Both, r => SetFormat(r, f => r.Machine.VariableFormat = f)),
+        new("LZ", CommandScope.Both, LeadingZeros),
+        new("CN", CommandScope.Both, Polarity),
+    ];
+
+    /// <summary>Back to the burned state; every connection drops behind the prompt (A.1).</summary>
+    private static void Reset(StatementReader reader)
+    {
+        reader.ExpectEnd();
+        reader.Machine.Reset();
+        foreach (var handle in reader.Machine.Handles.Open.ToArray())
+        {
+            handle.CloseWhenAnswered(handle == reader.Context.Handle);
+        }
+    }
+
+    /// <summary>Only the default sample time is modelled.</summary>
+    private static void SampleTime(StatementReader reader)
+    {
+        var field = reader.TakeFields()[0];
+        reader.ExpectEnd();
+        if (field.IsQuery)
+        {
+            reader.Context.WriteLine(" 1000");
+        }
+        else if (field.Value?.Integer != 1000)
+        {
+            throw new CommandRefusedException(Tc.OutOfRange);
+        }
+    }
+
+    private static void SetFormat(StatementReader reader, Action<NumberFormat> set)
+    {
+        var value = reader.TakeExpression();
+        reader.ExpectEnd();
+        set(NumberFormat.FromArgument(value));
+    }
+
+    private static void LeadingZeros(StatementReader reader)
+    {
+        var field = reader.TakeFields()[0];
+        reader.ExpectEnd();
+        if (field.IsQuery)
+        {
+            reader.Context.WriteLine(reader.Machine.StripLeadingZeros ? " 1" : " 0");
+        }
+        else
+        {
+            reader.Machine.StripLeadingZeros = (field.Value ?? throw new CommandRefusedException(Tc.NotEnoughFields)).IsTrue;
+        }
+    }
+
+    private static void Polarity(StatementReader reader)
+    {
+        var fields = reader.TakeFields();
+        reader.ExpectEnd();
+        var polarity = reader.Machine.InputPolarity;
+        for (int i = 0; i < fields.Count && i < polarity.Length; i++)
+        {
+            polarity[i] = fields[i].Value?.Integer ?? polarity[i];
+        }
+    }
+}

@@ -1,0 +1,128 @@
+using Engraver.Simulator.Language;
+using Engraver.Simulator.Motion;
+
+namespace Engraver.Simulator.Commands;
+
+/// <summary>Statements that make only their own thread wait (galil-dmc.md E Trippoints, B.1, C). From a host they are refused with TC 2.</summary>
+internal static class TrippointCommands
+{
+    public static IEnumerable<CommandEntry> Entries { get; } =
+    [
+        new("WT", CommandScope.Program, Wait),
+        new("AT", CommandScope.Program, AtTime),
+        new("AM", CommandScope.Program, AfterMotion),
+        new("MC", CommandScope.Program, AfterMotion), // the perfect motor is in position when the profile is
+        new("AS", CommandScope.Program, AtSpeed),
+        new("AV", CommandScope.Program, AfterVectorDistance),
+        new("AI", CommandScope.Program, AfterInput),
+        new("AD", CommandScope.Program, r => PerAxis(r, AfterDistance), TakesLetter: true),
+        new("AR", CommandScope.Program, r => PerAxis(r, AfterDistance), TakesLetter: true),
+        new("AP", CommandScope.Program, r => PerAxis(r, AfterPosition), TakesLetter: true),
+        new("MF", CommandScope.Program, r => PerAxis(r, (a, n) => () => a.Reference >= n), TakesLetter: true),
+        new("MR", CommandScope.Program, r => PerAxis(r, (a, n) => () => a.Reference <= n), TakesLetter: true),
+    ];
+
+    private static void Set(StatementReader reader, Func<bool> isReleased, long? atSample = null)
+    {
+        reader.ExpectEnd();
+        reader.Context.Thread!.Trippoint = isReleased() ? null : new Trippoint(isReleased, atSample);
+    }
+
+    private static void Until(StatementReader reader, long sample) => Set(reader, () => reader.Machine.Sample >= sample, sample);
+
+    private static void Wait(StatementReader reader)
+    {
+        int samples = reader.TakeExpression().Integer;
+        if (samples < 2)
+        {
+            throw new CommandRefusedException(Tc.OutOfRange);
+        }
+
+        SkipUnitField(reader);
+        Until(reader, reader.Machine.Sample + (samples & ~1));
+    }
+
+    /// <summary>AT 0 sets the reference, AT n waits for it plus n, a negative n also moves the reference.</summary>
+    private static void AtTime(StatementReader reader)
+    {
+        var thread = reader.Context.Thread!;
+        int samples = reader.TakeExpression().Integer;
+        SkipUnitField(reader);
+        long release = thread.TimeReference + Math.Abs((long)samples);
+        if (samples == 0)
+        {
+            release = reader.Machine.Sample;
+        }
+
+        thread.TimeReference = samples <= 0 ? release : thread.TimeReference;
+        Until(reader, release);
+    }
+
+    /// <summary>The second field chooses samples instead of nominal milliseconds; here they are the same.</summary>
+    private static void SkipUnitField(StatementReader reader)
+    {
+        if (reader.TryTake(','))
+        {
+            reader.TakeExpression();
+        }
+    }
+
+    private static void AfterMotion(StatementReader reader)
+    {
+        var motion = reader.Machine.Motion;
+        var selection = reader.TakeAxes();
+        Axis[] axes = [.. selection.AxesOrAll];
+        VectorPlane[] planes = [.. selection.Planes];
+        Set(reader, () => !Array.Exists(axes, motion.IsBusy) && !Array.Exists(planes, p => p.IsActive));
+    }
+
+    private static void AtSpeed(StatementReader reader)
+    {
+        var selection = reader.TakeAxes();
+        Axis[] axes = [.. selection.AxesOrAll];
+        VectorPlane[] planes = [.. selection.Planes];
+        Set(reader, () => Array.TrueForAll(axes, a => !a.IsMoving || a.IsAtSpeed) && Array.TrueForAll(planes, p => !p.IsActive || p.IsAtSpeed));
+    }
+
+    /// <summary>AV counts from the start of the sequence or from the previous AV.</summary>
+    private static void AfterVectorDistance(StatementReader reader)
+    {
+        var fields = reader.TakeFields();
+        int index = fields.FindIndex(f => f.Value is not null);
+        if (index is < 0 or > 1)
+        {
+            throw new CommandRefusedException(Tc.NotEnoughFields);
+        }
+
+        var plane = reader.Machine.Motion.Planes[index];
+        double target = plane.TrippointReference + Math.Max(0, fields[index].Value!.Value.Value);
+        plane.TrippointReference = target;
+        Set(reader, () => !plane.IsActive || plane.Travelled >= target);
+    }
+
+    /// <summary>AI n waits for input n high, AI -n for low.</summary>
+    private static void AfterInput(StatementReader reader)
+    {
+        int input = reader.TakeExpression().Integer;
+        var io = reader.Machine.Io;
+        io.Input(Math.Abs(input));
+        Set(reader, () => io.Input(Math.Abs(input)) == input > 0);
+    }
+
+    private static Func<bool> AfterDistance(Axis axis, int distance) =>
+        () => !axis.IsMoving || Math.Abs(axis.Position - axis.MoveStart) >= Math.Abs((double)distance);
+
+    private static Func<bool> AfterPosition(Axis axis, int position)
+    {
+        bool above = position >= axis.Reference;
+        return () => !axis.IsMoving || (above ? axis.Reference >= position : axis.Reference <= position);
+    }
+
+    /// <summary>Several axes may be given, the first one to arrive releases (C, MF).</summary>
+    private static void PerAxis(StatementReader reader, Func<Axis, int, Func<bool>> condition)
+    {
+        var conditions = new List<Func<bool>>();
+        AxisParameters.ForEachValue(reader, (axis, value) => conditions.Add(condition(axis, value.Integer)));
+        Set(reader, () => conditions.Exists(c => c()));
+    }
+}

@@ -1,0 +1,24 @@
+namespace Engraver.Simulator;
+
+/// <summary>A glance at the controller for those who wait for something.</summary>
+/// <param name="Sample">Controller time in samples of 1 ms nominal.</param>
+/// <param name="IsMoving">An axis moves, or a vector sequence moves along its path.</param>
+/// <param name="IsSequenceOpen">A sequence was begun and is not at its end; it may stand (VR 0, or dry).</param>
+/// <param name="IsDry">A begun sequence ran out of segments without VE (galil-dmc.md B.7).</param>
+/// <param name="RunningThreads">Bit mask like _NO.</param>
+/// <param name="Outputs">Outputs 1 to 8, bit 0 is output 1.</param>
+/// <param name="Underruns">How often a sequence ran dry since power up.</param>
+/// <param name="OpenHandles">Connections held.</param>
+public readonly record struct ControllerStatus(
+    long Sample,
+    bool IsMoving,
+    bool IsSequenceOpen,
+    bool IsDry,
+    int RunningThreads,
+    byte Outputs,
+    int Underruns,
+    int OpenHandles)
+{
+    /// <summary>Nothing moves, no sequence is open and no thread runs: only a command or an input can change anything.</summary>
+    public bool IsIdle => !IsMoving && !IsSequenceOpen && RunningThreads == 0;
+}

@@ -1,0 +1,30 @@
+namespace Engraver.Simulator;
+
+/// <summary>Troubles to inject (galil-dmc.md I.15). Commands are counted from 1 over all handles unless a fault names a handle.</summary>
+public sealed record FaultPlan
+{
+    /// <summary>Commands to answer with "?" instead of executing them.</summary>
+    public IReadOnlyList<CommandRefusal> Refusals { get; init; } = [];
+
+    /// <summary>Handles whose link is cut after a number of commands.</summary>
+    public IReadOnlyList<HandleDrop> Drops { get; init; } = [];
+
+    /// <summary>After this many commands nothing is answered any more, although motion and programs go on; null never freezes.</summary>
+    public long? FreezeAfterCommands { get; init; }
+
+    /// <summary>Wall time by which every reply is late.</summary>
+    public TimeSpan ReplyDelay { get; init; } = TimeSpan.Zero;
+
+    internal int? RefusalOf(long command)
+    {
+        foreach (var refusal in Refusals)
+        {
+            if (refusal.Command == command)
+            {
+                return refusal.TcCode;
+            }
+        }
+
+        return null;
+    }
+}

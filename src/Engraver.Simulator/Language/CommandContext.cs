@@ -1,0 +1,32 @@
+using System.Text;
+using Engraver.Simulator.Protocol;
+
+namespace Engraver.Simulator.Language;
+
+/// <summary>Who executes a command: a host on a handle, or a program thread. Exactly one of the two is set.</summary>
+internal sealed class CommandContext
+{
+    private CommandContext(Handle? handle, ProgramThread? thread)
+    {
+        Handle = handle;
+        Thread = thread;
+    }
+
+    public Handle? Handle { get; }
+
+    public ProgramThread? Thread { get; }
+
+    /// <summary>Text the command printed, as Latin-1 characters: the reply to a host, an unsolicited message of a program.</summary>
+    public StringBuilder Output { get; } = new();
+
+    /// <summary>The handle a program message was sent to with {Ex}; null means CF decides.</summary>
+    public int? OutputHandle { get; set; }
+
+    public bool IsProgram => Thread is not null;
+
+    public static CommandContext Of(Handle handle) => new(handle, null);
+
+    public static CommandContext Of(ProgramThread thread) => new(null, thread);
+
+    public void WriteLine(string text) => Output.Append(text).Append("\r\n");
+}

@@ -1,0 +1,64 @@
+using System.Globalization;
+
+namespace Engraver.Simulator.Language;
+
+/// <summary>How a number is printed: digits before and after the point, padded or not, decimal or hexadecimal (galil-dmc.md A.3 format commands, E messages).</summary>
+/// <param name="Digits">Places before the point.</param>
+/// <param name="Decimals">Places after the point; further ones are cut off, never rounded (0.6 prints 0.5999).</param>
+/// <param name="LeadingZeros">Whether unused places before the point print as zeros.</param>
+/// <param name="Hex">Hexadecimal with a dollar sign.</param>
+internal readonly record struct NumberFormat(int Digits, int Decimals, bool LeadingZeros, bool Hex)
+{
+    public static NumberFormat Variable => new(10, 4, false, false);
+
+    public static NumberFormat Position => new(10, 0, false, false);
+
+    /// <summary>From the argument of PF and VF: m.n, negative m for hexadecimal.</summary>
+    public static NumberFormat FromArgument(FixedPoint argument)
+    {
+        int digits = Math.Abs(argument.Integer);
+        int decimals = (int)Math.Round((Math.Abs(argument.Value) - digits) * 10);
+        return digits is > 0 and <= 10 && decimals <= 4
+            ? new(digits, decimals, false, argument.Raw < 0)
+            : throw new CommandRefusedException(Tc.OutOfRange);
+    }
+
+    /// <summary>The number with one column for the sign: a blank or a minus.</summary>
+    public string Print(FixedPoint value) => (value.Raw < 0 && !Hex ? "-" : " ") + PrintMagnitude(value);
+
+    private string PrintMagnitude(FixedPoint value)
+    {
+        if (Hex)
+        {
+            return PrintHex(value);
+        }
+
+        long magnitude = Math.Abs(value.Raw);
+        string whole = (magnitude >> 16).ToString(CultureInfo.InvariantCulture);
+        if (whole.Length > Digits)
+        {
+            return new string('9', Digits) + (Decimals > 0 ? "." + new string('9', Decimals) : "");
+        }
+
+        return (LeadingZeros ? whole.PadLeft(Digits, '0') : whole) + Fraction(magnitude & 0xFFFF);
+    }
+
+    private string Fraction(long sixteenBits)
+    {
+        if (Decimals == 0)
+        {
+            return "";
+        }
+
+        long scale = (long)Math.Pow(10, Decimals);
+        return "." + ((sixteenBits * scale) >> 16).ToString(CultureInfo.InvariantCulture).PadLeft(Decimals, '0');
+    }
+
+    private string PrintHex(FixedPoint value)
+    {
+        string whole = ((uint)(value.Raw >> 16)).ToString("X8", CultureInfo.InvariantCulture);
+        whole = whole.Length > Digits ? whole[^Digits..] : whole;
+        string fraction = ((uint)value.Raw & 0xFFFF).ToString("X4", CultureInfo.InvariantCulture);
+        return "$" + whole + (Decimals > 0 ? "." + fraction[..Math.Min(4, Decimals)] : "");
+    }
+}

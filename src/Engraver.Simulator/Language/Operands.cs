@@ -1,0 +1,141 @@
+using System.Collections.Frozen;
+using Engraver.Simulator.Commands;
+using Engraver.Simulator.Motion;
+
+namespace Engraver.Simulator.Language;
+
+/// <summary>The operands <c>_XX</c> (galil-dmc.md I.12).</summary>
+internal static class Operands
+{
+    private static readonly FrozenDictionary<string, Func<OperandRequest, FixedPoint>> Table = new Dictionary<string, Func<OperandRequest, FixedPoint>>
+    {
+        ["LM"] = r => Whole(r.Plane.FreeSlots),
+        ["CS"] = r => Whole(r.Plane.SegmentIndex),
+        ["AV"] = r => Length(r.Plane.Travelled),
+        ["VM"] = r => Real(Math.Round(r.Plane.Speed)),
+        ["VE"] = r => Length(r.Plane.StoredLength),
+        ["LE"] = r => Length(r.Plane.StoredLength),
+        ["VS"] = r => Real(r.Plane.VectorSpeed),
+        ["VA"] = r => Real(r.Plane.Acceleration),
+        ["VD"] = r => Real(r.Plane.Deceleration),
+        ["VR"] = r => Real(r.Plane.SpeedRatio),
+        ["TN"] = r => Real(Math.Round(r.Plane.TangentStart(), MidpointRounding.AwayFromZero)),
+        ["CA"] = r => Whole(r.Machine.Motion.Selected.Letter - 'S'),
+        ["VP"] = r => Whole((r.Machine.Motion.PlaneOf(r.Axis) ?? r.Machine.Motion.Selected).JointOf(r.Axis)),
+        ["BG"] = r => FixedPoint.FromBoolean(r.IsPlane ? r.Plane.IsActive : r.Machine.Motion.IsBusy(r.Axis)),
+        ["RP"] = r => Whole(r.Axis.Reference),
+        ["TP"] = r => Whole(r.Axis.Reference),
+        ["TD"] = r => Whole(r.Axis.IsStepper ? r.Axis.Reference : 0),
+        ["TE"] = r => Whole(r.Axis.Index * 0),
+        ["TV"] = r => Real(Math.Round(r.Axis.Velocity)),
+        ["TT"] = r => Whole(r.Axis.Index * 0),
+        ["SC"] = r => Whole(r.Axis.StopCode),
+        ["MO"] = r => FixedPoint.FromBoolean(r.Axis.MotorOff),
+        ["LF"] = r => FixedPoint.FromBoolean(!r.Axis.ForwardSwitch),
+        ["LR"] = r => FixedPoint.FromBoolean(!r.Axis.ReverseSwitch),
+        ["HM"] = r => FixedPoint.FromBoolean(r.Axis.Index >= 0), // open input, CN second field -1 (C.2)
+        ["TC"] = r => Whole(r.Machine.LastError),
+        ["XQ"] = r => Whole(r.Machine.Threads[r.Number(7)] is { IsRunning: true } thread ? thread.Line : -1),
+        ["HX"] = r => Whole(r.Machine.Threads[r.Number(7)] switch { { IsRunning: false } => 0, { Trippoint: null } => 1, _ => 2 }),
+        ["NO"] = r => Whole(r.Machine.Threads.Running),
+        ["ZS"] = r => Whole(r.Machine.Threads[r.Number(7)].Calls.Count),
+        ["ED"] = ProgramError,
+        ["TM"] = _ => Whole(1000),
+        ["OP"] = r => Whole(r.Number(0) == 0 ? r.Machine.Io.Outputs : 0),
+        ["TI"] = r => Whole(r.Number(0) == 0 ? r.Machine.Io.Inputs : 0),
+        ["EO"] = _ => FixedPoint.Zero, // Ethernet never echoes (A.2)
+        ["CF"] = r => Whole(r.Machine.Messages.Port),
+        ["CW"] = r => Whole(r.Number(4) == 4 ? r.Machine.Messages.WhenBlocked : r.Machine.Messages.Marking),
+        ["DR"] = r => Whole(r.Number(1) * 0),
+        ["DL"] = r => Whole(r.Machine.Program.LabelsLeft),
+        ["UL"] = r => Whole(VariableStore.MaximumVariables - r.Machine.Variables.Variables.Count),
+        ["DM"] = r => Whole(r.Machine.Variables.ElementsLeft),
+        ["DA"] = r => Whole(VariableStore.MaximumArrays - r.Machine.Variables.Arrays.Count),
+        ["IA"] = Address,
+        ["IH"] = HandleState,
+        ["WH"] = r => Whole(r.Context.Handle?.Index ?? throw new CommandRefusedException(Tc.NotInProgram)),
+        ["BN"] = _ => Whole(2143),
+        ["BV"] = _ => Whole(Axis.Real),
+        ["QZ"] = r => Whole(r.Number(3) switch { 0 => Axis.Real, 1 => 24, 2 => 16, _ => 28 }),
+        ["AB"] = _ => FixedPoint.True, // abort input inactive
+        ["CN"] = r => Whole(r.Machine.InputPolarity[r.Number(4)]),
+        ["LZ"] = r => FixedPoint.FromBoolean(r.Machine.StripLeadingZeros),
+        ["PF"] = r => FormatNumber(r.Machine.PositionFormat),
+        ["VF"] = r => FormatNumber(r.Machine.VariableFormat),
+    }.ToFrozenDictionary(StringComparer.Ordinal);
+
+    public static IEnumerable<string> Names => Table.Keys;
+
+    /// <param name="name">Without the underscore: two letters and a suffix.</param>
+    public static FixedPoint Evaluate(Machine machine, CommandContext context, string name)
+    {
+        if (name.Length < 2)
+        {
+            throw new CommandRefusedException(Tc.BadOperand);
+        }
+
+        string key = name[..2];
+        var request = new OperandRequest(machine, context, name[2..]);
+        return Table.TryGetValue(key, out var read) ? read(request)
+            : AxisParameters.Find(key) is { } parameter ? parameter.Read(request.Axis)
+            : throw new CommandRefusedException(Tc.BadOperand);
+    }
+
+    private static FixedPoint Whole(long value) => FixedPoint.FromInteger(value);
+
+    private static FixedPoint Real(double value) => FixedPoint.FromDouble(value);
+
+    /// <summary>A path length in whole counts; the tolerance keeps an exact end from reading one less.</summary>
+    private static FixedPoint Length(double value) => Whole((long)Math.Floor(value + 1e-6));
+
+    private static FixedPoint FormatNumber(NumberFormat format) =>
+        Real((format.Digits + (format.Decimals / 10.0)) * (format.Hex ? -1 : 1));
+
+    private static FixedPoint ProgramError(OperandRequest request)
+    {
+        var (line, thread) = request.Machine.Threads.LastError;
+        return request.Number(4) switch
+        {
+            0 => Whole(line),
+            1 => Whole(thread),
+            4 => Whole(request.Context.Thread?.Number ?? throw new CommandRefusedException(Tc.OnlyFromProgram)),
+            _ => throw new CommandRefusedException(Tc.BadOperand),
+        };
+    }
+
+    /// <summary>_IA0 address, _IA1 retry time, _IA2 free handles, _IA3 own handle, _IA4 handle lost last, _IA5 link speed (A.1).</summary>
+    private static FixedPoint Address(OperandRequest request)
+    {
+        var handles = request.Machine.Handles;
+        return Whole(request.Number(5) switch
+        {
+            0 => 0x7F000001,
+            1 => 250,
+            2 => handles.Free,
+            3 => request.Context.Handle?.Index ?? -1,
+            4 => handles.LostLast,
+            _ => 10,
+        });
+    }
+
+    /// <summary>_IHh0 address, _IHh1 remote port, _IHh2 state, _IHh3 ARP, _IHh4 last reply (A.1).</summary>
+    private static FixedPoint HandleState(OperandRequest request)
+    {
+        var handles = request.Machine.Handles;
+        if (request.Suffix.Length != 2 || request.Suffix[0] < 'A' || request.Suffix[0] >= 'A' + handles.Capacity)
+        {
+            throw new CommandRefusedException(Tc.BadOperand);
+        }
+
+        var handle = handles[request.Suffix[0] - 'A'];
+        return Whole(request.Suffix[1] switch
+        {
+            '0' => handle is null ? 0 : 0x7F000001,
+            '1' => handle?.RemotePort ?? 0,
+            '2' => handle is null ? 0 : 2,
+            '3' => 0,
+            '4' => 0,
+            _ => throw new CommandRefusedException(Tc.BadOperand),
+        });
+    }
+}

@@ -1,0 +1,72 @@
+namespace Engraver.Simulator.Language;
+
+/// <summary>One of the eight program threads.</summary>
+internal sealed class ProgramThread(int number)
+{
+    public const int DeepestCall = 16;
+
+    public int Number => number;
+
+    public bool IsRunning { get; private set; }
+
+    /// <summary>Line of the next statement.</summary>
+    public int Line { get; private set; }
+
+    /// <summary>Statement within the line.</summary>
+    public int Part { get; set; }
+
+    /// <summary>What it waits for; null when it can run.</summary>
+    public Trippoint? Trippoint { get; set; }
+
+    /// <summary>Set by a jump: the turn of the line is over.</summary>
+    public bool Jumped { get; set; }
+
+    /// <summary>AT counts from here.</summary>
+    public long TimeReference { get; set; }
+
+    public Stack<CallFrame> Calls { get; } = new();
+
+    public void Start(int line, long sample)
+    {
+        Calls.Clear();
+        Trippoint = null;
+        TimeReference = sample;
+        IsRunning = true;
+        JumpTo(line, 0);
+    }
+
+    public void Halt()
+    {
+        IsRunning = false;
+        Trippoint = null;
+        Calls.Clear();
+    }
+
+    public void JumpTo(int line, int part)
+    {
+        Line = line;
+        Part = part;
+        Jumped = true;
+    }
+
+    public void Call(int line, bool interrupt)
+    {
+        if (Calls.Count >= DeepestCall)
+        {
+            throw new CommandRefusedException(Tc.TooDeep);
+        }
+
+        Calls.Push(new CallFrame(Line, Part, interrupt, interrupt ? Trippoint : null));
+        Trippoint = null;
+        JumpTo(line, 0);
+    }
+
+    /// <summary>Goes on behind the call.</summary>
+    /// <param name="restoreTrippoint">Whether an interrupted trippoint is waited for again (C.3).</param>
+    public void Return(bool restoreTrippoint)
+    {
+        var frame = Calls.Pop();
+        JumpTo(frame.Line, frame.Part);
+        Trippoint = restoreTrippoint ? frame.Trippoint : null;
+    }
+}

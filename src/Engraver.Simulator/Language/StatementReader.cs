@@ -1,0 +1,322 @@
+using Engraver.Simulator.Motion;
+
+namespace Engraver.Simulator.Language;
+
+/// <summary>Reads one compacted statement from left to right: names, fields and expressions (galil-dmc.md E).</summary>
+internal sealed class StatementReader(string text, Machine machine, CommandContext context)
+{
+    private int position;
+    private int depth;
+
+    public Machine Machine => machine;
+
+    public CommandContext Context => context;
+
+    public bool IsAtEnd => position >= text.Length;
+
+    public char Next => position < text.Length ? text[position] : '\0';
+
+    public void Skip(int characters)
+    {
+        position += characters;
+        TryTake(' ');
+    }
+
+    public bool TryTake(char c)
+    {
+        if (Next != c)
+        {
+            return false;
+        }
+
+        position++;
+        return true;
+    }
+
+    public void Take(char c, int code)
+    {
+        if (!TryTake(c))
+        {
+            throw new CommandRefusedException(code);
+        }
+    }
+
+    public void ExpectEnd()
+    {
+        if (!IsAtEnd)
+        {
+            throw new CommandRefusedException(Tc.OperandError);
+        }
+    }
+
+    public string TakeRest()
+    {
+        string rest = text[position..];
+        position = text.Length;
+        return rest;
+    }
+
+    public char TakeCharacter() => position < text.Length ? text[position++] : throw new CommandRefusedException(Tc.OperandError);
+
+    public string TakeUntil(char end, int code)
+    {
+        int found = text.IndexOf(end, position);
+        if (found < 0)
+        {
+            throw new CommandRefusedException(code);
+        }
+
+        string taken = text[position..found];
+        position = found + 1;
+        return taken;
+    }
+
+    /// <summary>A letter followed by letters, digits and underscores; empty when there is none.</summary>
+    public string TakeName()
+    {
+        int start = position;
+        while (char.IsAsciiLetterOrDigit(Next) || (Next == '_' && position > start))
+        {
+            position++;
+        }
+
+        return text[start..position];
+    }
+
+    /// <summary>Comma separated fields up to the end, or up to "&lt;" or "&gt;" of a segment speed.</summary>
+    public List<Field> TakeFields(bool comparisons = true)
+    {
+        var fields = new List<Field>(4);
+        while (true)
+        {
+            fields.Add(TakeField(comparisons));
+            if (!TryTake(','))
+            {
+                return fields;
+            }
+        }
+    }
+
+    public Field TakeField(bool comparisons = true)
+    {
+        if (IsAtEnd || Next == ',' || (!comparisons && Next is '<' or '>'))
+        {
+            return default;
+        }
+
+        return TryTake('?') ? new Field(true, null) : new Field(false, TakeExpression(comparisons));
+    }
+
+    /// <summary>An expression strictly from left to right, no precedence.</summary>
+    /// <param name="comparisons">False where "&lt;" and "&gt;" introduce speeds (VP, CR, LI); inside parentheses they compare again.</param>
+    public FixedPoint TakeExpression(bool comparisons = true)
+    {
+        var value = TakeOperand();
+        while (TakeOperator(comparisons) is { } apply)
+        {
+            value = apply(value, TakeOperand());
+        }
+
+        return value;
+    }
+
+    private Func<FixedPoint, FixedPoint, FixedPoint>? TakeOperator(bool comparisons)
+    {
+        char c = Next;
+        if (c is '<' or '>' or '=' && !comparisons)
+        {
+            return null;
+        }
+
+        Func<FixedPoint, FixedPoint, FixedPoint>? apply = c switch
+        {
+            '+' => static (a, b) => a + b,
+            '-' => static (a, b) => a - b,
+            '*' => static (a, b) => a * b,
+            '/' => static (a, b) => a / b,
+            '&' => static (a, b) => a & b,
+            '|' => static (a, b) => a | b,
+            '=' => static (a, b) => FixedPoint.FromBoolean(a == b),
+            '<' => static (a, b) => FixedPoint.FromBoolean(a < b),
+            '>' => static (a, b) => FixedPoint.FromBoolean(a > b),
+            _ => null,
+        };
+        position += apply is null ? 0 : 1;
+        return c switch
+        {
+            '<' when TryTake('=') => static (a, b) => FixedPoint.FromBoolean(a <= b),
+            '<' when TryTake('>') => static (a, b) => FixedPoint.FromBoolean(a != b),
+            '>' when TryTake('=') => static (a, b) => FixedPoint.FromBoolean(a >= b),
+            _ => apply,
+        };
+    }
+
+    private FixedPoint TakeOperand()
+    {
+        char c = Next;
+        if (char.IsAsciiDigit(c) || c is '.' or '$')
+        {
+            return TakeNumber();
+        }
+
+        switch (c)
+        {
+            case '-':
+                position++;
+                return -TakeOperand();
+            case '+':
+                position++;
+                return TakeOperand();
+            case '(':
+                return TakeParentheses();
+            case '@':
+                position++;
+                return Functions.Evaluate(this);
+            case '_':
+                position++;
+                return Operands.Evaluate(machine, context, TakeName());
+            case '"':
+                position++;
+                return PackText(TakeUntil('"', Tc.BadString));
+        }
+
+        return char.IsAsciiLetter(c) ? TakeVariable() : throw new CommandRefusedException(Tc.OperandError);
+    }
+
+    private FixedPoint TakeParentheses()
+    {
+        if (++depth > 32)
+        {
+            throw new CommandRefusedException(Tc.Parentheses);
+        }
+
+        Take('(', Tc.Parentheses);
+        var value = TakeExpression();
+        Take(')', Tc.Parentheses);
+        depth--;
+        return value;
+    }
+
+    private FixedPoint TakeVariable()
+    {
+        string name = TakeName();
+        if (Next == '[')
+        {
+            var array = machine.Variables.ArrayNamed(name);
+            int index = TakeIndex();
+            return index == -1 ? FixedPoint.FromInteger(array.Length) : array[Checked(index, array)];
+        }
+
+        return name == "TIME" ? FixedPoint.FromInteger((int)machine.Sample) : machine.Variables.Read(name);
+    }
+
+    /// <summary>The index in brackets behind an array name.</summary>
+    public int TakeIndex()
+    {
+        Take('[', Tc.MissingBracket);
+        int index = TakeExpression().Integer;
+        Take(']', Tc.MissingBracket);
+        return index;
+    }
+
+    public static int Checked(int index, FixedPoint[] array) =>
+        index >= 0 && index < array.Length ? index : throw new CommandRefusedException(Tc.BadIndex);
+
+    private FixedPoint TakeNumber()
+    {
+        if (TryTake('$'))
+        {
+            return TakeHex();
+        }
+
+        int start = position;
+        long whole = 0;
+        while (char.IsAsciiDigit(Next))
+        {
+            whole = Math.Min(whole * 10 + (text[position++] - '0'), long.MaxValue / 100);
+        }
+
+        long fraction = TryTake('.') ? TakeFraction() : 0;
+        if (whole > 2147483648 || position == start + (fraction == 0 && text[start] == '.' ? 1 : 0))
+        {
+            throw new CommandRefusedException(Tc.OutOfRange);
+        }
+
+        return new FixedPoint(whole << 16 | fraction) + FixedPoint.Zero;
+    }
+
+    /// <summary>Sixteen bits of a decimal fraction, cut off: 0.6 becomes 0.59999 (E, fixed-point traps).</summary>
+    private long TakeFraction()
+    {
+        long digits = 0;
+        long scale = 1;
+        while (char.IsAsciiDigit(Next))
+        {
+            if (scale < 1_000_000_000)
+            {
+                digits = (digits * 10) + (Next - '0');
+                scale *= 10;
+            }
+
+            position++;
+        }
+
+        return (digits << 16) / scale;
+    }
+
+    private FixedPoint TakeHex()
+    {
+        uint whole = 0;
+        while (char.IsAsciiHexDigitUpper(Next))
+        {
+            whole = (whole << 4) | (uint)Convert.ToInt32(text[position++].ToString(), 16);
+        }
+
+        long fraction = 0;
+        if (TryTake('.'))
+        {
+            int shift = 12;
+            while (char.IsAsciiHexDigitUpper(Next))
+            {
+                fraction |= shift < 0 ? 0 : (long)Convert.ToInt32(text[position].ToString(), 16) << shift;
+                shift -= 4;
+                position++;
+            }
+        }
+
+        return new FixedPoint(((long)(int)whole << 16) | fraction);
+    }
+
+    /// <summary>Up to six characters, first one in the highest byte (E, Variable).</summary>
+    private static FixedPoint PackText(string value)
+    {
+        if (value.Length > 6)
+        {
+            throw new CommandRefusedException(Tc.BadString);
+        }
+
+        long raw = 0;
+        for (int i = 0; i < 6; i++)
+        {
+            raw = (raw << 8) | (byte)(i < value.Length ? value[i] : 0);
+        }
+
+        return new FixedPoint((raw << 16) >> 16);
+    }
+
+    /// <summary>Axis and plane letters up to the end or an equals sign; commas between them are ignored (L.2 point 8). Empty means none were named.</summary>
+    public AxisSelection TakeAxes()
+    {
+        var selection = new AxisSelection(machine.Motion);
+        while (!IsAtEnd && Next != '=')
+        {
+            char c = text[position++];
+            if (c is not (',' or ' '))
+            {
+                selection.Add(c);
+            }
+        }
+
+        return selection;
+    }
+}

@@ -1,0 +1,53 @@
+using System.Text;
+
+namespace Engraver.Simulator.Language;
+
+/// <summary>Cuts lines into statements and removes blanks that mean nothing (galil-dmc.md A.3).</summary>
+internal static class Statements
+{
+    /// <summary>The parts between semicolons; quotes protect. Whether ";" ends a comment is not documented (L.3): here it does.</summary>
+    public static string[] Split(string line)
+    {
+        var parts = new List<string>();
+        bool quoted = false;
+        int start = 0;
+        for (int i = 0; i <= line.Length; i++)
+        {
+            if (i == line.Length || (line[i] == ';' && !quoted))
+            {
+                parts.Add(Compact(line.AsSpan(start, i - start)));
+                start = i + 1;
+            }
+            else if (line[i] == '"')
+            {
+                quoted = !quoted;
+            }
+        }
+
+        return [.. parts];
+    }
+
+    /// <summary>Removes blanks and tabs outside quotes, except one behind a leading pair of letters: it tells "MG x=5" from the variable MGx.</summary>
+    public static string Compact(ReadOnlySpan<char> text)
+    {
+        text = text.Trim(" \t");
+        if (text.IndexOfAny(' ', '\t') < 0)
+        {
+            return text.ToString();
+        }
+
+        var compact = new StringBuilder(text.Length);
+        bool quoted = false;
+        foreach (char c in text)
+        {
+            quoted ^= c == '"';
+            bool blank = c is ' ' or '\t' && !quoted;
+            if (!blank || (compact.Length == 2 && char.IsAsciiLetterUpper(compact[0]) && char.IsAsciiLetterUpper(compact[1])))
+            {
+                compact.Append(blank ? ' ' : c);
+            }
+        }
+
+        return compact.ToString();
+    }
+}

@@ -1,0 +1,218 @@
+using Engraver.Simulator.Language;
+using Engraver.Simulator.Motion;
+using Engraver.Simulator.Protocol;
+
+namespace Engraver.Simulator;
+
+/// <summary>The controller itself, without any notion of wall time: commands go in, samples pass. The owner serialises all calls.</summary>
+internal sealed class Machine
+{
+    private static readonly long TicksPerSample = TimeSpan.TicksPerMillisecond;
+
+    private long clockTicks;
+    private bool wasMoving;
+
+    public Machine(SimulatorOptions options)
+    {
+        Options = options;
+        Program = new ProgramMemory(options.ProgramLines);
+        Handles = new HandleTable(options.HandleCount);
+        Threads = new Scheduler(this);
+        Interpreter = new Interpreter(this);
+        Messages = new MessageRouter(Handles);
+    }
+
+    public SimulatorOptions Options { get; }
+
+    public MotionKernel Motion { get; } = new();
+
+    public DigitalIo Io { get; } = new();
+
+    public VariableStore Variables { get; } = new();
+
+    public ProgramMemory Program { get; }
+
+    public HandleTable Handles { get; }
+
+    public Scheduler Threads { get; }
+
+    public Interpreter Interpreter { get; }
+
+    public MessageRouter Messages { get; }
+
+    public MotionRecord Record { get; } = new();
+
+    /// <summary>Samples since power up: TIME.</summary>
+    public long Sample { get; private set; }
+
+    /// <summary>The code that TC reports and clears.</summary>
+    public int LastError { get; set; }
+
+    public NumberFormat PositionFormat { get; set; } = NumberFormat.Position;
+
+    public NumberFormat VariableFormat { get; set; } = NumberFormat.Variable;
+
+    /// <summary>LZ: leading zeros are stripped.</summary>
+    public bool StripLeadingZeros { get; set; } = true;
+
+    /// <summary>VF and LZ together: how values print.</summary>
+    public NumberFormat ValueFormat => VariableFormat with { LeadingZeros = !StripLeadingZeros };
+
+    /// <summary>CN0 to CN4: polarities, stored (galil-dmc.md C).</summary>
+    public int[] InputPolarity { get; } = [-1, -1, -1, 0, 0];
+
+    /// <summary>The program that BP burned; RS restores it.</summary>
+    public string[] BurnedProgram { get; set; } = [];
+
+    /// <summary>Changes when something happened that a silent host could be waiting for.</summary>
+    public long Events => Motion.Ends + Threads.Events + outputChanges;
+
+    private long outputChanges;
+
+    /// <summary>An open sequence waits for its host: begun, not closed (contract: time at max stands still for it).</summary>
+    public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.IsClosed && !p.IsStopping);
+
+    /// <summary>Nothing moves and no thread runs, so that only a command can change anything.</summary>
+    public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning;
+
+    public string Print(FixedPoint value) => ValueFormat.Print(value);
+
+    /// <summary>Lets controller time pass.</summary>
+    public void Advance(TimeSpan time)
+    {
+        clockTicks += time.Ticks;
+        while (clockTicks >= (Sample + 1) * TicksPerSample)
+        {
+            PassTowards(clockTicks / TicksPerSample);
+        }
+    }
+
+    /// <summary>Lets time pass to the next event, or by <paramref name="atMost"/> samples when none comes.</summary>
+    public void AdvanceToEvent(long atMost)
+    {
+        long events = Events;
+        long limit = Sample + atMost;
+        while (Events == events && Sample < limit && !IsDormant)
+        {
+            PassTowards(limit);
+        }
+
+        clockTicks = Math.Max(clockTicks, Sample * TicksPerSample);
+    }
+
+    public void SetOutputs(byte value)
+    {
+        if (value == Io.Outputs)
+        {
+            return;
+        }
+
+        Io.SetOutputs(value);
+        outputChanges++;
+        if (!wasMoving || !Motion.CanProgress)
+        {
+            AppendRow();
+        }
+    }
+
+    /// <summary>AB: no ramps; motors with OE 1 or 3 go off (B.8).</summary>
+    public void Abort(bool programsToo, int stopCode)
+    {
+        foreach (var plane in Motion.Planes)
+        {
+            plane.Halt(stopCode);
+        }
+
+        foreach (var axis in Motion.Axes)
+        {
+            axis.Halt(stopCode);
+            axis.MotorOff |= axis.OffOnError is 1 or 3;
+        }
+
+        if (programsToo)
+        {
+            Threads.HaltAll();
+        }
+    }
+
+    /// <summary>RS: back to the burned state (A.1); #AUTO starts when the burned program has it.</summary>
+    public void Reset()
+    {
+        Abort(true, StopCode.Aborted);
+        Variables.Clear();
+        Program.Truncate(0);
+        foreach (string line in BurnedProgram)
+        {
+            Program.Append(line);
+        }
+
+        Messages.Reset();
+        SetOutputs(0);
+        LastError = 0;
+        foreach (var axis in Motion.Axes)
+        {
+            axis.SetPosition(0);
+            axis.LastStop = 0;
+        }
+
+        if (Program.TryFind("AUTO", out int line0))
+        {
+            Threads[0].Start(line0, Sample);
+        }
+    }
+
+    /// <summary>One sample, or a jump over samples in which nothing can happen.</summary>
+    private void PassTowards(long lastSample)
+    {
+        if (!Motion.CanProgress && Threads.QuietUntil(Sample) is var quiet && quiet > Sample + 1)
+        {
+            Sample = Math.Min(quiet - 1, lastSample);
+            Threads.ForgetUnusedTime();
+            wasMoving = false;
+            return;
+        }
+
+        Sample++;
+        StepMotion();
+        Threads.RunSample();
+    }
+
+    private void StepMotion()
+    {
+        if (!wasMoving && Motion.CanProgress)
+        {
+            RecordStart();
+        }
+
+        bool moved = Motion.Step();
+        wasMoving = moved;
+        if (moved)
+        {
+            AppendRow();
+        }
+
+        for (int hits = Motion.TakeLimitHits(); hits > 0; hits--)
+        {
+            Threads.Interrupt("LIMSWI");
+        }
+    }
+
+    /// <summary>The place a motion starts from, unless the last row says it already.</summary>
+    private void RecordStart()
+    {
+        var row = Row(Sample - 1);
+        int count = Record.Count;
+        if (count == 0 || Record[count - 1] with { Sample = row.Sample } != row)
+        {
+            Record.Append(row);
+        }
+    }
+
+    private void AppendRow() => Record.Append(Row(Sample));
+
+    private MotionSample Row(long sample)
+    {
+        var axes = Motion.Axes;
+        return new(sample, axes[0].Reference, axes[1].Reference, axes[2].Reference, axes[3].Reference, Io.Outputs);
+    }
+}

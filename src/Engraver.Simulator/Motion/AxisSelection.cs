@@ -1,0 +1,45 @@
+using Engraver.Simulator.Language;
+
+namespace Engraver.Simulator.Motion;
+
+/// <summary>The axes and planes a command names, in the order named.</summary>
+internal sealed class AxisSelection(MotionKernel motion)
+{
+    private const string Alternatives = "XYZW";
+
+    public List<Axis> Axes { get; } = new(4);
+
+    public List<VectorPlane> Planes { get; } = new(2);
+
+    public bool IsEmpty => Axes.Count == 0 && Planes.Count == 0;
+
+    /// <summary>Axes A to D when nothing was named.</summary>
+    public IEnumerable<Axis> AxesOrAll => IsEmpty ? motion.Axes.Take(Axis.Real) : Axes;
+
+    /// <summary>0 to 5 for A to D, N, M and their other names X to W; -1 for anything else (A.3).</summary>
+    public static int IndexOf(char letter)
+    {
+        int index = Axis.Letters.IndexOf(letter, StringComparison.Ordinal);
+        return index >= 0 ? index : Alternatives.IndexOf(letter, StringComparison.Ordinal);
+    }
+
+    public void Add(char letter)
+    {
+        if (letter == '*')
+        {
+            Axes.AddRange(motion.Axes.Take(Axis.Real));
+        }
+        else if (letter is 'S' or 'T')
+        {
+            Planes.Add(motion.Planes[letter - 'S']);
+        }
+        else if (IndexOf(letter) is >= 0 and var index)
+        {
+            Axes.Add(motion.Axes[index]);
+        }
+        else
+        {
+            throw new CommandRefusedException(letter is >= 'E' and <= 'H' ? Tc.BadAxis : Tc.OperandError);
+        }
+    }
+}

@@ -1,0 +1,26 @@
+namespace Engraver.Simulator.Protocol;
+
+/// <summary>What a handle needs from the controller: someone who executes, answers and counts.</summary>
+internal interface ICommandSink
+{
+    /// <summary>Executes one command; the reply with its prompt, or null for silence.</summary>
+    string? Execute(Handle handle, string text);
+
+    /// <summary>Refuses what never became a command.</summary>
+    string? Refuse(Handle handle, int code);
+
+    /// <summary>One line of a download; false when it is bad.</summary>
+    bool StoreLine(string line);
+
+    string? EndDownload(bool failed);
+
+    string? StoreArray(Handle handle, Action store);
+
+    /// <summary>The reply is out: time passes.</summary>
+    void Answered(Handle handle);
+
+    /// <summary>Sends bytes to the client of a handle.</summary>
+    void Deliver(Handle handle, ReadOnlySpan<byte> bytes);
+
+    void Closed(Handle handle);
+}

@@ -1,0 +1,40 @@
+using System.Text;
+
+namespace Engraver.Simulator.Protocol;
+
+/// <summary>Sends what programs print to the port that CF names, with bit 7 set under CW 1 (galil-dmc.md A.5).</summary>
+internal sealed class MessageRouter(HandleTable handles)
+{
+    private const int Marked = 1;
+
+    /// <summary>A to H, or S for the serial port, where nobody on Ethernet hears it (factory).</summary>
+    public char Port { get; set; } = 'S';
+
+    /// <summary>CW, first field: 1 sets bit 7, 2 does not (factory).</summary>
+    public int Marking { get; set; } = 2;
+
+    /// <summary>CW, second field.</summary>
+    public int WhenBlocked { get; set; } = 1;
+
+    /// <summary>CF is not burned: every reset brings the serial port back.</summary>
+    public void Reset() => Port = 'S';
+
+    /// <param name="handle">The handle that {Ex} named; null leaves it to CF, -1 is the serial port.</param>
+    public void Send(StringBuilder text, int? handle)
+    {
+        int index = handle ?? (Port == 'S' ? -1 : Port - 'A');
+        if (index < 0 || index >= handles.Capacity || handles[index] is not { } target)
+        {
+            return;
+        }
+
+        byte mark = Marking == Marked ? (byte)0x80 : (byte)0;
+        var bytes = new byte[text.Length];
+        for (int i = 0; i < bytes.Length; i++)
+        {
+            bytes[i] = (byte)(text[i] | mark);
+        }
+
+        target.Send(bytes);
+    }
+}

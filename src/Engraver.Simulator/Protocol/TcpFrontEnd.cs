@@ -1,0 +1,160 @@
+using System.Net;
+using System.Net.Sockets;
+
+namespace Engraver.Simulator.Protocol;
+
+/// <summary>Connections over TCP on loopback; each is one handle, one too many is answered with RST (galil-dmc.md A.1).</summary>
+internal sealed class TcpFrontEnd : IAsyncDisposable
+{
+    private readonly ControllerCore core;
+    private readonly Socket listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+    private readonly CancellationTokenSource stopping = new();
+    private readonly Lock gate = new();
+    private readonly HashSet<Task> clients = [];
+    private readonly Task accepting;
+
+    public TcpFrontEnd(ControllerCore core, int port)
+    {
+        this.core = core;
+        listener.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, true);
+        listener.Bind(new IPEndPoint(IPAddress.Loopback, port));
+        listener.Listen();
+        EndPoint = (IPEndPoint)listener.LocalEndPoint!;
+        accepting = AcceptAsync(stopping.Token);
+    }
+
+    public IPEndPoint EndPoint { get; }
+
+    public async ValueTask DisposeAsync()
+    {
+        await stopping.CancelAsync().ConfigureAwait(false);
+        listener.Dispose();
+        await accepting.ConfigureAwait(false);
+        Task[] open;
+        lock (gate)
+        {
+            open = [.. clients];
+        }
+
+        await Task.WhenAll(open).ConfigureAwait(false);
+        stopping.Dispose();
+    }
+
+    private async Task AcceptAsync(CancellationToken cancellation)
+    {
+        while (!cancellation.IsCancellationRequested)
+        {
+            try
+            {
+                var socket = await listener.AcceptAsync(cancellation).ConfigureAwait(false);
+                Admit(socket, cancellation);
+            }
+            catch (OperationCanceledException)
+            {
+                return;
+            }
+            catch (SocketException)
+            {
+                // A client that left before it was accepted is no reason to stop listening.
+            }
+        }
+    }
+
+    private void Admit(Socket socket, CancellationToken cancellation)
+    {
+        socket.NoDelay = true;
+        int remotePort = ((IPEndPoint)socket.RemoteEndPoint!).Port;
+        if (core.Open(EndPoint.Port, remotePort, () => Reset(socket)) is not { } handle)
+        {
+            Reset(socket);
+            return;
+        }
+
+        var serving = ServeAsync(socket, handle, cancellation);
+        lock (gate)
+        {
+            clients.RemoveWhere(c => c.IsCompleted);
+            clients.Add(serving);
+        }
+    }
+
+    private static void Reset(Socket socket)
+    {
+        try
+        {
+            socket.LingerState = new LingerOption(true, 0);
+        }
+        catch (ObjectDisposedException)
+        {
+            return;
+        }
+        catch (SocketException)
+        {
+            // Already broken: closing is all that is left.
+        }
+
+        socket.Dispose();
+    }
+
+    private async Task ServeAsync(Socket socket, Handle handle, CancellationToken cancellation)
+    {
+        var sending = SendAsync(socket, handle, cancellation);
+        await ReceiveAsync(socket, handle, cancellation).ConfigureAwait(false);
+        core.Detach(handle);
+        await sending.ConfigureAwait(false);
+        socket.Dispose();
+    }
+
+    private async Task ReceiveAsync(Socket socket, Handle handle, CancellationToken cancellation)
+    {
+        var buffer = new byte[4096];
+        try
+        {
+            while (!handle.IsClosed && await socket.ReceiveAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var length)
+            {
+                core.Receive(handle, buffer.AsSpan(0, length));
+            }
+        }
+        catch (SocketException)
+        {
+            // The client is gone; its handle is freed by the caller.
+        }
+        catch (ObjectDisposedException)
+        {
+            // Cut from this side.
+        }
+        catch (OperationCanceledException)
+        {
+            // The controller is switched off.
+        }
+    }
+
+    private static async Task SendAsync(Socket socket, Handle handle, CancellationToken cancellation)
+    {
+        var buffer = new byte[4096];
+        try
+        {
+            while (await handle.Output.ReadAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var length)
+            {
+                for (int sent = 0; sent < length;)
+                {
+                    sent += await socket.SendAsync(buffer.AsMemory(sent, length - sent), cancellation).ConfigureAwait(false);
+                }
+            }
+
+            socket.Shutdown(SocketShutdown.Both);
+        }
+        catch (SocketException)
+        {
+            // Nobody listens any more.
+        }
+        catch (ObjectDisposedException)
+        {
+            // Cut from this side.
+        }
+        catch (OperationCanceledException)
+        {
+            // The controller is switched off.
+        }
+    }
+}

@@ -1,0 +1,137 @@
+using System.Net;
+using Engraver.Simulator.Protocol;
+
+namespace Engraver.Simulator;
+
+/// <summary>A simulated Galil DMC-2143 (galil-dmc.md I): handles over TCP and in memory, one controller behind them.</summary>
+/// <remarks>How true it is to the real one is written in docs/simulator-fidelity.md.</remarks>
+public sealed class SimulatedController : IAsyncDisposable
+{
+    private readonly ControllerCore core;
+    private readonly SimulatorOptions options;
+    private readonly Lock gate = new();
+    private readonly List<TcpFrontEnd> frontEnds = [];
+
+    public SimulatedController(SimulatorOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.Speed);
+        ArgumentOutOfRangeException.ThrowIfLessThan(options.HandleCount, 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(options.HandleCount, 8);
+        this.options = options;
+        core = new ControllerCore(options);
+    }
+
+    /// <summary>Every sample of motion and every output change so far.</summary>
+    public MotionRecord Record => core.Machine.Record;
+
+    public ControllerStatus Status => core.Status;
+
+    /// <summary>The client end of a new handle, without a socket but with the same bytes. Disposing it frees the handle.</summary>
+    /// <exception cref="IOException">All handles are busy.</exception>
+    public Stream OpenConnection()
+    {
+        const int ConventionalPort = 23;
+        var handle = core.Open(ConventionalPort, 0, null) ?? throw new IOException("All handles of the controller are busy.");
+        return new MemoryConnection(core, handle);
+    }
+
+    /// <summary>Listens on loopback until the controller is disposed; may be called for several ports.</summary>
+    /// <param name="port">0 lets the system pick.</param>
+    /// <exception cref="System.Net.Sockets.SocketException">The port is taken or not allowed.</exception>
+    public Task<IPEndPoint> ListenTcpAsync(int port, CancellationToken cancellation)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        var frontEnd = new TcpFrontEnd(core, port);
+        lock (gate)
+        {
+            frontEnds.Add(frontEnd);
+        }
+
+        return Task.FromResult(frontEnd.EndPoint);
+    }
+
+    /// <summary>Cuts every link at once, as a pulled cable would; motion and programs go on.</summary>
+    public void DropConnections() => core.CutAll();
+
+    /// <summary>Lets virtual time pass, besides what commands and silence do. Only at speed max.</summary>
+    public void Advance(TimeSpan controllerTime)
+    {
+        RequireVirtualTime();
+        core.Advance(controllerTime);
+    }
+
+    /// <summary>Lets virtual time pass sample by sample until the condition holds; false when it does not within <paramref name="atMost"/> of controller time.</summary>
+    public bool AdvanceUntil(Func<ControllerStatus, bool> condition, TimeSpan atMost)
+    {
+        RequireVirtualTime();
+        return core.AdvanceUntil(condition, atMost);
+    }
+
+    /// <summary>Completes when the condition holds; it is looked at after every command and every few milliseconds.</summary>
+    public Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation) =>
+        core.WaitUntilAsync(condition, cancellation);
+
+    /// <summary>Waits until nothing moves and no thread runs.</summary>
+    /// <returns>False when the controller stands for ever without being idle: a sequence ran dry, its host has to end it (galil-dmc.md B.7).</returns>
+    public async Task<bool> WaitUntilIdleAsync(CancellationToken cancellation)
+    {
+        var status = await core.WaitUntilAsync(s => s.IsIdle || (s.IsDry && !s.IsMoving && s.RunningThreads == 0), cancellation).ConfigureAwait(false);
+        return status.IsIdle;
+    }
+
+    /// <summary>Closes or opens a limit switch of axis 0 to 3 (A to D).</summary>
+    public void SetLimitSwitch(int axis, bool forward, bool active)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(axis);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(axis, 3);
+        core.With(m =>
+        {
+            if (forward)
+            {
+                m.Motion.Axes[axis].ForwardSwitch = active;
+            }
+            else
+            {
+                m.Motion.Axes[axis].ReverseSwitch = active;
+            }
+        });
+    }
+
+    /// <summary>Sets input 1 to 8; an open input is true.</summary>
+    public void SetInput(int input, bool level)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(input, 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(input, 8);
+        core.With(m => m.Io.SetInput(input, level));
+    }
+
+    /// <summary>The abort input was hit: all motion stops without a ramp, programs too unless CN's fifth field is 1 (galil-dmc.md D).</summary>
+    public void PressAbort() => core.With(m => m.Abort(m.InputPolarity[4] != 1, Motion.StopCode.AbortInput));
+
+    /// <summary>Stops listening, cuts every link, completes the record's file.</summary>
+    public async ValueTask DisposeAsync()
+    {
+        TcpFrontEnd[] listening;
+        lock (gate)
+        {
+            listening = [.. frontEnds];
+            frontEnds.Clear();
+        }
+
+        foreach (var frontEnd in listening)
+        {
+            await frontEnd.DisposeAsync().ConfigureAwait(false);
+        }
+
+        core.Dispose();
+    }
+
+    private void RequireVirtualTime()
+    {
+        if (!options.IsVirtual)
+        {
+            throw new InvalidOperationException("Time of the controller follows the wall clock; only at speed max it can be advanced.");
+        }
+    }
+}

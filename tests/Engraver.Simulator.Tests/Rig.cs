@@ -1,0 +1,126 @@
+using System.Text;
+
+namespace Engraver.Simulator.Tests;
+
+/// <summary>A controller in virtual time with one client; the wall clock stands, so that every run is the same.</summary>
+internal sealed class Rig : IAsyncDisposable
+{
+    private readonly Stream stream;
+
+    public Rig(SimulatorOptions? options = null)
+    {
+        Time = new StoppedTime();
+        Controller = new SimulatedController((options ?? new SimulatorOptions()) with { Speed = double.PositiveInfinity, Time = Time });
+        stream = Controller.OpenConnection();
+    }
+
+    public StoppedTime Time { get; }
+
+    public SimulatedController Controller { get; }
+
+    public Stream Stream => stream;
+
+    /// <summary>Sends a line with its CR and returns everything that is then there to read.</summary>
+    public string Ask(string line) => SendRaw(line + "\r");
+
+    public string SendRaw(string bytes) => Exchange(stream, bytes);
+
+    public static string Exchange(Stream connection, string bytes)
+    {
+        connection.Write(Encoding.Latin1.GetBytes(bytes));
+        return ReadAvailable(connection);
+    }
+
+    public static string ReadAvailable(Stream connection)
+    {
+        var reply = new StringBuilder();
+        var buffer = new byte[65536];
+        while (true)
+        {
+            using var cancellation = new CancellationTokenSource();
+            var reading = connection.ReadAsync(buffer, cancellation.Token);
+            if (!reading.IsCompleted)
+            {
+                cancellation.Cancel();
+                return reply.ToString();
+            }
+
+            int count = reading.Result;
+            if (count == 0)
+            {
+                return reply.ToString();
+            }
+
+            reply.Append(Encoding.Latin1.GetString(buffer, 0, count));
+        }
+    }
+
+    /// <summary>Sends a command that must be accepted.</summary>
+    public Rig Do(params string[] commands)
+    {
+        foreach (string command in commands)
+        {
+            string reply = Ask(command);
+            Assert.True(reply.Length > 0 && reply.All(c => c == ':'), $"{command} answered {reply}: {(reply.Contains('?') ? Ask("TC1") : "")}");
+        }
+
+        return this;
+    }
+
+    /// <summary>The number that MG prints.</summary>
+    public double Value(string expression)
+    {
+        string reply = Ask("MG " + expression);
+        Assert.EndsWith("\r\n:", reply);
+        return double.Parse(reply[..^3], System.Globalization.CultureInfo.InvariantCulture);
+    }
+
+    /// <summary>The code of the refusal that the command must meet.</summary>
+    public int Refusal(string command)
+    {
+        Assert.Equal("?", Ask(command));
+        return int.Parse(Ask("TC")[..^3], System.Globalization.CultureInfo.InvariantCulture);
+    }
+
+    public Rig Download(string program)
+    {
+        Assert.Equal("", Ask("DL"));
+        Assert.Equal("::", SendRaw(program.ReplaceLineEndings("\r") + "\\"));
+        return this;
+    }
+
+    /// <summary>Lets controller time pass until nothing moves and no thread runs.</summary>
+    public Rig RunToIdle(double seconds = 60)
+    {
+        Assert.True(Controller.AdvanceUntil(s => s.IsIdle, TimeSpan.FromSeconds(seconds)), "not idle in time");
+        return this;
+    }
+
+    /// <summary>Lets controller time pass until nothing moves; threads may run on.</summary>
+    public Rig RunUntilStill()
+    {
+        Assert.True(Controller.AdvanceUntil(s => !s.IsMoving, TimeSpan.FromSeconds(60)), "not still in time");
+        return this;
+    }
+
+    public Rig Pass(double milliseconds)
+    {
+        Controller.Advance(TimeSpan.FromMilliseconds(milliseconds));
+        return this;
+    }
+
+    /// <summary>Downloads, runs from the first line in thread 0 and returns the controller time it took in seconds.</summary>
+    public double Run(string program, double seconds = 60)
+    {
+        Download(program).Do("XQ");
+        long start = Controller.Status.Sample;
+        RunToIdle(seconds);
+        return (Controller.Status.Sample - start) / 1000.0;
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        await stream.DisposeAsync();
+        await Controller.DisposeAsync();
+    }
+}
