@@ -14,34 +14,33 @@ internal sealed class SegmentReplay(double angleQuantum)
 
     public double Y { get; private set; }
 
-    /// <summary>Places passed, at most a few counts apart near bends and never fewer than 64 on a segment.</summary>
-    public List<Point2D> Track { get; } = [];
+    /// <summary>Places passed, 32 to 720 on a segment, with the entity that was being cut.</summary>
+    public List<(Point2D Place, int Entity)> Track { get; } = [];
 
     /// <summary>Runs the sequence from where it says it starts; the controller is at rest there, on whole counts.</summary>
     public void Run(VectorSequence sequence)
     {
         X = sequence.Start.X;
         Y = sequence.Start.Y;
-        Track.Add(new Point2D(X, Y));
-        foreach (var segment in sequence.Segments) Execute(DmcFormat.Command(segment, sequence.Start), sequence.Start);
+        foreach (var segment in sequence.Segments) Execute(DmcFormat.Command(segment, sequence.Start), sequence.Start, segment.EntityIndex);
     }
 
-    private void Execute(string command, CountsPoint origin)
+    private void Execute(string command, CountsPoint origin, int entity)
     {
         var numbers = command[3..].Split(',').Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray();
-        if (command.StartsWith("VP ", StringComparison.Ordinal)) Straight(origin.X + numbers[0], origin.Y + numbers[1]);
-        else Round(numbers[0], Kept(numbers[1]), Kept(numbers[2]));
+        if (command.StartsWith("VP ", StringComparison.Ordinal)) Straight(origin.X + numbers[0], origin.Y + numbers[1], entity);
+        else Round(numbers[0], Kept(numbers[1]), Kept(numbers[2]), entity);
     }
 
-    private void Straight(double x, double y)
+    private void Straight(double x, double y, int entity)
     {
         var (fromX, fromY) = (X, Y);
         var steps = Steps(Math.Sqrt(((x - fromX) * (x - fromX)) + ((y - fromY) * (y - fromY))));
-        for (var i = 1; i <= steps; i++) Track.Add(new Point2D(fromX + ((x - fromX) * i / steps), fromY + ((y - fromY) * i / steps)));
+        for (var i = 1; i <= steps; i++) Track.Add((new Point2D(fromX + ((x - fromX) * i / steps), fromY + ((y - fromY) * i / steps)), entity));
         (X, Y) = (x, y);
     }
 
-    private void Round(double radius, double theta, double delta)
+    private void Round(double radius, double theta, double delta, int entity)
     {
         const double Degree = Math.PI / 180.0;
         var centreX = X - (radius * Math.Cos(theta * Degree));
@@ -50,13 +49,13 @@ internal sealed class SegmentReplay(double angleQuantum)
         for (var i = 1; i <= steps; i++)
         {
             var angle = (theta + (delta * i / steps)) * Degree;
-            Track.Add(new Point2D(centreX + (radius * Math.Cos(angle)), centreY + (radius * Math.Sin(angle))));
+            Track.Add((new Point2D(centreX + (radius * Math.Cos(angle)), centreY + (radius * Math.Sin(angle))), entity));
         }
 
-        (X, Y) = (Track[^1].X, Track[^1].Y);
+        (X, Y) = (Track[^1].Place.X, Track[^1].Place.Y);
     }
 
     private double Kept(double degrees) => Math.Round(degrees / angleQuantum) * angleQuantum;
 
-    private static int Steps(double length) => (int)Math.Clamp(length / LongestStep, 64, 720);
+    private static int Steps(double length) => (int)Math.Clamp(length / LongestStep, 32, 720);
 }
