@@ -21,7 +21,7 @@ public class JobRunnerTests
         Assert.Equal(new CountsPoint(5000, 5000), result.FinalPosition);
         Assert.Equal((5000, 5000, 0), (bench.Last.A, bench.Last.B, bench.Last.Outputs));
         Assert.Equal([0, 1, 2, 3], result.ExecutedEntityIndices);
-        AssertCutOnPath(bench, MotionPrograms.Paper);
+        CutRecord.AssertWholePathWasCut(bench, MotionPrograms.Paper);
     }
 
     [Theory]
@@ -35,7 +35,7 @@ public class JobRunnerTests
 
         Assert.Equal((JobOutcome.Complete, 4, 0), (result.Outcome, result.SegmentsExecuted, result.Underruns));
         Assert.Equal((5000, 5000, 0), (bench.Last.A, bench.Last.B, bench.Last.Outputs));
-        AssertCutOnPath(bench, MotionPrograms.Paper);
+        CutRecord.AssertWholePathWasCut(bench, MotionPrograms.Paper);
     }
 
     [Fact]
@@ -50,16 +50,70 @@ public class JobRunnerTests
         Assert.Equal((JobOutcome.Complete, 1600, 1600, 0, 0), (result.Outcome, result.SegmentsSent, result.SegmentsExecuted, result.Underruns, result.Rejected));
         Assert.Equal(new CountsPoint(96000, 0), result.FinalPosition);
         Assert.Equal(0, bench.Controller.Status.Underruns);
-        AssertCutOnPath(bench, program);
+        CutRecord.AssertWholePathWasCut(bench, program);
     }
 
-    /// <summary>Every sample with the tool on lies within a count of the drawing, and the whole path was passed with the tool on.</summary>
-    private static void AssertCutOnPath(SimulatedBench bench, MotionProgram program)
+    [Fact]
+    public async Task The_tool_is_on_only_from_a_settle_before_to_a_settle_after_the_cut_and_never_in_a_rapid()
     {
-        var path = new EngravedPath(program);
-        var cutting = bench.Controller.Record.Snapshot().Where(sample => sample.Outputs == 1).ToList();
-        Assert.All(cutting, sample => Assert.InRange(path.DistanceTo(sample.A, sample.B), 0, 1.0));
-        var length = cutting.Zip(cutting.Skip(1)).Sum(pair => Math.Sqrt(Math.Pow(pair.Second.A - pair.First.A, 2) + Math.Pow(pair.Second.B - pair.First.B, 2)));
-        Assert.InRange(length, 0.99 * program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length)), double.MaxValue);
+        await using var bench = new SimulatedBench();
+
+        await bench.RunAsync(MotionPrograms.TwoStrokes, SimulatedBench.Job);
+
+        var cutting = CutRecord.AssertNothingElseWasCut(bench, MotionPrograms.TwoStrokes);
+        var moves = bench.Controller.Record.Snapshot();
+        foreach (var stroke in cutting.GroupBy(sample => sample.B))
+        {
+            var moving = stroke.Zip(stroke.Skip(1)).Where(pair => pair.First.A != pair.Second.A).Select(pair => pair.Second.Sample).ToList();
+            var off = moves.First(sample => sample.Sample > moving[^1] && sample.Outputs == 0).Sample;
+            Assert.InRange(moving[0] - stroke.First().Sample, 100, 150);
+            Assert.InRange(off - moving[^1], 0, 100);
+        }
+    }
+
+    [Fact]
+    public async Task A_dry_run_moves_all_the_way_with_the_tool_off()
+    {
+        await using var bench = new SimulatedBench();
+
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { DryRun = true });
+
+        Assert.Equal((JobOutcome.Complete, 4), (result.Outcome, result.SegmentsExecuted));
+        Assert.All(bench.Controller.Record.Snapshot(), sample => Assert.Equal(0, sample.Outputs));
+    }
+
+    [Theory]
+    [MemberData(nameof(Modes))]
+    public async Task The_drawing_starts_where_the_machine_stands_whatever_its_zero(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        await bench.SendAsync("DPA=-70000", "DPB=123");
+
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Mode = mode });
+
+        Assert.Equal(new CountsPoint(-65000, 5123), result.FinalPosition);
+        Assert.Equal((5000, 5000), (result.PolledTrace[^1].X, result.PolledTrace[^1].Y));
+    }
+
+    [Fact]
+    public async Task A_drawing_without_strokes_is_done_at_once()
+    {
+        await using var bench = new SimulatedBench();
+
+        var result = await bench.RunAsync(MotionPrograms.Paper with { Strokes = [] }, SimulatedBench.Job);
+
+        Assert.Equal((JobOutcome.Complete, 0), (result.Outcome, result.SegmentsSent));
+    }
+
+    [Fact]
+    public async Task Entities_and_strokes_are_told_in_the_order_of_cutting()
+    {
+        await using var bench = new SimulatedBench();
+
+        var result = await bench.RunAsync(MotionPrograms.TwoStrokes, SimulatedBench.Job);
+
+        Assert.Equal([7, 3], result.ExecutedEntityIndices);
+        Assert.Equal([1, 1], result.ExecutedByStroke);
+        Assert.Equal([2000.0, 2000.0], result.LengthByStroke);
     }
 }

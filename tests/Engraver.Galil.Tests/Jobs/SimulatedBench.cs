@@ -1,6 +1,7 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Simulator;
 
@@ -18,8 +19,8 @@ internal sealed class SimulatedBench : IAsyncDisposable
 
     public MotionSample Last => Controller.Record[Controller.Record.Count - 1];
 
-    public Task<ControllerSession> OpenAsync() => ControllerSession.OpenAsync(
-        _ => Task.FromResult<IControllerLink>(new StreamLink(Controller.OpenConnection(), "memory")), new SessionOptions(), TimeProvider.System, CancellationToken.None);
+    public Task<ControllerSession> OpenAsync(TimeProvider? time = null) => ControllerSession.OpenAsync(
+        _ => Task.FromResult<IControllerLink>(new StreamLink(Controller.OpenConnection(), "memory")), new SessionOptions(), time ?? TimeProvider.System, CancellationToken.None);
 
     public async Task<ControllerSession> OpenTcpAsync()
     {
@@ -44,7 +45,7 @@ internal sealed class SimulatedBench : IAsyncDisposable
             "_CF", "_CW", "_DR0", "_VF", "_VSS", "_VAS", "_VDS", "_VRS", "_OP0", "_NO",
             .. "ABCD".SelectMany(axis => new[] { "_SP", "_AC", "_DC", "_MO" }.Select(name => name + axis)),
         ];
-        await using var channel = new Galil.Protocol.CommandChannel(new StreamLink(Controller.OpenConnection(), "memory"), "F", TimeSpan.FromSeconds(5), TimeProvider.System, null);
+        await using var channel = OpenChannel();
         var answers = new List<string>();
         foreach (var question in questions) answers.Add($"{question} {await channel.SendAsync("MG " + question, CancellationToken.None)}");
         answers.Add($"UL {await channel.UploadAsync(CancellationToken.None)}");
@@ -54,15 +55,17 @@ internal sealed class SimulatedBench : IAsyncDisposable
     /// <summary>Sends commands as somebody else would, before or beside our session.</summary>
     public async Task SendAsync(params string[] commands)
     {
-        await using var channel = new Galil.Protocol.CommandChannel(new StreamLink(Controller.OpenConnection(), "memory"), "F", TimeSpan.FromSeconds(5), TimeProvider.System, null);
-        foreach (var command in commands) Assert.IsType<Galil.Protocol.Accepted>(await channel.SendAsync(command, CancellationToken.None));
+        await using var channel = OpenChannel();
+        foreach (var command in commands) Assert.IsType<Accepted>(await channel.SendAsync(command, CancellationToken.None));
     }
 
     public async Task DownloadAsync(string program)
     {
-        await using var channel = new Galil.Protocol.CommandChannel(new StreamLink(Controller.OpenConnection(), "memory"), "F", TimeSpan.FromSeconds(5), TimeProvider.System, null);
-        Assert.IsType<Galil.Protocol.Accepted>(await channel.DownloadAsync(program, CancellationToken.None));
+        await using var channel = OpenChannel();
+        Assert.IsType<Accepted>(await channel.DownloadAsync(program, CancellationToken.None));
     }
+
+    private CommandChannel OpenChannel() => new(new StreamLink(Controller.OpenConnection(), "memory"), "F", TimeSpan.FromSeconds(5), TimeProvider.System, null);
 
     public ValueTask DisposeAsync() => Controller.DisposeAsync();
 }

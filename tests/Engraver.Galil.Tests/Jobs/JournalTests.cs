@@ -1,0 +1,46 @@
+using System.Text.Json;
+using Engraver.Galil.Jobs;
+
+namespace Engraver.Galil.Tests.Jobs;
+
+public class JournalTests
+{
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    public async Task The_journal_has_a_header_a_line_for_each_sequence_and_an_end(JobMode mode)
+    {
+        var lines = await JournalOfAsync(MotionPrograms.TwoStrokes, SimulatedBench.Job with { Mode = mode, DrawingName = "two.dxf" });
+
+        Assert.Equal(["job", "progress", "progress", "end"], lines.Select(line => line.GetProperty("kind").GetString()));
+        Assert.Equal(("two.dxf", "DMC2143 Rev 1.0o", 2), (lines[0].GetProperty("drawing").GetString(), lines[0].GetProperty("controller").GetString(), lines[0].GetProperty("segmentCount").GetInt32()));
+        Assert.Equal((0, 7, 1), At(lines[1]));
+        Assert.Equal((1, 3, 2), At(lines[2]));
+        Assert.Equal("complete", lines[3].GetProperty("outcome").GetString());
+    }
+
+    [Fact]
+    public async Task A_long_sequence_is_journalled_while_it_is_cut()
+    {
+        var lines = await JournalOfAsync(MotionPrograms.ShortLines(1600), SimulatedBench.Job);
+
+        var executed = lines.Where(line => line.GetProperty("kind").GetString() == "progress").Select(line => line.GetProperty("segmentsExecuted").GetInt32()).ToList();
+        Assert.InRange(executed.Count, 4, 12);
+        Assert.Equal(executed.Order(), executed);
+        Assert.Equal(1600, executed[^1]);
+    }
+
+    private static (int Stroke, int Entity, int Executed) At(JsonElement line) =>
+        (line.GetProperty("stroke").GetInt32(), line.GetProperty("entity").GetInt32(), line.GetProperty("segmentsExecuted").GetInt32());
+
+    private static async Task<List<JsonElement>> JournalOfAsync(Galil.Programs.MotionProgram program, JobOptions options)
+    {
+        await using var bench = new SimulatedBench();
+        var folder = Directory.CreateTempSubdirectory();
+        var path = Path.Combine(folder.FullName, "job.jsonl");
+        await bench.RunAsync(program, options with { JournalPath = path });
+        var lines = (await File.ReadAllLinesAsync(path)).Select(line => JsonSerializer.Deserialize<JsonElement>(line)).ToList();
+        folder.Delete(recursive: true);
+        return lines;
+    }
+}

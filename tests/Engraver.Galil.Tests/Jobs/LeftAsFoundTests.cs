@@ -1,0 +1,86 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Tests.Jobs;
+
+public class LeftAsFoundTests
+{
+    private const string OwnersProgram = "#OWNER\nMG \"mine\"\nEN";
+
+    public static TheoryData<JobMode, string> Ends => new()
+    {
+        { JobMode.Stream, "complete" }, { JobMode.Calls, "complete" }, { JobMode.Stream, "stopped" },
+        { JobMode.Calls, "stopped" }, { JobMode.Stream, "refused" }, { JobMode.Calls, "refused" },
+    };
+
+    [Theory]
+    [MemberData(nameof(Ends))]
+    public async Task However_a_job_ends_the_controller_is_as_it_was_found(JobMode mode, string end)
+    {
+        await using var bench = new SimulatedBench();
+        await bench.DownloadAsync(OwnersProgram);
+        await bench.SendAsync(
+            "VSS=6000", "VAS=51200", "VDS=61440", "VR 0.25", "SPA=1234", "SPB=4320", "ACA=102400", "DCB=204800", "SPC=800", "CW 2", "VF 8.2", "SHAC", "MOBD");
+        if (end == "refused") bench.Controller.SetLimitSwitch(1, forward: true, active: true);
+        var before = await bench.FingerprintAsync();
+        using var stop = new CancellationTokenSource();
+        var press = new CancelWhen(progress => end == "stopped" && progress.X > 9000, stop.Cancel);
+
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Mode = mode }, press, stop.Token);
+
+        Assert.Equal(end, result.Outcome.ToString().ToLowerInvariant());
+        Assert.Empty(result.NotRestored);
+        Assert.Equal(before, await bench.FingerprintAsync());
+    }
+
+    [Fact]
+    public async Task An_empty_program_memory_is_empty_again()
+    {
+        await using var bench = new SimulatedBench();
+
+        await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job);
+
+        Assert.EndsWith(new Accepted("").ToString(), await bench.FingerprintAsync(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task The_found_program_is_kept_beside_the_journal()
+    {
+        await using var bench = new SimulatedBench();
+        await bench.DownloadAsync(OwnersProgram);
+        var folder = Directory.CreateTempSubdirectory();
+        var journal = Path.Combine(folder.FullName, "job.jsonl");
+
+        await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { JournalPath = journal });
+
+        Assert.Equal(OwnersProgram + "\n", await File.ReadAllTextAsync(journal + ".program.dmc"));
+        folder.Delete(recursive: true);
+    }
+
+    [Fact]
+    public async Task While_a_thread_of_somebody_else_runs_nothing_is_touched()
+    {
+        await using var bench = new SimulatedBench();
+        await bench.DownloadAsync("#OWNER\n#LOOP\nWT 100\nJP#LOOP\nEN");
+        await bench.SendAsync("XQ #OWNER,3");
+        var before = await bench.FingerprintAsync();
+
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job);
+
+        Assert.Equal((JobOutcome.Refused, 0), (result.Outcome, result.SegmentsSent));
+        Assert.Contains("Thread 3", result.Sentence, StringComparison.Ordinal);
+        Assert.Equal(before, await bench.FingerprintAsync());
+    }
+
+    [Fact]
+    public async Task While_an_axis_moves_no_job_starts()
+    {
+        await using var bench = new SimulatedBench();
+        await bench.SendAsync("SHC", "JGC=2000", "BGC");
+
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job);
+
+        Assert.Equal(JobOutcome.Refused, result.Outcome);
+        Assert.Contains("Axis C is moving", result.Sentence, StringComparison.Ordinal);
+    }
+}
