@@ -65,7 +65,7 @@ public static class EngraverProgram
         var global = new GlobalOptions();
         var root = EngraverCommandLine.Build(streams, global);
         var parsed = root.Parse(args);
-        if (parsed.Errors.Count > 0) return Say(streams, $"{parsed.Errors[0].Message} Try: engraver --help", ExitCode.Usage);
+        if (parsed.Errors.Count > 0) return Say(streams, OneLine(parsed.Errors[0].Message) + " See engraver --help.", ExitCode.Usage);
         if (global.Culture(parsed) is { } culture) CultureInfo.CurrentUICulture = culture;
         var settings = new InvocationConfiguration
         {
@@ -82,4 +82,7 @@ public static class EngraverProgram
         streams.Error.WriteLine($"engraver: {sentence}");
         return code;
     }
+
+    /// <summary>The library spreads the allowed values over several lines.</summary>
+    private static string OneLine(string message) => string.Join(' ', message.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
 }

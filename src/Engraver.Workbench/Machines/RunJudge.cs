@@ -24,8 +24,8 @@ public static class RunJudge
             trace[i] = Sample(profile, sample.Seconds, sample.A - frameX, sample.B - frameY, (sample.Outputs & toolBit) != 0);
         }
 
-        var found = TraceComparison.Compare(job.Analysed.ToSegments(), trace, Coverage(job));
-        return new RunJudgement(found.MaxDeviation, found.MissingLength, "record");
+        var found = TraceComparison.Compare(job.Analysed.ToSegments(), trace, Tolerances(job));
+        return new RunJudgement(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record");
     }
 
     /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed.</summary>
@@ -34,14 +34,17 @@ public static class RunJudge
         var profile = job.Settings.Machine;
         var trace = result.PolledTrace.Select(point => Sample(profile, point.Seconds, point.X, point.Y, point.ToolOn)).ToArray();
         if (!trace.Any(sample => sample.Cutting)) return RunJudgement.Unknown;
-        var found = TraceComparison.Compare(job.Analysed.ToSegments(), trace, Coverage(job));
+        var found = TraceComparison.Compare(job.Analysed.ToSegments(), trace, Tolerances(job));
         var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
         var missing = Math.Max(0.0, planned - result.LengthByStroke.Sum()) / Math.Max(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
         return new RunJudgement(found.MaxDeviation, missing, "polled");
     }
 
-    private static double Coverage(PreparedJob job) => TraceComparison.CoverageTolerance(
-        1.0 / Math.Min(Math.Abs(job.Settings.Machine.CountsPerMillimetreX), Math.Abs(job.Settings.Machine.CountsPerMillimetreY)), job.Settings.MaxErrorMm);
+    private static TraceTolerances Tolerances(PreparedJob job) => TraceTolerances.Default with
+    {
+        Count = 1.0 / Math.Min(Math.Abs(job.Settings.Machine.CountsPerMillimetreX), Math.Abs(job.Settings.Machine.CountsPerMillimetreY)),
+        MaxError = job.Settings.MaxErrorMm,
+    };
 
     private static TraceSample Sample(MachineProfile profile, double seconds, long x, long y, bool cutting) =>
         new(seconds, x / profile.CountsPerMillimetreX, y / profile.CountsPerMillimetreY, cutting);
