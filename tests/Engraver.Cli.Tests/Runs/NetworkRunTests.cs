@@ -1,0 +1,167 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using Engraver.Simulator;
+
+namespace Engraver.Cli.Tests.Runs;
+
+/// <summary>The main job over sockets, and everything that can go wrong on the way.</summary>
+public class NetworkRunTests
+{
+    private const byte Tool = 1;
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
+
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("calls")]
+    public async Task Two_processes_run_the_job_over_TCP_and_the_record_shows_it(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--speed", "max", "--record", folder.PathOf("record.csv"));
+        var address = (await simulate.LineAsync("listening ", patience.Token))["listening ".Length..];
+        using var host = EngraverProcess.Start("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        var report = System.Text.Json.JsonDocument.Parse(await host.Out.ReadToEndAsync(patience.Token)).RootElement;
+        await host.WaitAsync(patience.Token);
+        simulate.Signal(PosixSignal.SIGINT);
+        await simulate.WaitAsync(patience.Token);
+
+        Assert.Equal((ExitCode.Done, ExitCode.Done), (host.ExitCode, simulate.ExitCode));
+        Assert.Equal("polled", report.GetProperty("deviationSource").GetString());
+        Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, 0.0035);
+        Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
+        AssertRecord(await File.ReadAllLinesAsync(folder.PathOf("record.csv")));
+    }
+
+    [Fact]
+    public async Task A_closed_port_is_exit_4_with_one_sentence()
+    {
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", $"tcp://127.0.0.1:{await UnusedPortAsync()}");
+
+        Assert.Equal(ExitCode.LinkLost, run.ExitCode);
+        Assert.Single(run.Error.TrimEnd().Split('\n'));
+        Assert.DoesNotContain("   at ", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_refused_command_is_exit_3_and_says_which_and_why()
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        controller.SetLimitSwitch(axis: 0, forward: true, active: true);
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
+
+        Assert.Equal(ExitCode.Refused, run.ExitCode);
+        Assert.Equal("refused", JsonText.Of(run).GetProperty("outcome").GetString());
+        Assert.Contains("22", run.Error, StringComparison.Ordinal);
+        Assert.Contains("limit switch", run.Error, StringComparison.OrdinalIgnoreCase);
+        Assert.Equal(0, controller.Status.Outputs & Tool);
+    }
+
+    [Fact]
+    public async Task A_controller_in_which_somebody_elses_thread_runs_is_refused_and_its_thread_goes_on()
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        await using (var other = controller.OpenConnection())
+        {
+            await other.WriteAsync("DL\r#LOOP\rWT 100\rJP#LOOP\rEN\r\\XQ#LOOP,3\r"u8.ToArray());
+            await controller.WaitUntilAsync(status => status.RunningThreads == 8, new CancellationTokenSource(s_patience).Token);
+        }
+
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--journal", folder.PathOf("run.jsonl"));
+
+        Assert.Equal(ExitCode.Refused, run.ExitCode);
+        Assert.Contains("Thread 3", run.Error, StringComparison.Ordinal);
+        Assert.Equal(8, controller.Status.RunningThreads);
+    }
+
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("calls")]
+    public async Task A_link_cut_in_the_middle_is_exit_4_with_the_last_known_position_and_the_machine_stops_itself(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        await using var controller = new SimulatedController(new SimulatorOptions());
+        var running = CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+        controller.DropConnections();
+        var cutAt = controller.Status.Sample;
+        var run = await running;
+        await controller.WaitUntilAsync(status => !status.IsMoving && (status.Outputs & Tool) == 0, patience.Token);
+
+        Assert.Equal(ExitCode.LinkLost, run.ExitCode);
+        Assert.Equal("linkLost", JsonText.Of(run).GetProperty("outcome").GetString());
+        Assert.True(JsonText.Of(run).GetProperty("finalX").GetInt32() >= 50000);
+        AssertSafeWithin(controller.Record, cutAt, samples: 1500);
+    }
+
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("calls")]
+    public async Task A_killed_host_leaves_the_output_off_and_the_machine_at_rest_within_a_second_and_a_half(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        await using var controller = new SimulatedController(new SimulatorOptions());
+        using var host = EngraverProcess.Start("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
+        await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+        host.Kill();
+        var killedAt = controller.Status.Sample;
+        await controller.WaitUntilAsync(status => !status.IsMoving && (status.Outputs & Tool) == 0, patience.Token);
+
+        AssertSafeWithin(controller.Record, killedAt, samples: 1500);
+    }
+
+    [Theory]
+    [InlineData("stream", PosixSignal.SIGINT)]
+    [InlineData("calls", PosixSignal.SIGTERM)]
+    public async Task A_signal_stops_the_machine_first_and_then_the_program_with_exit_5(string mode, PosixSignal signal)
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        await using var controller = new SimulatedController(new SimulatorOptions());
+        using var host = EngraverProcess.Start("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+        host.Signal(signal);
+        var report = System.Text.Json.JsonDocument.Parse(await host.Out.ReadToEndAsync(patience.Token)).RootElement;
+        await host.WaitAsync(patience.Token);
+
+        Assert.Equal(ExitCode.StoppedByOperator, host.ExitCode);
+        Assert.Equal("stopped", report.GetProperty("outcome").GetString());
+        Assert.True(controller.Status.IsIdle);
+        Assert.Equal(0, controller.Status.Outputs & Tool);
+        var last = controller.Record[controller.Record.Count - 1];
+        Assert.Equal((last.A, last.B), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
+    }
+
+    private static async Task<string> AddressAsync(SimulatedController controller)
+    {
+        var place = await controller.ListenTcpAsync(0, CancellationToken.None);
+        return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}");
+    }
+
+    private static async Task<int> UnusedPortAsync()
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions());
+        return (await controller.ListenTcpAsync(0, CancellationToken.None)).Port;
+    }
+
+    /// <summary>After the moment, the record's last row with motion or tool on comes within the time, and the tool is off in the end.</summary>
+    private static void AssertSafeWithin(MotionRecord record, long moment, int samples)
+    {
+        var rows = record.Snapshot();
+        var last = rows[^1];
+
+        Assert.Equal(0, last.Outputs & Tool);
+        Assert.InRange(last.Sample - moment, 0, samples);
+        Assert.Contains(rows, row => (row.Outputs & Tool) != 0);
+    }
+
+    private static void AssertRecord(string[] lines)
+    {
+        Assert.Equal("t,a,b,c,d,outputs", lines[0]);
+        Assert.EndsWith(",50000,50000,0,0,0", lines[^1], StringComparison.Ordinal);
+        Assert.Contains(lines, line => line.EndsWith(",150000,150000,0,0,1", StringComparison.Ordinal));
+    }
+}

@@ -1,0 +1,95 @@
+namespace Engraver.Cli.Tests.Runs;
+
+/// <summary>The main job on every sample, both ways, judged by every motor sample of the simulated controller.</summary>
+public class SampleRunTests
+{
+    /// <summary>2.5 counts at 1000 counts/mm and the default curve tolerance, millimetres.</summary>
+    private const double AllowedDeviation = 0.0025 + 0.001;
+
+    public static TheoryData<string, string> Runs
+    {
+        get
+        {
+            var runs = new TheoryData<string, string>();
+            foreach (var name in SampleDrawing.Names)
+            {
+                runs.Add(name, "stream");
+                runs.Add(name, "calls");
+            }
+
+            return runs;
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Runs))]
+    public async Task Every_cutting_sample_is_on_the_drawing_and_nothing_of_it_is_missing(string name, string mode)
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of("run", SampleDrawing.PathOf(name), "--connect", "sim:", "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        var report = JsonText.Of(run);
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal("complete", report.GetProperty("outcome").GetString());
+        Assert.Equal("record", report.GetProperty("deviationSource").GetString());
+        Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
+        Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
+        Assert.Equal(report.GetProperty("segmentsSent").GetInt32(), report.GetProperty("segmentsExecuted").GetInt32());
+        Assert.Equal((0, 0), (report.GetProperty("underruns").GetInt32(), report.GetProperty("rejected").GetInt32()));
+    }
+
+    [Fact]
+    public async Task The_last_line_says_how_far_the_motors_were_off_and_that_nothing_is_missing()
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--journal", folder.PathOf("run.jsonl"));
+
+        Assert.Matches(@"^complete: 4 of 4 segments cut in [0-9.]+ s of machine time; the simulated motors were at worst 0\.00[0-9]+ mm from the drawing and nothing of it is missing\.\n$", run.Out);
+    }
+
+    [Fact]
+    public async Task The_object_has_every_field_of_the_contract()
+    {
+        using var folder = new TemporaryFolder();
+        var report = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
+
+        Assert.Equal(
+            ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "missingLength", "deviationSource", "journal"],
+            report.EnumerateObject().Select(field => field.Name));
+        Assert.Equal((50000, 50000), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
+        Assert.True(File.Exists(folder.PathOf("run.jsonl")));
+    }
+
+    [Fact]
+    public async Task The_drawing_point_of_the_start_option_is_where_the_controller_stands()
+    {
+        using var folder = new TemporaryFolder();
+        var report = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--start", "50,50", "--journal", folder.PathOf("run.jsonl")));
+
+        Assert.Equal((0, 0), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
+        Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
+        Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
+    }
+
+    [Fact]
+    public async Task A_drawing_with_errors_does_not_start_without_consent()
+    {
+        using var folder = new TemporaryFolder();
+        var file = folder.WithFile("cut.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n4\n0\nLINE\n8\n0\n10\n0\n");
+        var refused = await CliRun.Of("run", file, "--connect", "sim:", "--json", "--journal", folder.PathOf("a.jsonl"));
+        var accepted = await CliRun.Of("run", file, "--connect", "sim:", "--json", "--accept-errors", "--journal", folder.PathOf("b.jsonl"));
+
+        Assert.Equal((ExitCode.DrawingError, "refused", 0), (refused.ExitCode, JsonText.Of(refused).GetProperty("outcome").GetString(), JsonText.Of(refused).GetProperty("segmentsSent").GetInt32()));
+        Assert.Equal((ExitCode.Done, "complete"), (accepted.ExitCode, JsonText.Of(accepted).GetProperty("outcome").GetString()));
+    }
+
+    [Fact]
+    public async Task A_dry_run_moves_with_the_tool_off()
+    {
+        using var folder = new TemporaryFolder();
+        var report = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--dry-run", "--json", "--journal", folder.PathOf("a.jsonl")));
+
+        Assert.Equal("complete", report.GetProperty("outcome").GetString());
+        Assert.Equal("none", report.GetProperty("deviationSource").GetString());
+    }
+}
