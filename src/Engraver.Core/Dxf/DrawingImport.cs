@@ -135,7 +135,7 @@ internal sealed class DrawingImport
 
             _records.Read(_record);
             if (_record.Fault is { } fault) _log.Add(fault);
-            if (_record.Name >= 0) _layers.Define(_record);
+            else if (_record.Name >= 0) _layers.Define(_record);
         }
     }
 
