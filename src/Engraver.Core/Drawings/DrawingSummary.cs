@@ -11,45 +11,52 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
 {
     public static DrawingSummary Of(Drawing drawing)
     {
-        var leaf = new int[Enum.GetValues<CurveType>().Length];
-        var lengths = new double[leaf.Length];
-        int polylineLines = 0, polylineArcs = 0;
-        var plan = 0.0;
-        var bounds = Bounds2D.Empty;
-        for (var i = 0; i < drawing.Entities.Count; i++)
+        var tally = new Tally();
+        for (var i = 0; i < drawing.Entities.Count; i++) tally.Add(ref drawing.Entities[i], drawing.Parts);
+        return tally.ToSummary(drawing.Balance.Points);
+    }
+
+    private sealed class Tally
+    {
+        private static readonly CurveType[] Types = Enum.GetValues<CurveType>();
+        private readonly int[] _curves = new int[Types.Length];
+        private readonly int[] _polylineParts = new int[Types.Length];
+        private readonly double[] _lengths = new double[Types.Length];
+        private double _planLength;
+        private Bounds2D _bounds = Bounds2D.Empty;
+
+        public void Add(ref DrawingEntity entity, GrowingColumn<DrawingPart> parts)
         {
-            ref var entity = ref drawing.Entities[i];
-            leaf[(int)entity.Type]++;
-            for (var p = entity.FirstPart; p < entity.FirstPart + entity.PartCount; p++)
+            _curves[(int)entity.Type]++;
+            var isPolyline = entity.Type is CurveType.LwPolyline or CurveType.Polyline;
+            for (var i = entity.FirstPart; i < entity.FirstPart + entity.PartCount; i++)
             {
-                ref var part = ref drawing.Parts[p];
-                var kind = KindOf(entity.Type, part.Kind);
-                if (IsPolyline(entity.Type) && kind == CurveType.Line) polylineLines++;
-                if (IsPolyline(entity.Type) && kind == CurveType.Arc) polylineArcs++;
+                ref var part = ref parts[i];
+                var kind = !isPolyline ? entity.Type : part.Kind == SegmentKind.Line ? CurveType.Line : CurveType.Arc;
+                if (isPolyline) _polylineParts[(int)kind]++;
                 var inPlan = part.InPlan();
-                lengths[(int)kind] += part.SpaceLength;
-                plan += inPlan.Length;
-                bounds = bounds.Union(inPlan.Bounds);
+                _lengths[(int)kind] += part.SpaceLength;
+                _planLength += inPlan.Length;
+                _bounds = _bounds.Union(inPlan.Bounds);
             }
         }
 
-        int Count(CurveType type) => leaf[(int)type];
-        double Length(CurveType type) => lengths[(int)type];
-        return new DrawingSummary(
-            Enum.GetValues<CurveType>().Where(type => Count(type) > 0).ToDictionary(type => type, Count),
+        public DrawingSummary ToSummary(int points) => new(
+            Types.Where(type => _curves[(int)type] > 0).ToDictionary(type => type, type => _curves[(int)type]),
             new PrimitiveCounts(
-                Count(CurveType.Line) + polylineLines,
-                Count(CurveType.Arc) + polylineArcs,
-                Count(CurveType.Circle),
-                Count(CurveType.Ellipse),
-                Count(CurveType.Spline),
-                Count(CurveType.LwPolyline) + Count(CurveType.Polyline),
-                drawing.Balance.Points),
-            new CurveLengths(Length(CurveType.Line), Length(CurveType.Arc), Length(CurveType.Circle), Length(CurveType.Ellipse), Length(CurveType.Spline), plan),
-            bounds.IsEmpty ? null : bounds);
+                Pieces(CurveType.Line),
+                Pieces(CurveType.Arc),
+                Pieces(CurveType.Circle),
+                Pieces(CurveType.Ellipse),
+                Pieces(CurveType.Spline),
+                Pieces(CurveType.LwPolyline) + Pieces(CurveType.Polyline),
+                points),
+            new CurveLengths(
+                Length(CurveType.Line), Length(CurveType.Arc), Length(CurveType.Circle), Length(CurveType.Ellipse), Length(CurveType.Spline), _planLength),
+            _bounds.IsEmpty ? null : _bounds);
+
+        private int Pieces(CurveType type) => _curves[(int)type] + _polylineParts[(int)type];
+
+        private double Length(CurveType type) => _lengths[(int)type];
     }
-
-    private static bool IsPolyline(CurveType type) => type is CurveType.LwPolyline or CurveType.Polyline;
-
-    private static CurveType KindOf(CurveType type, SegmentKind part) => !IsPolyline(type) ? type : part == SegmentKind.Line ? CurveType.Line : CurveType.Arc;
 }

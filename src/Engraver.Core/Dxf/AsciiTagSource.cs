@@ -40,6 +40,15 @@ internal sealed class AsciiTagSource : DxfTagSource
 
             if (IsBlank(line)) continue; // an empty line too many: the pairs behind it are sound
             Damage(NextLine - 1, Encoding.Latin1.GetString(line[..Math.Min(length, ShownText)]));
+            if (Value.Trim(" \t"u8).SequenceEqual("0"u8) && IsKeyword(line))
+            {
+                // The pairs have slipped by one and the "0" of this record was taken for a value: here they fit again.
+                Code = 0;
+                Line = NextLine - 2;
+                (_valueStart, _valueLength) = (start, length);
+                return true;
+            }
+
             SkipToNextRecord();
         }
 

@@ -123,7 +123,7 @@ internal sealed class CurveMapper
             ref var vertex = ref CollectionsMarshal.AsSpan(_vertices)[^1];
             if (code == 20) vertex.Y = value;
             else if (code == 42) vertex.Bulge = value;
-            else wide |= code is 40 or 41 && value != 0.0;
+            else if (code is 40 or 41) wide |= value != 0.0;
         }
 
         if (wide) Note(record, DxfRules.WidthIgnored, "");

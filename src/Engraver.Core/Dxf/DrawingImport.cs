@@ -81,11 +81,16 @@ internal sealed class DrawingImport
                 break;
             case "ENTITIES" when IsAheadOfItsBlocks():
                 _postponed.Add(_tags.Bookmark());
+                _records.Skip();
                 break;
             case "ENTITIES":
                 ReadEntities();
                 break;
+            default:
+                _records.Skip();
+                break;
         }
+
 
         while (!AtSectionEnd()) _records.Skip();
         if (_records.Next == RecordKind.SectionEnd) _records.Skip();
@@ -93,7 +98,21 @@ internal sealed class DrawingImport
     }
 
     /// <summary>Inserts need their blocks and the switches of their layers. In the rare file that has them behind its entities, those wait for a second pass.</summary>
-    private bool IsAheadOfItsBlocks() => _tags.Rest.IndexOf("BLOCKS"u8) >= 0 || _tags.Rest.IndexOf("TABLES"u8) >= 0;
+    private bool IsAheadOfItsBlocks() => StandsAhead("BLOCKS"u8) || StandsAhead("TABLES"u8);
+
+    /// <summary>True when the word stands alone (between line ends, or ended by NUL) in what is still to be read.</summary>
+    private bool StandsAhead(ReadOnlySpan<byte> word)
+    {
+        var rest = _tags.Rest;
+        for (var at = rest.IndexOf(word); at >= 0; at = rest.IndexOf(word))
+        {
+            var end = at + word.Length;
+            if (at > 0 && rest[at - 1] < ' ' && (end == rest.Length || rest[end] < ' ')) return true;
+            rest = rest[end..];
+        }
+
+        return false;
+    }
 
     private bool AtSectionEnd() => _records.Next is RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;
 
@@ -116,7 +135,7 @@ internal sealed class DrawingImport
 
             _records.Read(_record);
             if (_record.Fault is { } fault) _log.Add(fault);
-            if (_record.Name >= 0) _layers.Define(_record);
+            else if (_record.Name >= 0) _layers.Define(_record);
         }
     }
 

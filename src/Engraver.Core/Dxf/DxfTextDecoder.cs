@@ -53,6 +53,7 @@ internal sealed class DxfTextDecoder
             "MACINTOSH" or "MAC-ROMAN" => 10000,
             "UTF-8" or "UTF8" => 65001,
             "ASCII" or "ISO8859-1" => 28591,
+            "UNDEFINED" or "" => 1252,
             _ => null,
         };
         if (known is not null) return known;

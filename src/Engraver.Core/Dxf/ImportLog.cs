@@ -17,14 +17,10 @@ internal sealed class ImportLog(string placeWord)
         if (Counted(rule)) _diagnostics.Add(rule.At(new SourceRef(line), facts));
     }
 
-    /// <summary>Adds a finding that a drawing needs only once, however often it is met.</summary>
-    public void AddOnce(in Trouble trouble)
-    {
-        if (!_counts.ContainsKey(trouble.Rule)) Add(trouble);
-    }
-
+    /// <summary>Adds a finding about a record. That widths are ignored is said once, however many polylines have one.</summary>
     public void Add(in Trouble trouble)
     {
+        if (trouble.Rule == DxfRules.WidthIgnored && _counts.ContainsKey(trouble.Rule)) return;
         if (!Counted(trouble.Rule)) return;
         var source = new SourceRef(trouble.Line, HandleText(trouble.Handle));
         _diagnostics.Add(trouble.Rule.At(source, trouble.Type, Place(trouble.Line), trouble.Detail));

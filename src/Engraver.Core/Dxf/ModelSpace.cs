@@ -1,6 +1,3 @@
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Drawings;
-
 namespace Engraver.Core.Dxf;
 
 /// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded where they stand.</summary>
@@ -12,7 +9,7 @@ internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, B
     {
         columns.Add(shape.ToEntity(record), shape.Parts);
         balance.AddCut(record);
-        foreach (var oddity in shape.Oddities) Note(oddity);
+        foreach (var oddity in shape.Oddities) log.Add(oddity);
     }
 
     public void AddInsert(EntityRecord record, in BlockInsert insert, int attributes)
@@ -32,10 +29,4 @@ internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, B
     }
 
     public void Refuse(EntityRecord record, in Trouble trouble) => balance.AddRefused(record, trouble);
-
-    private void Note(in Trouble oddity)
-    {
-        if (oddity.Rule == DxfRules.WidthIgnored) log.AddOnce(oddity);
-        else log.Add(oddity);
-    }
 }

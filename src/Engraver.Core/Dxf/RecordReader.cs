@@ -39,13 +39,13 @@ internal sealed class RecordReader
     public bool Truncated { get; private set; }
 
     /// <summary>Line (binary: byte offset) of the next record.</summary>
-    public int NextLine => _tags.Line;
+    public int NextLine { get; private set; }
 
     /// <summary>Reads the next record whole, whatever it is.</summary>
     public void Read(EntityRecord record)
     {
         _cancellation.ThrowIfCancellationRequested();
-        record.Begin(Next, _types[_nextType], _nextType, _tags.Line, _layerZero);
+        record.Begin(Next, _types[_nextType], _nextType, NextLine, _layerZero);
         var damages = _tags.DamageCount;
         while (_tags.Read() && _tags.Code != 0) Accept(record);
         Settle();
@@ -71,17 +71,13 @@ internal sealed class RecordReader
         Settle();
     }
 
-    /// <summary>Reads the name of the section that begins here, in capitals; "" when there is none.</summary>
-    public string EnterSection()
-    {
-        if (_tags.Read() && _tags.Code == 2) return Encoding.Latin1.GetString(_tags.Value.Trim(" \t"u8)).ToUpperInvariant();
-        if (_tags.AtEnd || _tags.Code == 0) Settle();
-        return "";
-    }
+    /// <summary>Reads the name of the section that begins here, in capitals. One of the Skip methods must follow.</summary>
+    public string EnterSection() => _tags.Read() ? Encoding.Latin1.GetString(_tags.Value.Trim(" \t"u8)).ToUpperInvariant() : "";
 
     private void Settle()
     {
         Truncated = _tags.AtEnd;
+        NextLine = _tags.Line;
         if (Truncated)
         {
             Next = RecordKind.FileEnd;
@@ -91,6 +87,16 @@ internal sealed class RecordReader
         _nextType = _types.IdOf(_tags.Value);
         while (_kinds.Count < _types.Count) _kinds.Add(RecordKinds.Of(_types[_kinds.Count]));
         Next = _kinds[_nextType];
+        if (Next == RecordKind.Section && !BeginsSection()) Next = RecordKind.Unknown;
+    }
+
+    /// <summary>The section plane of AutoCAD 2007 is an entity that is called SECTION, too; only a section goes on with its name.</summary>
+    private bool BeginsSection()
+    {
+        var here = _tags.Bookmark();
+        var named = _tags.Read() && _tags.Code == 2;
+        _tags.Return(here);
+        return named;
     }
 
     private void Accept(EntityRecord record)
@@ -117,12 +123,13 @@ internal sealed class RecordReader
 
     private void AcceptNumber(EntityRecord record, int code)
     {
+        var isVertex = record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 30 or 40 or 41 or 42;
         if (!EntityRecord.Keeps(code) || !(RecordKinds.HasNumbers(record.Kind) || code is 60 or 67)) return;
         if (!_tags.TryNumber(out var value))
         {
             record.Refuse(DxfRules.BadValue, _tags.ValueLine, string.Create(CultureInfo.InvariantCulture, $"group {code} is '{ShownText()}'"));
         }
-        else if (record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 40 or 41 or 42)
+        else if (isVertex)
         {
             record.Sequence.Add(new CodedNumber(code, value));
         }

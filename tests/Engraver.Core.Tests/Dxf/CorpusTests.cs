@@ -1,0 +1,70 @@
+using System.Text.Json;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.TestKit;
+
+namespace Engraver.Core.Tests.Dxf;
+
+/// <summary>Real drawings and made ones, against what an independent reader found in them (corpus/README.md).</summary>
+public class CorpusTests
+{
+    private const double Tolerance = 1e-6;
+
+    [Fact]
+    public void No_drawing_of_the_corpus_throws_and_every_balance_sheet_adds_up()
+    {
+        if (RepositoryFolder.Corpus is not { } corpus) return;
+        foreach (var path in Directory.EnumerateFiles(corpus, "*", SearchOption.AllDirectories).Where(IsDxf))
+        {
+            var balance = Reading.Of(File.ReadAllBytes(path)).Balance;
+            Assert.True(balance.Read == balance.Cut + balance.Construction + balance.Refused.Count, path);
+        }
+    }
+
+    [Fact]
+    public void Trusted_drawings_match_the_independent_reader()
+    {
+        if (RepositoryFolder.Corpus is not { } corpus) return;
+        var wrong = new List<string>();
+        var compared = 0;
+        foreach (var record in File.ReadLines(Path.Combine(corpus, "oracle.jsonl")).Select(line => JsonDocument.Parse(line).RootElement))
+        {
+            if (record.GetProperty("trust").GetString() != "two routes agree" || record.GetProperty("all").ValueKind != JsonValueKind.Object) continue;
+            var expected = record.GetProperty("all");
+            if (NeedsEllipsesOrSplines(expected)) continue;
+            compared++;
+            var name = record.GetProperty("file").GetString()!;
+            if (Difference(DrawingSummary.Of(Reading.Of(File.ReadAllBytes(Path.Combine(corpus, "files", name)))), expected) is { } difference) wrong.Add($"{name}: {difference}");
+        }
+
+        Assert.True(compared > 280, $"only {compared} drawings compared");
+        Assert.True(wrong.Count == 0, string.Join('\n', wrong));
+    }
+
+    private static bool IsDxf(string path) => path.EndsWith(".dxf", StringComparison.OrdinalIgnoreCase);
+
+    private static bool NeedsEllipsesOrSplines(JsonElement expected)
+    {
+        var leaf = expected.GetProperty("leaf");
+        return leaf.TryGetProperty("ELLIPSE", out _) || leaf.TryGetProperty("SPLINE", out _)
+            || expected.GetProperty("noncircular_arcs").GetInt32() > 0 || expected.GetProperty("tilted_arcs").GetInt32() > 0;
+    }
+
+    private static string? Difference(DrawingSummary found, JsonElement expected)
+    {
+        var leaf = string.Join(' ', found.Leaf.Select(entry => $"{entry.Key.ToDxfName()}={entry.Value}").Order(StringComparer.Ordinal));
+        var wantedLeaf = string.Join(' ', expected.GetProperty("leaf").EnumerateObject().Where(entry => entry.Value.GetInt32() > 0).Select(entry => $"{entry.Name}={entry.Value}").Order(StringComparer.Ordinal));
+        if (leaf != wantedLeaf) return $"{leaf} for {wantedLeaf}";
+        var length = expected.GetProperty("total_length").GetDouble();
+        if (Math.Abs(found.Length.Total - length) > Tolerance * Math.Max(1.0, length)) return $"length {found.Length.Total} for {length}";
+        var planLength = expected.GetProperty("total_length_xy").GetDouble();
+        if (Math.Abs(found.Length.PlanTotal - planLength) > Tolerance * Math.Max(1.0, planLength)) return $"plan length {found.Length.PlanTotal} for {planLength}";
+        var box = expected.GetProperty("bbox");
+        if (box.ValueKind != JsonValueKind.Array) return null;
+        double[] wanted = [.. box.EnumerateArray().Select(side => side.GetDouble())];
+        var bounds = found.Bounds ?? Bounds2D.Empty;
+        double[] sides = [bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY];
+        var size = Math.Max(1.0, wanted.Max(Math.Abs));
+        return sides.Zip(wanted).All(pair => Math.Abs(pair.First - pair.Second) <= Tolerance * size) ? null : $"bounds {bounds}";
+    }
+}
