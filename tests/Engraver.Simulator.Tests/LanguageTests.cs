@@ -140,6 +140,17 @@ public class LanguageTests
     }
 
     [Fact]
+    public async Task An_error_inside_CMDERR_stops_everything()
+    {
+        await using var rig = new Rig();
+        rig.Download("#LOOP\nWT 10\nJP#LOOP\n#CMDERR\nn=n+1\nVP 1\nEN1\n#BAD\nVP 1").Do("n=0", "XQ#LOOP,0", "XQ#LOOP,3").Pass(20);
+
+        rig.Do("XQ#BAD,1").Pass(50);
+
+        Assert.Equal((1, 0), (rig.Value("n"), rig.Value("_NO")));
+    }
+
+    [Fact]
     public async Task Threads_take_turns_line_by_line_and_pay_for_every_command()
     {
         await using var rig = new Rig();
