@@ -115,6 +115,17 @@ public class LinkTests
     }
 
     [Fact]
+    public void A_fault_plan_is_read_from_its_file()
+    {
+        var plan = FaultPlan.Parse("""{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],"freezeAfterCommands":99,"replyDelay":"00:00:00.050"}""");
+
+        Assert.Equal([new CommandRefusal(12, 32)], plan.Refusals);
+        Assert.Equal([new HandleDrop(0, 40)], plan.Drops);
+        Assert.Equal((99, 50), (plan.FreezeAfterCommands, plan.ReplyDelay.TotalMilliseconds));
+        Assert.Throws<System.Text.Json.JsonException>(() => FaultPlan.Parse("""{"refusal":[]}"""));
+    }
+
+    [Fact]
     public async Task A_frozen_controller_answers_nothing_while_its_motion_goes_on()
     {
         await using var rig = new Rig(new SimulatorOptions { Faults = new FaultPlan { FreezeAfterCommands = 2 } });

@@ -48,7 +48,7 @@ public class RecordTests
     public async Task A_move_from_an_unrecorded_place_begins_with_that_place()
     {
         await using var rig = new Rig();
-        rig.Do("DPA=700", "PRA=100", "BGA").RunToIdle();
+        rig.Do("ACA=67107840", "DPA=700", "PRA=100", "BGA").RunToIdle();
 
         var samples = rig.Controller.Record.Snapshot();
 
