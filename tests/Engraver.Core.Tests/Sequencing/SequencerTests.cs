@@ -208,14 +208,16 @@ public class SequencerTests
     }
 
     [Fact]
-    public void Nests_deeper_than_a_thread_can_recurse_are_ordered()
+    public void Nests_deeper_than_a_thread_can_recurse_are_ordered_from_the_inside()
     {
-        var builder = new DrawingBuilder();
-        for (var i = 1; i <= 3000; i++) builder.Circle(0, 0, i);
+        const int Depth = 200_000;
+        var rings = Enumerable.Range(1, Depth).Select(radius => Segment.FromArc(new ArcSegment(default, radius, Angle.Zero, Angle.FullTurn))).ToArray();
+        var contours = Enumerable.Range(0, Depth).Select(row => new Contour(new[] { new ContourPiece(row, Reversed: false) }, Closed: true)).ToArray();
+        var inside = Enumerable.Range(1, Depth).Select(outer => outer < Depth ? outer : -1).ToArray();
 
-        var result = Sequence(builder, Drawn);
+        var order = TravelOrder.Drawn(contours, rings, inside, Point2D.Origin, first: null);
 
-        Assert.Equal(Enumerable.Range(1, 2999).Append(-1), result.Strokes.Select(stroke => stroke.Inside));
+        Assert.Equal(Enumerable.Range(0, Depth), order.Select(entry => entry.Contour));
     }
 
     [Fact]
