@@ -28,7 +28,7 @@ public sealed class BoxTree
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>.</summary>
     public static BoxTree Of(ReadOnlySpan<Bounds2D> boxes)
     {
-        var keys = HilbertKeys(boxes);
+        var keys = HilbertCurve.KeysOf(boxes);
         var items = new int[boxes.Length];
         for (var i = 0; i < items.Length; i++) items[i] = i;
         Array.Sort(keys, items);
@@ -90,39 +90,6 @@ public sealed class BoxTree
 
         boxes.Add(unions);
         shown.Add(sums);
-    }
-
-    private static uint[] HilbertKeys(ReadOnlySpan<Bounds2D> boxes)
-    {
-        var all = Bounds2D.Empty;
-        foreach (var box in boxes) all = all.Union(box);
-        var scale = 65535.0 / Math.Max(Math.Max(all.Width, all.Height), double.Epsilon * 65536.0);
-        var keys = new uint[boxes.Length];
-        for (var i = 0; i < keys.Length; i++)
-        {
-            var x = (uint)Math.Clamp((((boxes[i].MinX + boxes[i].MaxX) / 2.0) - all.MinX) * scale, 0.0, 65535.0);
-            var y = (uint)Math.Clamp((((boxes[i].MinY + boxes[i].MaxY) / 2.0) - all.MinY) * scale, 0.0, 65535.0);
-            keys[i] = HilbertKey(x, y);
-        }
-
-        return keys;
-    }
-
-    /// <summary>Place of a cell of the 65536 x 65536 grid along the Hilbert curve.</summary>
-    private static uint HilbertKey(uint x, uint y)
-    {
-        var key = 0u;
-        for (var side = 1u << 15; side > 0; side >>= 1)
-        {
-            var right = (x & side) != 0;
-            var upper = (y & side) != 0;
-            key += side * side * ((right ? 3u : 0u) ^ (upper ? 1u : 0u));
-            if (upper) continue;
-            if (right) (x, y) = (65535u - x, 65535u - y);
-            (x, y) = (y, x);
-        }
-
-        return key;
     }
 
     private static double Distance(in Bounds2D box, Point2D place)

@@ -12,7 +12,9 @@ internal sealed class ContourWalker
     private readonly double _tolerance;
     private readonly EndGrid _ends;
     private readonly bool[] _used;
+    private readonly CrowdedJunctions _crowded = new();
     private readonly List<int> _near = [];
+    private int _firstRow;
 
     public ContourWalker(Segment[] segments, double joinTolerance)
     {
@@ -51,6 +53,7 @@ internal sealed class ContourWalker
     private Contour WalkFrom(int row)
     {
         var first = new ContourPiece(row, Reversed: false);
+        _firstRow = row;
         _used[row] = true;
         _ends.Take((2 * row) + 1); // the start stays in the grid: coming back to it closes the contour
         var ahead = new List<ContourPiece> { first };
@@ -94,7 +97,7 @@ internal sealed class ContourWalker
     private ContourPiece? Next(ContourPiece last, int closingRow)
     {
         var here = last.EndIn(_segments);
-        _ends.Near(here, _near);
+        FindNear(here, TravelAtEnd(last));
         _near.RemoveAll(end => _used[end / 2] && end / 2 != closingRow);
         if (_near.Count == 0) return null;
         var isBranch = _near.Exists(end => end / 2 != _near[0] / 2);
@@ -102,6 +105,17 @@ internal sealed class ContourWalker
         var chosen = ShortestDetour(here) ?? (isBranch ? Straightest(here, TravelAtEnd(last)) : NearerEnd(here));
         return new ContourPiece(chosen / 2, Reversed: (chosen & 1) == 1);
     }
+
+    /// <summary>Every end within the tolerance; at a place known to be crowded only those that lead straight on.</summary>
+    private void FindNear(Point2D here, Vector2D travel)
+    {
+        if (_crowded.TryFind(here, travel, SameTurnCosine, IsGone, _near)) return;
+        _ends.Near(here, _near);
+        if (_near.Count >= CrowdedJunctions.Crowd && !_near.Exists(end => _segments[end / 2].Length <= _tolerance)) _crowded.Remember(here, _near, TravelInto);
+    }
+
+    /// <summary>Used; but the first segment of the walk stays a goal: to come back to it is to close the contour.</summary>
+    private bool IsGone(int end) => _used[end / 2] && end / 2 != _firstRow;
 
     private int? ShortestDetour(Point2D here)
     {

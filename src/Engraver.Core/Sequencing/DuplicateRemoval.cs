@@ -7,7 +7,7 @@ public static class DuplicateRemoval
 {
     /// <summary>Rows that stay, ascending: of every group of duplicates the lowest row.</summary>
     /// <param name="segments">Rows by index.</param>
-    /// <param name="tolerance">Millimetres. Ends and midpoint (circles: centre and radius) must agree within it, or within a hundredth of the segment's length when
+    /// <param name="tolerance">Millimetres. Ends and midpoint (circles: centre and left quadrant point) must agree within it, or within a hundredth of the segment's length when
     /// that is less, so that a curve of tiny steps keeps every step. What is left out lies no farther than this from what stays.</param>
     public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance)
     {
@@ -34,14 +34,15 @@ public static class DuplicateRemoval
         return [.. kept];
     }
 
-    private static Point2D MiddleOf(Segment segment) => segment.Kind == SegmentKind.Circle ? segment.Arc.Centre : segment.PointAt(0.5);
+    /// <summary>Of a circle its left quadrant point: concentric circles must not all stand in one place of the grid.</summary>
+    private static Point2D MiddleOf(Segment segment) => segment.Kind == SegmentKind.Circle ? segment.Arc.Centre - new Vector2D(segment.Arc.Radius, 0.0) : segment.PointAt(0.5);
 
     private static bool AreSame(Segment a, Segment b, double middleDistance, double tolerance)
     {
         if (a.Kind != b.Kind) return false;
         var within = Math.Min(tolerance, 0.01 * a.Length);
         if (middleDistance > within) return false;
-        if (a.Kind == SegmentKind.Circle) return Math.Abs(a.Arc.Radius - b.Arc.Radius) <= within;
+        if (a.Kind == SegmentKind.Circle) return a.Arc.Centre.IsNear(b.Arc.Centre, within);
         return (a.Start.IsNear(b.Start, within) && a.End.IsNear(b.End, within)) || (a.Start.IsNear(b.End, within) && a.End.IsNear(b.Start, within));
     }
 }

@@ -86,6 +86,19 @@ public class ContourChainerTests
         Assert.Equal((1, false), (result.Contours.Count, result.Contours[0].Closed)); // straight on into the tail
     }
 
+    [Theory]
+    [InlineData(20)]
+    [InlineData(400)]
+    public void In_a_sunburst_every_ray_goes_straight_through_the_middle(int rays)
+    {
+        var burst = Enumerable.Range(0, rays).Select(i => Segment.FromLine(default, default(Point2D) + Vector2D.FromPolar(50, Angle.FromDegrees(360.0 * i / rays)))).ToArray();
+
+        var contours = ContourChainer.Chain(burst, Tolerance).Contours;
+
+        Assert.Equal(rays / 2, contours.Count);
+        Assert.All(contours, contour => Assert.Equal(rays / 2, Math.Abs(contour.Pieces.Span[0].Row - contour.Pieces.Span[1].Row)));
+    }
+
     [Fact]
     public void A_circle_is_a_contour_of_its_own_even_where_a_line_starts_on_it()
     {

@@ -1,0 +1,88 @@
+using Engraver.Core.Geometry;
+using FsCheck;
+using FsCheck.Fluent;
+
+namespace Engraver.Core.Tests.Geometry;
+
+public class BoxTreeTests
+{
+    private static readonly Arbitrary<int> Seeds = Gen.Choose(0, int.MaxValue).ToArbitrary();
+
+    [Fact]
+    public void The_nearest_item_is_the_one_that_looking_at_all_would_find() =>
+        Prop.ForAll(Seeds, seed =>
+        {
+            var (places, here) = Places(seed);
+            var tree = BoxTree.Of(places);
+
+            var found = tree.Nearest(here, Distance(places), double.PositiveInfinity, out var distance);
+
+            var expected = Enumerable.Range(0, places.Length).MinBy(i => places[i].DistanceTo(here));
+            return found == expected && distance == places[expected].DistanceTo(here);
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void Hidden_items_are_not_found_until_they_are_shown_again() =>
+        Prop.ForAll(Seeds, seed =>
+        {
+            var (places, here) = Places(seed);
+            var tree = BoxTree.Of(places);
+            for (var i = 0; i < places.Length; i++)
+            {
+                tree.Hide(i);
+                tree.Hide(i);
+                if (i % 3 == 0) tree.Show(i);
+            }
+
+            var found = tree.Nearest(here, Distance(places), double.PositiveInfinity, out _);
+
+            return found == Enumerable.Range(0, places.Length).Where(i => i % 3 == 0).MinBy(i => places[i].DistanceTo(here));
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void Overlapping_finds_every_box_that_touches() =>
+        Prop.ForAll(Seeds, seed =>
+        {
+            var (places, here) = Places(seed);
+            var boxes = places.Select(place => new Bounds2D(place.X, place.Y, place.X + 7, place.Y + 3)).ToArray();
+            var window = new Bounds2D(here.X, here.Y, here.X + 20, here.Y + 20);
+            var found = new List<int>();
+
+            BoxTree.Of(boxes).Overlapping(window, found);
+
+            var expected = Enumerable.Range(0, boxes.Length).Where(i =>
+                boxes[i].MinX <= window.MaxX && boxes[i].MaxX >= window.MinX && boxes[i].MinY <= window.MaxY && boxes[i].MaxY >= window.MinY);
+            return found.Order().SequenceEqual(expected);
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void Nothing_lies_nearer_than_the_limit()
+    {
+        var tree = BoxTree.Of([new Point2D(3, 4)]);
+
+        Assert.Equal(-1, tree.Nearest(default, (_, place) => place.DistanceTo(new Point2D(3, 4)), 4.99, out var distance));
+        Assert.Equal(4.99, distance);
+        Assert.Equal(0, tree.Nearest(default, (_, place) => place.DistanceTo(new Point2D(3, 4)), 5.0, out _));
+    }
+
+    [Fact]
+    public void An_empty_tree_and_a_tree_with_everything_hidden_answer_none()
+    {
+        var hidden = BoxTree.Of([default(Point2D)]);
+        hidden.Hide(0);
+
+        Assert.Equal(-1, BoxTree.Of(ReadOnlySpan<Point2D>.Empty).Nearest(default, (_, _) => 0.0, double.PositiveInfinity, out _));
+        Assert.Equal(-1, hidden.Nearest(default, (_, _) => 0.0, double.PositiveInfinity, out _));
+    }
+
+    private static BoxTree.Measure Distance(Point2D[] places) => (item, place) => places[item].DistanceTo(place);
+
+    /// <summary>Clusters with an outlier far away, and whole coordinates so that ties happen.</summary>
+    private static (Point2D[] Places, Point2D Here) Places(int seed)
+    {
+        var random = new Random(seed);
+        var places = Enumerable.Range(0, random.Next(1, 200)).Select(_ => new Point2D(random.Next(100), random.Next(100))).ToArray();
+        if (random.Next(2) == 0) places[^1] = new Point2D(1e7, -1e7);
+        return (places, new Point2D(random.Next(-20, 120), random.Next(-20, 120)));
+    }
+}

@@ -1,0 +1,262 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.TestKit;
+using FsCheck;
+using FsCheck.Fluent;
+
+namespace Engraver.Core.Tests.Sequencing;
+
+public class SequencerTests
+{
+    private static readonly SequencingOptions Nearest = SequencingOptions.Default;
+    private static readonly SequencingOptions Drawn = SequencingOptions.Default with { Order = StrokeOrder.Drawn };
+
+    [Theory]
+    [InlineData(-1, 98)]
+    [InlineData(201, 102)]
+    [InlineData(100, 102)]
+    public void A_circle_starts_at_the_quadrant_point_nearer_to_the_tool_and_at_the_right_one_in_a_tie(double toolX, double startX)
+    {
+        var drawing = new DrawingBuilder().Circle(100, 0, 2);
+
+        foreach (var order in new[] { Nearest, Drawn })
+        {
+            var result = Sequence(drawing, order with { ToolStart = new Point2D(toolX, 0) });
+            Assert.Equal(new Point2D(startX, 0), result.Strokes[0].Start);
+        }
+    }
+
+    [Fact]
+    public void A_circle_begun_on_the_left_has_its_row_rewritten()
+    {
+        var row = Sequence(new DrawingBuilder().Circle(100, 0, 2), Nearest).Table[0];
+
+        Assert.Equal(new double[] { 2, 98, 0, 0, 98, 0, 0, 100, 0, 0, 2, 180, 540, 1, 0, 360 }, row.Slots.ToArray());
+    }
+
+    [Fact]
+    public void An_arc_run_backwards_has_ends_and_angles_swapped_and_a_negative_rotation()
+    {
+        var result = Sequence(new DrawingBuilder().Arc(0, 0, 10, 0, 90), Nearest with { ToolStart = new Point2D(0, 11) });
+
+        Assert.Equal(new double[] { 3, 0, 10, 0, 10, 0, 0, 0, 0, 0, 10, 90, 0, 1, 0, -90 }, result.Table[0].Slots.ToArray());
+        Assert.Equal(1, result.Reversed);
+    }
+
+    [Fact]
+    public void A_closed_contour_starts_at_the_joint_nearest_to_the_tool()
+    {
+        var result = Sequence(new DrawingBuilder().Square(0, 0, 10), Nearest with { ToolStart = new Point2D(12, 12) });
+
+        Assert.Equal((new Point2D(10, 10), new Point2D(10, 10)), (result.Strokes[0].Start, result.Strokes[0].End));
+        Assert.Equal(0, result.Reversed);
+    }
+
+    [Fact]
+    public void Travel_is_the_way_to_each_start_and_back_home_at_the_end()
+    {
+        var result = Sequence(new DrawingBuilder().Line(3, 4, 3, 10).Line(20, 10, 11, 10), Nearest);
+
+        Assert.Equal(5.0 + 8.0, result.Travel, 12);
+        Assert.Equal(13.0 + Math.Sqrt(500.0), result.TravelAndBack, 12);
+        Assert.Equal(5.0 + 17.0, result.TravelAsDrawn, 12);
+        Assert.Equal(6.0 + 9.0, result.PathLength, 12);
+    }
+
+    [Fact]
+    public void Travel_as_drawn_takes_a_polyline_as_one_curve_and_counts_duplicates()
+    {
+        var result = Sequence(new DrawingBuilder().Square(10, 0, 5).Line(10, 0, 0, 0).Line(10, 0, 0, 0), Nearest);
+
+        Assert.Equal(10.0 + 0.0 + 10.0, result.TravelAsDrawn, 12);
+        Assert.Equal(1, result.DuplicatesRemoved);
+    }
+
+    [Fact]
+    public void Duplicates_stay_when_asked_for() =>
+        Assert.Equal((2, 0), Sequence(new DrawingBuilder().Circle(0, 0, 1).Circle(0, 0, 1), Nearest with { KeepDuplicates = true }) is var kept
+            ? (kept.Contours, kept.DuplicatesRemoved)
+            : default);
+
+    [Fact]
+    public void An_ellipse_counts_as_one_segment_and_polyline_parts_count_each()
+    {
+        var halves = new[] { Half(0), Half(180) };
+
+        Assert.Equal(1, Sequence(new DrawingBuilder().Curve(CurveType.Ellipse, halves), Nearest).Segments);
+        Assert.Equal(2, Sequence(new DrawingBuilder().Curve(CurveType.LwPolyline, halves), Nearest).Segments);
+    }
+
+    [Theory]
+    [InlineData(StrokeOrder.Nearest)]
+    [InlineData(StrokeOrder.Drawn)]
+    public void What_is_inside_is_always_cut_before_what_is_around_it(StrokeOrder order) =>
+        Prop.ForAll(Gen.Choose(0, int.MaxValue).ToArbitrary(), seed =>
+        {
+            var strokes = Sequence(NestedSquares(seed), SequencingOptions.Default with { Order = order }).Strokes;
+            return strokes.All(stroke => stroke.Inside == -1 || stroke.Inside > stroke.Index) && strokes.Any(stroke => stroke.Inside >= 0);
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void The_table_is_numbered_from_one_and_every_row_of_the_drawing_is_in_it_once() =>
+        Prop.ForAll(LoosePolylines.Any, loose =>
+        {
+            var builder = new DrawingBuilder();
+            foreach (var segment in loose.Shuffled) builder.Curve(segment.Kind == SegmentKind.Line ? CurveType.Line : CurveType.LwPolyline, segment);
+            var table = Sequence(builder, Nearest).Table;
+            var rows = Enumerable.Range(0, table.Count).ToList();
+            return rows.TrueForAll(row => table[row].SequenceNumber == row + 1)
+                && rows.Select(table.EntityIndexOf).Order().SequenceEqual(Enumerable.Range(0, loose.Shuffled.Length));
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void Every_contour_is_cut_whole_wherever_the_tool_starts() =>
+        Prop.ForAll(LoosePolylines.Any, Gen.Choose(-100, 500).Two().ToArbitrary(), (loose, tool) =>
+        {
+            var builder = new DrawingBuilder();
+            foreach (var segment in loose.Shuffled) builder.Curve(CurveType.LwPolyline, segment);
+            var result = Sequence(builder, Nearest with { ToolStart = new Point2D(tool.Item1, tool.Item2) });
+            return result.Contours == loose.Polylines.Count
+                && Math.Abs(result.PathLength - loose.Shuffled.Sum(segment => segment.Length)) < 1e-6
+                && result.Strokes.All(IsJoined);
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void The_entering_entity_is_cut_first_and_begun_at_itself()
+    {
+        var drawing = new DrawingBuilder().Line(1, 0, 2, 0).Line(50, 0, 60, 0).Line(60, 0, 60, 10).Line(60, 10, 50, 0);
+
+        foreach (var order in new[] { Nearest, Drawn })
+        {
+            var result = Sequence(drawing, order with { Enter = new EnterAt.AtEntity(2) });
+            Assert.Equal(2, result.Table.EntityIndexOf(0));
+            Assert.Equal(new Point2D(60, 0), result.Strokes[0].Start);
+        }
+    }
+
+    [Fact]
+    public void The_entering_place_chooses_the_end_of_an_open_stroke()
+    {
+        var result = Sequence(new DrawingBuilder().Line(1, 0, 2, 0).Line(50, 0, 60, 0), Nearest with { Enter = new EnterAt.AtPlace(new Point2D(61, 0)) });
+
+        Assert.Equal(new Point2D(60, 0), result.Strokes[0].Start);
+    }
+
+    [Fact]
+    public void Entering_at_an_outer_contour_still_cuts_what_is_inside_it_first()
+    {
+        var drawing = new DrawingBuilder().Circle(1, 1, 0.5).Square(50, 50, 20).Circle(60, 60, 2);
+
+        foreach (var order in new[] { Nearest, Drawn })
+        {
+            var result = Sequence(drawing, order with { Enter = new EnterAt.AtEntity(1) });
+            Assert.Equal([2, 1, 1, 1, 1, 0], Enumerable.Range(0, 6).Select(result.Table.EntityIndexOf));
+            Assert.Contains(result.Diagnostics, d => d.Rule == SequencingRules.EntryWaits);
+        }
+    }
+
+    [Fact]
+    public void An_entering_entity_that_is_not_cut_is_said_so()
+    {
+        var result = Sequence(new DrawingBuilder().Circle(0, 0, 1), Nearest with { Enter = new EnterAt.AtEntity(7) });
+
+        Assert.Equal([SequencingRules.EntryNotFound], result.Diagnostics.Select(d => d.Rule));
+        Assert.Equal(1, result.Contours);
+    }
+
+    [Fact]
+    public void Drawn_order_keeps_file_order_and_drawn_directions()
+    {
+        var result = Sequence(new DrawingBuilder().Line(60, 0, 50, 0).Line(1, 0, 2, 0), Drawn);
+
+        Assert.Equal([0, 1], Enumerable.Range(0, 2).Select(result.Table.EntityIndexOf));
+        Assert.Equal(new Point2D(60, 0), result.Strokes[0].Start);
+    }
+
+    [Fact]
+    public void A_small_gap_is_a_warning_with_place_size_and_handle()
+    {
+        var result = Sequence(new DrawingBuilder().Line(0, 0, 10, 0).Line(10.25, 0, 90, 0), Nearest);
+
+        var warnings = result.Diagnostics.Where(d => d.Severity == Severity.Warning).ToList();
+        Assert.Equal(["SEQ0003", "SEQ0003"], warnings.Select(d => d.Id));
+        Assert.StartsWith("The contour is open at 10, 0: the nearest other open end is 0.25 mm away, on entity A2.", warnings[0].Message, StringComparison.Ordinal);
+        Assert.Equal("A1", warnings[0].Source.Handle);
+        Assert.Equal(["SEQ0002", "SEQ0003", "SEQ0003", "SEQ0002"], result.Discontinuities.Select(end => end.DiagnosticId));
+        Assert.Equal("A2", result.Discontinuities[1].NearestHandle);
+    }
+
+    [Fact]
+    public void Duplicates_name_their_entity()
+    {
+        var result = Sequence(new DrawingBuilder().Circle(0, 0, 1).Circle(5, 0, 1).Circle(0, 0, 1), Nearest);
+
+        var finding = Assert.Single(result.Diagnostics);
+        Assert.StartsWith("1 segments lie on another one and are cut once; the first is entity A3.", finding.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void An_empty_drawing_gives_an_empty_result_and_says_so()
+    {
+        var result = Sequence(new DrawingBuilder(), Nearest);
+
+        Assert.Equal((0, 0.0, 0.0, 0.0), (result.Contours, result.Travel, result.TravelAndBack, result.TravelAsDrawn));
+        Assert.Equal([SequencingRules.NothingToCut], result.Diagnostics.Select(d => d.Rule));
+    }
+
+    [Fact]
+    public void Nests_deeper_than_a_thread_can_recurse_are_ordered_from_the_inside()
+    {
+        const int Depth = 200_000;
+        var rings = Enumerable.Range(1, Depth).Select(radius => Segment.FromArc(new ArcSegment(default, radius, Angle.Zero, Angle.FullTurn))).ToArray();
+        var contours = Enumerable.Range(0, Depth).Select(row => new Contour(new[] { new ContourPiece(row, Reversed: false) }, Closed: true)).ToArray();
+        var inside = Enumerable.Range(1, Depth).Select(outer => outer < Depth ? outer : -1).ToArray();
+
+        var order = TravelOrder.Drawn(contours, rings, inside, Point2D.Origin, first: null);
+
+        Assert.Equal(Enumerable.Range(0, Depth), order.Select(entry => entry.Contour));
+    }
+
+    [Fact]
+    public void Rules_have_ids_of_their_own() =>
+        Assert.Equal(SequencingRules.All.Count, SequencingRules.All.Select(rule => rule.Id).Distinct().Count());
+
+    private static SequencingResult Sequence(DrawingBuilder builder, SequencingOptions options)
+    {
+        var drawing = builder.Build();
+        return Sequencer.Sequence(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default)), drawing, options);
+    }
+
+    private static Segment Half(double start) => Segment.FromArc(new ArcSegment(default, 10, Angle.FromDegrees(start), Angle.FromDegrees(180)));
+
+    private static bool IsJoined(SequencedStroke stroke) => stroke.Moves.Zip(stroke.Moves.Skip(1), (a, b) => a.Segment.End.IsNear(b.Segment.Start, 0.01)).All(joined => joined);
+
+    /// <summary>Stacks of squares in squares, some with a hole and an open line, in a random file order.</summary>
+    private static DrawingBuilder NestedSquares(int seed)
+    {
+        var random = new Random(seed);
+        var draw = new List<Action<DrawingBuilder>>();
+        for (var stack = 0; stack < random.Next(1, 6); stack++)
+        {
+            var x = 200.0 * stack;
+            for (var ring = 0; ring < random.Next(2, 6); ring++)
+            {
+                var inset = 10.0 * ring;
+                draw.Add(builder => builder.Square(x + inset, inset, 100.0 - (2.0 * inset)));
+            }
+
+            draw.Add(builder => builder.Line(x + 46, 50, x + 54, 52));
+        }
+
+        var order = draw.ToArray();
+        random.Shuffle(order);
+        return order.Aggregate(new DrawingBuilder(), (builder, step) =>
+        {
+            step(builder);
+            return builder;
+        });
+    }
+}
