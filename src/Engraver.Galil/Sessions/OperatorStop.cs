@@ -19,11 +19,24 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
     public void Begin() => _begun = BrakeAsync();
 
     /// <summary>Brakes again, halts our threads and waits until the machine stands, however long it brakes. Then the segment buffer is emptied.</summary>
-    /// <returns>_CSS, _RPA, _RPB and TIME at the standstill.</returns>
-    /// <exception cref="ControllerException">The link failed.</exception>
+    /// <returns>Where the machine stands, and _CSS before the buffer was emptied.</returns>
+    /// <exception cref="ControllerException">Both handles failed.</exception>
     public async Task<StandstillReport> FinishAsync(TimeSpan pollInterval, CancellationToken cancellation)
     {
-        await _begun.ConfigureAwait(false);
+        try
+        {
+            await _begun.ConfigureAwait(false);
+            return await StopAsync(pollInterval, cancellation).ConfigureAwait(false);
+        }
+        catch (ControllerException) when (!session.StopHandle.IsBroken)
+        {
+            // The handle for the stop is lost, the one for commands still stands.
+            return await StopAsync(pollInterval, cancellation).ConfigureAwait(false);
+        }
+    }
+
+    private async Task<StandstillReport> StopAsync(TimeSpan pollInterval, CancellationToken cancellation)
+    {
         await BrakeAsync().ConfigureAwait(false);
         foreach (var thread in ownThreads) await SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}")).ConfigureAwait(false);
 
