@@ -1,6 +1,6 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Programs;
-using Engraver.Galil.Sessions;
+using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -133,11 +133,20 @@ public class JobRunnerTests
     {
         await using var bench = new SimulatedBench();
         var program = MotionPrograms.ShortLines(1600);
+        var links = new List<WithheldLink>();
+        await using var session = await bench.OpenAsync(null, links.Add);
+        var polls = 0;
+        links[0].Sending = line =>
+        {
+            // Less than the watchdog bears, again and again more than the buffer does.
+            if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status.IsMoving && ++polls % 10 == 0) bench.Controller.Advance(TimeSpan.FromSeconds(0.7));
+        };
 
-        var result = await bench.RunAsync(program, SimulatedBench.Job, new SlowNetwork(bench.Controller));
+        var result = await JobRunner.RunAsync(program, session, SimulatedBench.Job, null, CancellationToken.None);
 
         Assert.Equal((JobOutcome.Complete, 1600, 1600), (result.Outcome, result.SegmentsSent, result.SegmentsExecuted));
         Assert.InRange(result.Underruns, 1, 20);
+        Assert.Equal(bench.Controller.Status.Underruns, result.Underruns);
         Assert.Equal(new CountsPoint(96000, 0), result.FinalPosition);
         CutRecord.AssertWholePathWasCut(bench, program);
     }

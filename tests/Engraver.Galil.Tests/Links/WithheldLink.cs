@@ -1,3 +1,4 @@
+using System.Text;
 using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Tests.Links;
@@ -15,7 +16,14 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
 
     public void Withhold() => _withhold = true;
 
-    public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation) => inner.WriteAsync(bytes, cancellation);
+    /// <summary>Called with each line before it goes out.</summary>
+    public Action<string>? Sending { get; set; }
+
+    public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    {
+        Sending?.Invoke(Encoding.Latin1.GetString(bytes.Span));
+        return inner.WriteAsync(bytes, cancellation);
+    }
 
     public async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation)
     {
