@@ -6,21 +6,14 @@ namespace Engraver.Simulator;
 /// <summary>Brings commands, wall time and controller time together under one lock.</summary>
 internal sealed class ControllerCore : ICommandSink, IDisposable
 {
-    private static readonly TimeSpan Silence = TimeSpan.FromMilliseconds(5);
-    private static readonly TimeSpan LongSilence = TimeSpan.FromSeconds(2);
-
-    /// <summary>How far one silent tick may carry a motion that never meets an event, and threads that never wait.</summary>
-    private const long LongestLeap = 20_000;
-    private const long BusyLeap = 5;
-
     private readonly Lock gate = new();
     private readonly SimulatorOptions options;
     private readonly ITimer timer;
     private readonly long started;
-    private readonly Queue<(long Due, Handle Handle, byte[] Bytes)> delayed = new();
+    private readonly SilenceWatch silence;
+    private readonly DelayedReplies replies;
     private readonly List<StatusWaiter> waiters = [];
     private TimeSpan paced;
-    private long lastActivity;
     private long commands;
 
     public ControllerCore(SimulatorOptions options)
@@ -28,8 +21,9 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         this.options = options;
         Machine = new Machine(options);
         started = options.Time.GetTimestamp();
-        lastActivity = started;
-        var period = options.IsVirtual ? Silence : TimeSpan.FromMilliseconds(2);
+        silence = new SilenceWatch(Machine, options.Time);
+        replies = new DelayedReplies(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
+        var period = options.IsVirtual ? SilenceWatch.Short : TimeSpan.FromMilliseconds(2);
         timer = options.Time.CreateTimer(_ => Tick(), null, period, period);
     }
 
@@ -54,7 +48,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         lock (gate)
         {
             Pace();
-            lastActivity = options.Time.GetTimestamp();
+            silence.Heard();
             return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, this) { Disconnect = disconnect });
         }
     }
@@ -65,7 +59,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         {
             Pace();
             handle.Receive(bytes);
-            lastActivity = options.Time.GetTimestamp();
+            silence.Heard();
             Notify();
         }
     }
@@ -76,7 +70,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         lock (gate)
         {
             handle.Close();
-            lastActivity = options.Time.GetTimestamp();
+            silence.Heard();
             Notify();
         }
     }
@@ -242,18 +236,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         }
     }
 
-    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes)
-    {
-        if (options.Faults is { ReplyDelay: var delay } && delay > TimeSpan.Zero)
-        {
-            long ticks = (long)(delay.TotalSeconds * options.Time.TimestampFrequency);
-            delayed.Enqueue((options.Time.GetTimestamp() + ticks, handle, bytes.ToArray()));
-        }
-        else
-        {
-            handle.Output.Write(bytes);
-        }
-    }
+    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes) => replies.Send(handle, bytes);
 
     void ICommandSink.Closed(Handle handle) => Machine.Handles.Remove(handle);
 
@@ -280,15 +263,10 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         lock (gate)
         {
             Pace();
-            while (delayed.TryPeek(out var next) && options.Time.GetTimestamp() >= next.Due)
-            {
-                delayed.Dequeue();
-                next.Handle.Output.Write(next.Bytes);
-            }
-
+            replies.Release();
             if (options.IsVirtual)
             {
-                PassSilence();
+                silence.Look();
             }
 
             Notify();
@@ -305,17 +283,6 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
             var due = options.Time.GetElapsedTime(started) * options.Speed;
             Machine.Advance(due - paced);
             paced = due;
-        }
-    }
-
-    /// <summary>Virtual time goes to the next event when the hosts are silent, but waits longer for the host of an open sequence.</summary>
-    private void PassSilence()
-    {
-        var silent = options.Time.GetElapsedTime(lastActivity);
-        if (silent >= Silence && !Machine.IsDormant && (silent >= LongSilence || !Machine.AwaitsSegments))
-        {
-            bool busyOnly = !Machine.Motion.CanProgress && Machine.Threads.QuietUntil(Machine.Sample) <= Machine.Sample;
-            Machine.AdvanceToEvent(busyOnly ? BusyLeap : LongestLeap);
         }
     }
 

@@ -1,3 +1,5 @@
+using System.Text.Json;
+
 namespace Engraver.Simulator;
 
 /// <summary>Troubles to inject (galil-dmc.md I.15). Commands are counted from 1 over all handles unless a fault names a handle.</summary>
@@ -14,6 +16,18 @@ public sealed record FaultPlan
 
     /// <summary>Wall time by which every reply is late.</summary>
     public TimeSpan ReplyDelay { get; init; } = TimeSpan.Zero;
+
+    /// <summary>
+    /// Reads a plan as written in a faults file: <c>{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],"freezeAfterCommands":99,"replyDelay":"00:00:00.050"}</c>.
+    /// </summary>
+    /// <exception cref="JsonException">The text is no such plan.</exception>
+    public static FaultPlan Parse(string json) =>
+        JsonSerializer.Deserialize<FaultPlan>(json, FileFormat) ?? throw new JsonException("A fault plan is an object.");
+
+    private static readonly JsonSerializerOptions FileFormat = new(JsonSerializerDefaults.Web)
+    {
+        UnmappedMemberHandling = System.Text.Json.Serialization.JsonUnmappedMemberHandling.Disallow,
+    };
 
     internal int? RefusalOf(long command)
     {

@@ -70,7 +70,7 @@ internal sealed class Machine
     private long outputChanges;
 
     /// <summary>An open sequence waits for its host: begun, not closed (contract: time at max stands still for it).</summary>
-    public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.IsClosed && !p.IsStopping);
+    public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.IsStopping);
 
     /// <summary>Nothing moves and no thread runs, so that only a command can change anything.</summary>
     public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning;

@@ -27,6 +27,9 @@ public sealed class SimulatedController : IAsyncDisposable
 
     public ControllerStatus Status => core.Status;
 
+    /// <summary>What stopped the record's file from being written (a full disk); null while all is well.</summary>
+    public IOException? RecordFailure => core.RecordFailure;
+
     /// <summary>The client end of a new handle, without a socket but with the same bytes. Disposing it frees the handle.</summary>
     /// <exception cref="IOException">All handles are busy.</exception>
     public Stream OpenConnection()

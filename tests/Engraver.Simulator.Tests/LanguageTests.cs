@@ -139,15 +139,37 @@ public class LanguageTests
         Assert.Equal((9, 28), (rig.Value("_NO"), rig.Value("c")));
     }
 
+    [Theory]
+    [InlineData(true, 0)]
+    [InlineData(false, 1)]
+    public async Task Handlers_need_a_running_thread_0_when_the_switch_says_so(bool needed, int handled)
+    {
+        await using var rig = new Rig(new SimulatorOptions { HandlersNeedThreadZero = needed });
+        rig.Download("#BAD\nVP 1\nEN\n#CMDERR\nn=1\nEN").Do("n=0", "XQ#BAD,1").Pass(20);
+
+        Assert.Equal((handled, 0), (rig.Value("n"), rig.Value("_NO")));
+    }
+
+    [Fact]
+    public async Task An_error_inside_CMDERR_stops_everything()
+    {
+        await using var rig = new Rig(new SimulatorOptions { HandlersNeedThreadZero = false });
+        rig.Download("#LOOP\nWT 10\nJP#LOOP\n#CMDERR\nn=n+1\nVP 1\nEN1\n#BAD\nVP 1").Do("n=0", "XQ#LOOP,0", "XQ#LOOP,3").Pass(20);
+
+        rig.Do("XQ#BAD,1").Pass(50);
+
+        Assert.Equal((1, 0), (rig.Value("n"), rig.Value("_NO")));
+    }
+
     [Fact]
     public async Task Threads_take_turns_line_by_line_and_pay_for_every_command()
     {
         await using var rig = new Rig();
-        rig.Download("#A\na=a+1\nJP#A\n#B\nb=b+1;b=b+1;b=b+1\nJP#B").Do("a=0;b=0", "XQ#A,1", "XQ#B,2").Pass(1000);
+        rig.Download("#A\na=a+1\nJP#A\n#B\nb=b+1;b=b+1;b=b+1;b=b+1;b=b+1\nJP#B").Do("a=0;b=0", "XQ#A,1", "XQ#B,2").Pass(1000);
 
-        // In one round A runs 2 commands and B 4, 0.5 ms each: 3 ms.
-        Assert.InRange(rig.Value("a"), 330, 340);
-        Assert.InRange(rig.Value("b"), 990, 1020);
+        // In one round A runs 2 commands and B 6, 0.5 ms each: 4 ms.
+        Assert.InRange(rig.Value("a"), 247, 254);
+        Assert.InRange(rig.Value("b"), 1235, 1270);
     }
 
     [Fact]

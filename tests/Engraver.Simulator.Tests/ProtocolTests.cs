@@ -66,7 +66,7 @@ public class ProtocolTests
     }
 
     [Theory]
-    [InlineData("x=4.1", "{F5.2}", " 00004.09")]
+    [InlineData("x=4.1", "{F5.2}", " 00004.10")]
     [InlineData("x=7", "{Z4.2}", " 7.00")]
     [InlineData("x=999999.999", "{F5.2}", " 99999.99")]
     [InlineData("x=255", "{$4.0}", " $00FF")]

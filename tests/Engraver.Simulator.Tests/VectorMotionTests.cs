@@ -250,6 +250,18 @@ public class VectorMotionTests
     }
 
     [Fact]
+    public async Task The_tangent_axis_turns_backwards_on_a_clockwise_arc()
+    {
+        await using var rig = new Rig();
+        rig.Do("VMABC", "TN 2000/360,-500", "CR 3000,180,-180", "VE");
+        Assert.Equal(0, rig.Value("_TNS"));
+
+        rig.Do("BGS").RunToIdle();
+
+        Assert.Equal((6000, 0, -1000), (rig.Value("_RPA"), rig.Value("_RPB"), rig.Value("_RPC")));
+    }
+
+    [Fact]
     public async Task Plane_T_works_beside_plane_S()
     {
         await using var rig = new Rig();

@@ -23,7 +23,16 @@ internal static class CommandTable
     private static readonly FrozenDictionary<string, CommandEntry>.AlternateLookup<ReadOnlySpan<char>> Lookup =
         Table.GetAlternateLookup<ReadOnlySpan<char>>();
 
+    /// <summary>Commands that a DMC-21x3 has and this controller does not (galil-dmc.md 0.4). They must be known, because GAC=1 would else pass for a variable.</summary>
+    private static readonly FrozenSet<string> Absent = (
+        "AF AG AL AO AQ AU BA BC BD BI BK BM BR BZ CD CI CM DE DT DV EA EB EC ED EG EM EP EQ ES ET EW FE FI GA GD GM GR HM HS IA II IK IP LC MB MW NB NF NZ "
+        + "OC PL PT QH QS RA RC RD RL SL TA TR TZ YA YB YC YR YS").Split(' ').ToFrozenSet(StringComparer.Ordinal);
+
     public static IEnumerable<string> Mnemonics => Table.Keys;
+
+    public static IEnumerable<string> NotModelled => Absent;
+
+    public static bool IsNotModelled(string mnemonic) => Absent.Contains(mnemonic);
 
     /// <summary>The command a statement begins with; the long words first, because ENDIF must not be read as EN (L.2 point 9).</summary>
     public static CommandEntry? Find(ReadOnlySpan<char> statement) =>

@@ -49,7 +49,7 @@ internal static class IndependentCommands
     private static void CheckPlane(VectorPlane plane)
     {
         Refuse(plane.IsActive, Tc.BeginWhileRunning);
-        Refuse(plane.FreeSlots == VectorPlane.Slots, Tc.NoSequence);
+        Refuse(plane.Buffer.IsEmpty, Tc.NoSequence);
         foreach (var axis in plane.Axes)
         {
             Refuse(axis.MotorOff && axis.Index < Axis.Real, Tc.MotorOff);

@@ -58,7 +58,7 @@ internal static class VectorCommands
     {
         if (reader.TryTake('?'))
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(reader.Machine.Motion.Selected.FreeSlots)));
+            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(reader.Machine.Motion.Selected.Buffer.FreeSlots)));
             return;
         }
 
@@ -118,7 +118,7 @@ internal static class VectorCommands
         }
 
         var segment = new StraightSegment(plane.FrameEnd, end);
-        Refuse(!plane.IsActive && plane.StoredLength + segment.Length >= LongestBeforeBegin, Tc.SequenceTooLong);
+        Refuse(!plane.IsActive && plane.Buffer.Length + segment.Length >= LongestBeforeBegin, Tc.SequenceTooLong);
         StoreWithSpeeds(reader, plane, segment);
     }
 
@@ -143,7 +143,7 @@ internal static class VectorCommands
         var plane = reader.Machine.Motion.Selected;
         if (reader.TryTake('?'))
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromDouble(Math.Floor(plane.StoredLength + 1e-6))));
+            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromDouble(Math.Floor(plane.Buffer.Length + 1e-6))));
             return;
         }
 
@@ -174,14 +174,15 @@ internal static class VectorCommands
         var plane = reader.Machine.Motion.Selected;
         if (reader.TryTake('?'))
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromDouble(Math.Round(plane.TangentStart()))));
+            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromDouble(Math.Round(plane.Tangent.StartFor(plane.Buffer.Current)))));
             return;
         }
 
         var values = TakeValues(reader, 2);
         reader.ExpectEnd();
         double perDegree = Math.Round(AxisParameters.InRange(values[0].Value, -127, 127) * 256) / 256;
-        plane.TangentScale = (perDegree, AxisParameters.InRange(values[1].Value, -8_388_608, LongestSegment));
+        plane.Tangent.CountsPerDegree = perDegree;
+        plane.Tangent.Zero = AxisParameters.InRange(values[1].Value, -8_388_608, LongestSegment);
     }
 
     private static void SetDeceleration(VectorPlane plane, double value)

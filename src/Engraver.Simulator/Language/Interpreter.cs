@@ -71,7 +71,7 @@ internal sealed class Interpreter(Machine machine)
     {
         string text = WithoutBlank(statement);
         int name = NameLength(text);
-        if (name == 0 || name == text.Length || char.IsAsciiDigit(text[0]))
+        if (name == 0 || name == text.Length || char.IsAsciiDigit(text[0]) || IsCommandNotModelled(text, name))
         {
             return false;
         }
@@ -84,6 +84,9 @@ internal sealed class Interpreter(Machine machine)
 
         return text[name] == '=';
     }
+
+    private static bool IsCommandNotModelled(string text, int name) =>
+        name is 2 or 3 && CommandTable.IsNotModelled(text[..2]) && (name == 2 || IsLetterOfMachine(text[2]));
 
     private static int NameLength(string text)
     {

@@ -4,11 +4,13 @@ namespace Engraver.Simulator.Language;
 
 /// <summary>How a number is printed: digits before and after the point, padded or not, decimal or hexadecimal (galil-dmc.md A.3 format commands, E messages).</summary>
 /// <param name="Digits">Places before the point.</param>
-/// <param name="Decimals">Places after the point; further ones are cut off, never rounded (0.6 prints 0.5999).</param>
+/// <param name="Decimals">Places after the point. Four are cut off (0.6 prints 0.5999), fewer are rounded (4.1 with {F5.2} prints 00004.10, E Messages).</param>
 /// <param name="LeadingZeros">Whether unused places before the point print as zeros.</param>
 /// <param name="Hex">Hexadecimal with a dollar sign.</param>
 internal readonly record struct NumberFormat(int Digits, int Decimals, bool LeadingZeros, bool Hex)
 {
+    private const int LeastCutDecimals = 4;
+
     public static NumberFormat Variable => new(10, 4, false, false);
 
     public static NumberFormat Position => new(10, 0, false, false);
@@ -33,25 +35,18 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
             return PrintHex(value);
         }
 
-        long magnitude = Math.Abs(value.Raw);
-        string whole = (magnitude >> 16).ToString(CultureInfo.InvariantCulture);
+        // One unit of the last place; the stored fraction is coarser than four decimals, so rounding those would invent digits.
+        long unit = (long)Math.Pow(10, Decimals);
+        Int128 scaled = (Int128)Math.Abs(value.Raw) * unit + (Decimals < LeastCutDecimals ? 1 << 15 : 0);
+        long places = (long)(scaled >> 16);
+        string whole = (places / unit).ToString(CultureInfo.InvariantCulture);
         if (whole.Length > Digits)
         {
             return new string('9', Digits) + (Decimals > 0 ? "." + new string('9', Decimals) : "");
         }
 
-        return (LeadingZeros ? whole.PadLeft(Digits, '0') : whole) + Fraction(magnitude & 0xFFFF);
-    }
-
-    private string Fraction(long sixteenBits)
-    {
-        if (Decimals == 0)
-        {
-            return "";
-        }
-
-        long scale = (long)Math.Pow(10, Decimals);
-        return "." + ((sixteenBits * scale) >> 16).ToString(CultureInfo.InvariantCulture).PadLeft(Decimals, '0');
+        string fraction = Decimals == 0 ? "" : "." + (places % unit).ToString(CultureInfo.InvariantCulture).PadLeft(Decimals, '0');
+        return (LeadingZeros ? whole.PadLeft(Digits, '0') : whole) + fraction;
     }
 
     private string PrintHex(FixedPoint value)

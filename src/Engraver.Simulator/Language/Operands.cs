@@ -9,17 +9,17 @@ internal static class Operands
 {
     private static readonly FrozenDictionary<string, Func<OperandRequest, FixedPoint>> Table = new Dictionary<string, Func<OperandRequest, FixedPoint>>
     {
-        ["LM"] = r => Whole(r.Plane.FreeSlots),
+        ["LM"] = r => Whole(r.Plane.Buffer.FreeSlots),
         ["CS"] = r => Whole(r.Plane.SegmentIndex),
         ["AV"] = r => Length(r.Plane.Travelled),
         ["VM"] = r => Real(Math.Round(r.Plane.Speed)),
-        ["VE"] = r => Length(r.Plane.StoredLength),
-        ["LE"] = r => Length(r.Plane.StoredLength),
+        ["VE"] = r => Length(r.Plane.Buffer.Length),
+        ["LE"] = r => Length(r.Plane.Buffer.Length),
         ["VS"] = r => Real(r.Plane.VectorSpeed),
         ["VA"] = r => Real(r.Plane.Acceleration),
         ["VD"] = r => Real(r.Plane.Deceleration),
         ["VR"] = r => Real(r.Plane.SpeedRatio),
-        ["TN"] = r => Real(Math.Round(r.Plane.TangentStart(), MidpointRounding.AwayFromZero)),
+        ["TN"] = r => Real(Math.Round(r.Plane.Tangent.StartFor(r.Plane.Buffer.Current), MidpointRounding.AwayFromZero)),
         ["CA"] = r => Whole(r.Machine.Motion.Selected.Letter - 'S'),
         ["VP"] = r => Whole((r.Machine.Motion.PlaneOf(r.Axis) ?? r.Machine.Motion.Selected).JointOf(r.Axis)),
         ["BG"] = r => FixedPoint.FromBoolean(r.IsPlane ? r.Plane.IsActive : r.Machine.Motion.IsBusy(r.Axis)),

@@ -177,7 +177,7 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
                 return Operands.Evaluate(machine, context, TakeName());
             case '"':
                 position++;
-                return PackText(TakeUntil('"', Tc.BadString));
+                return NumberLiteral.PackText(TakeUntil('"', Tc.BadString));
         }
 
         return char.IsAsciiLetter(c) ? TakeVariable() : throw new CommandRefusedException(Tc.OperandError);
@@ -224,84 +224,9 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
 
     private FixedPoint TakeNumber()
     {
-        if (TryTake('$'))
-        {
-            return TakeHex();
-        }
-
-        int start = position;
-        long whole = 0;
-        while (char.IsAsciiDigit(Next))
-        {
-            whole = Math.Min(whole * 10 + (text[position++] - '0'), long.MaxValue / 100);
-        }
-
-        long fraction = TryTake('.') ? TakeFraction() : 0;
-        if (whole > 2147483648 || position == start + (fraction == 0 && text[start] == '.' ? 1 : 0))
-        {
-            throw new CommandRefusedException(Tc.OutOfRange);
-        }
-
-        return new FixedPoint(whole << 16 | fraction) + FixedPoint.Zero;
-    }
-
-    /// <summary>Sixteen bits of a decimal fraction, cut off: 0.6 becomes 0.59999 (E, fixed-point traps).</summary>
-    private long TakeFraction()
-    {
-        long digits = 0;
-        long scale = 1;
-        while (char.IsAsciiDigit(Next))
-        {
-            if (scale < 1_000_000_000)
-            {
-                digits = (digits * 10) + (Next - '0');
-                scale *= 10;
-            }
-
-            position++;
-        }
-
-        return (digits << 16) / scale;
-    }
-
-    private FixedPoint TakeHex()
-    {
-        uint whole = 0;
-        while (char.IsAsciiHexDigitUpper(Next))
-        {
-            whole = (whole << 4) | (uint)Convert.ToInt32(text[position++].ToString(), 16);
-        }
-
-        long fraction = 0;
-        if (TryTake('.'))
-        {
-            int shift = 12;
-            while (char.IsAsciiHexDigitUpper(Next))
-            {
-                fraction |= shift < 0 ? 0 : (long)Convert.ToInt32(text[position].ToString(), 16) << shift;
-                shift -= 4;
-                position++;
-            }
-        }
-
-        return new FixedPoint(((long)(int)whole << 16) | fraction);
-    }
-
-    /// <summary>Up to six characters, first one in the highest byte (E, Variable).</summary>
-    private static FixedPoint PackText(string value)
-    {
-        if (value.Length > 6)
-        {
-            throw new CommandRefusedException(Tc.BadString);
-        }
-
-        long raw = 0;
-        for (int i = 0; i < 6; i++)
-        {
-            raw = (raw << 8) | (byte)(i < value.Length ? value[i] : 0);
-        }
-
-        return new FixedPoint((raw << 16) >> 16);
+        var value = NumberLiteral.Read(text.AsSpan(position), out int length);
+        position += length;
+        return value;
     }
 
     /// <summary>Axis and plane letters up to the end or an equals sign; commas between them are ignored (L.2 point 8). Empty means none were named.</summary>

@@ -64,7 +64,7 @@ internal sealed class MotionKernel
 
     public bool IsCoordinated(Axis axis) => PlaneOf(axis) is not null;
 
-    public VectorPlane? PlaneOf(Axis axis) => Array.Find(Planes, p => p.IsActive && (p.Axes.Contains(axis) || p.TangentAxis == axis));
+    public VectorPlane? PlaneOf(Axis axis) => Array.Find(Planes, p => p.IsActive && (p.Axes.Contains(axis) || p.Tangent.Axis == axis));
 
     public bool IsBusy(Axis axis) => axis.IsMoving || IsCoordinated(axis);
 

@@ -2,21 +2,14 @@ using Engraver.Simulator.Language;
 
 namespace Engraver.Simulator.Motion;
 
-/// <summary>One coordinate system, S or T: segment buffer and path profiler (galil-dmc.md B). Speeds counts/s along the path, lengths counts.</summary>
-/// <remarks>The executing segment still occupies its slot, so that free slots are 511 - (segments stored - _CS) at any time (F.1).</remarks>
+/// <summary>One coordinate system, S or T: the path profiler (galil-dmc.md B). Speeds counts/s along the path, lengths counts.</summary>
 internal sealed class VectorPlane(char letter)
 {
-    public const int Slots = 511;
-    private const double LongestSequence = 2e9;
-
-    private readonly Queue<VectorSegment> buffer = new(Slots);
-    private readonly double[] segmentEnd = new double[Axis.Letters.Length];
     private readonly double[] point = new double[Axis.Letters.Length];
     private readonly int[] origin = new int[Axis.Letters.Length];
+    private readonly int[] joint = new int[Axis.Letters.Length];
     private Axis[] axes = [];
-    private double total;
     private double commanded = 25000;
-    private double? tangent;
     private int stopCode;
 
     public char Letter => letter;
@@ -25,11 +18,9 @@ internal sealed class VectorPlane(char letter)
 
     public ReadOnlySpan<Axis> Axes => axes;
 
-    /// <summary>The axis that VM drives along the tangent, or null (B.6).</summary>
-    public Axis? TangentAxis { get; private set; }
+    public SegmentBuffer Buffer { get; } = new();
 
-    /// <summary>TN: counts per degree and the position that means zero degrees.</summary>
-    public (double PerDegree, double Zero) TangentScale { get; set; }
+    public TangentFollower Tangent { get; } = new();
 
     public double VectorSpeed { get; private set; } = 25000;
 
@@ -54,24 +45,17 @@ internal sealed class VectorPlane(char letter)
     /// <summary>Index of the segment being executed, from 0; after the end the number executed: <c>_CSS</c>.</summary>
     public int SegmentIndex { get; private set; }
 
-    /// <summary>VE or LE stands behind the last segment.</summary>
-    public bool IsClosed { get; private set; }
-
     /// <summary>The buffer ran empty without VE (B.7): the plane stands until it is fed, closed or aborted.</summary>
     public bool IsDry { get; private set; }
 
     /// <summary>How often the buffer ran dry since power up.</summary>
     public int Underruns { get; private set; }
 
-    public int FreeSlots => Slots - buffer.Count;
-
-    public double StoredLength => total;
-
     /// <summary>Where the next AV counts from (B.1).</summary>
     public double TrippointReference { get; set; }
 
     /// <summary>True when the next sample will move something.</summary>
-    public bool CanProgress => IsActive && (Speed > 0 || (buffer.Count > 0 && !IsStopping && commanded * SpeedRatio > 0) || IsStopping || (buffer.Count == 0 && (IsClosed || !IsDry)));
+    public bool CanProgress => IsActive && (Speed > 0 || IsStopping || (Buffer.IsEmpty ? Buffer.IsClosed || !IsDry : commanded * SpeedRatio > 0));
 
     public bool IsAtSpeed => IsActive && Speed == commanded * SpeedRatio;
 
@@ -81,8 +65,6 @@ internal sealed class VectorPlane(char letter)
         int i = Array.IndexOf(axes, axis);
         return i < 0 ? axis.Reference : origin[i] + joint[i];
     }
-
-    private readonly int[] joint = new int[Axis.Letters.Length];
 
     public void SetSpeed(double speed)
     {
@@ -95,72 +77,55 @@ internal sealed class VectorPlane(char letter)
     {
         Mode = mode;
         axes = newAxes;
-        TangentAxis = tangentAxis;
+        Tangent.Axis = tangentAxis;
         Clear();
     }
 
     /// <summary>CS: removes what was stored (B.1).</summary>
     public void Clear()
     {
-        buffer.Clear();
-        Array.Clear(segmentEnd);
-        total = 0;
-        IsClosed = false;
+        Buffer.Clear();
         SegmentIndex = 0;
         Travelled = 0;
     }
 
-    /// <summary>The end of the last stored segment in the sequence frame; after a CR it is a real point (I, rounding rule).</summary>
-    public ReadOnlySpan<double> FrameEnd => segmentEnd.AsSpan(0, axes.Length);
+    /// <summary>The end of the last stored segment in the sequence frame, one number per axis.</summary>
+    public ReadOnlySpan<double> FrameEnd => Buffer.FrameEnd[..axes.Length];
 
     public void Store(VectorSegment segment)
     {
         PrepareForSegment();
-        if (segment.Length < 1e-3)
+        bool next = Buffer.IsEmpty;
+        Buffer.Store(segment);
+        if (next && IsActive)
         {
-            throw new CommandRefusedException(Tc.SegmentTooShort);
+            EnterSegment();
         }
-
-        if (buffer.Count >= Slots)
-        {
-            throw new CommandRefusedException(Tc.SegmentBufferFull);
-        }
-
-        if (total + segment.Length > LongestSequence)
-        {
-            throw new CommandRefusedException(Tc.SequenceTooLong);
-        }
-
-        segment.StartLength = total;
-        total += segment.Length;
-        segment.PointAt(segment.Length, segmentEnd);
-        buffer.Enqueue(segment);
-        Enter(buffer.Count == 1 && IsActive);
     }
 
     /// <summary>VE or LE.</summary>
-    public void Close() => IsClosed = true;
+    public void Close() => Buffer.IsClosed = true;
 
     /// <summary>A stored sequence that was executed makes room for the next one by itself; CS is not needed then (B.1).</summary>
     public void PrepareForSegment()
     {
-        if (IsActive && IsClosed)
+        if (IsActive && Buffer.IsClosed)
         {
             throw new CommandRefusedException(Tc.NotWhileRunning);
         }
 
-        if (!IsActive && buffer.Count == 0 && (SegmentIndex > 0 || total > 0))
+        if (!IsActive && Buffer.IsEmpty && (SegmentIndex > 0 || Buffer.Length > 0))
         {
             Clear();
         }
 
-        IsClosed = IsClosed && IsActive;
+        Buffer.IsClosed = false;
     }
 
     /// <summary>BGS: latches the frame origin at the present position (B.2).</summary>
     public void Begin()
     {
-        if (buffer.Count == 0)
+        if (Buffer.IsEmpty)
         {
             throw new CommandRefusedException(Tc.NoSequence);
         }
@@ -178,10 +143,10 @@ internal sealed class VectorPlane(char letter)
         Travelled = 0;
         SegmentIndex = 0;
         TrippointReference = 0;
-        tangent = null;
+        Tangent.Restart();
         commanded = VectorSpeed;
         MarkAxes(StopCode.VectorRunning);
-        Enter(true);
+        EnterSegment();
     }
 
     /// <summary>STS or a limit: brakes at VD, the rest of the sequence is given up (B.8). A dry plane is not helped by it; that needs VE or AB1 (B.7).</summary>
@@ -212,7 +177,7 @@ internal sealed class VectorPlane(char letter)
         double left = Ramp.Sample;
         while (left > 1e-12 && IsActive && HasPath())
         {
-            double used = Advance(buffer.Peek(), left);
+            double used = Advance(Buffer.Current!, left);
             if (used <= 0)
             {
                 break;
@@ -231,13 +196,13 @@ internal sealed class VectorPlane(char letter)
 
     private bool HasPath()
     {
-        if (buffer.Count > 0)
+        if (!Buffer.IsEmpty)
         {
             IsDry = false;
             return true;
         }
 
-        if (IsClosed || IsStopping)
+        if (Buffer.IsClosed || IsStopping)
         {
             MoveAxes();
             End(IsStopping ? stopCode : StopCode.VectorDone);
@@ -292,10 +257,10 @@ internal sealed class VectorPlane(char letter)
             joint[i] = Rounded(point[i]);
         }
 
-        tangent = segment.TangentAt(segment.Length);
-        buffer.Dequeue();
+        Tangent.Follow(segment.TangentAt(segment.Length));
+        Buffer.Drop();
         SegmentIndex++;
-        Enter(true);
+        EnterSegment();
         return HasPath() ? Math.Max(used, 1e-9) : 0;
     }
 
@@ -317,9 +282,9 @@ internal sealed class VectorPlane(char letter)
             }
         }
 
-        if (IsClosed)
+        if (Buffer.IsClosed)
         {
-            ceiling = Math.Min(ceiling, Ramp.Braking(Speed, total - Travelled, 0, Deceleration, dt));
+            ceiling = Math.Min(ceiling, Ramp.Braking(Speed, Buffer.Length - Travelled, 0, Deceleration, dt));
         }
 
         double slowest = Speed - (Deceleration * dt);
@@ -327,45 +292,20 @@ internal sealed class VectorPlane(char letter)
         return Speed == 0 && target == 0 ? 0 : Math.Max(slowest, Math.Min(ceiling, towards));
     }
 
-    private void Enter(bool executing)
-    {
-        if (executing && buffer.TryPeek(out var segment) && segment.EntrySpeed is { } entry)
-        {
-            commanded = entry;
-        }
-    }
+    private void EnterSegment() => commanded = Buffer.Current?.EntrySpeed ?? commanded;
 
     private void MoveAxes()
     {
-        if (buffer.TryPeek(out var segment))
+        if (Buffer.Current is { } segment)
         {
             segment.PointAt(Travelled - segment.StartLength, point);
+            Tangent.Follow(segment.TangentAt(Travelled - segment.StartLength));
         }
 
         for (int i = 0; i < axes.Length; i++)
         {
             axes[i].SetPosition(origin[i] + Rounded(point[i]));
         }
-
-        if (TangentAxis is not null)
-        {
-            TurnTangentAxis(segment);
-        }
-    }
-
-    /// <summary>Position the tangent axis needs at the start of the sequence: <c>_TNS</c>.</summary>
-    public double TangentStart() => buffer.TryPeek(out var first)
-        ? TangentScale.Zero + (TangentScale.PerDegree * Unwound(first.TangentAt(0), 0))
-        : TangentScale.Zero;
-
-    private void TurnTangentAxis(VectorSegment? segment)
-    {
-        if (segment is not null)
-        {
-            tangent = Unwound(segment.TangentAt(Travelled - segment.StartLength), tangent ?? 0);
-        }
-
-        TangentAxis!.SetPosition(Math.Round(TangentScale.Zero + (TangentScale.PerDegree * tangent.GetValueOrDefault()), MidpointRounding.AwayFromZero));
     }
 
     private void End(int code)
@@ -374,7 +314,7 @@ internal sealed class VectorPlane(char letter)
         IsStopping = false;
         IsDry = false;
         Speed = 0;
-        buffer.Clear();
+        Buffer.Abandon();
         foreach (var axis in axes)
         {
             axis.LastStop = axis.Reference;
@@ -390,8 +330,6 @@ internal sealed class VectorPlane(char letter)
             axis.StopCode = code;
         }
     }
-
-    private static double Unwound(double angle, double near) => near + Math.IEEERemainder(angle - near, 360);
 
     private static int Rounded(double value) => (int)Math.Round(value, MidpointRounding.AwayFromZero);
 }

@@ -89,8 +89,8 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
     /// <summary>Frees the handle and breaks the line at once.</summary>
     public void Cut()
     {
+        Disconnect?.Invoke(); // first: a closed handle would end its socket politely
         Close();
-        Disconnect?.Invoke();
     }
 
     public void BeginDownload()

@@ -1,0 +1,60 @@
+using Engraver.Simulator.Language;
+
+namespace Engraver.Simulator.Motion;
+
+/// <summary>The segments of one sequence that are still to be executed: 511 slots (galil-dmc.md B.7).</summary>
+/// <remarks>The executing segment still occupies its slot, so that free slots are 511 - (segments stored - _CS) at any time (F.1).</remarks>
+internal sealed class SegmentBuffer
+{
+    public const int Slots = 511;
+    private const double ShortestSegment = 1e-3;
+    private const double LongestSequence = 2e9;
+
+    private readonly Queue<VectorSegment> segments = new(Slots);
+    private readonly double[] frameEnd = new double[Axis.Letters.Length];
+
+    public int FreeSlots => Slots - segments.Count;
+
+    public bool IsEmpty => segments.Count == 0;
+
+    public VectorSegment? Current => segments.TryPeek(out var segment) ? segment : null;
+
+    /// <summary>Path length of the whole sequence so far, executed segments included.</summary>
+    public double Length { get; private set; }
+
+    /// <summary>VE or LE stands behind the last segment.</summary>
+    public bool IsClosed { get; set; }
+
+    /// <summary>The end of the last stored segment in the sequence frame; after a CR it is a real point (I, rounding rule).</summary>
+    public ReadOnlySpan<double> FrameEnd => frameEnd;
+
+    public void Store(VectorSegment segment)
+    {
+        int refusal = segment.Length < ShortestSegment ? Tc.SegmentTooShort
+            : segments.Count >= Slots ? Tc.SegmentBufferFull
+            : Length + segment.Length > LongestSequence ? Tc.SequenceTooLong
+            : 0;
+        if (refusal != 0)
+        {
+            throw new CommandRefusedException(refusal);
+        }
+
+        segment.StartLength = Length;
+        Length += segment.Length;
+        segment.PointAt(segment.Length, frameEnd);
+        segments.Enqueue(segment);
+    }
+
+    public void Drop() => segments.Dequeue();
+
+    /// <summary>What was not executed is given up; length and end stay readable.</summary>
+    public void Abandon() => segments.Clear();
+
+    public void Clear()
+    {
+        segments.Clear();
+        Array.Clear(frameEnd);
+        Length = 0;
+        IsClosed = false;
+    }
+}
