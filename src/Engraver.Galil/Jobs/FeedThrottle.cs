@@ -1,22 +1,26 @@
 namespace Engraver.Galil.Jobs;
 
 /// <summary>Slows the path down by VR when the lead of the feeder gets short, instead of letting the buffer run dry (galil-dmc.md F.1, J 7).</summary>
-internal sealed class FeedThrottle
+/// <param name="rampSeconds">How long the path takes to stop from full speed: VR does not act faster than VA and VD allow, so it must be sent that much earlier.</param>
+internal sealed class FeedThrottle(double rampSeconds)
 {
     /// <summary>Below this lead, in segments, the ratio is <see cref="Slow"/>; below the second one <see cref="VerySlow"/>.</summary>
     private const int ShortLead = 20;
     private const int VeryShortLead = 8;
 
-    /// <summary>Full speed again above this lead; wide apart from <see cref="ShortLead"/>, so that the speed does not hunt.</summary>
-    private const int ComfortableLead = 100;
-
-    /// <summary>A few long segments are lead enough: 1.6 ms a command feeds more than a hundred in this time, seconds.</summary>
+    /// <summary>A few long segments are lead enough: 1.6 ms a command feeds more than a hundred in this time, seconds. Wide apart from the short lead, so that the speed does not hunt.</summary>
     private const double ComfortableSeconds = 0.25;
+
+    /// <summary>Two polls and a heartbeat pass between seeing that the lead is short and saying so, seconds.</summary>
+    private const double ReactionSeconds = 0.06;
+
     private const string Full = "VR 1";
     private const string Slow = "VR 0.5";
     private const string VerySlow = "VR 0.1";
 
     private string _now = Full;
+
+    private double ShortSeconds => rampSeconds + ReactionSeconds;
 
     /// <summary>The command that sets the ratio for this lead, or null when it stands so already.</summary>
     /// <param name="lead">Segments sent and not yet executed.</param>
@@ -24,10 +28,9 @@ internal sealed class FeedThrottle
     /// <param name="remaining">Segments not yet sent.</param>
     public string? Command(int lead, double secondsAhead, int remaining)
     {
-        if (remaining == 0 || secondsAhead > ComfortableSeconds) return Release();
-        if (lead < VeryShortLead) return Change(VerySlow);
-        if (lead < ShortLead && _now == Full) return Change(Slow);
-        return lead > ComfortableLead ? Change(Full) : null;
+        if (remaining == 0 || secondsAhead > Math.Max(ComfortableSeconds, 2 * ShortSeconds)) return Release();
+        if (lead < VeryShortLead || secondsAhead < ShortSeconds / 2) return Change(VerySlow);
+        return _now == Full && (lead < ShortLead || secondsAhead < ShortSeconds) ? Change(Slow) : null;
     }
 
     /// <summary>Back to full speed: nothing more has to be sent in time.</summary>

@@ -37,27 +37,41 @@ internal sealed class Job
 
     public async Task<JobResult> RunAsync()
     {
-        JobStep step;
-        using (_stop.UnsafeRegister(state => ((OperatorStop)state!).Begin(), _stopper))
+        JobStep? step = null;
+        try
         {
             step = await RunToTheEndAsync().ConfigureAwait(false);
+        }
+        finally
+        {
+            // A bug of ours is on its way out: the machine stops first.
+            if (step is null) await BringToRestAsync(JobStep.Done).ConfigureAwait(false);
         }
 
         var (end, standstill) = await BringToRestAsync(step).ConfigureAwait(false);
         var notRestored = await LeaveAsFoundAsync().ConfigureAwait(false);
-        var result = Result(end, standstill, notRestored);
-        _log.End(result);
-        return result;
+        return Journalled(Result(end, standstill, notRestored));
     }
 
+    private JobResult Journalled(JobResult result)
+    {
+        try
+        {
+            _log.End(result);
+            return result;
+        }
+        catch (IOException failure)
+        {
+            return result with { Sentence = $"{result.Sentence} The journal's last line could not be written: {failure.Message}" };
+        }
+    }
+
+    /// <summary>Everything up to the end of the last stroke. Whatever the operator, the controller, the link or the disk do ends it as a value.</summary>
     private async Task<JobStep> RunToTheEndAsync()
     {
         try
         {
-            if (await _session.BusyReasonAsync(_stop).ConfigureAwait(false) is { } busy) return JobStep.Broken(busy);
-            _touched = true;
-            if (await PrepareAsync().ConfigureAwait(false) is { Ends: true } unprepared) return unprepared;
-            return await CutAsync().ConfigureAwait(false);
+            return await BusyStepAsync().ConfigureAwait(false) is { Ends: true } busy ? busy : await RunFreeMachineAsync().ConfigureAwait(false);
         }
         catch (OperationCanceledException) when (_stop.IsCancellationRequested)
         {
@@ -67,13 +81,28 @@ internal sealed class Job
         {
             return JobStep.LinkLost(failure.Message);
         }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            return JobStep.Broken($"The journal cannot be written: {failure.Message} The job was stopped, for without it nobody could say what is engraved.");
+        }
+    }
+
+    private async Task<JobStep> BusyStepAsync() =>
+        await _session.BusyReasonAsync(_stop).ConfigureAwait(false) is { } busy ? JobStep.Broken(busy) : JobStep.Done;
+
+    /// <summary>From here on the machine is ours, and the operator's stop reaches it at once.</summary>
+    private async Task<JobStep> RunFreeMachineAsync()
+    {
+        _touched = true;
+        using var pressed = _stop.UnsafeRegister(stopper => ((OperatorStop)stopper!).Begin(), _stopper);
+        return await PrepareAsync().ConfigureAwait(false) is { Ends: true } unprepared ? unprepared : await CutAsync().ConfigureAwait(false);
     }
 
     private async Task<JobStep> PrepareAsync()
     {
         var copy = _options.JournalPath is { } journal ? journal + ".program.dmc" : null;
         var resident = ResidentServer.Program(_options.Mode, _program.Profile);
-        if (await _memory.BorrowAsync(resident.Text, copy, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
+        if (await _memory.BorrowAsync(resident.Text, copy, found => ResidentServer.IsOurs(found, _program.Profile), _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         string[] settings = ["AC", "DC"];
         var commands = new List<string> { ResidentServer.DefineVariables };
@@ -111,15 +140,14 @@ internal sealed class Job
         return await _machine.ToolOffAsync().ConfigureAwait(false);
     }
 
-    /// <summary>After a job that did not complete: tool off, stop, wait. Over a link that is lost it is tried all the same, for the other handle may stand.</summary>
+    /// <summary>Tool off, stop, our threads halted, rest; after a complete job only the threads have anything to stop. Over a lost link it is tried all the same, for the other handle may stand.</summary>
     private async Task<(JobStep Step, StandstillReport? Standstill)> BringToRestAsync(JobStep step)
     {
         if (!_touched) return (step, null);
         try
         {
-            if (!step.Ends) return (step, await _stopper.FinishAsync(_options.PollInterval, CancellationToken.None).ConfigureAwait(false));
             var standstill = await _stopper.FinishAsync(_options.PollInterval, CancellationToken.None).ConfigureAwait(false);
-            _way.StoppedAt(standstill.SegmentCounter);
+            if (step.Ends) _way.StoppedAt(standstill.SegmentCounter);
             return (step, standstill);
         }
         catch (ControllerException failure)

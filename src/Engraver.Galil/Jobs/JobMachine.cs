@@ -19,6 +19,7 @@ internal sealed class JobMachine
     private readonly CancellationToken _stop;
     private readonly Heartbeat _heartbeat;
     private long? _startTime;
+    private long _polledAt;
 
     public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, Action polled, CancellationToken stop)
     {
@@ -52,6 +53,9 @@ internal sealed class JobMachine
     public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
 
     public bool ToolOn { get; private set; }
+
+    /// <summary>Wall time since the last poll.</summary>
+    public TimeSpan SincePoll => _session.Time.GetElapsedTime(_polledAt);
 
     /// <summary>Controller time since the job began: samples of the nominal length TM. The counter wraps at 2^31.</summary>
     public double Seconds => _startTime is { } start && Known is { } state ? SamplesSince(start, state.Time) * (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6 : 0.0;
@@ -97,6 +101,7 @@ internal sealed class JobMachine
         var reading = await _session.Commands.ReadAsync(MachineState.Operands, _stop).ConfigureAwait(false);
         if (reading.Refusal is { } refused) return Refuse(refused, "");
         Known = MachineState.Of(reading.Values);
+        _polledAt = _session.Time.GetTimestamp();
         _startTime ??= State.Time;
         _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, ToolOn));
         _polled();

@@ -48,4 +48,20 @@ public sealed record JobResult
 
     /// <summary>What could not be left as it was found, a sentence each.</summary>
     public IReadOnlyList<string> NotRestored { get; init; } = [];
+
+    internal static JobResult NotStarted(MotionProgram program, string sentence) => new()
+    {
+        Outcome = JobOutcome.Refused,
+        Sentence = sentence,
+        SegmentsSent = 0,
+        SegmentsExecuted = 0,
+        Seconds = 0,
+        Underruns = 0,
+        Rejected = 0,
+        FinalPosition = null,
+        PolledTrace = [],
+        ExecutedEntityIndices = [],
+        ExecutedByStroke = new int[program.Strokes.Count],
+        LengthByStroke = new double[program.Strokes.Count],
+    };
 }

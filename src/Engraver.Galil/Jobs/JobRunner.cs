@@ -16,10 +16,17 @@ public static class JobRunner
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(session);
         ArgumentNullException.ThrowIfNull(options);
-        using var journal = new JobJournal(options.JournalPath);
-        var job = new Job(program, session, options, progress, journal, stop);
+        JobJournal journal;
+        try
+        {
+            journal = new JobJournal(options.JournalPath);
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            return JobResult.NotStarted(program, $"The journal cannot be written: {failure.Message} Name another file.");
+        }
 
         // Replies from memory come at once: without a thread of its own the whole job would run before this method returns.
-        return await Task.Run(job.RunAsync, CancellationToken.None).ConfigureAwait(false);
+        using (journal) return await Task.Run(new Job(program, session, options, progress, journal, stop).RunAsync, CancellationToken.None).ConfigureAwait(false);
     }
 }

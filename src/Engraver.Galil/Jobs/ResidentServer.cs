@@ -1,5 +1,6 @@
 using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
 using static Engraver.Galil.Programs.ResidentProgram;
 
 namespace Engraver.Galil.Jobs;
@@ -22,6 +23,10 @@ internal static class ResidentServer
         JobMode.Calls => ForCalls(profile),
         _ => throw new ArgumentOutOfRangeException(nameof(mode)),
     };
+
+    /// <summary>True for a resident program of a job with this profile, of either mode.</summary>
+    public static bool IsOurs(string program, MachineProfile profile) =>
+        ProgramText.AreSame(program, ForStream(profile).Text) || ProgramText.AreSame(program, ForCalls(profile).Text);
 
     public static string StartCommand(ResidentProgram program) => JobMachine.Text($"XQ {program.EntryLabel},{MainThread}");
 

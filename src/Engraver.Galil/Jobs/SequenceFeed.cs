@@ -20,10 +20,14 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Segments shorter than this come slower over the wire than they are cut: the whole buffer is filled first (galil-dmc.md A.4: 1.6 ms a command).</summary>
     private const double ShortSegmentSeconds = 0.004;
 
-    private readonly FeedThrottle _throttle = new();
+    /// <summary>Shorter delays between two commands are nothing to look into.</summary>
+    private const double HeldUpSeconds = 0.05;
+
+    private readonly FeedThrottle _throttle = new((double)sequence.Speed / machine.Profile.AccelerationCounts);
     private int _capacity;
     private int _sent;
     private int _executed;
+    private int _sentAtWatch;
     private int _skipped;
     private double _countsAhead;
     private bool _begun;
@@ -43,11 +47,10 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (Remaining == 0) return JobStep.Done;
         while (Remaining > 0)
         {
+            if (IsTimeToWatch && await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
+            if (_begun && HasRunDry) return await CloseDryAsync().ConfigureAwait(false);
             if (await SendNextAsync().ConfigureAwait(false) is { Ends: true } refused) return refused;
             if (!_begun && IsReadyToBegin && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
-            if (!_begun || _sent % SegmentsBetweenPolls != 0) continue;
-            if (await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
-            if (HasRunDry) return await CloseDryAsync().ConfigureAwait(false);
         }
 
         return await CloseAsync().ConfigureAwait(false);
@@ -64,12 +67,15 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         }
     }
 
+    /// <summary>Every few segments; and when this computer was held up for long enough that the buffer may have run dry, before the next segment hides it.</summary>
+    private bool IsTimeToWatch => _begun && (_sent - _sentAtWatch >= SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds));
+
     private bool IsReadyToBegin =>
         _sent >= _capacity - SpareSegments
         || (Remaining > 0 && SecondsAhead / _sent >= ShortSegmentSeconds && (_sent >= StartSegments || SecondsAhead >= StartSeconds));
 
     /// <summary>Everything sent was executed before VE: the controller stood still at once, with the sequence open (galil-dmc.md B.7).</summary>
-    private bool HasRunDry => Remaining > 0 && (machine.State.Counter >= _sent || (machine.State.Counter == _sent - 1 && machine.State.PathSpeed == 0 && _executed > 0));
+    private bool HasRunDry => _sentAtWatch == _sent && (machine.State.Counter >= _sent || (machine.State.Counter == _sent - 1 && machine.State.PathSpeed == 0 && _executed > 0));
 
     private async ValueTask<JobStep> OpenAsync()
     {
@@ -130,6 +136,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     {
         if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         ConfirmUpTo(machine.State.Counter);
+        _sentAtWatch = _sent;
         if (!machine.State.SequenceRunning) return EndedEarly();
         return _throttle.Command(_sent - _executed, SecondsAhead, Remaining) is { } command ? await machine.SendAsync(command).ConfigureAwait(false) : JobStep.Done;
     }

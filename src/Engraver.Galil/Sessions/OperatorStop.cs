@@ -8,7 +8,7 @@ namespace Engraver.Galil.Sessions;
 /// <see cref="FinishAsync"/> says it again, so that a BGS that arrived in between starts nothing.</remarks>
 public sealed class OperatorStop(ControllerSession session, int toolOutput, IReadOnlyList<int> ownThreads)
 {
-    private const string Operands = "_BGS,_BGA,_BGB,_VMS,_CSS,_RPA,_RPB,TIME";
+    private const string Operands = "_BGS,_BGA,_BGB,_CSS,_RPA,_RPB,TIME";
 
     /// <summary>Polls at standstill after which an open sequence is ended by AB1: STS does not close one that ran dry (galil-dmc.md B.7).</summary>
     private const int PatiencePolls = 20;
@@ -19,11 +19,24 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
     public void Begin() => _begun = BrakeAsync();
 
     /// <summary>Brakes again, halts our threads and waits until the machine stands, however long it brakes. Then the segment buffer is emptied.</summary>
-    /// <returns>_CSS, _RPA, _RPB and TIME at the standstill.</returns>
-    /// <exception cref="ControllerException">The link failed.</exception>
+    /// <returns>Where the machine stands, and _CSS before the buffer was emptied.</returns>
+    /// <exception cref="ControllerException">Both handles failed.</exception>
     public async Task<StandstillReport> FinishAsync(TimeSpan pollInterval, CancellationToken cancellation)
     {
-        await _begun.ConfigureAwait(false);
+        try
+        {
+            await _begun.ConfigureAwait(false);
+            return await StopAsync(pollInterval, cancellation).ConfigureAwait(false);
+        }
+        catch (ControllerException) when (!session.StopHandle.IsBroken)
+        {
+            // The handle for the stop is lost, the one for commands still stands.
+            return await StopAsync(pollInterval, cancellation).ConfigureAwait(false);
+        }
+    }
+
+    private async Task<StandstillReport> StopAsync(TimeSpan pollInterval, CancellationToken cancellation)
+    {
         await BrakeAsync().ConfigureAwait(false);
         foreach (var thread in ownThreads) await SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}")).ConfigureAwait(false);
 
@@ -43,14 +56,17 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 
     private async Task<StandstillReport> WaitForRestAsync(TimeSpan pollInterval, CancellationToken cancellation)
     {
-        for (var standing = 0; ;)
+        var last = new StandstillReport(0, 0, 0, 0);
+        for (var standing = 0; ; standing++)
         {
             var reading = await session.StopHandle.ReadAsync(Operands, cancellation).ConfigureAwait(false);
             if (reading.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
             var v = reading.Values;
-            if (v[0] == 0 && v[1] == 0 && v[2] == 0) return new StandstillReport((int)v[4], (int)v[5], (int)v[6], (long)v[7]);
-            standing = v[0] != 0 && v[3] == 0 && v[1] == 0 && v[2] == 0 ? standing + 1 : 0;
+            var now = new StandstillReport((int)v[3], (int)v[4], (int)v[5], (long)v[6]);
+            if (v[0] == 0 && v[1] == 0 && v[2] == 0) return now;
+            if ((now.X, now.Y) != (last.X, last.Y)) standing = 0;
             if (standing == PatiencePolls) await SendAsync("AB 1").ConfigureAwait(false);
+            last = now;
             if (pollInterval > TimeSpan.Zero) await Task.Delay(pollInterval, session.Time, cancellation).ConfigureAwait(false);
         }
     }

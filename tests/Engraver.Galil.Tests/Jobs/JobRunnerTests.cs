@@ -1,6 +1,6 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Programs;
-using Engraver.Galil.Sessions;
+using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -115,5 +115,39 @@ public class JobRunnerTests
         Assert.Equal([7, 3], result.ExecutedEntityIndices);
         Assert.Equal([1, 1], result.ExecutedByStroke);
         Assert.Equal([2000.0, 2000.0], result.LengthByStroke);
+    }
+
+    [Fact]
+    public async Task Segments_that_are_cut_faster_than_they_can_be_sent_slow_the_path_down_instead_of_running_dry()
+    {
+        await using var bench = new SimulatedBench();
+
+        var result = await bench.RunAsync(MotionPrograms.ShortLines(3000, step: 20), SimulatedBench.Job);
+
+        Assert.Equal((JobOutcome.Complete, 3000, 0), (result.Outcome, result.SegmentsExecuted, result.Underruns));
+        Assert.Equal((60000, 0, 0), (bench.Last.A, bench.Last.B, bench.Controller.Status.Underruns));
+    }
+
+    [Fact]
+    public async Task A_sequence_that_ran_dry_is_taken_up_again_where_it_stopped()
+    {
+        await using var bench = new SimulatedBench();
+        var program = MotionPrograms.ShortLines(1600);
+        var links = new List<WithheldLink>();
+        await using var session = await bench.OpenAsync(null, links.Add);
+        var polls = 0;
+        links[0].Sending = line =>
+        {
+            // Less than the watchdog bears, again and again more than the buffer does.
+            if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status.IsMoving && ++polls % 10 == 0) bench.Controller.Advance(TimeSpan.FromSeconds(0.7));
+        };
+
+        var result = await JobRunner.RunAsync(program, session, SimulatedBench.Job, null, CancellationToken.None);
+
+        Assert.Equal((JobOutcome.Complete, 1600, 1600), (result.Outcome, result.SegmentsSent, result.SegmentsExecuted));
+        Assert.InRange(result.Underruns, 1, 20);
+        Assert.Equal(bench.Controller.Status.Underruns, result.Underruns);
+        Assert.Equal(new CountsPoint(96000, 0), result.FinalPosition);
+        CutRecord.AssertWholePathWasCut(bench, program);
     }
 }

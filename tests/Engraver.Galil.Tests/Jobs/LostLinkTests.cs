@@ -1,4 +1,7 @@
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
+using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -41,7 +44,7 @@ public class LostLinkTests
     public async Task A_controller_that_freezes_is_given_up_after_the_time_out()
     {
         await using var bench = new SimulatedBench(new() { FreezeAfterCommands = 200 });
-        var time = new Engraver.TestKit.ManualTimeProvider();
+        var time = new ManualTimeProvider();
         await using var session = await bench.OpenAsync(time);
 
         var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, null, CancellationToken.None);
@@ -54,5 +57,60 @@ public class LostLinkTests
         var result = await running;
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
         Assert.Contains("did not answer", result.Sentence, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task When_only_the_command_handle_is_cut_the_other_one_stops_the_machine_and_leaves_it_as_found()
+    {
+        await using var bench = new SimulatedBench(new() { Drops = [new(Handle: 0, AfterCommands: 400)] });
+        await using (var session = await bench.OpenAsync())
+        {
+            var result = await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, null, CancellationToken.None);
+
+            Assert.Equal(JobOutcome.LinkLost, result.Outcome);
+            Assert.Empty(result.NotRestored);
+            Assert.Equal(new CountsPoint(bench.Last.A, bench.Last.B), result.FinalPosition);
+        }
+
+        Assert.Equal((false, 0, 0), (bench.Controller.Status.IsMoving, bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads));
+        await using var fresh = new SimulatedBench();
+        Assert.Equal(await fresh.FingerprintAsync(), await bench.FingerprintAsync());
+    }
+
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    public async Task A_host_that_was_held_up_finds_that_the_watchdog_has_stopped_the_machine(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        var heldAt = 0L;
+        var held = new CancelWhen(progress => progress.X > 50000, () =>
+        {
+            heldAt = bench.Controller.Status.Sample;
+            bench.Controller.Advance(TimeSpan.FromSeconds(2));
+        });
+
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job with { Mode = mode }, held);
+
+        Assert.Equal((JobOutcome.LinkLost, 0), (result.Outcome, result.SegmentsExecuted));
+        Assert.Contains("watchdog", result.Sentence, StringComparison.Ordinal);
+        CutRecord.AssertSafeAfter(bench, heldAt, toolSeconds: 1.5, restSeconds: 1.5);
+    }
+
+    [Fact]
+    public async Task The_program_that_a_dead_run_had_found_is_given_back_by_the_next_one_with_its_journal()
+    {
+        await using var bench = new SimulatedBench();
+        await bench.DownloadAsync("#OWNER\nEN");
+        var folder = Directory.CreateTempSubdirectory();
+        var options = SimulatedBench.Job with { JournalPath = Path.Combine(folder.FullName, "job.jsonl") };
+        await bench.RunAsync(MotionPrograms.LongLine(200000), options, new CancelWhen(progress => progress.X > 50000, bench.Controller.DropConnections));
+        bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
+
+        var result = await bench.RunAsync(MotionPrograms.Paper, options with { Mode = JobMode.Calls });
+
+        Assert.Equal(JobOutcome.Complete, result.Outcome);
+        Assert.EndsWith(new Accepted("#OWNER\nEN").ToString(), await bench.FingerprintAsync(), StringComparison.Ordinal);
+        folder.Delete(recursive: true);
     }
 }

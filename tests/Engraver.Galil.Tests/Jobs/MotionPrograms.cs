@@ -21,9 +21,9 @@ internal static class MotionPrograms
     public static MotionProgram ArcChain(int count, int radius) => One(Sequence(
         new(0, 0), [.. Enumerable.Range(1, count).Select(i => Arc(i * 2 * radius, 0, radius, 180, i % 2 == 0 ? 180 : -180, i - 1))]));
 
-    /// <summary>One sequence of <paramref name="count"/> short lines: a gentle zigzag of 60 counts a piece.</summary>
-    public static MotionProgram ShortLines(int count) => One(Sequence(
-        new(0, 0), [.. Enumerable.Range(1, count).Select(i => Line(i * 60, i % 2, i - 1, Math.Sqrt(3601)))]));
+    /// <summary>One sequence of <paramref name="count"/> short lines: a gentle zigzag of <paramref name="step"/> counts a piece.</summary>
+    public static MotionProgram ShortLines(int count, int step = 60) => One(Sequence(
+        new(0, 0), [.. Enumerable.Range(1, count).Select(i => Line(i * step, i % 2, i - 1, Math.Sqrt((step * step) + 1)))]));
 
     /// <summary>Two strokes with a rapid between them.</summary>
     public static MotionProgram TwoStrokes => new(MachineProfile.Default, default,

@@ -1,5 +1,8 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Sessions;
+using Engraver.Galil.Tests.Links;
+using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -74,6 +77,49 @@ public class OperatorStopTests
 
         Assert.Equal((JobOutcome.Stopped, 0), (result.Outcome, result.SegmentsSent));
         Assert.All(bench.Controller.Record.Snapshot(), sample => Assert.Equal((0, 0), (sample.A, sample.B)));
+    }
+
+    [Fact]
+    public async Task Stop_goes_over_its_own_handle_while_the_feeder_waits_for_a_reply()
+    {
+        await using var bench = new SimulatedBench();
+        var time = new ManualTimeProvider();
+        var links = new List<WithheldLink>();
+        await using var session = await bench.OpenAsync(time, links.Add);
+        using var stop = new CancellationTokenSource();
+        var running = JobRunner.RunAsync(
+            MotionPrograms.LongLine(200000), session, SimulatedBench.Job, new CancelWhen(progress => progress.X > 50000, links[0].Withhold), stop.Token);
+        await links[0].SomebodyWaits;
+
+        await stop.CancelAsync();
+        var pressedAt = bench.Controller.Status.Sample;
+
+        Assert.Equal(0, bench.Controller.Status.Outputs);
+        Assert.True(bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5)));
+        Assert.False(running.IsCompleted);
+        while (!running.IsCompleted)
+        {
+            time.Advance(TimeSpan.FromSeconds(1));
+            await Task.Yield();
+        }
+
+        Assert.Equal(new CountsPoint(bench.Last.A, bench.Last.B), (await running).FinalPosition);
+        CutRecord.AssertSafeAfter(bench, pressedAt, toolSeconds: 0.01, restSeconds: 0.5);
+    }
+
+    [Fact]
+    public async Task A_sequence_that_ran_dry_is_closed_by_the_stop()
+    {
+        await using var bench = new SimulatedBench();
+        await using var session = await bench.OpenAsync();
+        await bench.SendAsync("SHAB", "VMAB", "VP 100,0", "BGS");
+        bench.Controller.Advance(TimeSpan.FromSeconds(1));
+        Assert.True(bench.Controller.Status.IsSequenceOpen);
+
+        var standstill = await new OperatorStop(session, 1, []).FinishAsync(TimeSpan.Zero, CancellationToken.None);
+
+        Assert.Equal((100, 0), (standstill.X, standstill.Y));
+        Assert.False(bench.Controller.Status.IsSequenceOpen);
     }
 
     private static (MotionProgram Program, int Far) Job(string place) => place switch

@@ -3,6 +3,7 @@ using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
+using Engraver.Galil.Tests.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
@@ -19,8 +20,17 @@ internal sealed class SimulatedBench : IAsyncDisposable
 
     public MotionSample Last => Controller.Record[Controller.Record.Count - 1];
 
-    public Task<ControllerSession> OpenAsync(TimeProvider? time = null) => ControllerSession.OpenAsync(
-        _ => Task.FromResult<IControllerLink>(new StreamLink(Controller.OpenConnection(), "memory")), new SessionOptions(), time ?? TimeProvider.System, CancellationToken.None);
+    /// <param name="opened">Told each link as it is opened: the command handle, then the second one.</param>
+    public Task<ControllerSession> OpenAsync(TimeProvider? time = null, Action<WithheldLink>? opened = null) => ControllerSession.OpenAsync(
+        _ =>
+        {
+            var link = new WithheldLink(new StreamLink(Controller.OpenConnection(), "memory"));
+            opened?.Invoke(link);
+            return Task.FromResult<IControllerLink>(link);
+        },
+        new SessionOptions(),
+        time ?? TimeProvider.System,
+        CancellationToken.None);
 
     public async Task<ControllerSession> OpenTcpAsync()
     {

@@ -1,0 +1,38 @@
+using System.Text;
+using Engraver.Galil.Links;
+
+namespace Engraver.Galil.Tests.Links;
+
+/// <summary>A link whose replies can be held back: the host waits for a prompt that does not come.</summary>
+internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
+{
+    private readonly TaskCompletionSource _waiting = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private volatile bool _withhold;
+
+    public string Description => inner.Description;
+
+    /// <summary>Completes when somebody waits for a reply that is held back.</summary>
+    public Task SomebodyWaits => _waiting.Task;
+
+    public void Withhold() => _withhold = true;
+
+    /// <summary>Called with each line before it goes out.</summary>
+    public Action<string>? Sending { get; set; }
+
+    public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    {
+        Sending?.Invoke(Encoding.Latin1.GetString(bytes.Span));
+        return inner.WriteAsync(bytes, cancellation);
+    }
+
+    public async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation)
+    {
+        if (!_withhold) return await inner.ReadAsync(buffer, cancellation);
+        var never = new TaskCompletionSource<int>();
+        using var registration = cancellation.Register(() => never.TrySetCanceled(cancellation));
+        _waiting.TrySetResult();
+        return await never.Task;
+    }
+
+    public ValueTask DisposeAsync() => inner.DisposeAsync();
+}
