@@ -59,6 +59,7 @@ public sealed record JobResult
         Underruns = 0,
         Rejected = 0,
         FinalPosition = null,
+        FrameOrigin = null,
         PolledTrace = [],
         ExecutedEntityIndices = [],
         ExecutedByStroke = new int[program.Strokes.Count],
