@@ -25,7 +25,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
     public void AddChain(ChainResult chain, EntityTable table, ReadOnlySpan<Segment> segments)
     {
-        if (table.Count == 0) _diagnostics.Add(SequencingRules.NothingToCut.At(default));
+        if (table.Count == 0 && drawing is not { HasErrors: true, Entities.Count: 0 }) _diagnostics.Add(SequencingRules.NothingToCut.At(default));
         if (chain.Branches > 0) _diagnostics.Add(SequencingRules.Branches.At(default, Number(chain.Branches)));
         AddShortSegments(table, segments);
         var wide = new List<Discontinuity>();

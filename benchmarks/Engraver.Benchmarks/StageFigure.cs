@@ -1,0 +1,13 @@
+using System.Globalization;
+
+namespace Engraver.Benchmarks;
+
+/// <summary>One row of the table in docs/benchmarks.md.</summary>
+/// <param name="CpuSeconds">User and system time of the whole process, median of the repetitions.</param>
+/// <param name="AllocatedBytes">Allocated on all threads, for each entity.</param>
+/// <param name="KeptBytes">Still reachable through the result, for each entity.</param>
+internal sealed record StageFigure(int Entities, string Stage, double CpuSeconds, double AllocatedBytes, double KeptBytes, string Note)
+{
+    public string ToMarkdown() => string.Create(
+        CultureInfo.InvariantCulture, $"| {Entities} | {Stage} | {CpuSeconds:0.000} | {AllocatedBytes:0} | {KeptBytes:0} | {Note} |");
+}
