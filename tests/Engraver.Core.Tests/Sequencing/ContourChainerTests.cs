@@ -132,13 +132,22 @@ public class ContourChainerTests
     }
 
     [Fact]
-    public void A_curve_of_steps_shorter_than_the_tolerance_stays_in_order()
+    public void A_micro_segment_is_taken_along_even_where_the_contour_could_go_straight_on_without_it()
     {
-        var steps = Enumerable.Range(0, 1000).Select(i => Line(i * 0.002, 0, (i + 1) * 0.002, 0)).ToArray();
+        var result = ContourChainer.Chain([Line(0, 0, 10, 0), Line(10.004, 0, 20, 0), Line(10, 0, 10.004, 0)], Tolerance);
+
+        Assert.Equal([0, 2, 1], Assert.Single(result.Contours).Pieces.ToArray().Select(piece => piece.Row));
+    }
+
+    [Fact]
+    public void A_curve_of_steps_shorter_than_the_tolerance_stays_in_order_however_its_rows_are_shuffled()
+    {
+        var stepOfRow = Enumerable.Range(0, 1000).Select(row => row * 7 % 1000).ToArray();
+        var steps = stepOfRow.Select(i => Line(i * 0.002, 0, (i + 1) * 0.002, 0)).ToArray();
 
         var contour = Assert.Single(ContourChainer.Chain(steps, Tolerance).Contours);
 
-        Assert.Equal(Enumerable.Range(0, 1000), contour.Pieces.ToArray().Select(piece => piece.Row));
+        Assert.Equal(Enumerable.Range(0, 1000), contour.Pieces.ToArray().Select(piece => stepOfRow[piece.Row]));
         Assert.False(contour.Closed);
     }
 

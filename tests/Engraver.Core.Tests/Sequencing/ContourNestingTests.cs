@@ -52,6 +52,10 @@ public class ContourNestingTests
         Assert.Equal([-1, -1], InsideOf(new DrawingBuilder().Circle(0, 0, 5).Circle(9, 0, 4)));
 
     [Fact]
+    public void A_line_that_is_mostly_outside_is_outside() =>
+        Assert.Equal([-1, -1, 0], InsideOf(new DrawingBuilder().Circle(0, 0, 10).Line(6, 6, 9.9, 9.9).Line(-1, -1, -9, -9)));
+
+    [Fact]
     public void A_figure_of_arcs_has_its_exact_area()
     {
         var right = new ArcSegment(new Point2D(5, 0), 1, Angle.FromDegrees(-90), Angle.FromDegrees(180));

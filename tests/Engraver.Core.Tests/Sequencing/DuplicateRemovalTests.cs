@@ -24,6 +24,20 @@ public class DuplicateRemovalTests
         Assert.Equal([0, 1], DuplicateRemoval.Keep([Line(10, 0, -10, 0), Half(0, 180)], Tolerance));
 
     [Fact]
+    public void A_line_whose_middle_touches_a_circle_is_no_duplicate_of_it() =>
+        Assert.Equal([0, 1], DuplicateRemoval.Keep([Circle(5), Line(-5, -5, -5, 5)], Tolerance));
+
+    [Fact]
+    public void Small_arcs_over_one_chord_differ_by_their_height()
+    {
+        Segment[] arcs = [Over(bulge: 0.1), Over(bulge: 0.136)];
+
+        Assert.Equal([0, 1], DuplicateRemoval.Keep(arcs, Tolerance));
+
+        static Segment Over(double bulge) => Segment.FromArc(ArcSegment.FromBulge(new Point2D(0, 0), new Point2D(0.05, 0), bulge));
+    }
+
+    [Fact]
     public void Concentric_circles_differ_by_radius() =>
         Assert.Equal([0, 2], DuplicateRemoval.Keep([Circle(5), Circle(5), Circle(5.01)], Tolerance));
 
