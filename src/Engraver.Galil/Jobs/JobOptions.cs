@@ -13,7 +13,7 @@ public sealed record JobOptions
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }
 
-    /// <summary>Pause between two polls while the controller works on its own. Zero for the simulator at full speed, whose time is the commands it receives.
-    /// While a sequence is open the feeder never pauses.</summary>
+    /// <summary>Pause between two polls while the controller works on its own. None where the controller's time runs ahead of ours
+    /// (<see cref="Sessions.ControllerSession.ClockRunsAhead"/>), nor while a sequence is open.</summary>
     public TimeSpan PollInterval { get; init; } = TimeSpan.FromMilliseconds(10);
 }

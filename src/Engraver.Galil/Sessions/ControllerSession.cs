@@ -10,18 +10,22 @@ public sealed class ControllerSession : IAsyncDisposable
     private readonly CommandChannel _commands;
     private readonly CommandChannel? _second;
 
-    private ControllerSession(CommandChannel commands, CommandChannel? second, ControllerIdentity identity, FoundState found, TimeProvider time)
+    private ControllerSession(CommandChannel commands, CommandChannel? second, ControllerIdentity identity, FoundState found, bool clockRunsAhead, TimeProvider time)
     {
         _commands = commands;
         _second = second;
         Identity = identity;
         Found = found;
+        ClockRunsAhead = clockRunsAhead;
         Time = time;
     }
 
     public ControllerIdentity Identity { get; }
 
     public FoundState Found { get; }
+
+    /// <summary>True when the controller's time passes much faster than ours (a simulator at full speed): polls then need no pause.</summary>
+    public bool ClockRunsAhead { get; }
 
     public TimeProvider Time { get; }
 
@@ -49,7 +53,8 @@ public sealed class ControllerSession : IAsyncDisposable
                 second = new CommandChannel(await openLink(cancellation).ConfigureAwait(false), "B", options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
             var identity = await Handshake.IdentifyAsync(commands, cancellation).ConfigureAwait(false);
             var found = await FoundState.ReadAsync(commands, identity.Letters, cancellation).ConfigureAwait(false);
-            var session = new ControllerSession(commands, second, identity, found, time);
+            var runsAhead = await ClockComparison.RunsAheadAsync(commands, time, cancellation).ConfigureAwait(false);
+            var session = new ControllerSession(commands, second, identity, found, runsAhead, time);
             await session.AgreeOnWireAsync(cancellation).ConfigureAwait(false);
             opened = true;
             return session;

@@ -9,11 +9,10 @@ public sealed class MachineConnection : IAsyncDisposable
     private static readonly TimeSpan s_connectTimeout = TimeSpan.FromSeconds(5);
     private readonly Func<CancellationToken, Task<IControllerLink>> _open;
 
-    private MachineConnection(string description, SimulatedController? simulator, TimeSpan pollInterval, Func<CancellationToken, Task<IControllerLink>> open)
+    private MachineConnection(string description, SimulatedController? simulator, Func<CancellationToken, Task<IControllerLink>> open)
     {
         Description = description;
         Simulator = simulator;
-        PollInterval = pollInterval;
         _open = open;
     }
 
@@ -22,16 +21,12 @@ public sealed class MachineConnection : IAsyncDisposable
     /// <summary>The simulated controller of a <c>sim:</c> address; null for a real link.</summary>
     public SimulatedController? Simulator { get; }
 
-    /// <summary>Pause between two polls of a moving machine. None in virtual time, which advances with each command.</summary>
-    public TimeSpan PollInterval { get; }
-
     /// <exception cref="NotSupportedException">The kind of address is not built yet.</exception>
     public static MachineConnection To(ControllerAddress address, TimeProvider time) => address switch
     {
         TcpAddress tcp => new MachineConnection(
             $"tcp://{tcp.Host}:{tcp.Port}",
             simulator: null,
-            TimeSpan.FromMilliseconds(10),
             async cancellation => await TcpLink.ConnectAsync(tcp.Host, tcp.Port, s_connectTimeout, time, cancellation).ConfigureAwait(false)),
         SimulatedAddress simulated => Simulate(simulated, time),
         _ => throw new NotSupportedException("Only tcp://HOST:PORT and sim: are built; a serial link is not."),
@@ -45,11 +40,9 @@ public sealed class MachineConnection : IAsyncDisposable
     private static MachineConnection Simulate(SimulatedAddress address, TimeProvider time)
     {
         var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time });
-        var poll = double.IsPositiveInfinity(address.Speed) ? TimeSpan.Zero : TimeSpan.FromMilliseconds(10);
         return new MachineConnection(
             "sim:",
             controller,
-            poll,
             _ => Task.FromResult<IControllerLink>(new StreamLink(controller.OpenConnection(), "sim:")));
     }
 }

@@ -24,7 +24,6 @@ public static class MachineRun
             JournalPath = options.JournalPath,
             DrawingName = job.Drawing.FileName,
             DryRun = options.DryRun,
-            PollInterval = connection.PollInterval,
         };
         await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);

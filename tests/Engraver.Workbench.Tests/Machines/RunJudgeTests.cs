@@ -78,7 +78,7 @@ public class RunJudgeTests
         var job = JobPreparation.Prepare(drawing, settings, MotionStyle.Continuous);
         await using var connection = MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System);
         await using var session = await Galil.Sessions.ControllerSession.OpenAsync(connection.OpenLinkAsync, new(), TimeProvider.System, CancellationToken.None);
-        var result = await JobRunner.RunAsync(job.Motion.Program!, session, new JobOptions { PollInterval = TimeSpan.Zero }, progress: null, CancellationToken.None);
+        var result = await JobRunner.RunAsync(job.Motion.Program!, session, new JobOptions(), progress: null, CancellationToken.None);
         Assert.Equal(JobOutcome.Complete, result.Outcome);
         return (job, connection.Simulator!.Record.Snapshot());
     }
