@@ -130,7 +130,7 @@ internal sealed class Job
 
     private async Task<JobStep> CutAsync(MotionStroke stroke)
     {
-        if (await _machine.RapidAsync(stroke.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
+        if (await RapidMove.ToAsync(_machine, stroke.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
         for (var i = 0; i < stroke.Sequences.Count; i++)
         {
             if (await _way.CutAsync(stroke.Sequences[i]).ConfigureAwait(false) is { Ends: true } end) return end;

@@ -6,7 +6,7 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>The machine as a job sees it: commands with the heartbeat between them, polls, the tool, rapids. Nothing is sent after the operator's stop.</summary>
+/// <summary>The machine as a job sees it: commands with the heartbeat between them, polls, the tool. Nothing is sent after the operator's stop.</summary>
 internal sealed class JobMachine
 {
     /// <summary>Samples in a second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so a settle time is never cut short.</summary>
@@ -143,33 +143,6 @@ internal sealed class JobMachine
     public ValueTask<JobStep> ToolOnAsync() => _options.DryRun || ToolOn ? new(JobStep.Done) : SwitchToolAsync(true);
 
     public ValueTask<JobStep> ToolOffAsync() => ToolOn ? SwitchToolAsync(false) : new(JobStep.Done);
-
-    /// <summary>Moves both axes at their own speeds; only an axis with something to do is begun. The tool is off.</summary>
-    public async ValueTask<JobStep> RapidAsync(CountsPoint target)
-    {
-        if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        var goal = new CountsPoint(target.X + Frame.X, target.Y + Frame.Y);
-        var commands = new List<string>();
-        var axes = "";
-        if (goal.X != State.Position.X)
-        {
-            commands.AddRange([Text($"SPA={Profile.RapidSpeedX}"), Text($"PAA={goal.X}")]);
-            axes += "A";
-        }
-
-        if (goal.Y != State.Position.Y)
-        {
-            commands.AddRange([Text($"SPB={Profile.RapidSpeedY}"), Text($"PAB={goal.Y}")]);
-            axes += "B";
-        }
-
-        if (axes.Length == 0) return JobStep.Done;
-        if (await SendAllAsync(commands.Append("BG" + axes)).ConfigureAwait(false) is { Ends: true } refused) return refused;
-        if (await PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } broken) return broken;
-        return State.Position == goal
-            ? JobStep.Done
-            : JobStep.Broken(Text($"The rapid to {goal.X},{goal.Y} ended at {State.Position.X},{State.Position.Y} ({StopCodes.Text(State.StopCode)}); find out what stopped the axis."));
-    }
 
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 

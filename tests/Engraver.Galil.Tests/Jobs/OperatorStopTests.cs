@@ -93,16 +93,16 @@ public class OperatorStopTests
 
         await stop.CancelAsync();
         var pressedAt = bench.Controller.Status.Sample;
-
-        Assert.Equal(0, bench.Controller.Status.Outputs);
-        Assert.True(bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5)));
-        Assert.False(running.IsCompleted);
+        var atOnce = bench.Controller.Status.Outputs;
+        var rests = bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
+        var feederWaits = !running.IsCompleted;
         while (!running.IsCompleted)
         {
             time.Advance(TimeSpan.FromSeconds(1));
             await Task.Yield();
         }
 
+        Assert.Equal((0, true, true), (atOnce, rests, feederWaits));
         Assert.Equal(new CountsPoint(bench.Last.A, bench.Last.B), (await running).FinalPosition);
         CutRecord.AssertSafeAfter(bench, pressedAt, toolSeconds: 0.01, restSeconds: 0.5);
     }
