@@ -91,13 +91,17 @@ public class ContourChainerTests
     [InlineData(400)]
     public void In_a_sunburst_every_ray_goes_straight_through_the_middle(int rays)
     {
-        var burst = Enumerable.Range(0, rays).Select(i => Segment.FromLine(default, default(Point2D) + Vector2D.FromPolar(50, Angle.FromDegrees(360.0 * i / rays)))).ToArray();
-
-        var contours = ContourChainer.Chain(burst, Tolerance).Contours;
+        var contours = ContourChainer.Chain(Sunburst(rays), Tolerance).Contours;
 
         Assert.Equal(rays / 2, contours.Count);
         Assert.All(contours, contour => Assert.Equal(rays / 2, Math.Abs(contour.Pieces.Span[0].Row - contour.Pieces.Span[1].Row)));
     }
+
+    [Theory]
+    [InlineData(21)]
+    [InlineData(401)]
+    public void In_a_sunburst_of_odd_rays_one_is_left_alone(int rays) =>
+        Assert.Equal((rays / 2) + 1, ContourChainer.Chain(Sunburst(rays), Tolerance).Contours.Count);
 
     [Fact]
     public void A_circle_is_a_contour_of_its_own_even_where_a_line_starts_on_it()
@@ -170,6 +174,9 @@ public class ContourChainerTests
     }
 
     private static Segment Line(double x1, double y1, double x2, double y2) => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2));
+
+    private static Segment[] Sunburst(int rays) =>
+        [.. Enumerable.Range(0, rays).Select(i => Segment.FromLine(Point2D.Origin, Point2D.Origin + Vector2D.FromPolar(50, Angle.FromDegrees(360.0 * i / rays))))];
 
     private static bool IsJoined(Contour contour, Segment[] segments)
     {
