@@ -181,8 +181,9 @@ public class ContourChainerTests
 
     private static Segment Line(double x1, double y1, double x2, double y2) => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2));
 
+    /// <summary>Each a little longer than the one before, so that they meet in the middle and nowhere else.</summary>
     private static Segment[] Rays(IEnumerable<double> degrees) =>
-        [.. degrees.Select(angle => Segment.FromLine(Point2D.Origin, Point2D.Origin + Vector2D.FromPolar(50, Angle.FromDegrees(angle))))];
+        [.. degrees.Select((angle, i) => Segment.FromLine(Point2D.Origin, Point2D.Origin + Vector2D.FromPolar(50 + i, Angle.FromDegrees(angle))))];
 
     private static bool IsJoined(Contour contour, Segment[] segments)
     {
