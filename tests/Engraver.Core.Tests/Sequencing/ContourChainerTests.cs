@@ -91,12 +91,22 @@ public class ContourChainerTests
     [InlineData(400)]
     public void In_a_sunburst_every_ray_goes_straight_through_the_middle(int rays)
     {
-        var burst = Enumerable.Range(0, rays).Select(i => Segment.FromLine(default, default(Point2D) + Vector2D.FromPolar(50, Angle.FromDegrees(360.0 * i / rays)))).ToArray();
-
-        var contours = ContourChainer.Chain(burst, Tolerance).Contours;
+        var contours = ContourChainer.Chain(Rays(Enumerable.Range(0, rays).Select(i => 360.0 * i / rays)), Tolerance).Contours;
 
         Assert.Equal(rays / 2, contours.Count);
         Assert.All(contours, contour => Assert.Equal(rays / 2, Math.Abs(contour.Pieces.Span[0].Row - contour.Pieces.Span[1].Row)));
+    }
+
+    [Theory]
+    [InlineData(21)]
+    [InlineData(401)]
+    public void Rays_in_any_directions_go_on_with_each_other_until_one_is_left_alone(int rays)
+    {
+        var random = new Random(rays);
+
+        var contours = ContourChainer.Chain(Rays(Enumerable.Range(0, rays).Select(_ => 360.0 * random.NextDouble())), Tolerance).Contours;
+
+        Assert.Equal((rays / 2) + 1, contours.Count);
     }
 
     [Fact]
@@ -170,6 +180,10 @@ public class ContourChainerTests
     }
 
     private static Segment Line(double x1, double y1, double x2, double y2) => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2));
+
+    /// <summary>Each a little longer than the one before, so that they meet in the middle and nowhere else.</summary>
+    private static Segment[] Rays(IEnumerable<double> degrees) =>
+        [.. degrees.Select((angle, i) => Segment.FromLine(Point2D.Origin, Point2D.Origin + Vector2D.FromPolar(50 + i, Angle.FromDegrees(angle))))];
 
     private static bool IsJoined(Contour contour, Segment[] segments)
     {

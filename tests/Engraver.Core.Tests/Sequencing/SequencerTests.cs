@@ -153,7 +153,7 @@ public class SequencerTests
         foreach (var order in new[] { Nearest, Drawn })
         {
             var result = Sequence(drawing, order with { Enter = new EnterAt.AtEntity(1) });
-            Assert.Equal([2, 1, 1, 1, 1, 0], Enumerable.Range(0, 6).Select(result.Table.EntityIndexOf));
+            Assert.Equal([2, 1, 1, 1, 1, 0], Enumerable.Range(0, result.Table.Count).Select(result.Table.EntityIndexOf));
             Assert.Contains(result.Diagnostics, d => d.Rule == SequencingRules.EntryWaits);
         }
     }

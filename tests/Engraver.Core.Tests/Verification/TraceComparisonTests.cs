@@ -77,6 +77,14 @@ public class TraceComparisonTests
     }
 
     [Fact]
+    public void The_jump_from_a_sample_with_the_tool_off_covers_nothing()
+    {
+        List<TraceSample> trace = [new(0, 0, 0, false), new(1, 9, 0, true), new(2, 10, 0, true)];
+
+        Assert.InRange(Compare([Line], trace).MissingLength, 8.9, 9.1);
+    }
+
+    [Fact]
     public void A_gap_between_samples_is_covered_by_the_chord_between_them()
     {
         List<TraceSample> trace = [new(0, 0, 0, true), new(1, 10, 0, true)];
