@@ -64,16 +64,9 @@ internal sealed class RunVerb
             DryRun = parsed.GetValue(_dryRun),
         };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
-        MachineRunReport report;
-        try
-        {
-            report = await RunProgressBar.ShowAsync(quiet, program, progress => MachineRun.RunAsync(job, program, options, TimeProvider.System, progress, stop)).ConfigureAwait(false);
-        }
-        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
-        {
-            throw new UsageException($"The journal or the trace cannot be written: {unwritable.Message}", unwritable);
-        }
-
+        CheckWritable(options.JournalPath);
+        if (options.TracePath is { } trace) CheckWritable(trace);
+        var report = await RunProgressBar.ShowAsync(quiet, program, progress => MachineRun.RunAsync(job, program, options, TimeProvider.System, progress, stop)).ConfigureAwait(false);
         return Finish(parsed, job, report, options.JournalPath);
     }
 
@@ -97,6 +90,20 @@ internal sealed class RunVerb
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job), ContractJson.Default.RunJson);
         _host.Error.WriteLine($"engraver: not started: {why}.");
         return ExitCode.DrawingError;
+    }
+
+    /// <summary>Before the machine is touched: a job whose journal cannot be written must not begin.</summary>
+    /// <exception cref="UsageException">The file cannot be written.</exception>
+    private static void CheckWritable(string path)
+    {
+        try
+        {
+            using var file = File.Open(path, FileMode.OpenOrCreate, FileAccess.Write);
+        }
+        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
+        {
+            throw new UsageException($"{path} cannot be written: {unwritable.Message}", unwritable);
+        }
     }
 
     private static ControllerAddress? ParseAddress(ArgumentResult result)

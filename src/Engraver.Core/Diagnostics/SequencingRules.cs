@@ -19,10 +19,6 @@ public static class SequencingRules
         "{count} segments are no longer than the join tolerance of {tolerance} mm; the first is at {x}, {y}.",
         "Nothing, when such detail is meant; otherwise lower --join-tolerance or clean the drawing.");
 
-    public static readonly DiagnosticRule UnknownLayer = new("SEQ0005", Severity.Warning,
-        "The drawing has no layer named {name}.",
-        "Check the spelling; `engraver info` lists the layers.");
-
     public static readonly DiagnosticRule EntryNotFound = new("SEQ0006", Severity.Warning,
         "The entering entity is not among what is cut; the order starts at the nearest stroke.",
         "Name an entity on a layer that is cut, or a point near one.");
@@ -41,5 +37,5 @@ public static class SequencingRules
 
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
-        [DuplicatesRemoved, OpenEnds, SmallGap, ShortSegments, UnknownLayer, EntryNotFound, EntryWaits, NothingToCut, Branches];
+        [DuplicatesRemoved, OpenEnds, SmallGap, ShortSegments, EntryNotFound, EntryWaits, NothingToCut, Branches];
 }
