@@ -17,6 +17,7 @@ public static class EngraverProgram
     public static async Task<int> RunAsync(string[] args, ConsoleStreams streams)
     {
         using var stop = new CancellationTokenSource();
+        InterruptSignal.Unignore();
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
         using var owned = streams;

@@ -16,10 +16,16 @@ internal sealed class EngraverProcess : IDisposable
 
     public StreamReader Error => _process.StandardError;
 
-    public static EngraverProcess Start(params string[] args)
+    private static string Program => Path.Combine(AppContext.BaseDirectory, "engraver.dll");
+
+    public static EngraverProcess Start(params string[] args) => Start("dotnet", [Program, .. args]);
+
+    /// <summary>As a shell without job control starts a background command: with the interrupt ignored.</summary>
+    public static EngraverProcess StartInBackground(params string[] args) => Start("sh", ["-c", "trap '' INT; exec dotnet \"$@\"", "sh", Program, .. args]);
+
+    private static EngraverProcess Start(string command, IEnumerable<string> args)
     {
-        var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true, UseShellExecute = false };
-        start.ArgumentList.Add(Path.Combine(AppContext.BaseDirectory, "engraver.dll"));
+        var start = new ProcessStartInfo(command) { RedirectStandardOutput = true, RedirectStandardError = true, UseShellExecute = false };
         foreach (var arg in args) start.ArgumentList.Add(arg);
         return new EngraverProcess(Process.Start(start) ?? throw new InvalidOperationException("dotnet did not start."));
     }

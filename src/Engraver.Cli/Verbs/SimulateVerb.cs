@@ -1,6 +1,9 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+using Engraver.Galil.Protocol;
 using Engraver.Simulator;
 
 namespace Engraver.Cli.Verbs;
@@ -23,7 +26,7 @@ internal static class SimulateVerb
         using var csv = record is null ? null : Create(record);
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed });
         if (csv is not null) controller.Record.AttachCsv(csv);
-        var place = await controller.ListenTcpAsync(port, stop).ConfigureAwait(false);
+        var place = await ListenAsync(controller, port, stop).ConfigureAwait(false);
         await host.Out.WriteLineAsync(string.Create(CultureInfo.InvariantCulture, $"listening tcp://127.0.0.1:{place.Port}")).ConfigureAwait(false);
         await host.Out.FlushAsync(stop).ConfigureAwait(false);
 
@@ -31,6 +34,19 @@ internal static class SimulateVerb
         await using var registration = stop.Register(ended.SetResult).ConfigureAwait(false);
         await ended.Task.ConfigureAwait(false);
         return ExitCode.Done;
+    }
+
+    /// <exception cref="ControllerLinkException">The port is taken or may not be used.</exception>
+    private static async Task<IPEndPoint> ListenAsync(SimulatedController controller, int port, CancellationToken stop)
+    {
+        try
+        {
+            return await controller.ListenTcpAsync(port, stop).ConfigureAwait(false);
+        }
+        catch (SocketException taken)
+        {
+            throw new ControllerLinkException($"Port {port.ToString(CultureInfo.InvariantCulture)} cannot be served: {taken.Message}. Use --tcp 0 to let the system pick one.", taken);
+        }
     }
 
     /// <exception cref="UsageException">The file cannot be written.</exception>

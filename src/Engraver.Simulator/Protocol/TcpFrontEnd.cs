@@ -16,7 +16,6 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
     public TcpFrontEnd(ControllerCore core, int port)
     {
         this.core = core;
-        listener.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, true);
         listener.Bind(new IPEndPoint(IPAddress.Loopback, port));
         listener.Listen();
         EndPoint = (IPEndPoint)listener.LocalEndPoint!;
