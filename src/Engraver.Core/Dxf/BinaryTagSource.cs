@@ -23,6 +23,8 @@ internal sealed class BinaryTagSource : DxfTagSource
 
     public override bool IsBinary => true;
 
+    private ReadOnlySpan<byte> Rest => Bytes[Position..];
+
     public override ReadOnlySpan<byte> Value => Bytes.Slice(_valueStart, _valueLength);
 
     public override bool TryNumber(out double number)

@@ -23,6 +23,7 @@ internal sealed class DrawingImport
     private readonly EntityRecord _record = new();
     private readonly List<(int Position, int Line)> _postponed = [];
     private int _sections;
+    private int? _lastDefinitions;
 
     public DrawingImport(DxfTagSource tags, DxfReadOptions options, CancellationToken cancellation)
     {
@@ -98,20 +99,11 @@ internal sealed class DrawingImport
     }
 
     /// <summary>Inserts need their blocks and the switches of their layers. In the rare file that has them behind its entities, those wait for a second pass.</summary>
-    private bool IsAheadOfItsBlocks() => StandsAhead("BLOCKS"u8) || StandsAhead("TABLES"u8);
-
-    /// <summary>True when the word stands alone (between line ends, or ended by NUL) in what is still to be read.</summary>
-    private bool StandsAhead(ReadOnlySpan<byte> word)
+    private bool IsAheadOfItsBlocks()
     {
-        var rest = _tags.Rest;
-        for (var at = rest.IndexOf(word); at >= 0; at = rest.IndexOf(word))
-        {
-            var end = at + word.Length;
-            if (at > 0 && rest[at - 1] < ' ' && (end == rest.Length || rest[end] < ' ')) return true;
-            rest = rest[end..];
-        }
-
-        return false;
+        // Looked up once: a hostile file may have as many sections as it has lines.
+        _lastDefinitions ??= Math.Max(_tags.LastWord("BLOCKS"u8), _tags.LastWord("TABLES"u8));
+        return _tags.Bookmark().Position < _lastDefinitions;
     }
 
     private bool AtSectionEnd() => _records.Next is RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;

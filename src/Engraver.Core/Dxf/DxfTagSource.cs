@@ -34,9 +34,6 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
     /// <summary>The value's bytes, without the line end; for a number of a binary file its raw bytes.</summary>
     public abstract ReadOnlySpan<byte> Value { get; }
 
-    /// <summary>Bytes that are still to be read.</summary>
-    public ReadOnlySpan<byte> Rest => Bytes[Position..];
-
     protected ReadOnlySpan<byte> Bytes => file.Span;
 
     protected int Position { get; set; }
@@ -55,6 +52,19 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
 
     /// <summary>The value as a finite number, whole numbers included; false when it is none.</summary>
     public abstract bool TryNumber(out double number);
+
+    /// <summary>Offset of the last place in the file where the word is a whole value (between line ends or NULs); -1 when there is none.</summary>
+    public int LastWord(ReadOnlySpan<byte> word)
+    {
+        var bytes = Bytes;
+        for (var at = bytes.LastIndexOf(word); at >= 0; at = bytes[..at].LastIndexOf(word))
+        {
+            var end = at + word.Length;
+            if (at > 0 && bytes[at - 1] < ' ' && (end == bytes.Length || bytes[end] < ' ')) return at;
+        }
+
+        return -1;
+    }
 
     /// <summary>Where reading stands, to come back to with <see cref="Return"/>.</summary>
     public (int Position, int Line) Bookmark() => (Position, NextLine);

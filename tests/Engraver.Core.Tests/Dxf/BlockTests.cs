@@ -151,6 +151,27 @@ public class BlockTests
     }
 
     [Fact]
+    public void Nested_blocks_without_curves_cost_nothing()
+    {
+        var blocks = new List<(int, object)>(Block("L0", 0, 0, [(0, "TEXT"), (1, "x")]));
+        for (var level = 1; level <= 60; level++) blocks.AddRange(Block($"L{level}", 0, 0, [.. Insert($"L{level - 1}"), .. Insert($"L{level - 1}")]));
+
+        var drawing = Drawing([.. blocks, .. Block("A", 0, 0, [.. LineAndArc, .. Insert("L60")])], Insert("A"));
+
+        Assert.Equal((2, 0), (drawing.Entities.Count, drawing.Balance.Refused.Count));
+    }
+
+    [Fact]
+    public void Inserts_that_bring_nothing_count_towards_the_limit_too()
+    {
+        (int, object)[] idle = [.. Enumerable.Repeat(Insert("Nothing"), 10).SelectMany(pairs => pairs)];
+        var text = new DxfText().Section("BLOCKS", [.. Block("Nothing", 0, 0, []), .. Block("A", 0, 0, [.. LineAndArc, .. idle])]).Section("ENTITIES", Insert("A")).End();
+
+        Assert.Equal(2, Reading.Of(text.ToAscii(), new DxfReadOptions(MaxExpandedCurves: 12)).Entities.Count);
+        Assert.Equal(0, Reading.Of(text.ToAscii(), new DxfReadOptions(MaxExpandedCurves: 11)).Entities.Count);
+    }
+
+    [Fact]
     public void The_limit_of_curves_is_one_for_the_whole_drawing()
     {
         var text = new DxfText().Section("BLOCKS", Block("A", 0, 0, LineAndArc)).Section("ENTITIES", [.. Insert("A"), .. Insert("A"), .. Insert("A")]).End();

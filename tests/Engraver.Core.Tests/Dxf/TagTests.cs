@@ -69,6 +69,7 @@ public class TagTests
     [InlineData("9007199254740993", 9007199254740992.0)]
     [InlineData("0.30000000000000004", 0.30000000000000004)]
     [InlineData("123456789012345678901234567890", 1.2345678901234568e29)]
+    [InlineData("18446744073709551617", 18446744073709551617.0)] // one more than 64 bits hold
     public void Numbers_may_be_written_in_many_ways(string text, double value) =>
         Assert.Equal(value, Reading.Entities((0, "LINE"), (10, text), (20, 0), (11, 1), (21, 1)).Parts[0].A);
 
