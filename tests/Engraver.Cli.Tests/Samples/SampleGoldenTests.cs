@@ -1,4 +1,5 @@
 using System.Text.Json.Nodes;
+using Engraver.Galil.Profiles;
 using Engraver.Samples.Drawings;
 using Engraver.TestKit;
 
@@ -40,6 +41,10 @@ public class SampleGoldenTests
 
         Check(name, "path.svg", await File.ReadAllTextAsync(folder.PathOf("path.svg")));
     }
+
+    [Fact]
+    public void The_default_machine_profile_shows_every_field() =>
+        GoldenFile.Check(Path.Combine(RepositoryFolder.Samples, "machine-default.json"), MachineProfileFile.Write(MachineProfile.Default));
 
     [Fact]
     public void The_generator_writes_every_sample_byte_for_byte_as_it_stands()
