@@ -8,6 +8,7 @@ internal sealed class Heartbeat(ControllerSession session)
 {
     private const int CommandsBetween = 64;
     private static readonly TimeSpan Between = TimeSpan.FromMilliseconds(200);
+    private static readonly TimeSpan Latest = TimeSpan.FromMilliseconds(500);
 
     private long _last = session.Time.GetTimestamp();
     private TimeSpan _lastOnWire = session.WireTime;
@@ -17,6 +18,16 @@ internal sealed class Heartbeat(ControllerSession session)
     public bool IsDueAfterCommand()
     {
         if (++_commands < CommandsBetween && session.Time.GetElapsedTime(_last) < Between && session.WireTime - _lastOnWire < Between) return false;
+        Reset();
+        return true;
+    }
+
+    /// <summary>True when the watchdog would have to wait too long if so much were said first; the heartbeat is then taken as sent.</summary>
+    /// <param name="exchange">How long a question and its answer take on the serial line.</param>
+    public bool IsDueBefore(TimeSpan exchange)
+    {
+        var silent = session.WireTime - _lastOnWire;
+        if (silent == TimeSpan.Zero || silent + exchange < Latest) return false;
         Reset();
         return true;
     }

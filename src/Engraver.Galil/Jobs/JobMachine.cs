@@ -84,6 +84,7 @@ internal sealed class JobMachine
     /// <summary>Sends one command, and the heartbeat when it is due.</summary>
     public async ValueTask<Reply> ReplyAsync(string command)
     {
+        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
         var reply = await _session.Commands.SendAsync(command, _stop).ConfigureAwait(false);
         if (!_heartbeat.IsDueAfterCommand()) return reply;
         var beat = await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false);
@@ -108,7 +109,6 @@ internal sealed class JobMachine
     {
         if (Line is null) return await ReadAsync(MachineState.Operands, MachineState.Of).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
         if (await ReadAsync(MachineState.ProgramOperands, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
-        if (await BeatAsync().ConfigureAwait(false) is { Ends: true } refused) return refused;
         return await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
     }
 
@@ -124,6 +124,7 @@ internal sealed class JobMachine
 
     private async ValueTask<JobStep> ReadAsync(string operands, Func<IReadOnlyList<double>, MachineState> take)
     {
+        if (IsBeatDueBefore(2 * operands.Length) && await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
         var reading = await _session.Commands.ReadAsync(operands, _stop).ConfigureAwait(false);
         if (reading.Refusal is { } refused) return Refuse(refused, "");
         Known = take(reading.Values);
@@ -139,6 +140,8 @@ internal sealed class JobMachine
         if (State.Tripped || State.ProgramError != 0 || !State.ProgramRuns) return await ProgramEndedAsync().ConfigureAwait(false);
         return await BeatAsync().ConfigureAwait(false);
     }
+
+    private bool IsBeatDueBefore(int bytes) => Line is { } line && _heartbeat.IsDueBefore(line.Time(bytes));
 
     private async ValueTask<JobStep> BeatAsync() =>
         _heartbeat.IsDueAfterCommand() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
