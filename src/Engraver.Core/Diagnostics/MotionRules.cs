@@ -44,7 +44,7 @@ public static class MotionRules
         "Write the field once, as a number with a decimal point and without quotation marks.");
 
     public static readonly DiagnosticRule WireTooSlow = new("MOT0020", Severity.Warning,
-        "At full feed the path needs {needed} segments a second and {baud} baud carry {carried}, so {count} vector sequences are cut slower, at worst with {feed} instead of {wanted} mm/min.",
+        "At full feed the path needs {needed} segments a second and {baud} baud carry {carried}, so the feed is lowered in {count} of the vector sequences, at worst to {feed} instead of {wanted} mm/min.",
         "Set a faster line, connect over TCP, allow a larger curve error, or choose a feed that suits the whole part.");
 
     /// <summary>Every rule of this table, in order of id.</summary>

@@ -1,6 +1,10 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
+using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Tests.Programs;
+using FsCheck;
+using FsCheck.Fluent;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -112,6 +116,24 @@ public class SerialJobTests
 
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
         CutRecord.AssertSafeAfter(bench, cutAt, toolSeconds: 1.5, restSeconds: 1.5);
+    }
+
+    [Fact]
+    public void Whatever_the_segments_a_fitted_path_neither_runs_dry_nor_has_to_be_held_back() => Prop.ForAll(WireFeedTests.Sequences, sequence =>
+    {
+        var program = new MotionProgram(MachineProfile.Default, default, [new MotionStroke(0, default, [sequence])]);
+        var sent = new List<string>();
+        var result = CutAtOnce(WireFit.Of(program, new SerialLine(19200), null).Program, sent);
+        return (result.Outcome, result.SegmentsExecuted, result.Underruns) == (JobOutcome.Complete, program.SegmentCount, 0)
+            && !sent.Any(line => line.StartsWith("VR 0", StringComparison.Ordinal));
+    }).Check(Config.QuickThrowOnFailure.WithMaxTest(25));
+
+    private static JobResult CutAtOnce(MotionProgram program, List<string> sent)
+    {
+        var bench = new SimulatedBench();
+        var result = Task.Run(() => bench.RunSerialAsync(19200, program, JobMode.Stream, sending: sent.Add)).GetAwaiter().GetResult();
+        bench.DisposeAsync().AsTask().GetAwaiter().GetResult();
+        return result;
     }
 
     private static (MotionProgram Program, int Far) Job(string place) => place switch
