@@ -53,6 +53,17 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         }
     }
 
+    /// <summary>Plugs a cable into the serial port; null when one is plugged in.</summary>
+    public Handle? OpenSerial(int baud, Action? disconnect)
+    {
+        lock (gate)
+        {
+            Pace();
+            silence.Heard();
+            return Machine.Serial.Plug(baud, new Handle(SerialPort.HandleIndex, 0, 0, this) { Disconnect = disconnect });
+        }
+    }
+
     public void Receive(Handle handle, ReadOnlySpan<byte> bytes)
     {
         lock (gate)
@@ -84,6 +95,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
                 handle.Cut();
             }
 
+            Machine.Serial.Client?.Cut();
             Notify();
         }
     }
@@ -220,11 +232,29 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         }
     }
 
-    void ICommandSink.Answered(Handle handle)
+    void ICommandSink.Arrived(Handle handle, byte value)
+    {
+        if (!handle.IsSerial)
+        {
+            return;
+        }
+
+        if (options.IsVirtual)
+        {
+            Machine.Advance(Machine.Serial.ByteTime);
+        }
+
+        if (Machine.Serial.Echo)
+        {
+            handle.Send([value]);
+        }
+    }
+
+    void ICommandSink.Answered(Handle handle, int replyLength)
     {
         if (options.IsVirtual)
         {
-            Machine.Advance(options.CommandCost);
+            Machine.Advance(handle.IsSerial ? Machine.Serial.ByteTime * replyLength : options.CommandCost);
         }
 
         foreach (var drop in options.Faults?.Drops ?? [])
@@ -238,7 +268,17 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes) => replies.Send(handle, bytes);
 
-    void ICommandSink.Closed(Handle handle) => Machine.Handles.Remove(handle);
+    void ICommandSink.Closed(Handle handle)
+    {
+        if (handle.IsSerial)
+        {
+            Machine.Serial.Client = null;
+        }
+        else
+        {
+            Machine.Handles.Remove(handle);
+        }
+    }
 
     private bool IsFrozen => options.Faults?.FreezeAfterCommands is { } limit && commands > limit;
 

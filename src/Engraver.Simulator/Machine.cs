@@ -19,7 +19,7 @@ internal sealed class Machine
         Handles = new HandleTable(options.HandleCount);
         Threads = new Scheduler(this);
         Interpreter = new Interpreter(this);
-        Messages = new MessageRouter(Handles);
+        Messages = new MessageRouter(Handles, Serial);
     }
 
     public SimulatorOptions Options { get; }
@@ -33,6 +33,8 @@ internal sealed class Machine
     public ProgramMemory Program { get; }
 
     public HandleTable Handles { get; }
+
+    public SerialPort Serial { get; } = new();
 
     public Scheduler Threads { get; }
 
@@ -147,6 +149,7 @@ internal sealed class Machine
         }
 
         Messages.Reset();
+        Serial.Reset();
         SetOutputs(0);
         LastError = 0;
         foreach (var axis in Motion.Axes)

@@ -3,14 +3,14 @@ using Engraver.Simulator.Protocol;
 
 namespace Engraver.Simulator;
 
-/// <summary>A simulated Galil DMC-2143 (galil-dmc.md I): handles over TCP and in memory, one controller behind them.</summary>
+/// <summary>A simulated Galil DMC-2143 (galil-dmc.md I): handles over TCP and in memory and a serial port, one controller behind them.</summary>
 /// <remarks>How true it is to the real one is written in docs/simulator-fidelity.md.</remarks>
 public sealed class SimulatedController : IAsyncDisposable
 {
     private readonly ControllerCore core;
     private readonly SimulatorOptions options;
     private readonly Lock gate = new();
-    private readonly List<TcpFrontEnd> frontEnds = [];
+    private readonly List<IAsyncDisposable> frontEnds = [];
 
     public SimulatedController(SimulatorOptions options)
     {
@@ -52,6 +52,34 @@ public sealed class SimulatedController : IAsyncDisposable
         }
 
         return Task.FromResult(frontEnd.EndPoint);
+    }
+
+    /// <summary>The client end of the serial port, without a terminal but with the same bytes and, at speed max, the same byte times. Disposing it unplugs the cable.</summary>
+    /// <param name="baud">Bits per second; a byte is ten of them.</param>
+    /// <exception cref="IOException">The port has a client.</exception>
+    public Stream OpenSerialConnection(int baud)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(baud);
+        return new MemoryConnection(core, core.OpenSerial(baud, null) ?? throw new IOException("The serial port has a client."));
+    }
+
+    /// <summary>Serves the serial port on a pseudo-terminal (Linux) until the controller is disposed or its links are dropped.</summary>
+    /// <param name="path">Becomes a symbolic link to the terminal, and is removed at the end. A link that an earlier run left behind is replaced.</param>
+    /// <param name="baud">Bits per second; a byte is ten of them, both ways.</param>
+    /// <exception cref="IOException">The path is taken or cannot be written, the port has a client, or there is no terminal to be had.</exception>
+    /// <exception cref="UnauthorizedAccessException">The path may not be written.</exception>
+    /// <exception cref="PlatformNotSupportedException">This is not Linux.</exception>
+    public Task ServeSerialAsync(string path, int baud, CancellationToken cancellation)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(baud);
+        cancellation.ThrowIfCancellationRequested();
+        var frontEnd = SerialFrontEnd.Open(core, path, baud, options);
+        lock (gate)
+        {
+            frontEnds.Add(frontEnd);
+        }
+
+        return Task.CompletedTask;
     }
 
     /// <summary>Cuts every link at once, as a pulled cable would; motion and programs go on.</summary>
@@ -115,7 +143,7 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <summary>Stops listening, cuts every link, completes the record's file.</summary>
     public async ValueTask DisposeAsync()
     {
-        TcpFrontEnd[] listening;
+        IAsyncDisposable[] listening;
         lock (gate)
         {
             listening = [.. frontEnds];

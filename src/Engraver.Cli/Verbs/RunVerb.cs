@@ -15,7 +15,7 @@ internal sealed class RunVerb
 {
     private readonly VerbHost _host;
     private readonly DrawingOptions _drawing = new();
-    private readonly Option<ControllerAddress?> _connect = new("--connect") { Required = true, HelpName = "URL", Description = "tcp://HOST:PORT, or sim: for the simulated controller (sim:?speed=1 in real time).", CustomParser = ParseAddress };
+    private readonly Option<ControllerAddress?> _connect = new("--connect") { Required = true, HelpName = "URL", Description = "tcp://HOST:PORT, serial://DEVICE?baud=19200, or sim: for the simulated controller (sim:?speed=1 in real time).", CustomParser = ParseAddress };
     private readonly Option<string> _mode = new("--mode") { Description = "stream: vector sequences fed live; calls: the paper's #LINEAR and #CIRC.", DefaultValueFactory = _ => "stream" };
     private readonly Option<bool> _json = JsonOption.New();
     private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = "Where progress is journalled (default: the user's data folder)." };
@@ -66,7 +66,9 @@ internal sealed class RunVerb
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         CheckWritable(options.JournalPath);
         if (options.TracePath is { } trace) CheckWritable(trace);
-        var report = await RunProgressBar.ShowAsync(quiet, program, progress => MachineRun.RunAsync(job, program, options, TimeProvider.System, progress, stop)).ConfigureAwait(false);
+        var fit = MachineRun.FitToLink(program, options, job.Drawing);
+        _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
+        var report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, progress, stop)).ConfigureAwait(false);
         return Finish(parsed, job, report, options.JournalPath);
     }
 
@@ -111,11 +113,11 @@ internal sealed class RunVerb
         var word = result.Tokens[0].Value;
         if (!ControllerAddress.TryParse(word, out var address))
         {
-            result.AddError($"--connect: '{word}' is no controller address; write tcp://HOST:PORT or sim:.");
+            result.AddError($"--connect: '{word}' is no controller address; write {ControllerAddress.Forms}.");
             return null;
         }
 
-        if (address is SerialAddress) result.AddError("--connect: serial links are not built yet; use tcp://HOST:PORT or sim:.");
+        if (address is SerialAddress && SerialLink.WhyUnsupported is { } why) result.AddError($"--connect: {why}");
         return address;
     }
 }

@@ -3,32 +3,43 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
+using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Simulator;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver simulate</c>: serves a simulated DMC-2143 on loopback until Ctrl-C.</summary>
+/// <summary><c>engraver simulate</c>: serves a simulated DMC-2143 on loopback and on a pseudo-terminal until Ctrl-C.</summary>
 internal static class SimulateVerb
 {
     public static Command Build(VerbHost host)
     {
-        var port = new Option<int>("--tcp") { HelpName = "PORT", Description = "Port on loopback; 0 lets the system pick (also the default).", CustomParser = ParsePort };
+        var port = new Option<int?>("--tcp") { HelpName = "PORT", Description = "Port on loopback; 0 lets the system pick (also the default when nothing else is served).", CustomParser = ParsePort };
+        var serial = new Option<string?>("--serial") { HelpName = "PATH", Description = "Serve the serial port: PATH becomes a link to a pseudo-terminal." };
+        var baud = new Option<int>("--baud") { HelpName = "N", Description = "Rate of the serial port, which every byte takes its time by.", DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
         var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = "Controller seconds for each second on the wall; max: virtual time.", DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
         var record = new Option<string?>("--record") { HelpName = "FILE", Description = "Write every motor sample and output change as CSV (t,a,b,c,d,outputs)." };
-        var command = new Command("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, speed, record };
-        command.SetAction((parsed, stop) => RunAsync(host, parsed.GetValue(port), parsed.GetValue(speed), parsed.GetValue(record), stop));
+        var command = new Command("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, serial, baud, speed, record };
+        command.SetAction((parsed, stop) => RunAsync(host, parsed.GetValue(port), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(speed), parsed.GetValue(record), stop));
         return command;
     }
 
-    private static async Task<int> RunAsync(VerbHost host, int port, double speed, string? record, CancellationToken stop)
+    private static async Task<int> RunAsync(VerbHost host, int? port, string? serial, int baud, double speed, string? record, CancellationToken stop)
     {
         using var csv = record is null ? null : Create(record);
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed });
         if (csv is not null) controller.Record.AttachCsv(csv);
-        var place = await ListenAsync(controller, port, stop).ConfigureAwait(false);
-        await host.Out.WriteLineAsync(string.Create(CultureInfo.InvariantCulture, $"listening tcp://127.0.0.1:{place.Port}")).ConfigureAwait(false);
-        await host.Out.FlushAsync(stop).ConfigureAwait(false);
+        if (port is not null || serial is null)
+        {
+            var place = await ListenAsync(controller, port ?? 0, stop).ConfigureAwait(false);
+            await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"listening tcp://127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
+        }
+
+        if (serial is not null)
+        {
+            await ServeSerialAsync(controller, serial, baud, stop).ConfigureAwait(false);
+            await SayAsync(host, $"listening serial://{serial}", stop).ConfigureAwait(false);
+        }
 
         var ended = new TaskCompletionSource();
         await using var registration = stop.Register(ended.SetResult).ConfigureAwait(false);
@@ -49,6 +60,25 @@ internal static class SimulateVerb
         }
     }
 
+    private static async Task SayAsync(VerbHost host, string line, CancellationToken stop)
+    {
+        await host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);
+        await host.Out.FlushAsync(stop).ConfigureAwait(false);
+    }
+
+    /// <exception cref="UsageException">The path cannot become a serial port.</exception>
+    private static async Task ServeSerialAsync(SimulatedController controller, string path, int baud, CancellationToken stop)
+    {
+        try
+        {
+            await controller.ServeSerialAsync(path, baud, stop).ConfigureAwait(false);
+        }
+        catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or PlatformNotSupportedException)
+        {
+            throw new UsageException($"--serial {path}: {unusable.Message}", unusable);
+        }
+    }
+
     /// <exception cref="UsageException">The file cannot be written.</exception>
     private static StreamWriter Create(string path)
     {
@@ -62,12 +92,20 @@ internal static class SimulateVerb
         }
     }
 
-    private static int ParsePort(ArgumentResult result)
+    private static int? ParsePort(ArgumentResult result)
     {
         var word = result.Tokens[0].Value;
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port <= 65535) return port;
         result.AddError($"--tcp: '{word}' is not a port (0 to 65535).");
-        return 0;
+        return null;
+    }
+
+    private static int ParseBaud(ArgumentResult result)
+    {
+        var word = result.Tokens[0].Value;
+        if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)) return baud;
+        result.AddError($"--baud: '{word}' is not one of {string.Join(", ", SerialLine.Rates)}.");
+        return ControllerAddress.DefaultBaud;
     }
 
     private static double ParseSpeed(ArgumentResult result)

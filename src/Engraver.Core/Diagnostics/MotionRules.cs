@@ -43,10 +43,14 @@ public static class MotionRules
         "The machine profile gives {field} a value that is no number, or no whole number where one is needed, or gives it twice.",
         "Write the field once, as a number with a decimal point and without quotation marks.");
 
+    public static readonly DiagnosticRule WireTooSlow = new("MOT0020", Severity.Warning,
+        "At full feed the path needs {needed} segments a second and {baud} baud carry {carried}, so the feed is lowered in {count} of the vector sequences, at worst to {feed} instead of {wanted} mm/min.",
+        "Set a faster line, connect over TCP, allow a larger curve error, or choose a feed that suits the whole part.");
+
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
-        StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable,
+        StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, WireTooSlow,
     ];
 }

@@ -1,8 +1,9 @@
 namespace Engraver.Galil.Jobs;
 
 /// <summary>Slows the path down by VR when the lead of the feeder gets short, instead of letting the buffer run dry (galil-dmc.md F.1, J 7).</summary>
+/// <param name="reactionSeconds">What passes between seeing that the lead is short and saying so.</param>
 /// <param name="rampSeconds">How long the path takes to stop from full speed: VR does not act faster than VA and VD allow, so it must be sent that much earlier.</param>
-internal sealed class FeedThrottle(double rampSeconds)
+internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
 {
     /// <summary>Below this lead, in segments, the ratio is <see cref="Slow"/>; below the second one <see cref="VerySlow"/>.</summary>
     private const int ShortLead = 20;
@@ -11,16 +12,13 @@ internal sealed class FeedThrottle(double rampSeconds)
     /// <summary>A few long segments are lead enough: 1.6 ms a command feeds more than a hundred in this time, seconds. Wide apart from the short lead, so that the speed does not hunt.</summary>
     private const double ComfortableSeconds = 0.25;
 
-    /// <summary>Two polls and a heartbeat pass between seeing that the lead is short and saying so, seconds.</summary>
-    private const double ReactionSeconds = 0.06;
-
     private const string Full = "VR 1";
     private const string Slow = "VR 0.5";
     private const string VerySlow = "VR 0.1";
 
     private string _now = Full;
 
-    private double ShortSeconds => rampSeconds + ReactionSeconds;
+    private double ShortSeconds => rampSeconds + reactionSeconds;
 
     /// <summary>The command that sets the ratio for this lead, or null when it stands so already.</summary>
     /// <param name="lead">Segments sent and not yet executed.</param>

@@ -1,19 +1,33 @@
+using Engraver.Galil.Sessions;
+
 namespace Engraver.Galil.Jobs;
 
 /// <summary>When the watchdog in the controller must hear from us again: it trips 1.0 s after the last time (galil-dmc.md EX12).</summary>
-/// <remarks>Counted on the wall and in commands: with a simulator at full speed the controller's time is the number of commands, 1.6 ms each.</remarks>
-internal sealed class Heartbeat(TimeProvider time)
+/// <remarks>Counted on the wall, in commands and in bytes: with a simulator at full speed the controller's time is the number of commands, 1.6 ms each, or the bytes on the serial line.</remarks>
+internal sealed class Heartbeat(ControllerSession session)
 {
     private const int CommandsBetween = 64;
     private static readonly TimeSpan Between = TimeSpan.FromMilliseconds(200);
+    private static readonly TimeSpan Latest = TimeSpan.FromMilliseconds(500);
 
-    private long _last = time.GetTimestamp();
+    private long _last = session.Time.GetTimestamp();
+    private TimeSpan _lastOnWire = session.WireTime;
     private int _commands;
 
     /// <summary>Counts one command; true when a heartbeat is due, which is then taken as sent.</summary>
     public bool IsDueAfterCommand()
     {
-        if (++_commands < CommandsBetween && time.GetElapsedTime(_last) < Between) return false;
+        if (++_commands < CommandsBetween && session.Time.GetElapsedTime(_last) < Between && session.WireTime - _lastOnWire < Between) return false;
+        Reset();
+        return true;
+    }
+
+    /// <summary>True when the watchdog would have to wait too long if so much were said first; the heartbeat is then taken as sent.</summary>
+    /// <param name="exchange">How long a question and its answer take on the serial line.</param>
+    public bool IsDueBefore(TimeSpan exchange)
+    {
+        var silent = session.WireTime - _lastOnWire;
+        if (silent == TimeSpan.Zero || silent + exchange < Latest) return false;
         Reset();
         return true;
     }
@@ -21,6 +35,7 @@ internal sealed class Heartbeat(TimeProvider time)
     public void Reset()
     {
         _commands = 0;
-        _last = time.GetTimestamp();
+        _last = session.Time.GetTimestamp();
+        _lastOnWire = session.WireTime;
     }
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Galil.Links;
 using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
@@ -12,6 +13,9 @@ internal sealed class JobMachine
     /// <summary>Samples in a second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so a settle time is never cut short.</summary>
     private const double SamplesPerSecond = 1024.0;
 
+    /// <summary>Between two looks at the program in the controller, on a serial line.</summary>
+    private const int GlancesBetweenPolls = 8;
+
     private readonly ControllerSession _session;
     private readonly JobOptions _options;
     private readonly JobLedger _ledger;
@@ -20,6 +24,7 @@ internal sealed class JobMachine
     private readonly Heartbeat _heartbeat;
     private long? _startTime;
     private long _polledAt;
+    private int _glances;
 
     public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, Action polled, CancellationToken stop)
     {
@@ -30,7 +35,7 @@ internal sealed class JobMachine
         _ledger = ledger;
         _polled = polled;
         _stop = stop;
-        _heartbeat = new Heartbeat(session.Time);
+        _heartbeat = new Heartbeat(session);
     }
 
     public MachineProfile Profile { get; }
@@ -54,6 +59,9 @@ internal sealed class JobMachine
 
     public bool ToolOn { get; private set; }
 
+    /// <summary>The serial line that the job goes over; null for none.</summary>
+    public SerialLine? Line => _session.Line;
+
     /// <summary>Wall time since the last poll.</summary>
     public TimeSpan SincePoll => _session.Time.GetElapsedTime(_polledAt);
 
@@ -76,6 +84,7 @@ internal sealed class JobMachine
     /// <summary>Sends one command, and the heartbeat when it is due.</summary>
     public async ValueTask<Reply> ReplyAsync(string command)
     {
+        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
         var reply = await _session.Commands.SendAsync(command, _stop).ConfigureAwait(false);
         if (!_heartbeat.IsDueAfterCommand()) return reply;
         var beat = await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false);
@@ -98,16 +107,44 @@ internal sealed class JobMachine
     /// <summary>Asks where the machine is. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
-        var reading = await _session.Commands.ReadAsync(MachineState.Operands, _stop).ConfigureAwait(false);
+        if (Line is null) return await ReadAsync(MachineState.Operands, MachineState.Of).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
+        if (await ReadAsync(MachineState.ProgramOperands, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
+        return await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>Looks at the path alone where a whole poll would hold the feeding up: on a serial line.</summary>
+    public async ValueTask<JobStep> GlanceAsync()
+    {
+        if (Line is null || Known is null || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
+        if (await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
+
+        // The axes were last seen at work for the path: now that it has ended they must be asked again.
+        return !State.SequenceRunning && State.AxesRunning ? await PollAsync().ConfigureAwait(false) : await PolledAsync().ConfigureAwait(false);
+    }
+
+    private async ValueTask<JobStep> ReadAsync(string operands, Func<IReadOnlyList<double>, MachineState> take)
+    {
+        if (IsBeatDueBefore(2 * operands.Length) && await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
+        var reading = await _session.Commands.ReadAsync(operands, _stop).ConfigureAwait(false);
         if (reading.Refusal is { } refused) return Refuse(refused, "");
-        Known = MachineState.Of(reading.Values);
+        Known = take(reading.Values);
+        return JobStep.Done;
+    }
+
+    private async ValueTask<JobStep> PolledAsync()
+    {
         _polledAt = _session.Time.GetTimestamp();
         _startTime ??= State.Time;
         _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, ToolOn));
         _polled();
         if (State.Tripped || State.ProgramError != 0 || !State.ProgramRuns) return await ProgramEndedAsync().ConfigureAwait(false);
-        return _heartbeat.IsDueAfterCommand() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
+        return await BeatAsync().ConfigureAwait(false);
     }
+
+    private bool IsBeatDueBefore(int bytes) => Line is { } line && _heartbeat.IsDueBefore(line.Time(bytes));
+
+    private async ValueTask<JobStep> BeatAsync() =>
+        _heartbeat.IsDueAfterCommand() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
 
     /// <summary>Asks for one number until it is as wanted, and polls in between.</summary>
     public async ValueTask<JobStep> AwaitAsync(string operand, Func<double, bool> wanted)
@@ -122,11 +159,16 @@ internal sealed class JobMachine
     }
 
     /// <summary>Polls until <paramref name="reached"/>, with a pause between two polls.</summary>
-    public async ValueTask<JobStep> PollUntilAsync(Func<MachineState, bool> reached)
+    public ValueTask<JobStep> PollUntilAsync(Func<MachineState, bool> reached) => UntilAsync(PollAsync, reached);
+
+    /// <summary>The same by glances.</summary>
+    public ValueTask<JobStep> GlanceUntilAsync(Func<MachineState, bool> reached) => UntilAsync(GlanceAsync, reached);
+
+    private async ValueTask<JobStep> UntilAsync(Func<ValueTask<JobStep>> look, Func<MachineState, bool> reached)
     {
         while (true)
         {
-            if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+            if (await look().ConfigureAwait(false) is { Ends: true } end) return end;
             if (reached(State)) return JobStep.Done;
             await PauseAsync().ConfigureAwait(false);
         }
@@ -161,10 +203,10 @@ internal sealed class JobMachine
     {
         if (await SendAsync(Text($"{(on ? "SB" : "CB")} {Profile.ToolOutput}")).ConfigureAwait(false) is { Ends: true } refused) return refused;
         ToolOn = on;
-        if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         var from = State.Time;
         var samples = Math.Ceiling(Profile.ToolSettleSeconds * SamplesPerSecond);
-        return await PollUntilAsync(state => SamplesSince(from, state.Time) >= samples).ConfigureAwait(false);
+        return await GlanceUntilAsync(state => SamplesSince(from, state.Time) >= samples).ConfigureAwait(false);
     }
 
     private async ValueTask PauseAsync()

@@ -22,7 +22,32 @@ internal readonly record struct MachineState(
     public const string Operands =
         $"_BGS,_BGA,_BGB,_CSS,{Variables.Sequence},_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,{Variables.ErrorCode},{Variables.WatchdogTripped}";
 
+    /// <summary>On a serial line the questions go in two parts, so that the heartbeat fits between them: first what a program does ...</summary>
+    public const string ProgramOperands = $"_BGA,_BGB,{Variables.Sequence},_XQ0,{Variables.ErrorCode}";
+
+    /// <summary>... then, and more often, what the path does. Asked last: where the axes stood before, the position is final.</summary>
+    public const string MotionOperands = $"_BGS,_CSS,_VMS,_RPA,_RPB,TIME,_SCA,{Variables.WatchdogTripped}";
+
     public bool Stands => !SequenceRunning && !AxesRunning;
+
+    public MachineState WithProgram(IReadOnlyList<double> v) => this with
+    {
+        AxesRunning = v[0] != 0 || v[1] != 0,
+        Calls = (int)v[2],
+        ProgramRuns = v[3] >= 0,
+        ProgramError = (int)v[4],
+    };
+
+    public MachineState WithMotion(IReadOnlyList<double> v) => this with
+    {
+        SequenceRunning = v[0] != 0,
+        Counter = (int)v[1],
+        PathSpeed = (int)v[2],
+        Position = new CountsPoint((int)v[3], (int)v[4]),
+        Time = (long)v[5],
+        StopCode = (int)v[6],
+        Tripped = v[7] != 0,
+    };
 
     public static MachineState Of(IReadOnlyList<double> v) => new(
         v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, (int)v[11], v[12] != 0);

@@ -7,9 +7,6 @@ namespace Engraver.Galil.Jobs;
 /// <summary>One VM ... VE on the wire: fills the segment buffer, begins, keeps feeding by _CSS, slows down when the lead gets short, ends with VE (galil-dmc.md B.7, F.1).</summary>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
 {
-    /// <summary>Segments between two looks at the counter.</summary>
-    private const int SegmentsBetweenPolls = 16;
-
     /// <summary>Free places that are left alone: one command is on its way, and the controller's count is as old as the last poll.</summary>
     private const int SpareSegments = 5;
 
@@ -23,7 +20,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Shorter delays between two commands are nothing to look into.</summary>
     private const double HeldUpSeconds = 0.05;
 
-    private readonly FeedThrottle _throttle = new((double)sequence.Speed / machine.Profile.AccelerationCounts);
+    private readonly FeedPace _pace = FeedPace.Of(machine.Line);
+    private readonly FeedThrottle _throttle = new((double)sequence.Speed / machine.Profile.AccelerationCounts, FeedPace.Of(machine.Line).ReactionSeconds);
     private int _capacity;
     private int _sent;
     private int _executed;
@@ -68,11 +66,11 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     }
 
     /// <summary>Every few segments; and when this computer was held up for long enough that the buffer may have run dry, before the next segment hides it.</summary>
-    private bool IsTimeToWatch => _begun && (_sent - _sentAtWatch >= SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds));
+    private bool IsTimeToWatch => _begun && (_sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds));
 
     private bool IsReadyToBegin =>
         _sent >= _capacity - SpareSegments
-        || (Remaining > 0 && SecondsAhead / _sent >= ShortSegmentSeconds && (_sent >= StartSegments || SecondsAhead >= StartSeconds));
+        || (!_pace.FillsFirst && Remaining > 0 && SecondsAhead / _sent >= ShortSegmentSeconds && (_sent >= StartSegments || SecondsAhead >= StartSeconds));
 
     /// <summary>Everything sent was executed before VE: the controller stood still at once, with the sequence open (galil-dmc.md B.7).</summary>
     private bool HasRunDry => _sentAtWatch == _sent && (machine.State.Counter >= _sent || (machine.State.Counter == _sent - 1 && machine.State.PathSpeed == 0 && _executed > 0));
@@ -134,7 +132,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Looks at the counter, without a pause: the controller lives on what it is fed.</summary>
     private async ValueTask<JobStep> WatchAsync()
     {
-        if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         ConfirmUpTo(machine.State.Counter);
         _sentAtWatch = _sent;
         if (!machine.State.SequenceRunning) return EndedEarly();
@@ -146,7 +144,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (await machine.SendAsync("VE").ConfigureAwait(false) is { Ends: true } refused) return refused;
         if (!_begun && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
         if (_throttle.Release() is { } command && await machine.SendAsync(command).ConfigureAwait(false) is { Ends: true } unreleased) return unreleased;
-        if (await machine.PollUntilAsync(HasEnded).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.GlanceUntilAsync(HasEnded).ConfigureAwait(false) is { Ends: true } end) return end;
         if (machine.State.StopCode != StopCodes.SequenceEnded) return EndedEarly();
         ConfirmUpTo(_sent);
         return JobStep.Done;

@@ -12,9 +12,13 @@ public abstract record ControllerAddress
     /// <summary>19200 without a jumper (galil-dmc.md A.2).</summary>
     public const int DefaultBaud = 19200;
 
+    /// <summary>What is accepted, for messages.</summary>
+    public const string Forms =
+        "tcp://HOST:PORT, serial://DEVICE?baud=19200 (1200, 9600, 19200, 38400, 57600 or 115200; &flow=none, xonxoff or rtscts, the default) or sim:?speed=max";
+
     /// <exception cref="FormatException">The text is no address; the message says what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
-        TryParse(text, out var address) ? address : throw new FormatException($"'{text}' is no controller address; write tcp://HOST:PORT, serial://DEVICE?baud=19200 or sim:?speed=max.");
+        TryParse(text, out var address) ? address : throw new FormatException($"'{text}' is no controller address; write {Forms}.");
 
     public static bool TryParse(string text, [NotNullWhen(true)] out ControllerAddress? address)
     {
@@ -42,11 +46,26 @@ public abstract record ControllerAddress
     private static SerialAddress? Serial(string device, string query)
     {
         if (device.Length == 0) return null;
-        if (query.Length == 0) return new SerialAddress(device, DefaultBaud);
-        return query.StartsWith("baud=", StringComparison.Ordinal) && int.TryParse(query.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && baud > 0
-            ? new SerialAddress(device, baud)
-            : null;
+        var address = new SerialAddress(device, DefaultBaud);
+        foreach (var option in query.Split('&', StringSplitOptions.RemoveEmptyEntries))
+        {
+            if (With(address, option) is not { } changed) return null;
+            address = changed;
+        }
+
+        return address;
     }
+
+    private static SerialAddress? With(SerialAddress address, string option) => option switch
+    {
+        "flow=none" => address with { Flow = SerialFlow.None },
+        "flow=xonxoff" => address with { Flow = SerialFlow.XonXoff },
+        "flow=rtscts" => address with { Flow = SerialFlow.RtsCts },
+        _ => option.StartsWith("baud=", StringComparison.Ordinal)
+            && int.TryParse(option.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)
+            ? address with { Baud = baud }
+            : null,
+    };
 
     private static SimulatedAddress? Simulated(string query)
     {

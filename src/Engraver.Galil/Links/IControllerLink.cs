@@ -7,6 +7,9 @@ public interface IControllerLink : IAsyncDisposable
     /// <summary>What the operator knows it by, for example <c>tcp://10.0.0.5:23</c>.</summary>
     string Description { get; }
 
+    /// <summary>The serial line under the link; null where the link is fast and can be opened twice.</summary>
+    SerialLine? Line => null;
+
     ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation);
 
     /// <returns>The number of bytes read; 0 when the other side has closed.</returns>

@@ -5,6 +5,9 @@ public sealed class StreamLink(Stream stream, string description) : IControllerL
 {
     public string Description => description;
 
+    /// <summary>The serial line that the stream stands for; null for none.</summary>
+    public SerialLine? Line { get; init; }
+
     public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
         await stream.WriteAsync(bytes, cancellation).ConfigureAwait(false);

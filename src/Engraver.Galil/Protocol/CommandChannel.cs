@@ -11,6 +11,12 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <summary>DL, UL and burning take longer than a command (galil-dmc.md A.6).</summary>
     public static readonly TimeSpan TransferTimeout = TimeSpan.FromSeconds(10);
 
+    /// <summary>A reply to a command is shorter than this, bytes; on a serial line it takes its time.</summary>
+    private const int LongestCommandReply = 512;
+
+    /// <summary>A download over a serial line is sent in portions of about so many bytes, so that it can be cut short.</summary>
+    private const int DownloadPortion = 128;
+
     private readonly IControllerLink _link;
     private readonly string _name;
     private readonly TimeSpan _replyTimeout;
@@ -20,6 +26,7 @@ public sealed class CommandChannel : IAsyncDisposable
     private readonly SemaphoreSlim _turn = new(1, 1);
     private readonly byte[] _received = new byte[4096];
     private byte[] _sent = new byte[256];
+    private TimeSpan _timeout;
     private ControllerException? _failure;
 
     /// <param name="link">Owned: closed with the channel.</param>
@@ -37,8 +44,20 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <summary>True after a failure: nothing can be sent any more.</summary>
     public bool IsBroken => _failure is not null;
 
+    /// <summary>The serial line that this channel talks over; null for none.</summary>
+    public SerialLine? Line => _link.Line;
+
+    /// <summary>Bytes sent and received so far.</summary>
+    public long Traffic { get; private set; }
+
     /// <summary>Called with each line that a program in the controller printed.</summary>
     public Action<string>? MessageReceived { get; set; }
+
+    /// <summary>The first words on a serial line: ends what an earlier host left open, and switches the echo off (galil-dmc.md F.2).</summary>
+    /// <returns>Whether the echo was on.</returns>
+    /// <exception cref="ControllerException">Nobody answers.</exception>
+    public async ValueTask<bool> GreetAsync(CancellationToken cancellation) =>
+        await ExchangeAsync(SerialGreeting.Text, ReplyShape.Greeting, 0, _replyTimeout, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && SerialGreeting.WasEchoed(said);
 
     /// <summary>Sends one line and waits for the prompts of all its parts. The first refused part makes the reply a <see cref="Rejected"/>.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
@@ -52,7 +71,8 @@ public sealed class CommandChannel : IAsyncDisposable
             : reply;
 
     /// <summary>DL: replaces the program memory. The controller is silent until the end mark and then prompts twice (galil-dmc.md A.6).</summary>
-    /// <remarks>The caller has made sure that no thread runs: after a refused DL the lines would be taken for commands.</remarks>
+    /// <remarks>The caller has made sure that no thread runs: after a refused DL the lines would be taken for commands. On a serial line a cancellation ends the download
+    /// where it is, with the end mark behind a whole line (galil-dmc.md F.4); part of the program then stands in the memory.</remarks>
     public ValueTask<Reply> DownloadAsync(string program, CancellationToken cancellation) =>
         ExchangeAsync("DL\r" + ProgramText.ForDownload(program) + "\\", ReplyShape.Text, 0, TransferTimeout, cancellation);
 
@@ -76,7 +96,7 @@ public sealed class CommandChannel : IAsyncDisposable
             if (_failure is not null) throw new ControllerLinkException(_failure.Message, _failure);
             var isDownload = text.EndsWith('\\');
             var parts = isDownload ? 2 : text.Contains(';', StringComparison.Ordinal) ? CommandLine.Parts(text).Count : 1;
-            await WriteAsync(text, isDownload, shape, recordLength, timeout).ConfigureAwait(false);
+            var cutShort = await WriteAsync(text, isDownload, shape, recordLength, timeout, cancellation).ConfigureAwait(false);
             var data = "";
             var refused = -1;
             for (var part = 0; part < parts; part++)
@@ -86,6 +106,7 @@ public sealed class CommandChannel : IAsyncDisposable
                 if (frame.Data.Length > 0) data = data.Length == 0 ? frame.Data : data + frame.Data;
             }
 
+            if (cutShort) throw new OperationCanceledException(cancellation);
             if (refused >= 0) return await FetchReasonAsync(isDownload ? "DL" : CommandLine.Parts(text)[refused]).ConfigureAwait(false);
             return data.Length == 0 ? Accepted.Silent : new Accepted(shape == ReplyShape.Text ? Trimmed(data) : data);
         }
@@ -101,30 +122,61 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <summary>The command's own <c>?</c> says nothing; TC1 gives number and text and clears them.</summary>
     private async ValueTask<Rejected> FetchReasonAsync(string command)
     {
-        await WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout).ConfigureAwait(false);
+        await WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
         var frame = await ReadFrameAsync("TC1").ConfigureAwait(false);
         if (!frame.Accepted || !TcCodes.TryParse(frame.Data, out var code, out var text))
             throw Fail(new ProtocolViolationException($"{_link.Description} refused '{command}' and answered '{Trimmed(frame.Data)}' to TC1, which is no reason."));
         return new Rejected(code, text, command);
     }
 
-    private async ValueTask WriteAsync(string text, bool isDownload, ReplyShape shape, int recordLength, TimeSpan timeout)
+    /// <returns>True when a download was cut short.</returns>
+    private async ValueTask<bool> WriteAsync(string text, bool isDownload, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
     {
         _trace?.Write(_name, '>', text);
         _framer.Expect(shape, recordLength);
         if (_sent.Length < text.Length + 1) _sent = new byte[text.Length + 1];
         var count = Encoding.Latin1.GetBytes(text, _sent);
         if (!isDownload) _sent[count++] = (byte)'\r';
-        _deadline.Start(timeout);
+        _timeout = timeout + WireTime(count + LongestCommandReply);
+        _deadline.Start(_timeout);
         try
         {
-            await _link.WriteAsync(_sent.AsMemory(0, count), _deadline.Expired).ConfigureAwait(false);
+            if (isDownload && Line is not null) return await WriteInPortionsAsync(count, cancellation).ConfigureAwait(false);
+            await WriteAsync(_sent.AsMemory(0, count)).ConfigureAwait(false);
+            return false;
         }
         catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
         {
             throw Fail(Describe(failure, text));
         }
     }
+
+    private async ValueTask<bool> WriteInPortionsAsync(int count, CancellationToken cancellation)
+    {
+        for (var from = 0; from < count;)
+        {
+            if (from > 0 && cancellation.IsCancellationRequested)
+            {
+                await WriteAsync("\\"u8.ToArray()).ConfigureAwait(false);
+                return true;
+            }
+
+            var lineEnd = _sent.AsSpan(0, count)[Math.Min(from + DownloadPortion, count)..].IndexOf((byte)'\r');
+            var to = lineEnd < 0 ? count : Math.Min(from + DownloadPortion, count) + lineEnd + 1;
+            await WriteAsync(_sent.AsMemory(from, to - from)).ConfigureAwait(false);
+            from = to;
+        }
+
+        return false;
+    }
+
+    private async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes)
+    {
+        await _link.WriteAsync(bytes, _deadline.Expired).ConfigureAwait(false);
+        Traffic += bytes.Length;
+    }
+
+    private TimeSpan WireTime(int bytes) => Line?.Time(bytes) ?? TimeSpan.Zero;
 
     private async ValueTask<ReplyFrame> ReadFrameAsync(string text)
     {
@@ -140,7 +192,11 @@ public sealed class CommandChannel : IAsyncDisposable
         {
             var count = await _link.ReadAsync(_received, _deadline.Expired).ConfigureAwait(false);
             if (count == 0) throw Fail(new ControllerLinkException($"{_link.Description} closed the connection."));
+            Traffic += count;
             _framer.Append(_received.AsSpan(0, count));
+
+            // A whole program memory takes a minute at 19,200 baud: as long as some of it comes, the link lives.
+            if (Line is not null && _framer.Shape == ReplyShape.Upload) _deadline.Start(_timeout);
         }
         catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
         {
@@ -153,7 +209,9 @@ public sealed class CommandChannel : IAsyncDisposable
     }
 
     private ControllerException Describe(Exception failure, string text) => failure is OperationCanceledException
-        ? new ControllerTimeoutException($"{_link.Description} did not answer '{FirstLine(text)}' in time.", failure)
+        ? text == SerialGreeting.Text
+            ? new ControllerTimeoutException($"{_link.Description} did not answer; look at the cable, the baud rate (19200 without a jumper, 9600 with the jumper 96) and the flow control (flow=none for a cable of three wires).", failure)
+            : new ControllerTimeoutException($"{_link.Description} did not answer '{FirstLine(text)}' in time.", failure)
         : new ControllerLinkException($"The link to {_link.Description} was lost: {failure.Message}", failure);
 
     private static string FirstLine(string text) => text.IndexOf('\r', StringComparison.Ordinal) is >= 0 and var end ? text[..end] : text;

@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using System.Text;
 
 namespace Engraver.Galil.Protocol;
@@ -14,8 +15,10 @@ public sealed class ReplyFramer
     private readonly List<byte> _data = [];
     private readonly List<byte> _message = [];
     private readonly Queue<ReplyFrame> _frames = new();
-    private ReplyShape _shape;
     private int _recordLength;
+
+    /// <summary>How the reply under way is framed.</summary>
+    public ReplyShape Shape { get; private set; }
 
     /// <summary>Called with each unsolicited line, without its line end.</summary>
     public Action<string>? MessageReceived { get; init; }
@@ -24,7 +27,7 @@ public sealed class ReplyFramer
     /// <param name="recordLength">Bytes of the record when <paramref name="shape"/> is <see cref="ReplyShape.Record"/>.</param>
     public void Expect(ReplyShape shape, int recordLength)
     {
-        _shape = shape;
+        Shape = shape;
         _recordLength = recordLength;
         _data.Clear();
         _frames.Clear();
@@ -41,7 +44,7 @@ public sealed class ReplyFramer
 
     private void Append(byte value)
     {
-        var inRecord = _shape == ReplyShape.Record && _data.Count < _recordLength && !(_data.Count == 0 && value == '?');
+        var inRecord = Shape == ReplyShape.Record && _data.Count < _recordLength && !(_data.Count == 0 && value == '?');
         if (inRecord) _data.Add(value);
         else if (value >= 0x80) AppendToMessage((byte)(value - 0x80));
         else if (IsPrompt(value)) Complete(value == ':');
@@ -52,8 +55,9 @@ public sealed class ReplyFramer
     private bool IsPrompt(byte value)
     {
         if (value is not ((byte)':' or (byte)'?')) return false;
-        if (_data.Count == 0) return value == '?' || _shape != ReplyShape.Record;
-        return _shape switch
+        if (Shape == ReplyShape.Greeting) return value == ':' && SerialGreeting.IsAnswered(CollectionsMarshal.AsSpan(_data));
+        if (_data.Count == 0) return value == '?' || Shape != ReplyShape.Record;
+        return Shape switch
         {
             ReplyShape.Upload => _data[^1] is CtrlZ or (byte)'\\',
             ReplyShape.Record => _data.Count == _recordLength,

@@ -11,4 +11,7 @@ public enum ReplyShape
 
     /// <summary>QR: a binary record of known length, then the prompt (galil-dmc.md A.9).</summary>
     Record,
+
+    /// <summary>The first words on a serial line (<see cref="SerialGreeting"/>): whatever comes, up to the answer to the last of them.</summary>
+    Greeting,
 }

@@ -29,13 +29,19 @@ public sealed class ControllerSession : IAsyncDisposable
 
     public TimeProvider Time { get; }
 
+    /// <summary>The serial line that everything goes over, the stop too; null for a link with a handle for each.</summary>
+    public SerialLine? Line => _commands.Line;
+
+    /// <summary>How long what was said so far took on the serial line; zero elsewhere.</summary>
+    public TimeSpan WireTime => Line?.Time(_commands.Traffic) ?? TimeSpan.Zero;
+
     /// <summary>The handle for commands; when its link is lost and the second handle still stands, that one.</summary>
     public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
 
     /// <summary>The handle for the operator's stop: it never waits behind the feeder, except on a single wire.</summary>
     public CommandChannel StopHandle => _second is { IsBroken: false } ? _second : _commands;
 
-    /// <summary>Opens both handles and shakes hands (galil-dmc.md F.2). Changes CW, CF, DR and the number format, nothing else.</summary>
+    /// <summary>Opens both handles and shakes hands (galil-dmc.md F.2). Changes CW, CF, DR, the number format and on a serial line the echo, nothing else.</summary>
     /// <param name="openLink">Opens one more link to the same controller; called twice when a second handle is wanted.</param>
     /// <exception cref="ControllerException">No link, silence, or no controller at the other end.</exception>
     public static async Task<ControllerSession> OpenAsync(
@@ -49,10 +55,11 @@ public sealed class ControllerSession : IAsyncDisposable
         try
         {
             commands = new CommandChannel(await openLink(cancellation).ConfigureAwait(false), "A", options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
-            if (options.SecondHandle)
+            bool? echo = commands.Line is null ? null : await commands.GreetAsync(cancellation).ConfigureAwait(false);
+            if (options.SecondHandle && commands.Line is null)
                 second = new CommandChannel(await openLink(cancellation).ConfigureAwait(false), "B", options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
             var identity = await Handshake.IdentifyAsync(commands, cancellation).ConfigureAwait(false);
-            var found = await FoundState.ReadAsync(commands, identity.Letters, cancellation).ConfigureAwait(false);
+            var found = await FoundState.ReadAsync(commands, identity.Letters, echo, cancellation).ConfigureAwait(false);
             var runsAhead = await ClockComparison.RunsAheadAsync(commands, time, cancellation).ConfigureAwait(false);
             var session = new ControllerSession(commands, second, identity, found, runsAhead, time);
             await session.AgreeOnWireAsync(cancellation).ConfigureAwait(false);
@@ -120,12 +127,13 @@ public sealed class ControllerSession : IAsyncDisposable
         return failures;
     }
 
-    /// <summary>No pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not carry the job, numbers wide enough for any position.</summary>
+    /// <summary>No pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not carry the job, numbers wide enough for any position; without
+    /// the decimals where every byte takes its time.</summary>
     private async Task AgreeOnWireAsync(CancellationToken cancellation)
     {
         if (Found.Wire.RecordPeriod is not 0.0) await _commands.SendAsync("DR 0", cancellation).ConfigureAwait(false);
         await _commands.SendAsync("CW 1", cancellation).ConfigureAwait(false);
         await (_second ?? _commands).SendAsync("CF I", cancellation).ConfigureAwait(false);
-        await _commands.SendAsync("VF 10.4", cancellation).ConfigureAwait(false);
+        await _commands.SendAsync(Line is null ? "VF 10.4" : "VF 10.0", cancellation).ConfigureAwait(false);
     }
 }

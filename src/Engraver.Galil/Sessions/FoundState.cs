@@ -8,9 +8,9 @@ namespace Engraver.Galil.Sessions;
 /// <param name="MotorsOff">Letters of the axes whose motor was off.</param>
 public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Motion, string MotorsOff)
 {
-    internal static async Task<FoundState> ReadAsync(CommandChannel channel, string letters, CancellationToken cancellation)
+    internal static async Task<FoundState> ReadAsync(CommandChannel channel, string letters, bool? echo, CancellationToken cancellation)
     {
-        var wire = await WireState.ReadAsync(channel, cancellation).ConfigureAwait(false);
+        var wire = await WireState.ReadAsync(channel, echo, cancellation).ConfigureAwait(false);
         var motion = new List<FoundSetting>();
         foreach (var (operand, command) in Settings(letters))
         {

@@ -12,10 +12,11 @@ namespace Engraver.Galil.Sessions;
 /// <param name="NumberFormat">_VF.</param>
 public sealed record WireState(double? Echo, char? MessagePort, double? MessageMark, double? RecordPeriod, double? RecordHandle, double? NumberFormat)
 {
-    internal static async Task<WireState> ReadAsync(CommandChannel channel, CancellationToken cancellation)
+    /// <param name="heardEcho">Whether the echo was on when a serial line was greeted; null elsewhere: the controller is asked.</param>
+    internal static async Task<WireState> ReadAsync(CommandChannel channel, bool? heardEcho, CancellationToken cancellation)
     {
         async Task<double?> Ask(string operand) => (await channel.ReadAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
-        var echo = await Ask("_EO").ConfigureAwait(false);
+        var echo = heardEcho is { } heard ? heard ? 1.0 : 0.0 : await Ask("_EO").ConfigureAwait(false);
         var port = await Ask("_CF").ConfigureAwait(false);
         var mark = await Ask("_CW").ConfigureAwait(false);
         var period = await Ask("_DR0").ConfigureAwait(false);

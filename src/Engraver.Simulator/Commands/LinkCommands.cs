@@ -14,7 +14,7 @@ internal static class LinkCommands
         new("CF", CommandScope.Both, ConfigureMessages),
         new("CW", CommandScope.Both, MarkMessages),
         new("DR", CommandScope.Both, DataRecordRate),
-        new("EO", CommandScope.Host, _ => throw new CommandRefusedException(Tc.Unrecognized)), // serial port only (A.2)
+        new("EO", CommandScope.Host, Echo),
     ];
 
     private static void TellHandles(StatementReader reader)
@@ -63,11 +63,21 @@ internal static class LinkCommands
         reader.ExpectEnd();
         if (port == 'I')
         {
-            port = reader.Context.Handle is { } handle ? (char)('A' + handle.Index) : throw new CommandRefusedException(Tc.NotInProgram);
+            port = reader.Context.Handle is { } handle ? (handle.IsSerial ? 'S' : (char)('A' + handle.Index)) : throw new CommandRefusedException(Tc.NotInProgram);
         }
 
         bool known = port == 'S' || (port >= 'A' && port < 'A' + reader.Machine.Handles.Capacity);
         reader.Machine.Messages.Port = known ? port : throw new CommandRefusedException(Tc.OperandError);
+    }
+
+    /// <summary>EO 1 echoes what comes in over the serial port; the command is taken from there only (A.2).</summary>
+    private static void Echo(StatementReader reader)
+    {
+        var field = reader.TakeFields()[0];
+        reader.ExpectEnd();
+        if (reader.Context.Handle is not { IsSerial: true }) throw new CommandRefusedException(Tc.Unrecognized);
+        if (field.IsQuery) reader.Context.WriteLine(reader.Machine.Serial.Echo ? " 1" : " 0");
+        else reader.Machine.Serial.Echo = AxisParameters.InRange(field.Value?.Integer ?? 0, 0, 1) == 1;
     }
 
     /// <summary>CW 1 sets bit 7 of messages, CW 2 does not; the second field is about a blocked serial port.</summary>

@@ -43,7 +43,7 @@ internal static class Operands
         ["TM"] = _ => Whole(1000),
         ["OP"] = r => Whole(r.Number(0) == 0 ? r.Machine.Io.Outputs : 0),
         ["TI"] = r => Whole(r.Number(0) == 0 ? r.Machine.Io.Inputs : 0),
-        ["EO"] = _ => FixedPoint.Zero, // Ethernet never echoes (A.2)
+        ["EO"] = r => FixedPoint.FromBoolean(r.Machine.Serial.Echo && r.Context.Handle is not { IsSerial: false }), // Ethernet never echoes (A.2)
         ["CF"] = r => Whole(r.Machine.Messages.Port),
         ["CW"] = r => Whole(r.Number(4) == 4 ? r.Machine.Messages.WhenBlocked : r.Machine.Messages.Marking),
         ["DR"] = r => Whole(r.Number(1) * 0),

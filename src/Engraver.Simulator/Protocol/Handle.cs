@@ -19,7 +19,10 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     public int Index => index;
 
-    public string Name => "IH" + (char)('A' + index);
+    /// <summary>The main serial port, which is no handle of the table (A.1: <c>_WH</c> is -1).</summary>
+    public bool IsSerial => index == SerialPort.HandleIndex;
+
+    public string Name => IsSerial ? "RS232" : "IH" + (char)('A' + index);
 
     public int LocalPort => localPort;
 
@@ -50,6 +53,7 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
                 return;
             }
 
+            sink.Arrived(this, b);
             Accept((char)b);
         }
     }
@@ -188,7 +192,7 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
             SendText(reply);
         }
 
-        sink.Answered(this);
+        sink.Answered(this, reply?.Length ?? 0);
         if (closeAfterReply)
         {
             Close();

@@ -16,8 +16,11 @@ internal interface ICommandSink
 
     string? StoreArray(Handle handle, Action store);
 
+    /// <summary>A byte came in: on the serial line it takes its time and is echoed.</summary>
+    void Arrived(Handle handle, byte value);
+
     /// <summary>The reply is out: time passes.</summary>
-    void Answered(Handle handle);
+    void Answered(Handle handle, int replyLength);
 
     /// <summary>Sends bytes to the client of a handle.</summary>
     void Deliver(Handle handle, ReadOnlySpan<byte> bytes);

@@ -3,7 +3,7 @@ using System.Text;
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>Sends what programs print to the port that CF names, with bit 7 set under CW 1 (galil-dmc.md A.5).</summary>
-internal sealed class MessageRouter(HandleTable handles)
+internal sealed class MessageRouter(HandleTable handles, SerialPort serial)
 {
     private const int Marked = 1;
 
@@ -23,7 +23,7 @@ internal sealed class MessageRouter(HandleTable handles)
     public void Send(StringBuilder text, int? handle)
     {
         int index = handle ?? (Port == 'S' ? -1 : Port - 'A');
-        if (index < 0 || index >= handles.Capacity || handles[index] is not { } target)
+        if ((index < 0 ? serial.Client : index < handles.Capacity ? handles[index] : null) is not { } target)
         {
             return;
         }

@@ -1,12 +1,14 @@
+using System.Diagnostics;
 using Engraver.Galil.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>How links to one machine are opened: over the network, or to a simulated controller that lives in this process and is owned here.</summary>
+/// <summary>How links to one machine are opened: over the network, over a serial line, or to a simulated controller that lives in this process and is owned here.</summary>
 public sealed class MachineConnection : IAsyncDisposable
 {
     private static readonly TimeSpan s_connectTimeout = TimeSpan.FromSeconds(5);
+    private static readonly TimeSpan s_writeTimeout = TimeSpan.FromSeconds(2);
     private readonly Func<CancellationToken, Task<IControllerLink>> _open;
 
     private MachineConnection(string description, SimulatedController? simulator, Func<CancellationToken, Task<IControllerLink>> open)
@@ -21,15 +23,19 @@ public sealed class MachineConnection : IAsyncDisposable
     /// <summary>The simulated controller of a <c>sim:</c> address; null for a real link.</summary>
     public SimulatedController? Simulator { get; }
 
-    /// <exception cref="NotSupportedException">The kind of address is not built yet.</exception>
+    /// <exception cref="PlatformNotSupportedException">A serial link on a machine for which it is not built; thrown when the link is opened.</exception>
     public static MachineConnection To(ControllerAddress address, TimeProvider time) => address switch
     {
         TcpAddress tcp => new MachineConnection(
             $"tcp://{tcp.Host}:{tcp.Port}",
             simulator: null,
             async cancellation => await TcpLink.ConnectAsync(tcp.Host, tcp.Port, s_connectTimeout, time, cancellation).ConfigureAwait(false)),
+        SerialAddress serial => new MachineConnection(
+            $"serial://{serial.Device}",
+            simulator: null,
+            _ => Task.FromResult<IControllerLink>(SerialLink.Open(serial, s_writeTimeout, time))),
         SimulatedAddress simulated => Simulate(simulated, time),
-        _ => throw new NotSupportedException("Only tcp://HOST:PORT and sim: are built; a serial link is not."),
+        _ => throw new UnreachableException(),
     };
 
     /// <summary>Opens one more link (one more handle of the controller).</summary>

@@ -1,4 +1,6 @@
+using Engraver.Core.Drawings;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -9,7 +11,13 @@ namespace Engraver.Workbench.Machines;
 /// <summary>One job on one machine: connects, runs, judges, leaves.</summary>
 public static class MachineRun
 {
+    /// <summary>The program as it will be run over this link: on a serial line that is too slow for its feed it is cut slower, and the finding says so before the start.</summary>
+    public static WireFit FitToLink(MotionProgram program, MachineRunOptions options, Drawing drawing) => options is { Address: SerialAddress serial, Mode: JobMode.Stream }
+        ? WireFit.Of(program, new SerialLine(serial.Baud), drawing.SourceOf)
+        : new WireFit(program, []);
+
     /// <param name="job">Prepared in the style of the mode, with a motion program.</param>
+    /// <param name="program">Of <paramref name="job"/>, made fit for the link (<see cref="FitToLink"/>).</param>
     /// <exception cref="Galil.Protocol.ControllerException">The link never came up. A link lost later is an outcome, not an exception.</exception>
     /// <exception cref="IOException">The journal or the trace cannot be written.</exception>
     public static async Task<MachineRunReport> RunAsync(

@@ -86,7 +86,7 @@ public class BadInputTests
     [InlineData("post", "FILE", "--target", "agie")]
     [InlineData("run", "FILE")]
     [InlineData("run", "FILE", "--connect", "usb:1")]
-    [InlineData("run", "FILE", "--connect", "serial:///dev/ttyS0")]
+    [InlineData("run", "FILE", "--connect", "serial:///dev/ttyS0?baud=19201")]
     [InlineData("run", "FILE", "--connect", "sim:", "--mode", "program")]
     [InlineData("run", "FILE", "--connect", "sim:", "--machine", "nowhere.json")]
     [InlineData("simulate", "--tcp", "99999")]

@@ -11,6 +11,9 @@ public class ControllerAddressTests
         Assert.Equal(new TcpAddress("engraver", 23), ControllerAddress.Parse("tcp://engraver"));
         Assert.Equal(new SerialAddress("/dev/ttyS0", 19200), ControllerAddress.Parse("serial:///dev/ttyS0"));
         Assert.Equal(new SerialAddress("COM3", 9600), ControllerAddress.Parse("serial://COM3?baud=9600"));
+        Assert.Equal(new SerialAddress("/dev/ttyUSB0", 115200, SerialFlow.None), ControllerAddress.Parse("serial:///dev/ttyUSB0?baud=115200&flow=none"));
+        Assert.Equal(new SerialAddress("/dev/ttyS0", 19200, SerialFlow.XonXoff), ControllerAddress.Parse("serial:///dev/ttyS0?flow=xonxoff"));
+        Assert.Equal(new SerialAddress("/dev/ttyS0", 19200, SerialFlow.RtsCts), ControllerAddress.Parse("serial:///dev/ttyS0?flow=rtscts"));
         Assert.Equal(new SimulatedAddress(double.PositiveInfinity), ControllerAddress.Parse("sim:"));
         Assert.Equal(new SimulatedAddress(double.PositiveInfinity), ControllerAddress.Parse("sim:?speed=max"));
         Assert.Equal(new SimulatedAddress(2.5), ControllerAddress.Parse("sim:?speed=2.5"));
@@ -25,6 +28,9 @@ public class ControllerAddressTests
     [InlineData("tcp://host:23/path")]
     [InlineData("serial://")]
     [InlineData("serial://COM3?baud=fast")]
+    [InlineData("serial://COM3?baud=19201")]
+    [InlineData("serial://COM3?flow=maybe")]
+    [InlineData("serial://COM3?parity=even")]
     [InlineData("sim:?speed=-1")]
     [InlineData("sim:?speed=1,5")]
     public void What_is_no_address_is_refused_with_the_forms_that_are(string text)

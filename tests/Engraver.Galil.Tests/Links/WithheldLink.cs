@@ -11,6 +11,8 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
 
     public string Description => inner.Description;
 
+    public SerialLine? Line => inner.Line;
+
     /// <summary>Completes when somebody waits for a reply that is held back.</summary>
     public Task SomebodyWaits => _waiting.Task;
 

@@ -1,0 +1,117 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using System.Text;
+using Engraver.Galil.Protocol;
+using Microsoft.Win32.SafeHandles;
+using static Engraver.Galil.Links.SerialNative;
+
+namespace Engraver.Galil.Links;
+
+/// <summary>An open serial device and the bell that wakes whoever waits for it. No call of it waits but <see cref="Wait"/>.</summary>
+internal sealed class SerialDevice : IDisposable
+{
+    private readonly SafeFileHandle _device;
+    private readonly SafeFileHandle _bell;
+    private readonly Watched[] _watched;
+
+    private SerialDevice(SafeFileHandle device, SafeFileHandle bell)
+    {
+        _device = device;
+        _bell = bell;
+        _watched = [new Watched { File = (int)device.DangerousGetHandle() }, new Watched { File = (int)bell.DangerousGetHandle(), Wanted = PollIn }];
+    }
+
+    /// <summary>Opens the device for this program alone and sets the line. What another program left unread is dropped.</summary>
+    /// <exception cref="ControllerLinkException">There is no such device, it may not be opened, another program has it, or it does not take the rate.</exception>
+    public static SerialDevice Open(SerialAddress address)
+    {
+        var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
+        var bell = EventFd(0, EventFlags);
+        try
+        {
+            if (device.IsInvalid || bell.IsInvalid) throw Failure(address, "it cannot be opened");
+            if (Lock(device, LockForUs) != 0) throw new ControllerLinkException($"{address.Device} is in use by another program; close that one first.");
+            Configure(device, address);
+            return new SerialDevice(device, bell);
+        }
+        catch (ControllerLinkException)
+        {
+            device.Dispose();
+            bell.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Waits until bytes are there, until bytes can be sent (when <paramref name="toSend"/>), or until the bell.</summary>
+    /// <returns>What has happened to the device, as poll spells it.</returns>
+    public short Wait(bool toSend)
+    {
+        _watched[0].Wanted = toSend ? (short)(PollIn | PollOut) : PollIn;
+        while (Poll(_watched, (nuint)_watched.Length, -1) < 0)
+        {
+            if (Marshal.GetLastPInvokeError() != Interrupted) return PollGone;
+        }
+
+        if (_watched[1].Happened != 0) Silence();
+        return _watched[0].Happened;
+    }
+
+    /// <summary>Ends a wait from any thread.</summary>
+    public void Ring()
+    {
+        ulong one = 1;
+        _ = SerialNative.Write(_bell, ref MemoryMarshal.AsBytes(new Span<ulong>(ref one))[0], sizeof(ulong));
+    }
+
+    /// <summary>Bytes read; 0 when none are there.</summary>
+    /// <exception cref="IOException">The device is gone.</exception>
+    public int Read(Span<byte> bytes)
+    {
+        var count = SerialNative.Read(_device, ref MemoryMarshal.GetReference(bytes), (nuint)bytes.Length);
+        return count switch
+        {
+            > 0 => (int)count,
+            0 => throw new IOException("the device hung up"),
+            _ => NothingOr(Marshal.GetLastPInvokeError()),
+        };
+    }
+
+    /// <summary>Bytes taken; 0 when there is no room.</summary>
+    /// <exception cref="IOException">The device is gone.</exception>
+    public int Write(ReadOnlySpan<byte> bytes)
+    {
+        var count = SerialNative.Write(_device, ref MemoryMarshal.GetReference(bytes), (nuint)bytes.Length);
+        return count >= 0 ? (int)count : NothingOr(Marshal.GetLastPInvokeError());
+    }
+
+    /// <summary>Closes. What was not sent yet is dropped first: closing would wait for it, for ever when the other side holds us back.</summary>
+    public void Dispose()
+    {
+        _ = Control(_device, Flush, FlushBoth);
+        _device.Dispose();
+        _bell.Dispose();
+    }
+
+    private static void Configure(SafeFileHandle device, SerialAddress address)
+    {
+        var settings = default(LineSettings);
+        if (Control(device, GetSettings, ref settings) != 0) throw Failure(address, "it is no serial line");
+        settings = SerialSettings.Apply(settings, address.Baud, address.Flow);
+        if (Control(device, SetSettings, ref settings) != 0) throw Failure(address, "the line cannot be set");
+        if (Control(device, GetSettings, ref settings) != 0 || !SerialSettings.HasRate(settings, address.Baud))
+            throw new ControllerLinkException(string.Create(CultureInfo.InvariantCulture, $"{address.Device} does not take {address.Baud} baud; give another rate, and set it on the controller too."));
+        _ = Control(device, Flush, FlushInput);
+    }
+
+    private void Silence()
+    {
+        ulong count = 0;
+        _ = SerialNative.Read(_bell, ref MemoryMarshal.AsBytes(new Span<ulong>(ref count))[0], sizeof(ulong));
+    }
+
+    private static int NothingOr(int error) =>
+        error is TryAgain or Interrupted ? 0 : throw new IOException(Marshal.GetPInvokeErrorMessage(error));
+
+    private static ControllerLinkException Failure(SerialAddress address, string what) =>
+        new($"No connection to {address.Device}: {what} ({Marshal.GetLastPInvokeErrorMessage()}).");
+}

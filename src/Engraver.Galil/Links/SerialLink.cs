@@ -1,0 +1,165 @@
+using System.Globalization;
+using System.IO.Pipelines;
+using System.Runtime.InteropServices;
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Links;
+
+/// <summary>A link over an RS-232 line on Linux; a pseudo-terminal is one too (galil-dmc.md A.2: 8 data bits, no parity, 1 stop bit).</summary>
+/// <remarks>One thread waits for the device in both directions, without a time limit and without polling. An adapter that is unplugged ends that wait, and so every read and write, with an
+/// <see cref="IOException"/>. Closing rings the thread's bell, so it never waits for a byte.</remarks>
+public sealed class SerialLink : IControllerLink
+{
+    private readonly SerialDevice _device;
+    private readonly TimeProvider _time;
+    private readonly TimeSpan _writeTimeout;
+    private readonly Pipe _received = new(new PipeOptions(pauseWriterThreshold: 0, resumeWriterThreshold: 0, useSynchronizationContext: false));
+    private readonly Stream _incoming;
+    private readonly TaskCompletionSource _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly Lock _gate = new();
+    private TaskCompletionSource? _room;
+    private IOException? _failure;
+
+    private SerialLink(SerialDevice device, SerialAddress address, TimeSpan writeTimeout, TimeProvider time)
+    {
+        _device = device;
+        _time = time;
+        _writeTimeout = writeTimeout;
+        _incoming = _received.Reader.AsStream();
+        Description = string.Create(CultureInfo.InvariantCulture, $"serial://{address.Device}?baud={address.Baud}");
+        Line = new SerialLine(address.Baud);
+        new Thread(Watch) { IsBackground = true, Name = Description }.Start();
+    }
+
+    /// <summary>Why serial links cannot be opened on this machine, a sentence; null where they can.</summary>
+    public static string? WhyUnsupported => OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture != Architecture.Ppc64le
+        ? null
+        : "serial links are built for Linux only so far; connect the controller by tcp://HOST:PORT.";
+
+    public string Description { get; }
+
+    public SerialLine? Line { get; }
+
+    /// <summary>Opens the device for this program alone.</summary>
+    /// <param name="writeTimeout">How long the device may take no byte at all before the link counts as lost.</param>
+    /// <exception cref="ControllerLinkException">There is no such device, it is no serial line, or another program has it.</exception>
+    /// <exception cref="PlatformNotSupportedException"><see cref="WhyUnsupported"/> says why.</exception>
+    public static SerialLink Open(SerialAddress address, TimeSpan writeTimeout, TimeProvider time)
+    {
+        ArgumentNullException.ThrowIfNull(address);
+        ArgumentNullException.ThrowIfNull(time);
+        if (!SerialLine.Rates.Contains(address.Baud)) throw new ArgumentOutOfRangeException(nameof(address), address.Baud, "no rate of a controller");
+        if (WhyUnsupported is { } why) throw new PlatformNotSupportedException(why);
+        return new SerialLink(SerialDevice.Open(address), address, writeTimeout, time);
+    }
+
+    public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
+    {
+        while (!bytes.IsEmpty)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            var (taken, room) = Send(bytes.Span);
+            bytes = bytes[taken..];
+            if (room is not null) await WaitForRoomAsync(room, cancellation).ConfigureAwait(false);
+        }
+    }
+
+    public ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation) => _incoming.ReadAsync(buffer, cancellation);
+
+    public async ValueTask DisposeAsync()
+    {
+        Fail(new IOException("it was closed"));
+        await _ended.Task.ConfigureAwait(false);
+    }
+
+    private (int Taken, Task? Room) Send(ReadOnlySpan<byte> bytes)
+    {
+        lock (_gate)
+        {
+            if (_failure is not null) throw new IOException(_failure.Message, _failure);
+            var taken = _device.Write(bytes);
+            if (taken > 0) return (taken, null);
+            _room ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+            _device.Ring();
+            return (0, _room.Task);
+        }
+    }
+
+    private async Task WaitForRoomAsync(Task room, CancellationToken cancellation)
+    {
+        try
+        {
+            await room.WaitAsync(_writeTimeout, _time, cancellation).ConfigureAwait(false);
+        }
+        catch (TimeoutException nothing)
+        {
+            throw new IOException(string.Create(CultureInfo.InvariantCulture, $"the line took no byte for {_writeTimeout.TotalSeconds:0.#} s; look at the cable and at the flow control (flow=none, xonxoff or rtscts)"), nothing);
+        }
+    }
+
+    /// <summary>The thread: carries bytes in, tells when there is room for bytes out, and closes the device at the end.</summary>
+    private void Watch()
+    {
+        try
+        {
+            while (CarryOn(out var toSend)) Serve(_device.Wait(toSend));
+        }
+        catch (IOException gone)
+        {
+            Fail(gone);
+        }
+
+        _received.Writer.Complete(_failure);
+        lock (_gate) _device.Dispose();
+        _ended.TrySetResult();
+    }
+
+    private bool CarryOn(out bool toSend)
+    {
+        lock (_gate)
+        {
+            toSend = _room is not null;
+            return _failure is null;
+        }
+    }
+
+    /// <summary>What the other side said before it hung up is still read.</summary>
+    private void Serve(short happened)
+    {
+        if ((happened & SerialNative.PollOut) != 0) TellRoom(null);
+        while ((happened & SerialNative.PollIn) != 0 && _device.Read(_received.Writer.GetSpan(512)) is > 0 and var count)
+        {
+            _received.Writer.Advance(count);
+
+            // Without a threshold flushing is done at once; the reader runs on a thread of its own.
+            _received.Writer.FlushAsync(CancellationToken.None).AsTask().GetAwaiter().GetResult();
+        }
+
+        if ((happened & SerialNative.PollGone) != 0) throw new IOException("the device hung up");
+    }
+
+    private void Fail(IOException failure)
+    {
+        lock (_gate)
+        {
+            if (_failure is not null) return;
+            _failure = failure;
+            _device.Ring();
+        }
+
+        TellRoom(failure);
+    }
+
+    private void TellRoom(IOException? failure)
+    {
+        TaskCompletionSource? waiting;
+        lock (_gate)
+        {
+            waiting = _room;
+            _room = null;
+        }
+
+        if (failure is null) waiting?.TrySetResult();
+        else waiting?.TrySetException(failure);
+    }
+}

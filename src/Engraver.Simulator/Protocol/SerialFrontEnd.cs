@@ -1,0 +1,124 @@
+namespace Engraver.Simulator.Protocol;
+
+/// <summary>The serial port on a pseudo-terminal: a thread waits for the host's bytes, two tasks carry bytes at the speed of the line.</summary>
+internal sealed class SerialFrontEnd : IAsyncDisposable
+{
+    /// <summary>Bytes that go over the wire before they are looked at: little, so that a long download is not one leap.</summary>
+    private const int Portion = 32;
+
+    /// <summary>How long to wait before a host that does not read is tried again.</summary>
+    private static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(5);
+
+    private readonly ControllerCore _core;
+    private readonly PseudoTerminal _terminal;
+    private readonly string _path;
+    private readonly SimulatorOptions _options;
+    private readonly TimeSpan _byteTime;
+    private readonly Handle _handle;
+    private readonly ByteQueue _incoming = new();
+    private readonly CancellationTokenSource _stopping = new();
+    private readonly TaskCompletionSource _listenerEnded = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly Task _serving;
+
+    private SerialFrontEnd(ControllerCore core, PseudoTerminal terminal, string path, int baud, SimulatorOptions options)
+    {
+        (_core, _terminal, _path, _options) = (core, terminal, path, options);
+        _byteTime = options.IsVirtual ? TimeSpan.Zero : TimeSpan.FromSeconds(10.0 / baud / options.Speed);
+        _handle = core.OpenSerial(baud, terminal.Ring) ?? throw new IOException("The serial port has a client.");
+        new Thread(Listen) { IsBackground = true, Name = "serial port" }.Start();
+        _serving = Task.WhenAll(ReceiveAsync(_stopping.Token), SendAsync(_stopping.Token));
+    }
+
+    /// <exception cref="IOException">The path is taken, the port has a client, or there is no terminal to be had.</exception>
+    /// <exception cref="PlatformNotSupportedException">This is not Linux.</exception>
+    public static SerialFrontEnd Open(ControllerCore core, string path, int baud, SimulatorOptions options)
+    {
+        if (!OperatingSystem.IsLinux()) throw new PlatformNotSupportedException("the simulated serial port is built for Linux only so far; serve TCP instead.");
+        var terminal = PseudoTerminal.Open();
+        try
+        {
+            TerminalLink.Create(path, terminal.SlaveName);
+            return new SerialFrontEnd(core, terminal, path, baud, options);
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            TerminalLink.Remove(path, terminal.SlaveName);
+            terminal.Dispose();
+            throw;
+        }
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        _terminal.Ring();
+        await _listenerEnded.Task.ConfigureAwait(false);
+        await _serving.ConfigureAwait(false);
+        _stopping.Dispose();
+    }
+
+    /// <summary>The thread, and the one place that ends the port: the bell rings when the controller is switched off and when the link is cut.</summary>
+    private void Listen()
+    {
+        var buffer = new byte[4096];
+        try
+        {
+            while (_terminal.WaitAndRead(buffer) is > 0 and var count) _incoming.Write(buffer.AsSpan(0, count));
+        }
+        catch (IOException)
+        {
+            // The terminal is gone: nothing more will come.
+        }
+
+        _incoming.Complete();
+        _stopping.Cancel();
+        TerminalLink.Remove(_path, _terminal.SlaveName);
+        _terminal.Dispose();
+        _listenerEnded.TrySetResult();
+    }
+
+    private async Task ReceiveAsync(CancellationToken cancellation)
+    {
+        var buffer = new byte[Portion];
+        var wire = new BytePacer(_options.Time, _byteTime);
+        try
+        {
+            while (await _incoming.ReadAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var count)
+            {
+                await wire.PassAsync(count, cancellation).ConfigureAwait(false);
+                _core.Receive(_handle, buffer.AsSpan(0, count));
+            }
+        }
+        catch (OperationCanceledException)
+        {
+            // The port is closed.
+        }
+
+        _core.Detach(_handle);
+    }
+
+    private async Task SendAsync(CancellationToken cancellation)
+    {
+        var buffer = new byte[Portion];
+        var wire = new BytePacer(_options.Time, _byteTime);
+        try
+        {
+            while (await _handle.Output.ReadAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var count)
+            {
+                await wire.PassAsync(count, cancellation).ConfigureAwait(false);
+                for (var sent = 0; sent < count;)
+                {
+                    sent += _terminal.Write(buffer.AsSpan(sent, count - sent));
+                    if (sent < count) await Task.Delay(Patience, _options.Time, cancellation).ConfigureAwait(false);
+                }
+            }
+        }
+        catch (OperationCanceledException)
+        {
+            // The port is closed.
+        }
+        catch (ObjectDisposedException)
+        {
+            // The terminal was closed between two bytes.
+        }
+    }
+}

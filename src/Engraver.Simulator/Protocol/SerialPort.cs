@@ -1,0 +1,27 @@
+namespace Engraver.Simulator.Protocol;
+
+/// <summary>The controller's main serial port (galil-dmc.md A.2): one client, echo until EO 0, every byte takes ten bits at the baud rate.</summary>
+internal sealed class SerialPort
+{
+    /// <summary><c>_WH</c> of the port: it stands in no place of the handle table (A.1).</summary>
+    public const int HandleIndex = -1;
+
+    /// <summary>EO: 1 is the factory setting, and what a reset brings back.</summary>
+    public bool Echo { get; set; } = true;
+
+    /// <summary>Who is plugged in; null for nobody.</summary>
+    public Handle? Client { get; set; }
+
+    /// <summary>Start bit, eight data bits, stop bit.</summary>
+    public TimeSpan ByteTime { get; private set; }
+
+    /// <summary>Null when somebody is plugged in already.</summary>
+    public Handle? Plug(int baud, Handle client)
+    {
+        if (Client is not null) return null;
+        ByteTime = TimeSpan.FromSeconds(10.0 / baud);
+        return Client = client;
+    }
+
+    public void Reset() => Echo = true;
+}

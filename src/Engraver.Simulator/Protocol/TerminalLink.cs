@@ -1,0 +1,29 @@
+namespace Engraver.Simulator.Protocol;
+
+/// <summary>The name under which a host finds the pseudo-terminal: a symbolic link.</summary>
+internal static class TerminalLink
+{
+    private const string Terminals = "/dev/pts/";
+
+    /// <summary>Makes the link. One that points to a pseudo-terminal is taken for the leftover of a run that was killed, and replaced.</summary>
+    /// <exception cref="IOException">Something else has the name, or the folder does not exist.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder may not be written.</exception>
+    public static void Create(string path, string terminal)
+    {
+        if (new FileInfo(path).LinkTarget is { } target && target.StartsWith(Terminals, StringComparison.Ordinal)) File.Delete(path);
+        File.CreateSymbolicLink(path, terminal);
+    }
+
+    /// <summary>Removes the link, if it is still ours.</summary>
+    public static void Remove(string path, string terminal)
+    {
+        try
+        {
+            if (new FileInfo(path).LinkTarget == terminal) File.Delete(path);
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            // A link that cannot be removed points to nothing from now on; the next run replaces it.
+        }
+    }
+}

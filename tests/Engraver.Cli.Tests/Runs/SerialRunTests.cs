@@ -1,0 +1,149 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using System.Text;
+using Engraver.Simulator;
+
+namespace Engraver.Cli.Tests.Runs;
+
+/// <summary>The main job over a serial line: a pseudo-terminal with the byte times of its baud rate.</summary>
+public class SerialRunTests
+{
+    private const byte Tool = 1;
+    private const double AllowedDeviation = 0.0025 + 0.001;
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
+
+    [Theory]
+    [InlineData("paper-001", "stream")]
+    [InlineData("paper-001", "calls")]
+    [InlineData("gasket", "stream")]
+    [InlineData("gasket", "calls")]
+    [InlineData("clock-dial", "stream")]
+    [InlineData("clock-dial", "calls")]
+    public async Task The_main_job_over_serial_leaves_nothing_out_and_loses_no_byte(string name, string mode)
+    {
+        using var folder = new TemporaryFolder();
+        await using var controller = await ServeAsync(folder, double.PositiveInfinity);
+        var run = await RunAsync(folder, SampleDrawing.PathOf(name), "--mode", mode);
+        var report = JsonText.Of(run);
+
+        Assert.Equal(("", ExitCode.Done), (run.Error, run.ExitCode));
+        Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
+        Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
+        Assert.Equal((0, 0), (report.GetProperty("underruns").GetInt32(), report.GetProperty("rejected").GetInt32()));
+        Assert.Equal(report.GetProperty("segmentsSent").GetInt32(), report.GetProperty("segmentsExecuted").GetInt32());
+        Assert.Equal(0, controller.Status.Outputs & Tool);
+    }
+
+    [Theory]
+    [InlineData(0.5, false)]
+    [InlineData(0.05, true)]
+    public async Task A_part_that_the_wire_does_not_carry_is_warned_of_and_neither_runs_the_buffer_dry(double segmentMillimetres, bool warned)
+    {
+        using var folder = new TemporaryFolder();
+        await using var controller = await ServeAsync(folder, double.PositiveInfinity);
+        var run = await RunAsync(folder, folder.WithFile("arc.dxf", Wave(800, segmentMillimetres)));
+        var report = JsonText.Of(run);
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal(warned, run.Error.Contains("Warning MOT0020: At full feed the path needs ", StringComparison.OrdinalIgnoreCase));
+        Assert.Equal((800, 0), (report.GetProperty("segmentsExecuted").GetInt32(), report.GetProperty("underruns").GetInt32()));
+        Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
+    }
+
+    [Fact]
+    public async Task Two_processes_talk_over_the_terminal_whose_name_goes_with_the_simulator()
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--serial", folder.PathOf("tty"), "--baud", "9600", "--speed", "max");
+        var network = await simulate.LineAsync("listening ", patience.Token);
+        var serial = await simulate.LineAsync("listening ", patience.Token);
+        using var host = EngraverProcess.Start(
+            "run", SampleDrawing.PathOf("paper-001"), "--connect", serial["listening ".Length..] + "?baud=9600", "--json", "--journal", folder.PathOf("run.jsonl"));
+        var report = System.Text.Json.JsonDocument.Parse(await host.Out.ReadToEndAsync(patience.Token)).RootElement;
+        await host.WaitAsync(patience.Token);
+        simulate.Signal(PosixSignal.SIGINT);
+        await simulate.WaitAsync(patience.Token);
+
+        Assert.StartsWith("listening tcp://127.0.0.1:", network, StringComparison.Ordinal);
+        Assert.Equal("listening serial://" + folder.PathOf("tty"), serial);
+        Assert.Equal((ExitCode.Done, ExitCode.Done), (host.ExitCode, simulate.ExitCode));
+        Assert.Equal("complete", report.GetProperty("outcome").GetString());
+        Assert.False(Path.Exists(folder.PathOf("tty")) || new FileInfo(folder.PathOf("tty")).LinkTarget is not null);
+    }
+
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("calls")]
+    public async Task A_pulled_cable_is_exit_4_and_the_machine_stops_itself(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        await using var controller = await ServeAsync(folder, 1.0);
+        var running = RunAsync(folder, SampleDrawing.PathOf("paper-001"), "--mode", mode);
+        await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+        controller.DropConnections();
+        var cutAt = controller.Status.Sample;
+        var run = await running;
+        await controller.WaitUntilAsync(status => !status.IsMoving && (status.Outputs & Tool) == 0, patience.Token);
+
+        Assert.Equal(ExitCode.LinkLost, run.ExitCode);
+        Assert.Equal("linkLost", JsonText.Of(run).GetProperty("outcome").GetString());
+        Assert.InRange(controller.Record[controller.Record.Count - 1].Sample - cutAt, 0, 1500);
+    }
+
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("calls")]
+    public async Task A_stop_at_19200_baud_is_exit_5_with_the_machine_at_rest_and_the_tool_off(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        using var stop = new CancellationTokenSource();
+        await using var controller = await ServeAsync(folder, 1.0);
+        var running = RunAsync(folder, stop.Token, SampleDrawing.PathOf("paper-001"), "--mode", mode);
+        await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+        await stop.CancelAsync();
+        var run = await running;
+
+        Assert.Equal((ExitCode.StoppedByOperator, "stopped"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));
+        Assert.True(controller.Status.IsIdle);
+        Assert.Equal(0, controller.Status.Outputs & Tool);
+    }
+
+    [Theory]
+    [InlineData(ExitCode.LinkLost, "run", "DRAWING", "--connect", "serial:///dev/no-such-device")]
+    [InlineData(ExitCode.LinkLost, "run", "DRAWING", "--connect", "serial:///dev/null?flow=none")]
+    [InlineData(ExitCode.Usage, "run", "DRAWING", "--connect", "serial:///dev/ttyS0?baud=7")]
+    [InlineData(ExitCode.Usage, "simulate", "--serial", "/no/such/folder/tty")]
+    [InlineData(ExitCode.Usage, "simulate", "--serial", "DRAWING")]
+    [InlineData(ExitCode.Usage, "simulate", "--baud", "7")]
+    public async Task What_cannot_be_a_serial_line_is_one_sentence_and_its_exit_code(int code, params string[] args)
+    {
+        var run = await CliRun.Of([.. args.Select(arg => arg == "DRAWING" ? SampleDrawing.PathOf("paper-001") : arg)]);
+
+        Assert.Equal(code, run.ExitCode);
+        Assert.Single(run.Error.TrimEnd().Split('\n'));
+    }
+
+    private static async Task<SimulatedController> ServeAsync(TemporaryFolder folder, double speed)
+    {
+        var controller = new SimulatedController(new SimulatorOptions { Speed = speed });
+        await controller.ServeSerialAsync(folder.PathOf("tty"), 19200, CancellationToken.None);
+        return controller;
+    }
+
+    private static Task<CliRun> RunAsync(TemporaryFolder folder, params string[] args) => RunAsync(folder, CancellationToken.None, args);
+
+    private static Task<CliRun> RunAsync(TemporaryFolder folder, CancellationToken stop, params string[] args) =>
+        CliRun.Of(stop, ["run", .. args, "--connect", $"serial://{folder.PathOf("tty")}?baud=19200", "--json", "--journal", folder.PathOf("run.jsonl")]);
+
+    /// <summary>An open polyline of many short segments without a sharp corner.</summary>
+    private static string Wave(int segments, double step)
+    {
+        var text = new StringBuilder("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n");
+        text.Append(CultureInfo.InvariantCulture, $"{segments + 1}\n70\n0\n");
+        for (var i = 0; i <= segments; i++) text.Append(CultureInfo.InvariantCulture, $"10\n{10 + (i * step)}\n20\n{10 + (step * Math.Sin(i / 30.0))}\n");
+        return text.Append("0\nENDSEC\n0\nEOF\n").ToString();
+    }
+}

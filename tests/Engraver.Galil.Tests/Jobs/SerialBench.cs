@@ -1,0 +1,26 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Sessions;
+using Engraver.Galil.Tests.Links;
+
+namespace Engraver.Galil.Tests.Jobs;
+
+/// <summary>The bench by its serial port: the same bytes and byte times as on a terminal, without one.</summary>
+internal static class SerialBench
+{
+    public static IControllerLink OpenSerialLink(this SimulatedBench bench, int baud) =>
+        new StreamLink(bench.Controller.OpenSerialConnection(baud), "serial memory") { Line = new SerialLine(baud) };
+
+    /// <param name="sending">Told each line before it goes out.</param>
+    public static Task<ControllerSession> OpenSerialAsync(this SimulatedBench bench, int baud, Action<string>? sending = null) => ControllerSession.OpenAsync(
+        _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(baud)) { Sending = sending }),
+        new SessionOptions(), TimeProvider.System, CancellationToken.None);
+
+    public static async Task<JobResult> RunSerialAsync(
+        this SimulatedBench bench, int baud, MotionProgram program, JobMode mode, IProgress<JobProgress>? progress = null, Action<string>? sending = null, CancellationToken stop = default)
+    {
+        await using var session = await bench.OpenSerialAsync(baud, sending);
+        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode }, progress, stop);
+    }
+}

@@ -1,0 +1,156 @@
+using System.Text;
+using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+using Engraver.TestKit;
+
+namespace Engraver.Galil.Tests.Links;
+
+/// <summary>The link against a bare pseudo-terminal.</summary>
+public class SerialLinkTests
+{
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(20);
+
+    [Fact]
+    public async Task Every_byte_arrives_as_it_is_both_ways()
+    {
+        using var cable = new PseudoTerminalPair();
+        await using var link = cable.Open();
+        var every = Encoding.Latin1.GetString([.. Enumerable.Range(0, 256).Select(value => (byte)value)]);
+
+        await link.WriteAsync(Encoding.Latin1.GetBytes(every), CancellationToken.None);
+        var heard = cable.Hear(256);
+        cable.Say(every);
+
+        Assert.Equal(every, heard);
+        Assert.Equal(every, await ReadAsync(link, 256));
+        Assert.Equal(19200, link.Line?.Baud);
+    }
+
+    [Fact]
+    public async Task Closing_ends_a_read_that_waits()
+    {
+        using var cable = new PseudoTerminalPair();
+        var link = cable.Open();
+        var reading = link.ReadAsync(new byte[16], CancellationToken.None).AsTask();
+
+        await link.DisposeAsync().AsTask().WaitAsync(s_patience);
+
+        await Assert.ThrowsAsync<IOException>(() => reading.WaitAsync(s_patience));
+        await Assert.ThrowsAsync<IOException>(() => link.WriteAsync("TP\r"u8.ToArray(), CancellationToken.None).AsTask());
+        await link.DisposeAsync();
+    }
+
+    [Fact]
+    public async Task Closing_ends_a_write_that_waits()
+    {
+        using var cable = new PseudoTerminalPair();
+        var link = cable.Open(new ManualTimeProvider());
+        var writing = link.WriteAsync(new byte[1 << 20], CancellationToken.None).AsTask();
+
+        await link.DisposeAsync().AsTask().WaitAsync(s_patience);
+
+        await Assert.ThrowsAsync<IOException>(() => writing.WaitAsync(s_patience));
+    }
+
+    [Fact]
+    public async Task A_pulled_adapter_fails_what_waits_and_what_comes_after()
+    {
+        var cable = new PseudoTerminalPair();
+        await using var link = cable.Open();
+        cable.Say("LAST:");
+        var last = await ReadAsync(link, 5);
+        var reading = link.ReadAsync(new byte[16], CancellationToken.None).AsTask();
+
+        cable.Dispose();
+
+        Assert.Equal("LAST:", last);
+        var failure = await Assert.ThrowsAsync<IOException>(() => reading.WaitAsync(s_patience));
+        Assert.Contains("hung up", failure.Message, StringComparison.Ordinal);
+        await Assert.ThrowsAsync<IOException>(() => link.WriteAsync("TP\r"u8.ToArray(), CancellationToken.None).AsTask());
+    }
+
+    [Fact]
+    public async Task A_line_that_takes_no_byte_is_given_up_after_the_time_out()
+    {
+        using var cable = new PseudoTerminalPair();
+        var time = new ManualTimeProvider();
+        await using var link = cable.Open(time);
+        var writing = link.WriteAsync(new byte[1 << 20], CancellationToken.None).AsTask();
+
+        while (!writing.IsCompleted)
+        {
+            time.Advance(TimeSpan.FromSeconds(1));
+            await Task.Yield();
+        }
+
+        var failure = await Assert.ThrowsAsync<IOException>(() => writing);
+        Assert.Contains("took no byte for 2 s", failure.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task More_than_the_line_holds_gets_through_when_somebody_reads()
+    {
+        using var cable = new PseudoTerminalPair();
+        await using var link = cable.Open();
+        var writing = link.WriteAsync(Encoding.ASCII.GetBytes(new string('A', 100_000)), CancellationToken.None).AsTask();
+
+        Assert.Equal(new string('A', 100_000), await Task.Run(() => cable.Hear(100_000)).WaitAsync(s_patience));
+        await writing.WaitAsync(s_patience);
+    }
+
+    [Fact]
+    public async Task A_read_that_is_cancelled_loses_no_byte()
+    {
+        using var cable = new PseudoTerminalPair();
+        await using var link = cable.Open();
+        using var cancel = new CancellationTokenSource();
+        var reading = link.ReadAsync(new byte[16], cancel.Token).AsTask();
+
+        await cancel.CancelAsync();
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => reading);
+        cable.Say("TP:");
+
+        Assert.Equal("TP:", await ReadAsync(link, 3));
+    }
+
+    [Fact]
+    public async Task What_an_earlier_host_left_unread_is_dropped()
+    {
+        using var cable = new PseudoTerminalPair();
+        await using (cable.Open()) cable.Say("STALE");
+
+        await using var link = cable.Open();
+        cable.Say("NEW");
+
+        Assert.Equal("NEW", await ReadAsync(link, 3));
+    }
+
+    [Fact]
+    public async Task Two_programs_do_not_share_a_device()
+    {
+        using var cable = new PseudoTerminalPair();
+        await using var first = cable.Open();
+
+        var failure = Assert.Throws<ControllerLinkException>(() => cable.Open());
+
+        Assert.Contains("in use", failure.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("/dev/no-such-device")]
+    [InlineData("/dev/null")]
+    public void What_is_no_serial_line_is_a_link_that_never_came_up(string device)
+    {
+        var failure = Assert.Throws<ControllerLinkException>(() => SerialLink.Open(new SerialAddress(device, 19200), TimeSpan.FromSeconds(2), TimeProvider.System));
+
+        Assert.Contains(device, failure.Message, StringComparison.Ordinal);
+    }
+
+    private static async Task<string> ReadAsync(SerialLink link, int count)
+    {
+        using var patience = new CancellationTokenSource(s_patience);
+        var bytes = new byte[count];
+        for (var read = 0; read < count;) read += await link.ReadAsync(bytes.AsMemory(read), patience.Token);
+        return Encoding.Latin1.GetString(bytes);
+    }
+}
