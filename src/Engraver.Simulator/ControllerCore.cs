@@ -6,25 +6,25 @@ namespace Engraver.Simulator;
 /// <summary>Brings commands, wall time and controller time together under one lock.</summary>
 internal sealed class ControllerCore : ICommandSink, IDisposable
 {
-    private readonly Lock gate = new();
-    private readonly SimulatorOptions options;
-    private readonly ITimer timer;
-    private readonly long started;
-    private readonly SilenceWatch silence;
-    private readonly DelayedReplies replies;
-    private readonly List<StatusWaiter> waiters = [];
-    private TimeSpan paced;
-    private long commands;
+    private readonly Lock _gate = new();
+    private readonly SimulatorOptions _options;
+    private readonly ITimer _timer;
+    private readonly long _started;
+    private readonly SilenceWatch _silence;
+    private readonly DelayedReplies _replies;
+    private readonly List<StatusWaiter> _waiters = [];
+    private TimeSpan _paced;
+    private long _commands;
 
     public ControllerCore(SimulatorOptions options)
     {
-        this.options = options;
+        _options = options;
         Machine = new Machine(options);
-        started = options.Time.GetTimestamp();
-        silence = new SilenceWatch(Machine, options.Time);
-        replies = new DelayedReplies(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
+        _started = options.Time.GetTimestamp();
+        _silence = new SilenceWatch(Machine, options.Time);
+        _replies = new DelayedReplies(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
         var period = options.IsVirtual ? SilenceWatch.Short : TimeSpan.FromMilliseconds(2);
-        timer = options.Time.CreateTimer(_ => Tick(), null, period, period);
+        _timer = options.Time.CreateTimer(_ => Tick(), null, period, period);
     }
 
     public Machine Machine { get; }
@@ -36,7 +36,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     {
         get
         {
-            lock (gate)
+            lock (_gate)
             {
                 return StatusNow();
             }
@@ -45,21 +45,21 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     public Handle? Open(int localPort, int remotePort, Action? disconnect)
     {
-        lock (gate)
+        lock (_gate)
         {
             Pace();
-            silence.Heard();
+            _silence.Heard();
             return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, this) { Disconnect = disconnect });
         }
     }
 
     public void Receive(Handle handle, ReadOnlySpan<byte> bytes)
     {
-        lock (gate)
+        lock (_gate)
         {
             Pace();
             handle.Receive(bytes);
-            silence.Heard();
+            _silence.Heard();
             Notify();
         }
     }
@@ -67,22 +67,19 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     /// <summary>The client went away: its handle is free again, motion and threads go on.</summary>
     public void Detach(Handle handle)
     {
-        lock (gate)
+        lock (_gate)
         {
             handle.Close();
-            silence.Heard();
+            _silence.Heard();
             Notify();
         }
     }
 
     public void CutAll()
     {
-        lock (gate)
+        lock (_gate)
         {
-            foreach (var handle in Machine.Handles.Open.ToArray())
-            {
-                handle.Cut();
-            }
+            foreach (var handle in Machine.Handles.Open.ToArray()) handle.Cut();
 
             Notify();
         }
@@ -90,7 +87,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     public void With(Action<Machine> action)
     {
-        lock (gate)
+        lock (_gate)
         {
             Pace();
             action(Machine);
@@ -100,7 +97,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     public void Advance(TimeSpan time)
     {
-        lock (gate)
+        lock (_gate)
         {
             Machine.Advance(time);
             Notify();
@@ -109,14 +106,11 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     public bool AdvanceUntil(Func<ControllerStatus, bool> condition, TimeSpan atMost)
     {
-        lock (gate)
+        lock (_gate)
         {
-            for (long end = Machine.Sample + (long)atMost.TotalMilliseconds; !condition(StatusNow());)
+            for (var end = Machine.Sample + (long)atMost.TotalMilliseconds; !condition(StatusNow());)
             {
-                if (Machine.Sample >= end)
-                {
-                    return false;
-                }
+                if (Machine.Sample >= end) return false;
 
                 Machine.Advance(TimeSpan.FromMilliseconds(1));
             }
@@ -129,9 +123,9 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     public async Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation)
     {
         var waiter = new StatusWaiter(condition);
-        lock (gate)
+        lock (_gate)
         {
-            waiters.Add(waiter);
+            _waiters.Add(waiter);
             Notify();
         }
 
@@ -141,31 +135,28 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         }
         finally
         {
-            lock (gate)
+            lock (_gate)
             {
-                waiters.Remove(waiter);
+                _waiters.Remove(waiter);
             }
         }
     }
 
     public void Dispose()
     {
-        timer.Dispose();
+        _timer.Dispose();
         CutAll();
         FlushRecord();
     }
 
     string? ICommandSink.Execute(Handle handle, string text)
     {
-        commands++;
-        if (options.Faults is { } faults)
+        _commands++;
+        if (_options.Faults is { } faults)
         {
-            if (faults.FreezeAfterCommands is { } limit && commands > limit)
-            {
-                return null;
-            }
+            if (faults.FreezeAfterCommands is { } limit && _commands > limit) return null;
 
-            if (faults.RefusalOf(commands) is { } code)
+            if (faults.RefusalOf(_commands) is { } code)
             {
                 Machine.LastError = code;
                 return "?";
@@ -177,7 +168,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     string? ICommandSink.Refuse(Handle handle, int code)
     {
-        commands++;
+        _commands++;
         Machine.LastError = code;
         return IsFrozen ? null : "?";
     }
@@ -222,25 +213,19 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     void ICommandSink.Answered(Handle handle)
     {
-        if (options.IsVirtual)
-        {
-            Machine.Advance(options.CommandCost);
-        }
+        if (_options.IsVirtual) Machine.Advance(_options.CommandCost);
 
-        foreach (var drop in options.Faults?.Drops ?? [])
+        foreach (var drop in _options.Faults?.Drops ?? [])
         {
-            if (drop.Handle == handle.Index && handle.Commands == drop.AfterCommands)
-            {
-                handle.Cut();
-            }
+            if (drop.Handle == handle.Index && handle.Commands == drop.AfterCommands) handle.Cut();
         }
     }
 
-    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes) => replies.Send(handle, bytes);
+    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes) => _replies.Send(handle, bytes);
 
     void ICommandSink.Closed(Handle handle) => Machine.Handles.Remove(handle);
 
-    private bool IsFrozen => options.Faults?.FreezeAfterCommands is { } limit && commands > limit;
+    private bool IsFrozen => _options.Faults?.FreezeAfterCommands is { } limit && _commands > limit;
 
     private string? Executed(Handle handle, string text)
     {
@@ -248,7 +233,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         try
         {
             Machine.Interpreter.Execute(Statements.Compact(text), context);
-            bool silent = handle.IsReceivingText;
+            var silent = handle.IsReceivingText;
             return silent ? null : context.Output.Append(':').ToString();
         }
         catch (CommandRefusedException refusal)
@@ -260,14 +245,11 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     private void Tick()
     {
-        lock (gate)
+        lock (_gate)
         {
             Pace();
-            replies.Release();
-            if (options.IsVirtual)
-            {
-                silence.Look();
-            }
+            _replies.Release();
+            if (_options.IsVirtual) _silence.Look();
 
             Notify();
         }
@@ -278,11 +260,11 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     /// <summary>Real time: controller time follows the wall. Virtual time stands still here.</summary>
     private void Pace()
     {
-        if (!options.IsVirtual)
+        if (!_options.IsVirtual)
         {
-            var due = options.Time.GetElapsedTime(started) * options.Speed;
-            Machine.Advance(due - paced);
-            paced = due;
+            var due = _options.Time.GetElapsedTime(_started) * _options.Speed;
+            Machine.Advance(due - _paced);
+            _paced = due;
         }
     }
 
@@ -290,10 +272,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     {
         try
         {
-            if (RecordFailure is null)
-            {
-                Machine.Record.FlushCsv();
-            }
+            if (RecordFailure is null) Machine.Record.FlushCsv();
         }
         catch (IOException failure)
         {
@@ -303,13 +282,10 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     private void Notify()
     {
-        if (waiters.Count == 0)
-        {
-            return;
-        }
+        if (_waiters.Count == 0) return;
 
         var status = StatusNow();
-        waiters.ForEach(w => w.Offer(status));
+        _waiters.ForEach(w => w.Offer(status));
     }
 
     private ControllerStatus StatusNow()

@@ -9,8 +9,8 @@ internal sealed class Machine
 {
     private static readonly long TicksPerSample = TimeSpan.TicksPerMillisecond;
 
-    private long clockTicks;
-    private bool wasMoving;
+    private long _clockTicks;
+    private bool _wasMoving;
 
     public Machine(SimulatorOptions options)
     {
@@ -65,9 +65,9 @@ internal sealed class Machine
     public string[] BurnedProgram { get; set; } = [];
 
     /// <summary>Changes when something happened that a silent host could be waiting for.</summary>
-    public long Events => Motion.Ends + Threads.Events + outputChanges;
+    public long Events => Motion.Ends + Threads.Events + _outputChanges;
 
-    private long outputChanges;
+    private long _outputChanges;
 
     /// <summary>An open sequence waits for its host: begun, not closed (contract: time at max stands still for it).</summary>
     public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.IsStopping);
@@ -80,48 +80,36 @@ internal sealed class Machine
     /// <summary>Lets controller time pass.</summary>
     public void Advance(TimeSpan time)
     {
-        clockTicks += time.Ticks;
-        while (clockTicks >= (Sample + 1) * TicksPerSample)
+        _clockTicks += time.Ticks;
+        while (_clockTicks >= (Sample + 1) * TicksPerSample)
         {
-            PassTowards(clockTicks / TicksPerSample);
+            PassTowards(_clockTicks / TicksPerSample);
         }
     }
 
     /// <summary>Lets time pass to the next event, or by <paramref name="atMost"/> samples when none comes.</summary>
     public void AdvanceToEvent(long atMost)
     {
-        long events = Events;
-        long limit = Sample + atMost;
-        while (Events == events && Sample < limit && !IsDormant)
-        {
-            PassTowards(limit);
-        }
+        var events = Events;
+        var limit = Sample + atMost;
+        while (Events == events && Sample < limit && !IsDormant) PassTowards(limit);
 
-        clockTicks = Math.Max(clockTicks, Sample * TicksPerSample);
+        _clockTicks = Math.Max(_clockTicks, Sample * TicksPerSample);
     }
 
     public void SetOutputs(byte value)
     {
-        if (value == Io.Outputs)
-        {
-            return;
-        }
+        if (value == Io.Outputs) return;
 
         Io.SetOutputs(value);
-        outputChanges++;
-        if (!wasMoving || !Motion.CanProgress)
-        {
-            AppendRow();
-        }
+        _outputChanges++;
+        if (!_wasMoving || !Motion.CanProgress) AppendRow();
     }
 
     /// <summary>AB: no ramps; motors with OE 1 or 3 go off (B.8).</summary>
     public void Abort(bool programsToo, int stopCode)
     {
-        foreach (var plane in Motion.Planes)
-        {
-            plane.Halt(stopCode);
-        }
+        foreach (var plane in Motion.Planes) plane.Halt(stopCode);
 
         foreach (var axis in Motion.Axes)
         {
@@ -129,10 +117,7 @@ internal sealed class Machine
             axis.MotorOff |= axis.OffOnError is 1 or 3;
         }
 
-        if (programsToo)
-        {
-            Threads.HaltAll();
-        }
+        if (programsToo) Threads.HaltAll();
     }
 
     /// <summary>RS: back to the burned state (A.1); #AUTO starts when the burned program has it.</summary>
@@ -141,10 +126,7 @@ internal sealed class Machine
         Abort(true, StopCode.Aborted);
         Variables.Clear();
         Program.Truncate(0);
-        foreach (string line in BurnedProgram)
-        {
-            Program.Append(line);
-        }
+        foreach (var line in BurnedProgram) Program.Append(line);
 
         Messages.Reset();
         SetOutputs(0);
@@ -155,10 +137,7 @@ internal sealed class Machine
             axis.LastStop = 0;
         }
 
-        if (Program.TryFind("AUTO", out int line0))
-        {
-            Threads[0].Start(line0, Sample);
-        }
+        if (Program.TryFind("AUTO", out var line0)) Threads[0].Start(line0, Sample);
     }
 
     /// <summary>One sample, or a jump over samples in which nothing can happen.</summary>
@@ -168,7 +147,7 @@ internal sealed class Machine
         {
             Sample = Math.Min(quiet - 1, lastSample);
             Threads.ForgetUnusedTime();
-            wasMoving = false;
+            _wasMoving = false;
             return;
         }
 
@@ -179,33 +158,21 @@ internal sealed class Machine
 
     private void StepMotion()
     {
-        if (!wasMoving && Motion.CanProgress)
-        {
-            RecordStart();
-        }
+        if (!_wasMoving && Motion.CanProgress) RecordStart();
 
-        bool moved = Motion.Step();
-        wasMoving = moved;
-        if (moved)
-        {
-            AppendRow();
-        }
+        var moved = Motion.Step();
+        _wasMoving = moved;
+        if (moved) AppendRow();
 
-        for (int hits = Motion.TakeLimitHits(); hits > 0; hits--)
-        {
-            Threads.Interrupt("LIMSWI");
-        }
+        for (var hits = Motion.TakeLimitHits(); hits > 0; hits--) Threads.Interrupt("LIMSWI");
     }
 
     /// <summary>The place a motion starts from, unless the last row says it already.</summary>
     private void RecordStart()
     {
         var row = Row(Sample - 1);
-        int count = Record.Count;
-        if (count == 0 || Record[count - 1] with { Sample = row.Sample } != row)
-        {
-            Record.Append(row);
-        }
+        var count = Record.Count;
+        if (count == 0 || Record[count - 1] with { Sample = row.Sample } != row) Record.Append(row);
     }
 
     private void AppendRow() => Record.Append(Row(Sample));

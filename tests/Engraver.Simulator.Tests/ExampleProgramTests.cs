@@ -11,7 +11,7 @@ public class ExampleProgramTests
         await using var rig = new Rig();
         rig.Do("x=3000;y=4000");
 
-        double seconds = rig.Run(ExamplePrograms.Line);
+        var seconds = rig.Run(ExamplePrograms.Line);
 
         Assert.Equal(" 3000, 4000, 0, 0\r\n:", rig.Ask("RP"));
         Assert.Equal(5000, rig.Value("_AV"));
@@ -26,7 +26,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        double seconds = rig.Run(ExamplePrograms.Arc);
+        var seconds = rig.Run(ExamplePrograms.Arc);
 
         Assert.Equal(" -5000, 0\r\n".Replace(" -", "-", StringComparison.Ordinal), rig.Ask("RP AB")[..^1]);
         Assert.Equal(7853, rig.Value("_AV"));
@@ -48,7 +48,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        double seconds = rig.Run(ExamplePrograms.Circle);
+        var seconds = rig.Run(ExamplePrograms.Circle);
 
         var samples = rig.Controller.Record.Snapshot();
         Assert.Equal((0, 0, 12566), (rig.Value("_RPA"), rig.Value("_RPB"), rig.Value("_AV")));
@@ -81,7 +81,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
         rig.Do("CFI", "CW2").Download(ExamplePrograms.Draw).Do("XQ");
-        long start = rig.Controller.Status.Sample;
+        var start = rig.Controller.Status.Sample;
 
         rig.RunToIdle();
 
@@ -120,7 +120,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        double seconds = rig.Run(ExamplePrograms.Linear3D);
+        var seconds = rig.Run(ExamplePrograms.Linear3D);
 
         var samples = rig.Controller.Record.Snapshot();
         Assert.Equal(" 0, 0, 0, 0\r\n:", rig.Ask("RP"));
@@ -151,7 +151,7 @@ public class ExampleProgramTests
         await using var rig = new Rig();
         rig.Do("CFI").Download(ExamplePrograms.Handlers).Do("XQ#AUTO,0").Pass(20);
 
-        string messages = rig.Ask("XQ#BAD,1") + Rig.ReadAvailable(rig.Pass(50).Stream);
+        var messages = rig.Ask("XQ#BAD,1") + Rig.ReadAvailable(rig.Pass(50).Stream);
 
         Assert.EndsWith("CMDERR 6.0000\r\n", messages);
         Assert.Equal((1, 6, -1, 1), (rig.Value("nerr"), rig.Value("lerr"), rig.Value("_XQ1"), rig.Value("_HX0") > 0 ? 1 : 0));
@@ -190,10 +190,10 @@ public class ExampleProgramTests
             "op=3;x=5000;y=5000", "op=4;x=1", "op=1;x=10000;y=0", "op=1;x=0;y=10000", "op=2;r=5000;th=0;da=180", "op=1;x=0;y=-10000", "op=4;x=0",
         ];
 
-        for (int i = 0; i < calls.Length; i++)
+        for (var i = 0; i < calls.Length; i++)
         {
             rig.Do(calls[i], "go=1");
-            int wanted = i + 1;
+            var wanted = i + 1;
             rig.Controller.AdvanceUntil(_ => rig.Value("seq") == wanted && rig.Value("done") == 1, TimeSpan.FromSeconds(10));
         }
 
@@ -205,7 +205,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
         rig.Do("CFI").Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1");
-        long start = rig.Controller.Status.Sample;
+        var start = rig.Controller.Status.Sample;
 
         rig.RunToIdle();
 
@@ -219,12 +219,12 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        double seconds = rig.Run(ExamplePrograms.Square);
+        var seconds = rig.Run(ExamplePrograms.Square);
 
         Assert.Equal((0, 0, 40000), (rig.Value("_RPA"), rig.Value("_RPB"), rig.Value("_AV")));
         Assert.InRange(seconds, 2.268, 2.268 + InstructionTime);
         var samples = rig.Controller.Record.Snapshot();
-        int corner = Enumerable.Range(0, samples.Count).First(i => samples[i].B > 0);
+        var corner = Enumerable.Range(0, samples.Count).First(i => samples[i].B > 0);
         Assert.InRange(samples[corner - 1].A - samples[corner - 2].A, 1, 3);
     }
 

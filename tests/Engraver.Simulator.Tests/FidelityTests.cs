@@ -24,10 +24,10 @@ public class FidelityTests
     [Fact]
     public void Every_command_is_either_implemented_or_listed_as_missing_and_never_both()
     {
-        string page = File.ReadAllText(Path.Combine(Root(), "docs", "simulator-fidelity.md"));
-        string list = Regex.Match(page, "```\n(.*?)```", RegexOptions.Singleline).Groups[1].Value;
-        string[] missing = list.Split([' ', '\n'], StringSplitOptions.RemoveEmptyEntries);
-        string[] all = CommandsOfTheDmc21X3.Split(' ');
+        var page = File.ReadAllText(Path.Combine(Root(), "docs", "simulator-fidelity.md"));
+        var list = Regex.Match(page, "```\n(.*?)```", RegexOptions.Singleline).Groups[1].Value;
+        var missing = list.Split([' ', '\n'], StringSplitOptions.RemoveEmptyEntries);
+        var all = CommandsOfTheDmc21X3.Split(' ');
 
         Assert.Equal(all.Except(CommandTable.Mnemonics).Order(), missing.Order());
         Assert.Equal(missing.Order(), CommandTable.NotModelled.Order());

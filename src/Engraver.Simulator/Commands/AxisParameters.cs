@@ -52,17 +52,14 @@ internal static class AxisParameters
     {
         foreach (var (axis, field) in TakeAxisFields(reader))
         {
-            if (field.Value is { } value)
-            {
-                apply(axis, value);
-            }
+            if (field.Value is { } value) apply(axis, value);
         }
     }
 
     /// <summary>Speeds are even (C, SP); anything outside the range is TC 6.</summary>
     public static double Speed(double value, double smallest, double largest)
     {
-        double even = Math.Truncate(value / 2) * 2;
+        var even = Math.Truncate(value / 2) * 2;
         return even >= smallest && value <= largest ? even : throw new CommandRefusedException(Tc.OutOfRange);
     }
 
@@ -96,10 +93,7 @@ internal static class AxisParameters
             }
         }
 
-        if (printed.Count > 0)
-        {
-            reader.Context.WriteLine(ReportCommands.Join(printed));
-        }
+        if (printed.Count > 0) reader.Context.WriteLine(ReportCommands.Join(printed));
     }
 
     private static List<(Axis Axis, Field Field)> TakeAxisFields(StatementReader reader)
@@ -117,12 +111,10 @@ internal static class AxisParameters
         {
             var fields = reader.TakeFields();
             // Surplus fields are tolerated when they are empty (L.2 point 8).
-            for (int i = 0; i < fields.Count; i++)
+            for (var i = 0; i < fields.Count; i++)
             {
                 if (!fields[i].IsMissing)
-                {
                     result.Add(i < Axis.Real ? (axes[i], fields[i]) : throw new CommandRefusedException(Tc.BadAxis));
-                }
             }
         }
 
@@ -132,19 +124,14 @@ internal static class AxisParameters
 
     private static void NotWhileBusy(Machine machine, Axis axis)
     {
-        if (machine.Motion.IsBusy(axis))
-        {
-            throw new CommandRefusedException(Tc.NotWhileRunning);
-        }
+        if (machine.Motion.IsBusy(axis)) throw new CommandRefusedException(Tc.NotWhileRunning);
     }
 
     /// <summary>DC is refused in motion except for a jog or an axis that already stops (C).</summary>
     private static void SetDeceleration(Machine machine, Axis axis, FixedPoint value)
     {
         if (axis is { IsMoving: true, IsStopping: false, CurrentMove: not AxisMove.Jog })
-        {
             throw new CommandRefusedException(Tc.NotWhileRunning);
-        }
 
         axis.Deceleration = Acceleration(value.Value);
     }
@@ -152,12 +139,9 @@ internal static class AxisParameters
     /// <summary>JG also overwrites SP with its absolute value (C).</summary>
     private static void SetJog(Machine machine, Axis axis, FixedPoint value)
     {
-        if (axis.IsMoving && axis.CurrentMove != AxisMove.Jog)
-        {
-            throw new CommandRefusedException(Tc.NotJogging);
-        }
+        if (axis.IsMoving && axis.CurrentMove != AxisMove.Jog) throw new CommandRefusedException(Tc.NotJogging);
 
-        double speed = Speed(Math.Abs(value.Value), 0, LargestSpeed(axis));
+        var speed = Speed(Math.Abs(value.Value), 0, LargestSpeed(axis));
         axis.JogSpeed = value.Raw < 0 ? -speed : speed;
         axis.CruiseSpeed = speed;
         axis.NextMove = AxisMove.Jog;
@@ -188,12 +172,9 @@ internal static class AxisParameters
     private static void SetMotorType(Machine machine, Axis axis, FixedPoint value)
     {
         NotWhileBusy(machine, axis);
-        if (!axis.MotorOff)
-        {
-            throw new CommandRefusedException(Tc.NotWhileRunning);
-        }
+        if (!axis.MotorOff) throw new CommandRefusedException(Tc.NotWhileRunning);
 
-        double magnitude = Math.Abs(value.Value);
+        var magnitude = Math.Abs(value.Value);
         axis.MotorType = magnitude is 1 or 1.5 or 2 or 2.5 ? value : throw new CommandRefusedException(Tc.OutOfRange);
     }
 }

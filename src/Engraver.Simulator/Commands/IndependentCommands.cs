@@ -18,15 +18,9 @@ internal static class IndependentCommands
         var motion = reader.Machine.Motion;
         var selection = reader.TakeAxes();
         Axis[] axes = [.. selection.AxesOrAll];
-        foreach (var axis in axes)
-        {
-            CheckAxis(motion, axis);
-        }
+        foreach (var axis in axes) CheckAxis(motion, axis);
 
-        foreach (var plane in selection.Planes)
-        {
-            CheckPlane(plane);
-        }
+        foreach (var plane in selection.Planes) CheckPlane(plane);
 
         // Everything is checked before anything starts: BG is one command, not one per axis.
         selection.Planes.ForEach(p => p.Begin());
@@ -38,7 +32,7 @@ internal static class IndependentCommands
         Refuse(axis.MotorOff && axis.Index < Axis.Real, Tc.MotorOff);
         Refuse(axis.IsMoving, Tc.BeginWhileRunning);
         Refuse(motion.IsCoordinated(axis), Tc.CoordinatedMove);
-        double heading = axis.PendingTarget() is { } target ? target - (long)axis.Reference : axis.JogSpeed;
+        var heading = axis.PendingTarget() is { } target ? target - (long)axis.Reference : axis.JogSpeed;
         Refuse(heading != 0 && axis.RunsIntoLimit(heading, out _), Tc.BeginAtLimit);
         Refuse(axis.PendingTarget() is { } end && (IsBeyond(end, axis)), Tc.BeginAtLimit);
     }
@@ -66,9 +60,6 @@ internal static class IndependentCommands
 
     private static void Refuse(bool condition, int code)
     {
-        if (condition)
-        {
-            throw new CommandRefusedException(code);
-        }
+        if (condition) throw new CommandRefusedException(code);
     }
 }

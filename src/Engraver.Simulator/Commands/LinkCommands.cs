@@ -22,9 +22,9 @@ internal static class LinkCommands
         reader.ExpectEnd();
         reader.Context.WriteLine("CONTROLLER IP ADDRESS 127,0,0,1 ETHERNET ADDRESS 00-50-4C-08-01-1F");
         var handles = reader.Machine.Handles;
-        for (int i = 0; i < handles.Capacity; i++)
+        for (var i = 0; i < handles.Capacity; i++)
         {
-            string name = "IH" + (char)('A' + i);
+            var name = "IH" + (char)('A' + i);
             reader.Context.WriteLine(handles[i] is { } handle
                 ? string.Create(CultureInfo.InvariantCulture, $"{name} TCP PORT {handle.LocalPort} TO IP ADDRESS 127,0,0,1 PORT {handle.RemotePort}")
                 : name + " AVAILABLE");
@@ -34,39 +34,31 @@ internal static class LinkCommands
     /// <summary>IHT closes the others, IHS the sender, IHA to IHH one handle; written =&gt;-3 or =-3, types -1 UDP, -2 TCP, -3 any (A.1).</summary>
     private static void CloseHandles(StatementReader reader)
     {
-        char which = reader.TakeCharacter();
+        var which = reader.TakeCharacter();
         reader.Take('=', Tc.OperandError);
         reader.TryTake('>');
-        int type = reader.TakeExpression().Integer;
+        var type = reader.TakeExpression().Integer;
         reader.ExpectEnd();
         AxisParameters.InRange(type, -3, -1);
-        bool tcp = type != -1;
+        var tcp = type != -1;
         var own = reader.Context.Handle;
         var handles = reader.Machine.Handles;
-        if (which is not ('T' or 'S' or (>= 'A' and <= 'H')))
-        {
-            throw new CommandRefusedException(Tc.OperandError);
-        }
+        if (which is not ('T' or 'S' or (>= 'A' and <= 'H'))) throw new CommandRefusedException(Tc.OperandError);
 
         foreach (var handle in handles.Open.Where(h => which switch { 'T' => h != own, 'S' => h == own, _ => h.Index == which - 'A' }).ToArray())
         {
-            if (tcp)
-            {
-                handle.CloseWhenAnswered(handle == own);
-            }
+            if (tcp) handle.CloseWhenAnswered(handle == own);
         }
     }
 
     private static void ConfigureMessages(StatementReader reader)
     {
-        char port = reader.TakeCharacter();
+        var port = reader.TakeCharacter();
         reader.ExpectEnd();
         if (port == 'I')
-        {
             port = reader.Context.Handle is { } handle ? (char)('A' + handle.Index) : throw new CommandRefusedException(Tc.NotInProgram);
-        }
 
-        bool known = port == 'S' || (port >= 'A' && port < 'A' + reader.Machine.Handles.Capacity);
+        var known = port == 'S' || (port >= 'A' && port < 'A' + reader.Machine.Handles.Capacity);
         reader.Machine.Messages.Port = known ? port : throw new CommandRefusedException(Tc.OperandError);
     }
 
@@ -96,9 +88,6 @@ internal static class LinkCommands
     {
         var fields = reader.TakeFields();
         reader.ExpectEnd();
-        if (fields[0].Value is { Raw: not 0 })
-        {
-            throw new CommandRefusedException(Tc.MustBeUdp);
-        }
+        if (fields[0].Value is { Raw: not 0 }) throw new CommandRefusedException(Tc.MustBeUdp);
     }
 }

@@ -42,10 +42,7 @@ internal static class ReportCommands
     {
         var selection = reader.TakeAxes();
         reader.ExpectEnd();
-        if (selection.Planes.Count > 0)
-        {
-            throw new CommandRefusedException(Tc.PlaneNotValid);
-        }
+        if (selection.Planes.Count > 0) throw new CommandRefusedException(Tc.PlaneNotValid);
 
         reader.Context.WriteLine(Join(selection.AxesOrAll.Select(a => print(reader.Machine, a))));
     }
@@ -60,11 +57,11 @@ internal static class ReportCommands
     /// <summary>TC, TC 0 and TC ? give the number, TC 1 also the text; all of them clear it (A.8).</summary>
     private static void ErrorCode(StatementReader reader)
     {
-        bool text = !reader.IsAtEnd && !reader.TryTake('?') && reader.TakeExpression().Integer == 1;
+        var text = !reader.IsAtEnd && !reader.TryTake('?') && reader.TakeExpression().Integer == 1;
         reader.ExpectEnd();
-        int code = reader.Machine.LastError;
+        var code = reader.Machine.LastError;
         reader.Machine.LastError = 0;
-        string number = code.ToString(CultureInfo.InvariantCulture);
+        var number = code.ToString(CultureInfo.InvariantCulture);
         reader.Context.WriteLine(text ? code == 0 ? " 0" : $"{number} {Tc.TextOf(code)}" : " " + number);
     }
 }

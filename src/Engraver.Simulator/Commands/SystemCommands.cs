@@ -68,7 +68,7 @@ internal static class SystemCommands
         var fields = reader.TakeFields();
         reader.ExpectEnd();
         var polarity = reader.Machine.InputPolarity;
-        for (int i = 0; i < fields.Count && i < polarity.Length; i++)
+        for (var i = 0; i < fields.Count && i < polarity.Length; i++)
         {
             polarity[i] = fields[i].Value?.Integer ?? polarity[i];
         }

@@ -32,11 +32,8 @@ internal static class TrippointCommands
 
     private static void Wait(StatementReader reader)
     {
-        int samples = reader.TakeExpression().Integer;
-        if (samples < 2)
-        {
-            throw new CommandRefusedException(Tc.OutOfRange);
-        }
+        var samples = reader.TakeExpression().Integer;
+        if (samples < 2) throw new CommandRefusedException(Tc.OutOfRange);
 
         SkipUnitField(reader);
         Until(reader, reader.Machine.Sample + (samples & ~1));
@@ -46,13 +43,10 @@ internal static class TrippointCommands
     private static void AtTime(StatementReader reader)
     {
         var thread = reader.Context.Thread!;
-        int samples = reader.TakeExpression().Integer;
+        var samples = reader.TakeExpression().Integer;
         SkipUnitField(reader);
-        long release = thread.TimeReference + Math.Abs((long)samples);
-        if (samples == 0)
-        {
-            release = reader.Machine.Sample;
-        }
+        var release = thread.TimeReference + Math.Abs((long)samples);
+        if (samples == 0) release = reader.Machine.Sample;
 
         thread.TimeReference = samples <= 0 ? release : thread.TimeReference;
         Until(reader, release);
@@ -61,10 +55,7 @@ internal static class TrippointCommands
     /// <summary>The second field chooses samples instead of nominal milliseconds; here they are the same.</summary>
     private static void SkipUnitField(StatementReader reader)
     {
-        if (reader.TryTake(','))
-        {
-            reader.TakeExpression();
-        }
+        if (reader.TryTake(',')) reader.TakeExpression();
     }
 
     private static void AfterMotion(StatementReader reader)
@@ -88,14 +79,11 @@ internal static class TrippointCommands
     private static void AfterVectorDistance(StatementReader reader)
     {
         var fields = reader.TakeFields();
-        int index = fields.FindIndex(f => f.Value is not null);
-        if (index is < 0 or > 1)
-        {
-            throw new CommandRefusedException(Tc.NotEnoughFields);
-        }
+        var index = fields.FindIndex(f => f.Value is not null);
+        if (index is < 0 or > 1) throw new CommandRefusedException(Tc.NotEnoughFields);
 
         var plane = reader.Machine.Motion.Planes[index];
-        double target = plane.TrippointReference + Math.Max(0, fields[index].Value!.Value.Value);
+        var target = plane.TrippointReference + Math.Max(0, fields[index].Value!.Value.Value);
         plane.TrippointReference = target;
         Set(reader, () => !plane.IsActive || plane.Travelled >= target);
     }
@@ -103,7 +91,7 @@ internal static class TrippointCommands
     /// <summary>AI n waits for input n high, AI -n for low.</summary>
     private static void AfterInput(StatementReader reader)
     {
-        int input = reader.TakeExpression().Integer;
+        var input = reader.TakeExpression().Integer;
         var io = reader.Machine.Io;
         io.Input(Math.Abs(input));
         Set(reader, () => io.Input(Math.Abs(input)) == input > 0);
@@ -114,7 +102,7 @@ internal static class TrippointCommands
 
     private static Func<bool> AfterPosition(Axis axis, int position)
     {
-        bool above = position >= axis.Reference;
+        var above = position >= axis.Reference;
         return () => !axis.IsMoving || (above ? axis.Reference >= position : axis.Reference <= position);
     }
 

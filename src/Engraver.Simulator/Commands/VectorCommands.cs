@@ -46,9 +46,7 @@ internal static class VectorCommands
         var plane = IdlePlane(reader);
         var selection = reader.TakeAxes();
         if (selection.Planes.Count > 0 || selection.Axes.Count is < 2 or > 3 || selection.Axes.Distinct().Count() != selection.Axes.Count)
-        {
             throw new CommandRefusedException(Tc.OperandError);
-        }
 
         var third = selection.Axes.ElementAtOrDefault(2);
         plane.SetUp(PlaneMode.Vector, [.. selection.Axes.Take(2)], third is { Index: < Axis.Real } ? third : null);
@@ -64,10 +62,7 @@ internal static class VectorCommands
 
         var plane = IdlePlane(reader);
         var axes = reader.TakeAxes().Axes.Distinct().ToArray();
-        if (axes.Length == 0)
-        {
-            throw new CommandRefusedException(Tc.OperandError);
-        }
+        if (axes.Length == 0) throw new CommandRefusedException(Tc.OperandError);
 
         plane.SetUp(PlaneMode.Linear, axes, null);
     }
@@ -87,9 +82,9 @@ internal static class VectorCommands
         var plane = PlaneIn(reader, PlaneMode.Vector);
         var values = TakeValues(reader, 3);
         var options = reader.Machine.Options;
-        double radius = Quantized(values[0].Value, options.RadiusQuantum, Math.Truncate);
-        double theta = Quantized(values[1].Value, options.AngleQuantumDegrees, Math.Round);
-        double sweep = Quantized(values[2].Value, options.AngleQuantumDegrees, Math.Round);
+        var radius = Quantized(values[0].Value, options.RadiusQuantum, Math.Truncate);
+        var theta = Quantized(values[1].Value, options.AngleQuantumDegrees, Math.Round);
+        var sweep = Quantized(values[2].Value, options.AngleQuantumDegrees, Math.Round);
         Refuse(radius is < 10 or > 6_000_000 || Math.Abs(theta) > 32000 || Math.Abs(sweep) > 32000, Tc.OutOfRange);
         Refuse(radius * Math.Abs(sweep) >= 4.5e8, Tc.OutOfRange);
         plane.PrepareForSegment();
@@ -103,18 +98,15 @@ internal static class VectorCommands
         var plane = PlaneIn(reader, PlaneMode.Linear);
         var fields = reader.TakeFields(comparisons: false);
         plane.PrepareForSegment();
-        double[] end = plane.FrameEnd.ToArray();
-        for (int i = 0; i < fields.Count; i++)
+        var end = plane.FrameEnd.ToArray();
+        for (var i = 0; i < fields.Count; i++)
         {
             Refuse(fields[i].IsQuery, 51);
-            int increment = fields[i].Value?.Integer ?? 0;
-            int slot = i < Axis.Real ? plane.Axes.IndexOf(reader.Machine.Motion.Axes[i]) : -1;
+            var increment = fields[i].Value?.Integer ?? 0;
+            var slot = i < Axis.Real ? plane.Axes.IndexOf(reader.Machine.Motion.Axes[i]) : -1;
             Refuse(Math.Abs((long)increment) > LongestSegment, Tc.OutOfRange);
             Refuse(increment != 0 && slot < 0, Tc.BadAxis);
-            if (slot >= 0)
-            {
-                end[slot] += increment;
-            }
+            if (slot >= 0) end[slot] += increment;
         }
 
         var segment = new StraightSegment(plane.FrameEnd, end);
@@ -125,14 +117,10 @@ internal static class VectorCommands
     private static void StoreWithSpeeds(StatementReader reader, VectorPlane plane, VectorSegment segment)
     {
         if (reader.TryTake('<'))
-        {
             segment.EntrySpeed = VectorSpeed(plane, reader.TakeExpression(comparisons: false).Value, 2, 12_000_000);
-        }
 
         if (reader.TryTake('>'))
-        {
             segment.ExitSpeed = VectorSpeed(plane, reader.TakeExpression(comparisons: false).Value, 0, 8_000_000);
-        }
 
         reader.ExpectEnd();
         plane.Store(segment);
@@ -147,10 +135,7 @@ internal static class VectorCommands
             return;
         }
 
-        if (!reader.IsAtEnd)
-        {
-            Refuse(reader.TakeExpression().Raw != 0, Tc.OperandError);
-        }
+        if (!reader.IsAtEnd) Refuse(reader.TakeExpression().Raw != 0, Tc.OperandError);
 
         reader.ExpectEnd();
         plane.Close();
@@ -180,7 +165,7 @@ internal static class VectorCommands
 
         var values = TakeValues(reader, 2);
         reader.ExpectEnd();
-        double perDegree = Math.Round(AxisParameters.InRange(values[0].Value, -127, 127) * 256) / 256;
+        var perDegree = Math.Round(AxisParameters.InRange(values[0].Value, -127, 127) * 256) / 256;
         plane.Tangent.CountsPerDegree = perDegree;
         plane.Tangent.Zero = AxisParameters.InRange(values[1].Value, -8_388_608, LongestSegment);
     }
@@ -193,7 +178,7 @@ internal static class VectorCommands
 
     private static double VectorSpeed(VectorPlane plane, double value, double smallest, double largest)
     {
-        bool stepper = plane.Axes.Length > 0 && plane.Axes.ToArray().Any(a => a.IsStepper);
+        var stepper = plane.Axes.Length > 0 && plane.Axes.ToArray().Any(a => a.IsStepper);
         return AxisParameters.Speed(value, smallest, stepper ? Math.Min(largest, 3_000_000) : largest);
     }
 
@@ -205,7 +190,7 @@ internal static class VectorCommands
         if (reader.Next is 'S' or 'T')
         {
             Refuse(!letters, Tc.Unrecognized);
-            int index = reader.TakeCharacter() - 'S';
+            var index = reader.TakeCharacter() - 'S';
             reader.Take('=', Tc.OperandError);
             var field = reader.TakeField();
             fields[index] = field.IsMissing ? new Field(true, null) : field;
@@ -218,7 +203,7 @@ internal static class VectorCommands
         reader.ExpectEnd();
         Refuse(fields.TrueForAll(f => f.IsMissing), Tc.NotEnoughFields);
         var printed = new List<string>();
-        for (int i = 0; i < fields.Count; i++)
+        for (var i = 0; i < fields.Count; i++)
         {
             Refuse(i > 1 && !fields[i].IsMissing, Tc.PlaneNotValid);
             if (fields[i].IsQuery)
@@ -231,10 +216,7 @@ internal static class VectorCommands
             }
         }
 
-        if (printed.Count > 0)
-        {
-            reader.Context.WriteLine(ReportCommands.Join(printed));
-        }
+        if (printed.Count > 0) reader.Context.WriteLine(ReportCommands.Join(printed));
     }
 
     private static string PrintSetting(double value, bool whole) =>
@@ -268,9 +250,6 @@ internal static class VectorCommands
 
     private static void Refuse(bool condition, int code)
     {
-        if (condition)
-        {
-            throw new CommandRefusedException(code);
-        }
+        if (condition) throw new CommandRefusedException(code);
     }
 }

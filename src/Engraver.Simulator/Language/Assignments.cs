@@ -5,9 +5,9 @@ internal static class Assignments
 {
     public static void Run(StatementReader reader)
     {
-        string name = reader.TakeName();
+        var name = reader.TakeName();
         var array = reader.Next == '[' ? reader.Machine.Variables.ArrayNamed(name) : null;
-        int index = array is null ? 0 : reader.TakeIndex();
+        var index = array is null ? 0 : reader.TakeIndex();
         reader.Take('=', Tc.Unrecognized);
         if (reader.IsAtEnd || reader.TryTake('?'))
         {

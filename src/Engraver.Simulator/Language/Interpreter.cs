@@ -9,10 +9,7 @@ internal sealed class Interpreter(Machine machine)
     /// <summary>Runs one compacted statement; a refusal leaves as <see cref="CommandRefusedException"/>.</summary>
     public void Execute(string statement, CommandContext context)
     {
-        if (statement.Length == 0 || statement[0] == '\'')
-        {
-            return;
-        }
+        if (statement.Length == 0 || statement[0] == '\'') return;
 
         var reader = new StatementReader(statement, machine, context);
         if (FindCommand(statement) is { } entry)
@@ -32,9 +29,7 @@ internal sealed class Interpreter(Machine machine)
     private static void Run(CommandEntry entry, StatementReader reader, CommandContext context)
     {
         if (context.IsProgram ? entry.Scope == CommandScope.Host : entry.Scope == CommandScope.Program)
-        {
             throw new CommandRefusedException(context.IsProgram ? Tc.NotInProgram : Tc.OnlyFromProgram);
-        }
 
         reader.Skip(entry.Mnemonic.Length);
         entry.Run(reader);
@@ -44,19 +39,13 @@ internal sealed class Interpreter(Machine machine)
     private static CommandEntry? FindCommand(string statement)
     {
         var entry = CommandTable.Find(statement);
-        if (entry is null || !char.IsAsciiLetterUpper(statement[0]))
-        {
-            return entry;
-        }
+        if (entry is null || !char.IsAsciiLetterUpper(statement[0])) return entry;
 
-        int end = entry.Mnemonic.Length;
-        if (end == statement.Length || statement[end] == ' ')
-        {
-            return entry;
-        }
+        var end = entry.Mnemonic.Length;
+        if (end == statement.Length || statement[end] == ' ') return entry;
 
-        int name = NameLength(statement);
-        bool assigned = name < statement.Length && statement[name] is '=' or '[' && IsAssignment(statement);
+        var name = NameLength(statement);
+        var assigned = name < statement.Length && statement[name] is '=' or '[' && IsAssignment(statement);
         return assigned && !IsAxisAssignment(statement, entry, name) ? null : entry;
     }
 
@@ -69,16 +58,14 @@ internal sealed class Interpreter(Machine machine)
 
     private static bool IsAssignment(string statement)
     {
-        string text = WithoutBlank(statement);
-        int name = NameLength(text);
+        var text = WithoutBlank(statement);
+        var name = NameLength(text);
         if (name == 0 || name == text.Length || char.IsAsciiDigit(text[0]) || IsCommandNotModelled(text, name))
-        {
             return false;
-        }
 
         if (text[name] == '[')
         {
-            int close = MatchingBracket(text, name);
+            var close = MatchingBracket(text, name);
             return close >= 0 && close + 1 < text.Length && text[close + 1] == '=';
         }
 
@@ -90,7 +77,7 @@ internal sealed class Interpreter(Machine machine)
 
     private static int NameLength(string text)
     {
-        int i = 0;
+        var i = 0;
         while (i < text.Length && (char.IsAsciiLetterOrDigit(text[i]) || (text[i] == '_' && i > 0)))
         {
             i++;
@@ -101,14 +88,11 @@ internal sealed class Interpreter(Machine machine)
 
     private static int MatchingBracket(string text, int open)
     {
-        int depth = 0;
-        for (int i = open; i < text.Length; i++)
+        var depth = 0;
+        for (var i = open; i < text.Length; i++)
         {
             depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
-            if (depth == 0)
-            {
-                return i;
-            }
+            if (depth == 0) return i;
         }
 
         return -1;

@@ -18,8 +18,8 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
     /// <summary>From the argument of PF and VF: m.n, negative m for hexadecimal.</summary>
     public static NumberFormat FromArgument(FixedPoint argument)
     {
-        int digits = Math.Abs(argument.Integer);
-        int decimals = (int)Math.Round((Math.Abs(argument.Value) - digits) * 10);
+        var digits = Math.Abs(argument.Integer);
+        var decimals = (int)Math.Round((Math.Abs(argument.Value) - digits) * 10);
         return digits is > 0 and <= 10 && decimals <= 4
             ? new(digits, decimals, false, argument.Raw < 0)
             : throw new CommandRefusedException(Tc.OutOfRange);
@@ -30,30 +30,25 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
 
     private string PrintMagnitude(FixedPoint value)
     {
-        if (Hex)
-        {
-            return PrintHex(value);
-        }
+        if (Hex) return PrintHex(value);
 
         // One unit of the last place; the stored fraction is coarser than four decimals, so rounding those would invent digits.
-        long unit = (long)Math.Pow(10, Decimals);
+        var unit = (long)Math.Pow(10, Decimals);
         Int128 scaled = (Int128)Math.Abs(value.Raw) * unit + (Decimals < LeastCutDecimals ? 1 << 15 : 0);
-        long places = (long)(scaled >> 16);
-        string whole = (places / unit).ToString(CultureInfo.InvariantCulture);
+        var places = (long)(scaled >> 16);
+        var whole = (places / unit).ToString(CultureInfo.InvariantCulture);
         if (whole.Length > Digits)
-        {
             return new string('9', Digits) + (Decimals > 0 ? "." + new string('9', Decimals) : "");
-        }
 
-        string fraction = Decimals == 0 ? "" : "." + (places % unit).ToString(CultureInfo.InvariantCulture).PadLeft(Decimals, '0');
+        var fraction = Decimals == 0 ? "" : "." + (places % unit).ToString(CultureInfo.InvariantCulture).PadLeft(Decimals, '0');
         return (LeadingZeros ? whole.PadLeft(Digits, '0') : whole) + fraction;
     }
 
     private string PrintHex(FixedPoint value)
     {
-        string whole = ((uint)(value.Raw >> 16)).ToString("X8", CultureInfo.InvariantCulture);
+        var whole = ((uint)(value.Raw >> 16)).ToString("X8", CultureInfo.InvariantCulture);
         whole = whole.Length > Digits ? whole[^Digits..] : whole;
-        string fraction = ((uint)value.Raw & 0xFFFF).ToString("X4", CultureInfo.InvariantCulture);
+        var fraction = ((uint)value.Raw & 0xFFFF).ToString("X4", CultureInfo.InvariantCulture);
         return "$" + whole + (Decimals > 0 ? "." + fraction[..Math.Min(4, Decimals)] : "");
     }
 }

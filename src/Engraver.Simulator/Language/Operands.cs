@@ -69,12 +69,9 @@ internal static class Operands
     /// <param name="name">Without the underscore: two letters and a suffix.</param>
     public static FixedPoint Evaluate(Machine machine, CommandContext context, string name)
     {
-        if (name.Length < 2)
-        {
-            throw new CommandRefusedException(Tc.BadOperand);
-        }
+        if (name.Length < 2) throw new CommandRefusedException(Tc.BadOperand);
 
-        string key = name[..2];
+        var key = name[..2];
         var request = new OperandRequest(machine, context, name[2..]);
         return Table.TryGetValue(key, out var read) ? read(request)
             : AxisParameters.Find(key) is { } parameter ? parameter.Read(request.Axis)
@@ -123,9 +120,7 @@ internal static class Operands
     {
         var handles = request.Machine.Handles;
         if (request.Suffix.Length != 2 || request.Suffix[0] < 'A' || request.Suffix[0] >= 'A' + handles.Capacity)
-        {
             throw new CommandRefusedException(Tc.BadOperand);
-        }
 
         var handle = handles[request.Suffix[0] - 'A'];
         return Whole(request.Suffix[1] switch

@@ -51,10 +51,7 @@ internal sealed class ProgramThread(int number)
 
     public void Call(int line, bool interrupt)
     {
-        if (Calls.Count >= DeepestCall)
-        {
-            throw new CommandRefusedException(Tc.TooDeep);
-        }
+        if (Calls.Count >= DeepestCall) throw new CommandRefusedException(Tc.TooDeep);
 
         Calls.Push(new CallFrame(Line, Part, interrupt, interrupt ? Trippoint : null));
         Trippoint = null;

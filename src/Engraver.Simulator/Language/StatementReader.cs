@@ -5,82 +5,67 @@ namespace Engraver.Simulator.Language;
 /// <summary>Reads one compacted statement from left to right: names, fields and expressions (galil-dmc.md E).</summary>
 internal sealed class StatementReader(string text, Machine machine, CommandContext context)
 {
-    private int position;
-    private int depth;
+    private int _position;
+    private int _depth;
 
     public Machine Machine => machine;
 
     public CommandContext Context => context;
 
-    public bool IsAtEnd => position >= text.Length;
+    public bool IsAtEnd => _position >= text.Length;
 
-    public char Next => position < text.Length ? text[position] : '\0';
+    public char Next => _position < text.Length ? text[_position] : '\0';
 
     public void Skip(int characters)
     {
-        position += characters;
+        _position += characters;
         TryTake(' ');
     }
 
     public bool TryTake(char c)
     {
-        if (Next != c)
-        {
-            return false;
-        }
+        if (Next != c) return false;
 
-        position++;
+        _position++;
         return true;
     }
 
     public void Take(char c, int code)
     {
-        if (!TryTake(c))
-        {
-            throw new CommandRefusedException(code);
-        }
+        if (!TryTake(c)) throw new CommandRefusedException(code);
     }
 
     public void ExpectEnd()
     {
-        if (!IsAtEnd)
-        {
-            throw new CommandRefusedException(Tc.OperandError);
-        }
+        if (!IsAtEnd) throw new CommandRefusedException(Tc.OperandError);
     }
 
     public string TakeRest()
     {
-        string rest = text[position..];
-        position = text.Length;
+        var rest = text[_position..];
+        _position = text.Length;
         return rest;
     }
 
-    public char TakeCharacter() => position < text.Length ? text[position++] : throw new CommandRefusedException(Tc.OperandError);
+    public char TakeCharacter() => _position < text.Length ? text[_position++] : throw new CommandRefusedException(Tc.OperandError);
 
     public string TakeUntil(char end, int code)
     {
-        int found = text.IndexOf(end, position);
-        if (found < 0)
-        {
-            throw new CommandRefusedException(code);
-        }
+        var found = text.IndexOf(end, _position);
+        if (found < 0) throw new CommandRefusedException(code);
 
-        string taken = text[position..found];
-        position = found + 1;
+        var taken = text[_position..found];
+        _position = found + 1;
         return taken;
     }
 
     /// <summary>A letter followed by letters, digits and underscores; empty when there is none.</summary>
     public string TakeName()
     {
-        int start = position;
-        while (char.IsAsciiLetterOrDigit(Next) || (Next == '_' && position > start))
-        {
-            position++;
-        }
+        var start = _position;
+        while (char.IsAsciiLetterOrDigit(Next) || (Next == '_' && _position > start)) _position++;
 
-        return text[start..position];
+        return text[start.._position];
     }
 
     /// <summary>Comma separated fields up to the end, or up to "&lt;" or "&gt;" of a segment speed.</summary>
@@ -90,19 +75,13 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
         while (true)
         {
             fields.Add(TakeField(comparisons));
-            if (!TryTake(','))
-            {
-                return fields;
-            }
+            if (!TryTake(',')) return fields;
         }
     }
 
     public Field TakeField(bool comparisons = true)
     {
-        if (IsAtEnd || Next == ',' || (!comparisons && Next is '<' or '>'))
-        {
-            return default;
-        }
+        if (IsAtEnd || Next == ',' || (!comparisons && Next is '<' or '>')) return default;
 
         return TryTake('?') ? new Field(true, null) : new Field(false, TakeExpression(comparisons));
     }
@@ -112,21 +91,15 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
     public FixedPoint TakeExpression(bool comparisons = true)
     {
         var value = TakeOperand();
-        while (TakeOperator(comparisons) is { } apply)
-        {
-            value = apply(value, TakeOperand());
-        }
+        while (TakeOperator(comparisons) is { } apply) value = apply(value, TakeOperand());
 
         return value;
     }
 
     private Func<FixedPoint, FixedPoint, FixedPoint>? TakeOperator(bool comparisons)
     {
-        char c = Next;
-        if (c is '<' or '>' or '=' && !comparisons)
-        {
-            return null;
-        }
+        var c = Next;
+        if (c is '<' or '>' or '=' && !comparisons) return null;
 
         Func<FixedPoint, FixedPoint, FixedPoint>? apply = c switch
         {
@@ -141,7 +114,7 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
             '>' => static (a, b) => FixedPoint.FromBoolean(a > b),
             _ => null,
         };
-        position += apply is null ? 0 : 1;
+        _position += apply is null ? 0 : 1;
         return c switch
         {
             '<' when TryTake('=') => static (a, b) => FixedPoint.FromBoolean(a <= b),
@@ -153,30 +126,27 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
 
     private FixedPoint TakeOperand()
     {
-        char c = Next;
-        if (char.IsAsciiDigit(c) || c is '.' or '$')
-        {
-            return TakeNumber();
-        }
+        var c = Next;
+        if (char.IsAsciiDigit(c) || c is '.' or '$') return TakeNumber();
 
         switch (c)
         {
             case '-':
-                position++;
+                _position++;
                 return -TakeOperand();
             case '+':
-                position++;
+                _position++;
                 return TakeOperand();
             case '(':
                 return TakeParentheses();
             case '@':
-                position++;
+                _position++;
                 return Functions.Evaluate(this);
             case '_':
-                position++;
+                _position++;
                 return Operands.Evaluate(machine, context, TakeName());
             case '"':
-                position++;
+                _position++;
                 return NumberLiteral.PackText(TakeUntil('"', Tc.BadString));
         }
 
@@ -185,25 +155,22 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
 
     private FixedPoint TakeParentheses()
     {
-        if (++depth > 32)
-        {
-            throw new CommandRefusedException(Tc.Parentheses);
-        }
+        if (++_depth > 32) throw new CommandRefusedException(Tc.Parentheses);
 
         Take('(', Tc.Parentheses);
         var value = TakeExpression();
         Take(')', Tc.Parentheses);
-        depth--;
+        _depth--;
         return value;
     }
 
     private FixedPoint TakeVariable()
     {
-        string name = TakeName();
+        var name = TakeName();
         if (Next == '[')
         {
             var array = machine.Variables.ArrayNamed(name);
-            int index = TakeIndex();
+            var index = TakeIndex();
             return index == -1 ? FixedPoint.FromInteger(array.Length) : array[Checked(index, array)];
         }
 
@@ -214,7 +181,7 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
     public int TakeIndex()
     {
         Take('[', Tc.MissingBracket);
-        int index = TakeExpression().Integer;
+        var index = TakeExpression().Integer;
         Take(']', Tc.MissingBracket);
         return index;
     }
@@ -224,8 +191,8 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
 
     private FixedPoint TakeNumber()
     {
-        var value = NumberLiteral.Read(text.AsSpan(position), out int length);
-        position += length;
+        var value = NumberLiteral.Read(text.AsSpan(_position), out var length);
+        _position += length;
         return value;
     }
 
@@ -235,11 +202,8 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
         var selection = new AxisSelection(machine.Motion);
         while (!IsAtEnd && Next != '=')
         {
-            char c = text[position++];
-            if (c is not (',' or ' '))
-            {
-                selection.Add(c);
-            }
+            var c = text[_position++];
+            if (c is not (',' or ' ')) selection.Add(c);
         }
 
         return selection;

@@ -19,15 +19,10 @@ internal sealed class VariableStore
 
     public void Write(string name, FixedPoint value)
     {
-        if (name.Length > LongestName)
-        {
-            throw new CommandRefusedException(Tc.VariableError);
-        }
+        if (name.Length > LongestName) throw new CommandRefusedException(Tc.VariableError);
 
         if (Variables.Count >= MaximumVariables && !Variables.ContainsKey(name))
-        {
             throw new CommandRefusedException(Tc.TooManyNames);
-        }
 
         Variables[name] = value;
     }
@@ -37,26 +32,14 @@ internal sealed class VariableStore
 
     public void Dimension(string name, int length)
     {
-        if (name.Length is 0 or > LongestName)
-        {
-            throw new CommandRefusedException(Tc.VariableError);
-        }
+        if (name.Length is 0 or > LongestName) throw new CommandRefusedException(Tc.VariableError);
 
-        if (length < 1)
-        {
-            throw new CommandRefusedException(Tc.BadIndex);
-        }
+        if (length < 1) throw new CommandRefusedException(Tc.BadIndex);
 
-        int freed = Arrays.TryGetValue(name, out var old) ? old.Length : 0;
-        if (old is null && Arrays.Count >= MaximumArrays)
-        {
-            throw new CommandRefusedException(Tc.TooManyNames);
-        }
+        var freed = Arrays.TryGetValue(name, out var old) ? old.Length : 0;
+        if (old is null && Arrays.Count >= MaximumArrays) throw new CommandRefusedException(Tc.TooManyNames);
 
-        if (length > ElementsLeft + freed)
-        {
-            throw new CommandRefusedException(Tc.ArraySpaceFull);
-        }
+        if (length > ElementsLeft + freed) throw new CommandRefusedException(Tc.ArraySpaceFull);
 
         Arrays[name] = new FixedPoint[length];
     }

@@ -8,9 +8,9 @@ internal sealed class Axis(int index)
     public const string Letters = "ABCDNM";
     public const int Real = 4;
 
-    private double target;
-    private double speed;
-    private int direction = 1;
+    private double _target;
+    private double _speed;
+    private int _direction = 1;
 
     /// <summary>0 to 3 are A to D, 4 and 5 the virtual axes N and M.</summary>
     public int Index => index;
@@ -72,9 +72,9 @@ internal sealed class Axis(int index)
     public bool IsStepper => Math.Abs(MotorType.Value) >= 2;
 
     /// <summary>Signed commanded speed of the independent move in counts/s.</summary>
-    public double Velocity => speed * direction;
+    public double Velocity => _speed * _direction;
 
-    public bool IsAtSpeed => IsMoving && speed == Commanded;
+    public bool IsAtSpeed => IsMoving && _speed == Commanded;
 
     private double Commanded => IsStopping ? 0 : CurrentMove == AxisMove.Jog ? Math.Abs(JogSpeed) : CruiseSpeed;
 
@@ -91,11 +91,11 @@ internal sealed class Axis(int index)
     public void Begin()
     {
         CurrentMove = NextMove;
-        target = PendingTarget() ?? 0;
-        direction = CurrentMove == AxisMove.Jog ? Math.Sign(JogSpeed) : Math.Sign(target - Position);
-        direction = direction == 0 ? 1 : direction;
+        _target = PendingTarget() ?? 0;
+        _direction = CurrentMove == AxisMove.Jog ? Math.Sign(JogSpeed) : Math.Sign(_target - Position);
+        _direction = _direction == 0 ? 1 : _direction;
         MoveStart = Position;
-        speed = 0;
+        _speed = 0;
         IsMoving = true;
         IsStopping = false;
         StopCode = Motion.StopCode.Running;
@@ -123,26 +123,23 @@ internal sealed class Axis(int index)
     /// <summary>One sample; false when the move ended in it.</summary>
     public bool Step()
     {
-        if (CurrentMove == AxisMove.Jog || IsStopping)
-        {
-            return StepFree();
-        }
+        if (CurrentMove == AxisMove.Jog || IsStopping) return StepFree();
 
-        double remaining = Math.Abs(target - Position);
-        double next = Math.Min(
-            Ramp.Towards(speed, Commanded, Acceleration, Deceleration, Ramp.Sample),
-            Math.Max(speed - (Deceleration * Ramp.Sample), Ramp.Braking(speed, remaining, 0, Deceleration, Ramp.Sample)));
-        double distance = (speed + Math.Max(0, next)) / 2 * Ramp.Sample;
+        var remaining = Math.Abs(_target - Position);
+        var next = Math.Min(
+            Ramp.Towards(_speed, Commanded, Acceleration, Deceleration, Ramp.Sample),
+            Math.Max(_speed - (Deceleration * Ramp.Sample), Ramp.Braking(_speed, remaining, 0, Deceleration, Ramp.Sample)));
+        var distance = (_speed + Math.Max(0, next)) / 2 * Ramp.Sample;
         if (distance >= remaining - 1e-6 || (next <= 0 && remaining < 0.5))
         {
-            Position = target;
+            Position = _target;
             StopCode = Motion.StopCode.AtTarget;
             End();
             return false;
         }
 
-        speed = Math.Max(0, next);
-        Position += direction * distance;
+        _speed = Math.Max(0, next);
+        Position += _direction * distance;
         return true;
     }
 
@@ -157,19 +154,13 @@ internal sealed class Axis(int index)
     private bool StepFree()
     {
         // A jog that changes its sign brakes to zero first and then turns round.
-        bool turning = !IsStopping && Math.Sign(JogSpeed) == -direction && JogSpeed != 0;
-        double next = Ramp.Towards(speed, turning ? 0 : Commanded, Acceleration, Deceleration, Ramp.Sample);
-        Position += direction * (speed + next) / 2 * Ramp.Sample;
-        speed = next;
-        if (speed == 0 && turning)
-        {
-            direction = -direction;
-        }
+        var turning = !IsStopping && Math.Sign(JogSpeed) == -_direction && JogSpeed != 0;
+        var next = Ramp.Towards(_speed, turning ? 0 : Commanded, Acceleration, Deceleration, Ramp.Sample);
+        Position += _direction * (_speed + next) / 2 * Ramp.Sample;
+        _speed = next;
+        if (_speed == 0 && turning) _direction = -_direction;
 
-        if (speed > 0 || !IsStopping)
-        {
-            return true;
-        }
+        if (_speed > 0 || !IsStopping) return true;
 
         Position = Reference;
         End();
@@ -180,7 +171,7 @@ internal sealed class Axis(int index)
     {
         Position = Reference;
         LastStop = Reference;
-        speed = 0;
+        _speed = 0;
         IsMoving = false;
         IsStopping = false;
     }

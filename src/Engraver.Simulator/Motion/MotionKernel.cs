@@ -22,10 +22,10 @@ internal sealed class MotionKernel
     public long Ends { get; private set; }
 
     /// <summary>Counts each axis went along a vector path in the last sample.</summary>
-    private readonly int[] sampleSteps = new int[Axis.Letters.Length];
+    private readonly int[] _sampleSteps = new int[Axis.Letters.Length];
 
     /// <summary>Limits hit since <see cref="TakeLimitHits"/>.</summary>
-    private int limitHits;
+    private int _limitHits;
 
     /// <summary>True when the next sample will change a position or end a motion.</summary>
     public bool CanProgress
@@ -34,10 +34,7 @@ internal sealed class MotionKernel
         {
             foreach (var axis in Axes)
             {
-                if (axis.IsMoving)
-                {
-                    return true;
-                }
+                if (axis.IsMoving) return true;
             }
 
             return Planes[0].CanProgress || Planes[1].CanProgress;
@@ -47,17 +44,11 @@ internal sealed class MotionKernel
     /// <summary>One sample of everything; true when something moved.</summary>
     public bool Step()
     {
-        bool moved = false;
-        Array.Clear(sampleSteps);
-        foreach (var plane in Planes)
-        {
-            moved |= plane.IsActive && StepPlane(plane);
-        }
+        var moved = false;
+        Array.Clear(_sampleSteps);
+        foreach (var plane in Planes) moved |= plane.IsActive && StepPlane(plane);
 
-        foreach (var axis in Axes)
-        {
-            moved |= axis.IsMoving && StepAxis(axis);
-        }
+        foreach (var axis in Axes) moved |= axis.IsMoving && StepAxis(axis);
 
         return moved;
     }
@@ -71,33 +62,30 @@ internal sealed class MotionKernel
     /// <summary>Signed commanded speed of an axis in counts/s; along a vector path from the last sample.</summary>
     public double VelocityOf(Axis axis) =>
         axis.IsMoving ? axis.Velocity
-        : PlaneOf(axis) is { Speed: > 0 } ? sampleSteps[axis.Index] / Ramp.Sample
+        : PlaneOf(axis) is { Speed: > 0 } ? _sampleSteps[axis.Index] / Ramp.Sample
         : 0;
 
     public int TakeLimitHits()
     {
-        int hits = limitHits;
-        limitHits = 0;
+        var hits = _limitHits;
+        _limitHits = 0;
         return hits;
     }
 
     private bool StepPlane(VectorPlane plane)
     {
         Span<int> before = stackalloc int[Axis.Letters.Length];
-        for (int i = 0; i < plane.Axes.Length; i++)
-        {
-            before[i] = plane.Axes[i].Reference;
-        }
+        for (var i = 0; i < plane.Axes.Length; i++) before[i] = plane.Axes[i].Reference;
 
-        bool moved = plane.Step();
+        var moved = plane.Step();
         Ends += plane.IsActive ? 0 : 1;
-        for (int i = 0; i < plane.Axes.Length; i++)
+        for (var i = 0; i < plane.Axes.Length; i++)
         {
-            int step = plane.Axes[i].Reference - before[i];
-            sampleSteps[plane.Axes[i].Index] = plane.IsActive ? step : 0;
-            if (plane is { IsActive: true, IsStopping: false } && plane.Axes[i].RunsIntoLimit(step, out int code))
+            var step = plane.Axes[i].Reference - before[i];
+            _sampleSteps[plane.Axes[i].Index] = plane.IsActive ? step : 0;
+            if (plane is { IsActive: true, IsStopping: false } && plane.Axes[i].RunsIntoLimit(step, out var code))
             {
-                limitHits++;
+                _limitHits++;
                 plane.Stop(code);
             }
         }
@@ -108,9 +96,9 @@ internal sealed class MotionKernel
     private bool StepAxis(Axis axis)
     {
         Ends += axis.Step() ? 0 : 1;
-        if (axis.IsMoving && !axis.IsStopping && axis.RunsIntoLimit(axis.Velocity, out int code))
+        if (axis.IsMoving && !axis.IsStopping && axis.RunsIntoLimit(axis.Velocity, out var code))
         {
-            limitHits++;
+            _limitHits++;
             axis.Stop(code);
         }
 

@@ -5,18 +5,18 @@ namespace Engraver.Simulator.Motion;
 /// <summary>One coordinate system, S or T: the path profiler (galil-dmc.md B). Speeds counts/s along the path, lengths counts.</summary>
 internal sealed class VectorPlane(char letter)
 {
-    private readonly double[] point = new double[Axis.Letters.Length];
-    private readonly int[] origin = new int[Axis.Letters.Length];
-    private readonly int[] joint = new int[Axis.Letters.Length];
-    private Axis[] axes = [];
-    private double commanded = 25000;
-    private int stopCode;
+    private readonly double[] _point = new double[Axis.Letters.Length];
+    private readonly int[] _origin = new int[Axis.Letters.Length];
+    private readonly int[] _joint = new int[Axis.Letters.Length];
+    private Axis[] _axes = [];
+    private double _commanded = 25000;
+    private int _stopCode;
 
     public char Letter => letter;
 
     public PlaneMode Mode { get; private set; }
 
-    public ReadOnlySpan<Axis> Axes => axes;
+    public ReadOnlySpan<Axis> Axes => _axes;
 
     public SegmentBuffer Buffer { get; } = new();
 
@@ -55,28 +55,28 @@ internal sealed class VectorPlane(char letter)
     public double TrippointReference { get; set; }
 
     /// <summary>True when the next sample will move something.</summary>
-    public bool CanProgress => IsActive && (Speed > 0 || IsStopping || (Buffer.IsEmpty ? Buffer.IsClosed || !IsDry : commanded * SpeedRatio > 0));
+    public bool CanProgress => IsActive && (Speed > 0 || IsStopping || (Buffer.IsEmpty ? Buffer.IsClosed || !IsDry : _commanded * SpeedRatio > 0));
 
-    public bool IsAtSpeed => IsActive && Speed == commanded * SpeedRatio;
+    public bool IsAtSpeed => IsActive && Speed == _commanded * SpeedRatio;
 
     /// <summary>Slot 1 to n of the frame as absolute counts at the last segment joint: <c>_VPx</c>.</summary>
     public int JointOf(Axis axis)
     {
-        int i = Array.IndexOf(axes, axis);
-        return i < 0 ? axis.Reference : origin[i] + joint[i];
+        var i = Array.IndexOf(_axes, axis);
+        return i < 0 ? axis.Reference : _origin[i] + _joint[i];
     }
 
     public void SetSpeed(double speed)
     {
         VectorSpeed = speed;
-        commanded = speed;
+        _commanded = speed;
     }
 
     /// <summary>VM or LM: new axes, empty buffer.</summary>
     public void SetUp(PlaneMode mode, Axis[] newAxes, Axis? tangentAxis)
     {
         Mode = mode;
-        axes = newAxes;
+        _axes = newAxes;
         Tangent.Axis = tangentAxis;
         Clear();
     }
@@ -90,17 +90,14 @@ internal sealed class VectorPlane(char letter)
     }
 
     /// <summary>The end of the last stored segment in the sequence frame, one number per axis.</summary>
-    public ReadOnlySpan<double> FrameEnd => Buffer.FrameEnd[..axes.Length];
+    public ReadOnlySpan<double> FrameEnd => Buffer.FrameEnd[.._axes.Length];
 
     public void Store(VectorSegment segment)
     {
         PrepareForSegment();
-        bool next = Buffer.IsEmpty;
+        var next = Buffer.IsEmpty;
         Buffer.Store(segment);
-        if (next && IsActive)
-        {
-            EnterSegment();
-        }
+        if (next && IsActive) EnterSegment();
     }
 
     /// <summary>VE or LE.</summary>
@@ -109,15 +106,9 @@ internal sealed class VectorPlane(char letter)
     /// <summary>A stored sequence that was executed makes room for the next one by itself; CS is not needed then (B.1).</summary>
     public void PrepareForSegment()
     {
-        if (IsActive && Buffer.IsClosed)
-        {
-            throw new CommandRefusedException(Tc.NotWhileRunning);
-        }
+        if (IsActive && Buffer.IsClosed) throw new CommandRefusedException(Tc.NotWhileRunning);
 
-        if (!IsActive && Buffer.IsEmpty && (SegmentIndex > 0 || Buffer.Length > 0))
-        {
-            Clear();
-        }
+        if (!IsActive && Buffer.IsEmpty && (SegmentIndex > 0 || Buffer.Length > 0)) Clear();
 
         Buffer.IsClosed = false;
     }
@@ -125,15 +116,12 @@ internal sealed class VectorPlane(char letter)
     /// <summary>BGS: latches the frame origin at the present position (B.2).</summary>
     public void Begin()
     {
-        if (Buffer.IsEmpty)
-        {
-            throw new CommandRefusedException(Tc.NoSequence);
-        }
+        if (Buffer.IsEmpty) throw new CommandRefusedException(Tc.NoSequence);
 
-        for (int i = 0; i < axes.Length; i++)
+        for (var i = 0; i < _axes.Length; i++)
         {
-            origin[i] = axes[i].Reference;
-            joint[i] = 0;
+            _origin[i] = _axes[i].Reference;
+            _joint[i] = 0;
         }
 
         IsActive = true;
@@ -144,7 +132,7 @@ internal sealed class VectorPlane(char letter)
         SegmentIndex = 0;
         TrippointReference = 0;
         Tangent.Restart();
-        commanded = VectorSpeed;
+        _commanded = VectorSpeed;
         MarkAxes(StopCode.VectorRunning);
         EnterSegment();
     }
@@ -155,7 +143,7 @@ internal sealed class VectorPlane(char letter)
         if (IsActive && !IsStopping && !IsDry)
         {
             IsStopping = true;
-            stopCode = code;
+            _stopCode = code;
             MarkAxes(code);
         }
     }
@@ -163,33 +151,24 @@ internal sealed class VectorPlane(char letter)
     /// <summary>AB: at once, without a ramp; the buffer is emptied.</summary>
     public void Halt(int code)
     {
-        if (IsActive)
-        {
-            End(code);
-        }
+        if (IsActive) End(code);
     }
 
     /// <summary>One sample. The sample may lie in several segments: time is split at the joints, so every point lies on the path.</summary>
     /// <returns>True when something moved or the sequence ended.</returns>
     public bool Step()
     {
-        double before = Travelled;
-        double left = Ramp.Sample;
+        var before = Travelled;
+        var left = Ramp.Sample;
         while (left > 1e-12 && IsActive && HasPath())
         {
-            double used = Advance(Buffer.Current!, left);
-            if (used <= 0)
-            {
-                break;
-            }
+            var used = Advance(Buffer.Current!, left);
+            if (used <= 0) break;
 
             left -= used;
         }
 
-        if (IsActive && Travelled != before)
-        {
-            MoveAxes();
-        }
+        if (IsActive && Travelled != before) MoveAxes();
 
         return Travelled != before || !IsActive;
     }
@@ -205,7 +184,7 @@ internal sealed class VectorPlane(char letter)
         if (Buffer.IsClosed || IsStopping)
         {
             MoveAxes();
-            End(IsStopping ? stopCode : StopCode.VectorDone);
+            End(IsStopping ? _stopCode : StopCode.VectorDone);
             return false;
         }
 
@@ -217,45 +196,36 @@ internal sealed class VectorPlane(char letter)
 
     private double Advance(VectorSegment segment, double dt)
     {
-        double next = NextSpeed(segment, dt);
-        double acceleration = (next - Speed) / dt;
-        double used = dt;
+        var next = NextSpeed(segment, dt);
+        var acceleration = (next - Speed) / dt;
+        var used = dt;
         if (next < 0)
         {
             used = dt * Speed / (Speed - next);
             next = 0;
         }
 
-        double distance = (Speed + next) / 2 * used;
-        double remaining = segment.EndLength - Travelled;
-        if (distance >= remaining - 1e-7)
-        {
-            return Cross(segment, remaining, acceleration, used);
-        }
+        var distance = (Speed + next) / 2 * used;
+        var remaining = segment.EndLength - Travelled;
+        if (distance >= remaining - 1e-7) return Cross(segment, remaining, acceleration, used);
 
         Travelled += distance;
         Speed = next;
-        if (Speed > 0 || !IsStopping)
-        {
-            return used;
-        }
+        if (Speed > 0 || !IsStopping) return used;
 
         MoveAxes();
-        End(stopCode);
+        End(_stopCode);
         return 0;
     }
 
     private double Cross(VectorSegment segment, double remaining, double acceleration, double dt)
     {
-        double end = Math.Sqrt(Math.Max(0, (Speed * Speed) + (2 * acceleration * remaining)));
-        double used = Speed + end <= 0 ? dt : Math.Min(dt, 2 * remaining / (Speed + end));
+        var end = Math.Sqrt(Math.Max(0, (Speed * Speed) + (2 * acceleration * remaining)));
+        var used = Speed + end <= 0 ? dt : Math.Min(dt, 2 * remaining / (Speed + end));
         Travelled = segment.EndLength;
         Speed = end;
-        segment.PointAt(segment.Length, point);
-        for (int i = 0; i < axes.Length; i++)
-        {
-            joint[i] = Rounded(point[i]);
-        }
+        segment.PointAt(segment.Length, _point);
+        for (var i = 0; i < _axes.Length; i++) _joint[i] = Rounded(_point[i]);
 
         Tangent.Follow(segment.TangentAt(segment.Length));
         Buffer.Drop();
@@ -266,9 +236,9 @@ internal sealed class VectorPlane(char letter)
 
     private double NextSpeed(VectorSegment segment, double dt)
     {
-        double target = IsStopping ? 0 : commanded * SpeedRatio;
-        double ceiling = double.PositiveInfinity;
-        double toEnd = segment.EndLength - Travelled;
+        var target = IsStopping ? 0 : _commanded * SpeedRatio;
+        var ceiling = double.PositiveInfinity;
+        var toEnd = segment.EndLength - Travelled;
         if (!IsStopping && segment.ExitSpeed is { } exit)
         {
             exit *= SpeedRatio;
@@ -283,28 +253,26 @@ internal sealed class VectorPlane(char letter)
         }
 
         if (Buffer.IsClosed)
-        {
             ceiling = Math.Min(ceiling, Ramp.Braking(Speed, Buffer.Length - Travelled, 0, Deceleration, dt));
-        }
 
-        double slowest = Speed - (Deceleration * dt);
-        double towards = target == 0 ? slowest : Ramp.Towards(Speed, target, Acceleration, Deceleration, dt);
+        var slowest = Speed - (Deceleration * dt);
+        var towards = target == 0 ? slowest : Ramp.Towards(Speed, target, Acceleration, Deceleration, dt);
         return Speed == 0 && target == 0 ? 0 : Math.Max(slowest, Math.Min(ceiling, towards));
     }
 
-    private void EnterSegment() => commanded = Buffer.Current?.EntrySpeed ?? commanded;
+    private void EnterSegment() => _commanded = Buffer.Current?.EntrySpeed ?? _commanded;
 
     private void MoveAxes()
     {
         if (Buffer.Current is { } segment)
         {
-            segment.PointAt(Travelled - segment.StartLength, point);
+            segment.PointAt(Travelled - segment.StartLength, _point);
             Tangent.Follow(segment.TangentAt(Travelled - segment.StartLength));
         }
 
-        for (int i = 0; i < axes.Length; i++)
+        for (var i = 0; i < _axes.Length; i++)
         {
-            axes[i].SetPosition(origin[i] + Rounded(point[i]));
+            _axes[i].SetPosition(_origin[i] + Rounded(_point[i]));
         }
     }
 
@@ -315,20 +283,14 @@ internal sealed class VectorPlane(char letter)
         IsDry = false;
         Speed = 0;
         Buffer.Abandon();
-        foreach (var axis in axes)
-        {
-            axis.LastStop = axis.Reference;
-        }
+        foreach (var axis in _axes) axis.LastStop = axis.Reference;
 
         MarkAxes(code);
     }
 
     private void MarkAxes(int code)
     {
-        foreach (var axis in axes)
-        {
-            axis.StopCode = code;
-        }
+        foreach (var axis in _axes) axis.StopCode = code;
     }
 
     private static int Rounded(double value) => (int)Math.Round(value, MidpointRounding.AwayFromZero);

@@ -22,18 +22,12 @@ internal sealed class MessageRouter(HandleTable handles)
     /// <param name="handle">The handle that {Ex} named; null leaves it to CF, -1 is the serial port.</param>
     public void Send(StringBuilder text, int? handle)
     {
-        int index = handle ?? (Port == 'S' ? -1 : Port - 'A');
-        if (index < 0 || index >= handles.Capacity || handles[index] is not { } target)
-        {
-            return;
-        }
+        var index = handle ?? (Port == 'S' ? -1 : Port - 'A');
+        if (index < 0 || index >= handles.Capacity || handles[index] is not { } target) return;
 
-        byte mark = Marking == Marked ? (byte)0x80 : (byte)0;
+        var mark = Marking == Marked ? (byte)0x80 : (byte)0;
         var bytes = new byte[text.Length];
-        for (int i = 0; i < bytes.Length; i++)
-        {
-            bytes[i] = (byte)(text[i] | mark);
-        }
+        for (var i = 0; i < bytes.Length; i++) bytes[i] = (byte)(text[i] | mark);
 
         target.Send(bytes);
     }
