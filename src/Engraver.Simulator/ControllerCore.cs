@@ -149,7 +149,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         FlushRecord();
     }
 
-    string? ICommandSink.Execute(Handle handle, string text)
+    ReadOnlySpan<char> ICommandSink.Execute(Handle handle, ReadOnlySpan<char> text)
     {
         _commands++;
         if (_options.Faults is { } faults)
@@ -215,7 +215,8 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     {
         if (_options.IsVirtual) Machine.Advance(_options.CommandCost);
 
-        foreach (var drop in _options.Faults?.Drops ?? [])
+        if (_options.Faults is not { } faults) return;
+        foreach (var drop in faults.Drops)
         {
             if (drop.Handle == handle.Index && handle.Commands == drop.AfterCommands) handle.Cut();
         }
@@ -227,14 +228,14 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     private bool IsFrozen => _options.Faults?.FreezeAfterCommands is { } limit && _commands > limit;
 
-    private string? Executed(Handle handle, string text)
+    private ReadOnlySpan<char> Executed(Handle handle, ReadOnlySpan<char> text)
     {
-        var context = CommandContext.Of(handle);
+        var context = handle.Context.Restart();
         try
         {
-            Machine.Interpreter.Execute(Statements.Compact(text), context);
+            Machine.Interpreter.Execute(text, context);
             var silent = handle.IsReceivingText;
-            return silent ? null : context.Output.Append(':').ToString();
+            return silent ? default : context.Output.Append(':').Text;
         }
         catch (CommandRefusedException refusal)
         {

@@ -45,7 +45,9 @@ internal static class AxisParameters
     public static IEnumerable<CommandEntry> Entries { get; } =
         All.Select(p => new CommandEntry(p.Mnemonic, CommandScope.Both, r => Run(r, p), TakesLetter: true));
 
-    public static AxisParameter? Find(string mnemonic) => Table.GetValueOrDefault(mnemonic);
+    private static readonly FrozenDictionary<string, AxisParameter>.AlternateLookup<ReadOnlySpan<char>> Lookup = Table.GetAlternateLookup<ReadOnlySpan<char>>();
+
+    public static AxisParameter? Find(ReadOnlySpan<char> mnemonic) => Lookup.TryGetValue(mnemonic, out var parameter) ? parameter : null;
 
     /// <summary>Calls <paramref name="apply"/> for every axis that was given a value, by position or by letter.</summary>
     public static void ForEachValue(StatementReader reader, Action<Axis, FixedPoint> apply)

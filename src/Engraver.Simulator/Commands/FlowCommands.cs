@@ -46,7 +46,7 @@ internal static class FlowCommands
         int line;
         if (reader.TryTake('#'))
         {
-            if (!reader.Machine.Program.TryFind(reader.TakeName(), out line))
+            if (!reader.Machine.Program.TryFind(reader.TakeName().ToString(), out line))
                 throw new CommandRefusedException(Tc.UndefinedLabel);
 
             line += reader.Next is '+' or '-' ? reader.TakeExpression().Integer : 0;
@@ -93,7 +93,7 @@ internal static class FlowCommands
         {
             for (var parts = program[line].Parts; part < parts.Length; part++)
             {
-                var word = CommandTable.Find(parts[part])?.Mnemonic;
+                var word = parts[part].Command?.Mnemonic;
                 if (depth == 0 && (word == "ENDIF" || (word == "ELSE" && stopAtElse)))
                 {
                     thread.JumpTo(line, part + 1);

@@ -18,8 +18,8 @@ internal static class MemoryCommands
         new("QU", CommandScope.Host, UploadArray),
         new("DM", CommandScope.Both, Dimension),
         new("DA", CommandScope.Both, Deallocate),
-        new("LA", CommandScope.Both, r => Each(r, r.Machine.Variables.Arrays.Select(a => Invariant($"{a.Key}[{a.Value.Length}]")))),
-        new("LV", CommandScope.Both, r => Each(r, r.Machine.Variables.Variables.Select(v => $"{v.Key} ={r.Machine.Print(v.Value)}"))),
+        new("LA", CommandScope.Both, r => Each(r, r.Machine.Variables.Arrays.OrderBy(a => a.Key, StringComparer.Ordinal).Select(a => Invariant($"{a.Key}[{a.Value.Length}]")))),
+        new("LV", CommandScope.Both, r => Each(r, r.Machine.Variables.Variables.OrderBy(v => v.Key, StringComparer.Ordinal).Select(v => $"{v.Key} ={r.Machine.Print(v.Value)}"))),
         new("LL", CommandScope.Both, r => Each(r, r.Machine.Program.Labels.Select(l => Invariant($"#{l.Key}={l.Value}")))),
         new("BP", CommandScope.Both, BurnProgram),
         new("BN", CommandScope.Host, RefuseWhileRunning),
@@ -36,7 +36,7 @@ internal static class MemoryCommands
         var keep = 0;
         if (reader.TryTake('#'))
         {
-            var label = reader.TakeName();
+            var label = reader.TakeName().ToString();
             keep = label.Length == 0 ? program.Count
                 : program.TryFind(label, out var line) ? line
                 : throw new CommandRefusedException(Tc.UndefinedLabel);
@@ -109,7 +109,7 @@ internal static class MemoryCommands
             output.Append(format.Print(array[i])).Append(!commas ? "\r\n" : i < last ? "," : "\r\n");
         }
 
-        reader.Context.Output.Append(output).Append(ControlZ);
+        reader.Context.Output.Append(output.ToString()).Append(ControlZ);
     }
 
     private static (FixedPoint[] Array, int First, int Last, bool Commas) TakeRange(StatementReader reader)
@@ -134,7 +134,7 @@ internal static class MemoryCommands
 
         do
         {
-            var name = reader.TakeName();
+            var name = reader.TakeName().ToString();
             reader.Machine.Variables.Dimension(name, reader.TakeIndex());
         }
         while (reader.TryTake(','));
@@ -153,7 +153,7 @@ internal static class MemoryCommands
 
         do
         {
-            var name = reader.TryTake('*') ? "*" : reader.TakeName();
+            var name = reader.TryTake('*') ? "*" : reader.TakeName().ToString();
             var array = reader.TryTake('[');
             if (array) reader.TakeUntil(']', Tc.MissingBracket);
 

@@ -8,19 +8,23 @@ namespace Engraver.Simulator.Commands;
 internal sealed class MessageText
 {
     private const int LongestText = 76;
-    private readonly StringBuilder _text = new();
+        private readonly TextBuffer _text;
     private readonly StatementReader _reader;
     private bool _lineEnd = true;
     private bool _afterNumber;
     private NumberFormat? _pending;
 
-    private MessageText(StatementReader reader) => _reader = reader;
-
-    public static void Write(StatementReader _reader)
+    private MessageText(StatementReader reader)
     {
-        var message = new MessageText(_reader);
+        _reader = reader;
+        _text = reader.Context.Output;
+    }
+
+    public static void Write(StatementReader reader)
+    {
+        var message = new MessageText(reader);
         message.ReadItems();
-        _reader.Context.Output.Append(message._text).Append(message._lineEnd ? "\r\n" : "");
+        if (message._lineEnd) reader.Context.Output.Append("\r\n");
     }
 
     private void ReadItems()
@@ -42,9 +46,10 @@ internal sealed class MessageText
         }
     }
 
-    private void AppendText(string literal)
+    private void AppendText(ReadOnlySpan<char> literal)
     {
-        _text.Append(literal.Length <= LongestText ? literal : throw new CommandRefusedException(Tc.BadString));
+        if (literal.Length > LongestText) throw new CommandRefusedException(Tc.BadString);
+        _text.Append(literal);
         _afterNumber = false;
     }
 
@@ -57,13 +62,14 @@ internal sealed class MessageText
             return;
         }
 
-        AppendNumber((_pending ?? _reader.Machine.ValueFormat).Print(value));
+        AppendNumber(_pending ?? _reader.Machine.ValueFormat, value);
     }
 
     /// <summary>Every number has a sign column; between two numbers a minus gets a blank of its own.</summary>
-    private void AppendNumber(string number)
+    private void AppendNumber(NumberFormat format, FixedPoint value)
     {
-        _text.Append(_afterNumber && number[0] == '-' ? " " : "").Append(number);
+        if (_afterNumber && value.Raw < 0 && !format.Hex) _text.Append(' ');
+        _reader.Context.WriteNumber(format, value);
         _afterNumber = true;
     }
 
@@ -73,7 +79,7 @@ internal sealed class MessageText
         _reader.Take('{', Tc.BadBraces);
         var body = _reader.TakeUntil('}', Tc.BadBraces);
         var kind = body.Length > 0 ? body[0] : '\0';
-        var rest = body.Length > 0 ? body[1..] : "";
+        var rest = body.Length > 0 ? body[1..].ToString() : "";
         switch (kind)
         {
             case 'N' when rest.Length == 0:
@@ -98,14 +104,14 @@ internal sealed class MessageText
                 throw new CommandRefusedException(Tc.BadBraces);
         }
 
-        if (value is { } plain) AppendNumber((_pending ?? _reader.Machine.ValueFormat).Print(plain));
+        if (value is { } plain) AppendNumber(_pending ?? _reader.Machine.ValueFormat, plain);
     }
 
     private void ApplyFormat(NumberFormat format, FixedPoint? value)
     {
         if (value is { } number)
         {
-            AppendNumber(format.Print(number));
+            AppendNumber(format, number);
         }
         else
         {

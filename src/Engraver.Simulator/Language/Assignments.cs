@@ -12,7 +12,8 @@ internal static class Assignments
         if (reader.IsAtEnd || reader.TryTake('?'))
         {
             var value = array is null ? reader.Machine.Variables.Read(name) : array[StatementReader.Checked(index, array)];
-            reader.Context.WriteLine(reader.Machine.Print(value));
+            reader.Context.WriteNumber(reader.Machine.ValueFormat, value);
+            reader.Context.Output.Append("\r\n");
         }
         else if (array is null)
         {

@@ -33,7 +33,7 @@ internal static class NumberLiteral
     }
 
     /// <summary>Up to six characters, first one in the highest byte (E, Variable).</summary>
-    public static FixedPoint PackText(string value)
+    public static FixedPoint PackText(ReadOnlySpan<char> value)
     {
         if (value.Length > 6) throw new CommandRefusedException(Tc.BadString);
 

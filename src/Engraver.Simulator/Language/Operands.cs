@@ -64,17 +64,20 @@ internal static class Operands
         ["VF"] = r => FormatNumber(r.Machine.VariableFormat),
     }.ToFrozenDictionary(StringComparer.Ordinal);
 
+    private static readonly FrozenDictionary<string, Func<OperandRequest, FixedPoint>>.AlternateLookup<ReadOnlySpan<char>> Lookup =
+        Table.GetAlternateLookup<ReadOnlySpan<char>>();
+
     public static IEnumerable<string> Names => Table.Keys;
 
-    /// <param name="name">Without the underscore: two letters and a suffix.</param>
-    public static FixedPoint Evaluate(Machine machine, CommandContext context, string name)
+    /// <summary>The operand behind the underscore: two letters and a suffix, which may be a variable axis (<c>_TP~a</c>).</summary>
+    public static FixedPoint Take(StatementReader reader)
     {
+        var name = reader.TakeName();
         if (name.Length < 2) throw new CommandRefusedException(Tc.BadOperand);
-
-        var key = name[..2];
-        var request = new OperandRequest(machine, context, name[2..]);
-        return Table.TryGetValue(key, out var read) ? read(request)
-            : AxisParameters.Find(key) is { } parameter ? parameter.Read(request.Axis)
+        var suffix = reader.Next == '~' ? new OperandSuffix(reader.TakeLetter(), '\0', 1) : OperandSuffix.Of(name[2..]);
+        var request = new OperandRequest(reader.Machine, reader.Context, suffix);
+        return Lookup.TryGetValue(name[..2], out var read) ? read(request)
+            : AxisParameters.Find(name[..2]) is { } parameter ? parameter.Read(request.Axis)
             : throw new CommandRefusedException(Tc.BadOperand);
     }
 
@@ -119,11 +122,11 @@ internal static class Operands
     private static FixedPoint HandleState(OperandRequest request)
     {
         var handles = request.Machine.Handles;
-        if (request.Suffix.Length != 2 || request.Suffix[0] < 'A' || request.Suffix[0] >= 'A' + handles.Capacity)
+        if (request.Suffix.Length != 2 || request.Suffix.First < 'A' || request.Suffix.First >= 'A' + handles.Capacity)
             throw new CommandRefusedException(Tc.BadOperand);
 
-        var handle = handles[request.Suffix[0] - 'A'];
-        return Whole(request.Suffix[1] switch
+        var handle = handles[request.Suffix.First - 'A'];
+        return Whole(request.Suffix.Second switch
         {
             '0' => handle is null ? 0 : 0x7F000001,
             '1' => handle?.RemotePort ?? 0,

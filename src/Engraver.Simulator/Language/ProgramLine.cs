@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Language;
 
 /// <summary>One line of program memory: the text as downloaded, its label if any, and the statements behind the label.</summary>
-internal sealed record ProgramLine(string Text, string? Label, string[] Parts)
+internal sealed record ProgramLine(string Text, string? Label, Statement[] Parts)
 {
     private const int LongestLabel = 7;
 
@@ -9,9 +9,9 @@ internal sealed record ProgramLine(string Text, string? Label, string[] Parts)
     public static ProgramLine Parse(string text)
     {
         var parts = Statements.Split(text);
-        if (parts[0].Length == 0 || parts[0][0] != '#') return new(text, null, parts);
+        if (parts[0].Text is not ['#', ..]) return new(text, null, parts);
 
-        var label = parts[0][1..];
+        var label = parts[0].Text[1..];
         var good = label.Length is > 0 and <= LongestLabel
             && !char.IsAsciiDigit(label[0])
             && label.All(c => char.IsAsciiLetterOrDigit(c) || c == '_');

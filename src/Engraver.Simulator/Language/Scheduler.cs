@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>The eight threads. One line of each running thread in turn, every command costs controller time (galil-dmc.md E Threads, A.4).</summary>
@@ -132,7 +134,7 @@ internal sealed class Scheduler
         {
             if (thread.Line >= _machine.Program.Count)
             {
-                Fail(thread, thread.Line, "", Tc.UndefinedLabel);
+                Fail(thread, thread.Line, null, Tc.UndefinedLabel);
                 break;
             }
 
@@ -150,29 +152,30 @@ internal sealed class Scheduler
         return commands;
     }
 
-    private void RunStatement(ProgramThread thread, int line, string statement)
+    private void RunStatement(ProgramThread thread, int line, Statement statement)
     {
-        var context = CommandContext.Of(thread);
+        var context = thread.Context.Restart();
         try
         {
             _machine.Interpreter.Execute(statement, context);
         }
         catch (CommandRefusedException refusal)
         {
+            context.Output.Clear();
             Fail(thread, line, statement, refusal.Code);
         }
 
-        if (context.Output.Length > 0) _machine.Messages.Send(context.Output, context.OutputHandle);
+        if (context.Output.Length > 0) _machine.Messages.Send(context.Output.Text, context.OutputHandle);
 
         Events += thread.IsRunning ? 0 : 1;
     }
 
     /// <summary>Without #CMDERR a command error stops all threads; with it only the faulty one, and thread 0 is interrupted (C.3).</summary>
-    private void Fail(ProgramThread thread, int line, string statement, int code)
+    private void Fail(ProgramThread thread, int line, Statement? statement, int code)
     {
         _machine.LastError = code;
         LastError = (line, thread.Number);
-        _machine.Messages.Send(new System.Text.StringBuilder().Append('?').Append(line).Append(' ').Append(statement).Append("\r\n"), null);
+        _machine.Messages.Send(string.Create(CultureInfo.InvariantCulture, $"?{line} {statement?.Text}\r\n"), null);
         var handled = CanHandle(thread);
         if (thread.Number != 0 || !handled) Halt(thread);
 

@@ -6,16 +6,16 @@ namespace Engraver.Simulator.Language;
 internal static class Statements
 {
     /// <summary>The parts between semicolons; quotes protect. Whether ";" ends a comment is not documented (L.3): here it does.</summary>
-    public static string[] Split(string line)
+    public static Statement[] Split(string line)
     {
-        var parts = new List<string>();
+        var parts = new List<Statement>();
         var quoted = false;
         var start = 0;
         for (var i = 0; i <= line.Length; i++)
         {
             if (i == line.Length || (line[i] == ';' && !quoted))
             {
-                parts.Add(Compact(line.AsSpan(start, i - start)));
+                parts.Add(Statement.Parse(line.AsSpan(start, i - start)));
                 start = i + 1;
             }
             else if (line[i] == '"')

@@ -55,7 +55,8 @@ internal sealed class MotionKernel
 
     public bool IsCoordinated(Axis axis) => PlaneOf(axis) is not null;
 
-    public VectorPlane? PlaneOf(Axis axis) => Array.Find(Planes, p => p.IsActive && (p.Axes.Contains(axis) || p.Tangent.Axis == axis));
+    /// <summary>The running plane that drives an axis.</summary>
+    public VectorPlane? PlaneOf(Axis axis) => Planes[0].Drives(axis) ? Planes[0] : Planes[1].Drives(axis) ? Planes[1] : null;
 
     public bool IsBusy(Axis axis) => axis.IsMoving || IsCoordinated(axis);
 

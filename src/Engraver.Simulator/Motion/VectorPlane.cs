@@ -57,6 +57,9 @@ internal sealed class VectorPlane(char letter)
     /// <summary>True when the next sample will move something.</summary>
     public bool CanProgress => IsActive && (Speed > 0 || IsStopping || (Buffer.IsEmpty ? Buffer.IsClosed || !IsDry : _commanded * SpeedRatio > 0));
 
+    /// <summary>A running sequence moves the axis, along the path or its tangent.</summary>
+    public bool Drives(Axis axis) => IsActive && (Tangent.Axis == axis || Array.IndexOf(_axes, axis) >= 0);
+
     public bool IsAtSpeed => IsActive && Speed == _commanded * SpeedRatio;
 
     /// <summary>Slot 1 to n of the frame as absolute counts at the last segment joint: <c>_VPx</c>.</summary>

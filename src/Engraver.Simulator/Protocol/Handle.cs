@@ -8,8 +8,9 @@ namespace Engraver.Simulator.Protocol;
 internal sealed class Handle(int index, int localPort, int remotePort, ICommandSink sink)
 {
     private const int LongestLine = 80;
-    private readonly StringBuilder _command = new();
+    private readonly TextBuffer _command = new();
     private readonly StringBuilder _download = new();
+    private CommandContext? _context;
     private int _lineLength;
     private bool _quoted;
     private bool _swallowReturn;
@@ -24,6 +25,9 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
     public int LocalPort => localPort;
 
     public int RemotePort => remotePort;
+
+    /// <summary>What its commands print into; restarted for each.</summary>
+    public CommandContext Context => _context ??= CommandContext.Of(this);
 
     /// <summary>What the controller sends to this client.</summary>
     public ByteQueue Output { get; } = new();
@@ -159,22 +163,22 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     private void RunCommand()
     {
-        var text = _command.ToString();
+        var reply = sink.Execute(this, _command.Text);
         _command.Clear();
-        Answer(sink.Execute(this, text));
+        Answer(reply);
     }
 
-    /// <summary>A null reply means silence: a download begins, or the controller is frozen.</summary>
-    private void Answer(string? reply)
+    /// <summary>An empty reply means silence: a download begins, or the controller is frozen.</summary>
+    private void Answer(ReadOnlySpan<char> reply)
     {
         Commands++;
-        if (reply is not null) SendText(reply);
+        if (reply.Length > 0) SendText(reply);
 
         sink.Answered(this);
         if (_closeAfterReply) Close();
     }
 
-    private void SendText(string text)
+    private void SendText(ReadOnlySpan<char> text)
     {
         Span<byte> bytes = text.Length <= 512 ? stackalloc byte[text.Length] : new byte[text.Length];
         Encoding.Latin1.GetBytes(text, bytes);

@@ -9,7 +9,7 @@ internal sealed class HandleTable(int capacity)
 
     public Handle? this[int index] => _handles[index];
 
-    public int Free => _handles.Count(h => h is null);
+    public int Free => _handles.AsSpan().Count((Handle?)null);
 
     /// <summary>The handle lost last, -1 for none: <c>_IA4</c>.</summary>
     public int LostLast { get; private set; } = -1;

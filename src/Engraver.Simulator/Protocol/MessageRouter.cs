@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>Sends what programs print to the port that CF names, with bit 7 set under CW 1 (galil-dmc.md A.5).</summary>
@@ -20,13 +18,13 @@ internal sealed class MessageRouter(HandleTable handles)
     public void Reset() => Port = 'S';
 
     /// <param name="handle">The handle that {Ex} named; null leaves it to CF, -1 is the serial port.</param>
-    public void Send(StringBuilder text, int? handle)
+    public void Send(ReadOnlySpan<char> text, int? handle)
     {
         var index = handle ?? (Port == 'S' ? -1 : Port - 'A');
         if (index < 0 || index >= handles.Capacity || handles[index] is not { } target) return;
 
         var mark = Marking == Marked ? (byte)0x80 : (byte)0;
-        var bytes = new byte[text.Length];
+        Span<byte> bytes = text.Length <= 256 ? stackalloc byte[text.Length] : new byte[text.Length];
         for (var i = 0; i < bytes.Length; i++) bytes[i] = (byte)(text[i] | mark);
 
         target.Send(bytes);
