@@ -43,13 +43,14 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         }
     }
 
-    public Handle? Open(int localPort, int remotePort, Action? disconnect)
+    /// <param name="datagrams">Where the answers of a UDP handle go; null for a connection.</param>
+    public Handle? Open(int localPort, int remotePort, Action? disconnect, DatagramSender? datagrams = null)
     {
         lock (_gate)
         {
             Pace();
             _silence.Heard();
-            return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, this) { Disconnect = disconnect });
+            return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, this) { Disconnect = disconnect, Datagrams = datagrams });
         }
     }
 

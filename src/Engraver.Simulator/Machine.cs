@@ -11,20 +11,25 @@ internal sealed class Machine
 
     private long _clockTicks;
     private bool _wasMoving;
+    private int _sampleMicroseconds = 1000;
+    private long _timeBefore;
+    private long _timeSince;
 
     public Machine(SimulatorOptions options)
     {
         Options = options;
+        Motion = new MotionKernel(options);
+        Records = new DataRecordPush(this);
         Program = new ProgramMemory(options.ProgramLines);
         Handles = new HandleTable(options.HandleCount);
         Threads = new Scheduler(this);
         Interpreter = new Interpreter(this);
-        Messages = new MessageRouter(Handles);
+        Messages = new MessageRouter(Handles, options);
     }
 
     public SimulatorOptions Options { get; }
 
-    public MotionKernel Motion { get; } = new();
+    public MotionKernel Motion { get; }
 
     public DigitalIo Io { get; } = new();
 
@@ -58,22 +63,48 @@ internal sealed class Machine
     /// <summary>VF and LZ together: how values print.</summary>
     public NumberFormat ValueFormat => VariableFormat with { LeadingZeros = !StripLeadingZeros };
 
-    /// <summary>CN0 to CN4: polarities, stored (galil-dmc.md C).</summary>
-    public int[] InputPolarity { get; } = [-1, -1, -1, 0, 0];
+    /// <summary>TM: the nominal sample in microseconds.</summary>
+    public int SampleMicroseconds
+    {
+        get => _sampleMicroseconds;
+        set
+        {
+            _timeBefore = Time;
+            _timeSince = Sample;
+            _sampleMicroseconds = value;
+        }
+    }
+
+    /// <summary>1000/TM.</summary>
+    public double SamplesPerMillisecond => 1000.0 / _sampleMicroseconds;
+
+    /// <summary>TIME: samples of TM since power up.</summary>
+    public long Time => _timeBefore + (long)((Sample - _timeSince) * SamplesPerMillisecond);
+
+    public InputInterrupt InputInterrupt { get; } = new();
+
+    public DataRecordPush Records { get; }
+
+    /// <summary>TB (galil-dmc.md A.10).</summary>
+    public int StatusByte =>
+        (Threads.AnyRunning ? 0x80 : 0)
+        | (Threads[0].Calls.Any(static c => c.Interrupt) && !InputInterrupt.IsRunning ? 0x10 : 0)
+        | (InputInterrupt.IsArmed ? 0x08 : 0)
+        | (InputInterrupt.IsRunning ? 0x04 : 0);
 
     /// <summary>The program that BP burned; RS restores it.</summary>
     public string[] BurnedProgram { get; set; } = [];
 
     /// <summary>Changes when something happened that a silent host could be waiting for.</summary>
-    public long Events => Motion.Ends + Threads.Events + _outputChanges;
+    public long Events => Motion.Ends + Threads.Events + Records.Sent + _outputChanges;
 
     private long _outputChanges;
 
     /// <summary>An open sequence waits for its host: begun, not closed (contract: time at max stands still for it).</summary>
-    public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.IsStopping);
+    public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.Profile.IsStopping);
 
     /// <summary>Nothing moves and no thread runs, so that only a command can change anything.</summary>
-    public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning;
+    public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn;
 
     /// <summary>The variable axes ~a to ~h: 0 to 7 axes, 8 and 9 the planes, 10 and 11 the virtual axes (galil-dmc.md E).</summary>
     public int[] VariableAxes { get; } = new int[8];
@@ -118,6 +149,30 @@ internal sealed class Machine
         if (!_wasMoving || !Motion.CanProgress) AppendRow();
     }
 
+    /// <summary>An input changes: latches, selective abort and the input interrupt look at it (galil-dmc.md C, D).</summary>
+    public void SetInput(int input, bool level)
+    {
+        var before = Io.Input(input);
+        Io.SetInput(input, level);
+        if (before == level) return;
+        var polarity = Motion.Polarity;
+        if (input <= Axis.Real && Motion.Axes[input - 1].Latch is { IsArmed: true, WaitsForIndex: false } latch && level == polarity.LatchOnRise)
+            latch.Catch(Motion.Axes[input - 1].Motor.Position);
+        if (input > Axis.Real && !level && polarity.SelectiveAbort)
+        {
+            Motion.Halt(Motion.Axes[input - 1 - Axis.Real], StopCode.SelectiveAbort, motorsOff: false);
+            Threads.Interrupt("POSERR");
+        }
+
+        WatchInputs();
+    }
+
+    /// <summary>Starts #ININT when a watched input has its level.</summary>
+    public void WatchInputs()
+    {
+        if (InputInterrupt.IsDue(Io.Inputs) && Threads.Interrupt("ININT")) InputInterrupt.Taken();
+    }
+
     /// <summary>AB: no ramps; motors with OE 1 or 3 go off (B.8).</summary>
     public void Abort(bool programsToo, int stopCode)
     {
@@ -126,6 +181,7 @@ internal sealed class Machine
         foreach (var axis in Motion.Axes)
         {
             axis.Halt(stopCode);
+            axis.Gear.Release();
             axis.MotorOff |= axis.OffOnError is 1 or 3;
         }
 
@@ -145,8 +201,7 @@ internal sealed class Machine
         LastError = 0;
         foreach (var axis in Motion.Axes)
         {
-            axis.SetPosition(0);
-            axis.LastStop = 0;
+            axis.Redefine(0);
         }
 
         if (Program.TryFind("AUTO", out var line0)) Threads[0].Start(line0, Sample);
@@ -157,7 +212,8 @@ internal sealed class Machine
     {
         if (!Motion.CanProgress && Threads.QuietUntil(Sample) is var quiet && quiet > Sample + 1)
         {
-            Sample = Math.Min(quiet - 1, lastSample);
+            Sample = Math.Min(Math.Min(quiet - 1, lastSample), Records.NextDue);
+            Records.Step();
             Threads.ForgetUnusedTime();
             _wasMoving = false;
             return;
@@ -166,6 +222,7 @@ internal sealed class Machine
         Sample++;
         StepMotion();
         Threads.RunSample();
+        Records.Step();
     }
 
     private void StepMotion()
@@ -177,6 +234,7 @@ internal sealed class Machine
         if (moved) AppendRow();
 
         for (var hits = Motion.TakeLimitHits(); hits > 0; hits--) Threads.Interrupt("LIMSWI");
+        for (var hits = Motion.TakeErrorHits(); hits > 0; hits--) Threads.Interrupt("POSERR");
     }
 
     /// <summary>The place a motion starts from, unless the last row says it already.</summary>

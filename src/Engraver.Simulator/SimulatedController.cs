@@ -10,7 +10,7 @@ public sealed class SimulatedController : IAsyncDisposable
     private readonly ControllerCore _core;
     private readonly SimulatorOptions _options;
     private readonly Lock _gate = new();
-    private readonly List<TcpFrontEnd> _frontEnds = [];
+    private readonly List<IAsyncDisposable> _frontEnds = [];
 
     public SimulatedController(SimulatorOptions options)
     {
@@ -54,6 +54,21 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.FromResult(frontEnd.EndPoint);
     }
 
+    /// <summary>Answers datagrams on loopback until the controller is disposed: commands, and data records after DR (galil-dmc.md A.1, A.9; hosts expect port 60007).</summary>
+    /// <param name="port">0 lets the system pick.</param>
+    /// <exception cref="System.Net.Sockets.SocketException">The port is taken or not allowed.</exception>
+    public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        var frontEnd = new UdpFrontEnd(_core, port);
+        lock (_gate)
+        {
+            _frontEnds.Add(frontEnd);
+        }
+
+        return Task.FromResult(frontEnd.EndPoint);
+    }
+
     /// <summary>Cuts every link at once, as a pulled cable would; motion and programs go on.</summary>
     public void DropConnections() => _core.CutAll();
 
@@ -83,22 +98,30 @@ public sealed class SimulatedController : IAsyncDisposable
         return status.IsIdle;
     }
 
-    /// <summary>Closes or opens a limit switch of axis 0 to 3 (A to D).</summary>
+    /// <summary>Grounds or opens a limit input of axis 0 to 3 (A to D); under CN -1, the default, a grounded one forbids motion (galil-dmc.md C.1).</summary>
     public void SetLimitSwitch(int axis, bool forward, bool active)
     {
-        ArgumentOutOfRangeException.ThrowIfNegative(axis);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(axis, 3);
+        RequireAxis(axis);
         _core.With(m =>
         {
-            if (forward)
-            {
-                m.Motion.Axes[axis].ForwardSwitch = active;
-            }
-            else
-            {
-                m.Motion.Axes[axis].ReverseSwitch = active;
-            }
+            var inputs = m.Motion.Axes[axis].Inputs;
+            if (forward) inputs.ForwardGrounded = active;
+            else inputs.ReverseGrounded = active;
         });
+    }
+
+    /// <summary>Grounds or opens the home input of axis 0 to 3 (A to D).</summary>
+    public void SetHomeSwitch(int axis, bool active)
+    {
+        RequireAxis(axis);
+        _core.With(m => m.Motion.Axes[axis].Inputs.HomeGrounded = active);
+    }
+
+    /// <summary>Holds the shaft of axis 0 to 3 or lets it go: the motor stays, the position error grows.</summary>
+    public void HoldMotor(int axis, bool held)
+    {
+        RequireAxis(axis);
+        _core.With(m => m.Motion.Axes[axis].Motor.IsHeld = held);
     }
 
     /// <summary>Sets input 1 to 8; an open input is true.</summary>
@@ -106,16 +129,16 @@ public sealed class SimulatedController : IAsyncDisposable
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(input, 1);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(input, 8);
-        _core.With(m => m.Io.SetInput(input, level));
+        _core.With(m => m.SetInput(input, level));
     }
 
     /// <summary>The abort input was hit: all motion stops without a ramp, programs too unless CN's fifth field is 1 (galil-dmc.md D).</summary>
-    public void PressAbort() => _core.With(m => m.Abort(m.InputPolarity[4] != 1, Motion.StopCode.AbortInput));
+    public void PressAbort() => _core.With(m => m.Abort(!m.Motion.Polarity.AbortKeepsPrograms, Motion.StopCode.AbortInput));
 
     /// <summary>Stops listening, cuts every link, completes the record's file.</summary>
     public async ValueTask DisposeAsync()
     {
-        TcpFrontEnd[] listening;
+        IAsyncDisposable[] listening;
         lock (_gate)
         {
             listening = [.. _frontEnds];
@@ -125,6 +148,12 @@ public sealed class SimulatedController : IAsyncDisposable
         foreach (var frontEnd in listening) await frontEnd.DisposeAsync().ConfigureAwait(false);
 
         _core.Dispose();
+    }
+
+    private static void RequireAxis(int axis)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(axis);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(axis, 3);
     }
 
     private void RequireVirtualTime()

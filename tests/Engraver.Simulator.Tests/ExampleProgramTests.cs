@@ -109,10 +109,15 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        rig.Run(ExamplePrograms.Knife);
+        var seconds = rig.Run(ExamplePrograms.Knife);
 
         Assert.Equal((-3000, 0, 1000, 0), (rig.Value("_RPA"), rig.Value("_RPB"), rig.Value("_RPC"), rig.Value("_OP0")));
         Assert.Equal(9424, rig.Value("_AV"));
+        Assert.InRange(seconds, 1.62 + 0.228 + 0.05, 1.62 + 0.228 + 0.05 + (2 * InstructionTime)); // path, approach, WT
+        var samples = rig.Controller.Record.Snapshot();
+        Assert.All(samples.Where(s => s.Outputs == 1), s => Assert.Equal(Knife(s), s.C, 1.0));
+
+        static double Knife(MotionSample s) => Math.Atan2(s.B, s.A) * 180 / Math.PI * 2000 / 360;
     }
 
     [Fact]
@@ -132,17 +137,29 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX8_homing_stops_on_the_limit_switch_and_zeroes()
     {
-        await using var rig = new Rig();
+        await using var rig = new Rig(new SimulatorOptions { Switches = [new AxisSwitches(0) { ReverseLimitAt = -3000 }] });
         rig.Do("CFI").Download(ExamplePrograms.HomeOnLimit).Do("XQ");
-        rig.Controller.AdvanceUntil(_ => rig.Value("_RPA") <= -3000, TimeSpan.FromSeconds(2));
+        var start = rig.Controller.Status.Sample;
+        rig.Controller.AdvanceUntil(_ => rig.Value("_SCA") == 3, TimeSpan.FromSeconds(2));
 
-        rig.Controller.SetLimitSwitch(0, forward: false, active: true);
-        rig.Controller.AdvanceUntil(_ => rig.Value("_SCA") == 3, TimeSpan.FromSeconds(1));
         rig.RunToIdle();
 
-        Assert.InRange(rig.Controller.Record.Snapshot().Min(s => s.A), -3060, -3031);
+        Assert.InRange(rig.Controller.Record.Snapshot().Min(s => s.A), -3036, -3031);
         Assert.Equal("HOMED A 0.0000\r\n", Rig.ReadAvailable(rig.Stream));
         Assert.Equal((1, 0), (rig.Value("homed"), rig.Value("_RPA")));
+        Assert.InRange((rig.Controller.Status.Sample - start) / 1000.0, 1.75, 1.85);
+    }
+
+    [Fact]
+    public async Task EX8_started_on_the_switch_skips_the_jog()
+    {
+        await using var rig = new Rig();
+        rig.Controller.SetLimitSwitch(0, forward: false, active: true);
+
+        rig.Download(ExamplePrograms.HomeOnLimit).Do("XQ").RunToIdle();
+
+        Assert.Equal((1, 0), (rig.Value("homed"), rig.Value("_RPA")));
+        Assert.Equal(0, rig.Controller.Record.Snapshot().Min(s => s.A));
     }
 
     [Fact]
@@ -167,6 +184,19 @@ public class ExampleProgramTests
         rig.Pass(500);
 
         Assert.Equal((1, 0, 0, 2), (rig.Value("nlim"), rig.Value("_OP0"), rig.Value("_BGS"), rig.Value("_SCA")));
+    }
+
+    [Fact]
+    public async Task EX9_a_position_error_beyond_ER_runs_POSERR_which_aborts_the_motion()
+    {
+        await using var rig = new Rig();
+        rig.Do("CFI").Download(ExamplePrograms.Handlers).Do("XQ#AUTO,0", "SB1", "ERA=500", "PRA=100000", "BGA").Pass(100);
+
+        rig.Controller.HoldMotor(0, true);
+        rig.Pass(500);
+
+        Assert.Matches(@"^POSERR 5\d\d\.0000 0\.0000\r\n$", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal((1, 0, 0, 7), (rig.Value("npos"), rig.Value("_OP0"), rig.Value("_BGA"), rig.Value("_SCA")));
     }
 
     [Fact]

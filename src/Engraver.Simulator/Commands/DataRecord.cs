@@ -70,7 +70,7 @@ internal sealed class DataRecord
     private void AddGeneral()
     {
         var block = Next(24);
-        BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)_machine.Sample);
+        BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)_machine.Time);
         block[2] = _machine.Io.Inputs;
         block[12] = _machine.Io.Outputs;
         block[22] = (byte)_machine.LastError;
@@ -80,23 +80,24 @@ internal sealed class DataRecord
     private void AddPlane(VectorPlane plane)
     {
         var block = Next(8);
-        BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)plane.SegmentIndex);
+        BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)plane.Profile.SegmentIndex);
         var status = (plane.IsActive ? 1 << 15 : 0)
-            | (plane is { IsActive: true, IsStopping: false, Speed: > 0 } && plane.IsAtSpeed ? 1 << 5 : 0)
-            | (plane.IsStopping ? 1 << 4 : 0);
+            | (plane is { IsActive: true, Profile: { IsStopping: false, Speed: > 0 } } && plane.IsAtSpeed ? 1 << 5 : 0)
+            | (plane.Profile.IsStopping ? 1 << 4 : 0);
         BinaryPrimitives.WriteUInt16LittleEndian(block[2..], (ushort)status);
-        BinaryPrimitives.WriteInt32LittleEndian(block[4..], (int)Math.Floor(plane.Travelled + 1e-6));
+        BinaryPrimitives.WriteInt32LittleEndian(block[4..], (int)Math.Floor(plane.Profile.Travelled + 1e-6));
     }
 
     private void AddAxis(Axis axis)
     {
         var block = Next(28);
         BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)Status(axis));
-        block[2] = (byte)((axis.ForwardSwitch ? 0 : 8) | (axis.ReverseSwitch ? 0 : 4) | 2 | (axis.IsStepper ? 1 : 0));
+        block[2] = (byte)((axis.Latch.IsArmed ? 0 : 0x40) | (axis.Inputs.ForwardHit ? 0 : 8) | (axis.Inputs.ReverseHit ? 0 : 4) | (axis.Inputs.Home ? 2 : 0) | (axis.IsStepper ? 1 : 0));
         block[3] = (byte)axis.StopCode;
         BinaryPrimitives.WriteInt32LittleEndian(block[4..], axis.Reference);
-        BinaryPrimitives.WriteInt32LittleEndian(block[8..], axis.Reference);
-        BinaryPrimitives.WriteInt32LittleEndian(block[16..], axis.IsStepper ? axis.Reference : 0);
+        BinaryPrimitives.WriteInt32LittleEndian(block[8..], axis.Encoder);
+        BinaryPrimitives.WriteInt32LittleEndian(block[12..], axis.Error);
+        BinaryPrimitives.WriteInt32LittleEndian(block[16..], axis.SecondEncoder);
         BinaryPrimitives.WriteInt32LittleEndian(block[20..], (int)Math.Round(_machine.Motion.VelocityOf(axis) * 64));
     }
 
@@ -106,10 +107,15 @@ internal sealed class DataRecord
         return (axis.IsMoving || coordinated ? 1 << 15 : 0)
             | (axis is { IsMoving: true, CurrentMove: not AxisMove.Jog } ? 1 << 14 : 0)
             | (axis is { IsMoving: true, CurrentMove: AxisMove.Absolute } ? 1 << 13 : 0)
+            | (axis.Homing is not null && axis.CurrentMove == AxisMove.FindEdge ? 1 << 12 : 0)
+            | (axis.Homing is not null && axis.CurrentMove == AxisMove.Home ? 1 << 11 : 0)
+            | (axis.Homing?.Phase >= HomingPhase.Approach ? 1 << 10 : 0)
+            | (axis.Homing?.Phase >= HomingPhase.Index ? 1 << 9 : 0)
             | (coordinated ? 1 << 8 : 0)
             | (_machine.Motion.VelocityOf(axis) < 0 ? 1 << 7 : 0)
             | (axis.IsAtSpeed ? 1 << 5 : 0)
             | (axis.IsStopping ? 1 << 4 : 0)
+            | (axis.Latch.IsArmed ? 1 << 2 : 0)
             | (axis.OffOnError is 1 or 3 ? 1 << 1 : 0)
             | (axis.MotorOff ? 1 : 0);
     }

@@ -11,7 +11,7 @@ internal static class FlowCommands
         new("JS", CommandScope.Program, Call),
         new("EN", CommandScope.Program, End),
         new("RE", CommandScope.Program, End),
-        new("RI", CommandScope.Program, End),
+        new("RI", CommandScope.Program, ReturnFromInput),
         new("IF", CommandScope.Program, If),
         new("ELSE", CommandScope.Program, r => SkipBlock(r, stopAtElse: false)),
         new("ENDIF", CommandScope.Program, _ => { }),
@@ -73,6 +73,14 @@ internal static class FlowCommands
         {
             thread.Halt();
         }
+    }
+
+    /// <summary>RI also arms the input interrupt again (C.3).</summary>
+    private static void ReturnFromInput(StatementReader reader)
+    {
+        End(reader);
+        reader.Machine.InputInterrupt.Rearm();
+        reader.Machine.WatchInputs();
     }
 
     private static void If(StatementReader reader)

@@ -21,7 +21,11 @@ internal static class StopCommands
         IEnumerable<VectorPlane> planes = selection.IsEmpty ? machine.Motion.Planes : selection.Planes;
         foreach (var plane in planes) plane.Stop(StopCode.Stopped);
 
-        foreach (var axis in axes) axis.Stop(StopCode.Stopped);
+        foreach (var axis in axes)
+        {
+            axis.Gear.Release();
+            axis.Stop(StopCode.Stopped);
+        }
 
         if (selection.IsEmpty && !reader.Context.IsProgram) machine.Threads.HaltAll();
     }

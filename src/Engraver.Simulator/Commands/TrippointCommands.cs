@@ -11,7 +11,7 @@ internal static class TrippointCommands
         new("WT", CommandScope.Program, Wait),
         new("AT", CommandScope.Program, AtTime),
         new("AM", CommandScope.Program, AfterMotion),
-        new("MC", CommandScope.Program, AfterMotion), // the perfect motor is in position when the profile is
+        new("MC", CommandScope.Program, AfterArrival),
         new("AS", CommandScope.Program, AtSpeed),
         new("AV", CommandScope.Program, AfterVectorDistance),
         new("AI", CommandScope.Program, AfterInput),
@@ -35,8 +35,7 @@ internal static class TrippointCommands
         var samples = reader.TakeExpression().Integer;
         if (samples < 2) throw new CommandRefusedException(Tc.OutOfRange);
 
-        SkipUnitField(reader);
-        Until(reader, reader.Machine.Sample + (samples & ~1));
+        Until(reader, reader.Machine.Sample + Milliseconds(reader, samples & ~1));
     }
 
     /// <summary>AT 0 sets the reference, AT n waits for it plus n, a negative n also moves the reference.</summary>
@@ -44,19 +43,16 @@ internal static class TrippointCommands
     {
         var thread = reader.Context.Thread!;
         var samples = reader.TakeExpression().Integer;
-        SkipUnitField(reader);
-        var release = thread.TimeReference + Math.Abs((long)samples);
+        var release = thread.TimeReference + Milliseconds(reader, Math.Abs((long)samples));
         if (samples == 0) release = reader.Machine.Sample;
 
         thread.TimeReference = samples <= 0 ? release : thread.TimeReference;
         Until(reader, release);
     }
 
-    /// <summary>The second field chooses samples instead of nominal milliseconds; here they are the same.</summary>
-    private static void SkipUnitField(StatementReader reader)
-    {
-        if (reader.TryTake(',')) reader.TakeExpression();
-    }
+    /// <summary>A second field 1 counts samples of TM instead of nominal milliseconds.</summary>
+    private static long Milliseconds(StatementReader reader, long count) =>
+        reader.TryTake(',') && reader.TakeExpression().Integer == 1 ? (long)Math.Ceiling(count / reader.Machine.SamplesPerMillisecond) : count;
 
     private static void AfterMotion(StatementReader reader)
     {
@@ -65,6 +61,14 @@ internal static class TrippointCommands
         Axis[] axes = [.. selection.AxesOrAll];
         VectorPlane[] planes = [.. selection.Planes];
         Set(reader, () => !Array.Exists(axes, motion.IsBusy) && !Array.Exists(planes, p => p.IsActive));
+    }
+
+    /// <summary>MC: AM, and then the motors in position, or TW's time-out with SC 99 and #MCTIME (C, MC).</summary>
+    private static void AfterArrival(StatementReader reader)
+    {
+        Axis[] axes = [.. reader.TakeAxes().AxesOrAll];
+        var arrival = new Arrival(reader.Machine, axes);
+        Set(reader, arrival.IsOver, atSample: 0);
     }
 
     private static void AtSpeed(StatementReader reader)
@@ -85,7 +89,7 @@ internal static class TrippointCommands
         var plane = reader.Machine.Motion.Planes[index];
         var target = plane.TrippointReference + Math.Max(0, fields[index].Value!.Value.Value);
         plane.TrippointReference = target;
-        Set(reader, () => !plane.IsActive || plane.Travelled >= target);
+        Set(reader, () => !plane.IsActive || plane.Profile.Travelled >= target);
     }
 
     /// <summary>AI n waits for input n high, AI -n for low.</summary>

@@ -165,9 +165,17 @@ internal sealed class Scheduler
             Fail(thread, line, statement, refusal.Code);
         }
 
-        if (context.Output.Length > 0) _machine.Messages.Send(context.Output.Text, context.OutputHandle);
+        if (context.Output.Length > 0) Tell(context.Output.Text, context.OutputHandle);
 
         Events += thread.IsRunning ? 0 : 1;
+    }
+
+    /// <summary>A message that nobody acknowledges is error 123 and runs #TCPERR (A.5, C.3).</summary>
+    private void Tell(ReadOnlySpan<char> text, int? handle)
+    {
+        if (_machine.Messages.Send(text, handle)) return;
+        _machine.LastError = Tc.LostSync;
+        Interrupt("TCPERR");
     }
 
     /// <summary>Without #CMDERR a command error stops all threads; with it only the faulty one, and thread 0 is interrupted (C.3).</summary>
@@ -175,7 +183,7 @@ internal sealed class Scheduler
     {
         _machine.LastError = code;
         LastError = (line, thread.Number);
-        _machine.Messages.Send(string.Create(CultureInfo.InvariantCulture, $"?{line} {statement?.Text}\r\n"), null);
+        Tell(string.Create(CultureInfo.InvariantCulture, $"?{line} {statement?.Text}\r\n"), null);
         var handled = CanHandle(thread);
         if (thread.Number != 0 || !handled) Halt(thread);
 

@@ -26,7 +26,7 @@ internal sealed class Statement
         if (text.Length == 0 || text[0] == '\'') return new(StatementKind.Nothing, text, null);
         if (FindCommand(text) is { } entry) return new(StatementKind.Command, text, entry);
         var plain = WithoutBlank(text);
-        return IsAssignment(plain) ? new(StatementKind.Assignment, plain, null) : new(StatementKind.Unknown, text, null);
+        return text[0] == '~' || IsAssignment(plain) ? new(StatementKind.Assignment, plain, null) : new(StatementKind.Unknown, text, null);
     }
 
     /// <summary>The command a statement starts with, or null when it is no command or the name of a variable that merely starts like one.</summary>

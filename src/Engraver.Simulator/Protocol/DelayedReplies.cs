@@ -9,7 +9,7 @@ internal sealed class DelayedReplies(TimeProvider time, TimeSpan delay)
     {
         if (delay <= TimeSpan.Zero)
         {
-            handle.Output.Write(bytes);
+            handle.Emit(bytes);
             return;
         }
 
@@ -23,7 +23,7 @@ internal sealed class DelayedReplies(TimeProvider time, TimeSpan delay)
         while (_waiting.TryPeek(out var next) && time.GetTimestamp() >= next.Due)
         {
             _waiting.Dequeue();
-            next.Handle.Output.Write(next.Bytes);
+            next.Handle.Emit(next.Bytes);
         }
     }
 }

@@ -37,6 +37,18 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     public bool IsClosed { get; private set; }
 
+    /// <summary>Answers leave as datagrams; null for a connection.</summary>
+    public DatagramSender? Datagrams { get; init; }
+
+    public bool IsUdp => Datagrams is not null;
+
+    /// <summary>The bytes leave for the client now.</summary>
+    public void Emit(ReadOnlySpan<byte> bytes)
+    {
+        if (Datagrams is null) Output.Write(bytes);
+        else Datagrams(bytes);
+    }
+
     /// <summary>Cuts the connection from the controller's side.</summary>
     public Action? Disconnect { get; set; }
 

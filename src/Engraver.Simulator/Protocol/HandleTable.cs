@@ -5,6 +5,8 @@ internal sealed class HandleTable(int capacity)
 {
     private readonly Handle?[] _handles = new Handle?[capacity];
 
+    private int _lost;
+
     public int Capacity => _handles.Length;
 
     public Handle? this[int index] => _handles[index];
@@ -15,6 +17,14 @@ internal sealed class HandleTable(int capacity)
     public int LostLast { get; private set; } = -1;
 
     public IEnumerable<Handle> Open => _handles.OfType<Handle>();
+
+    /// <summary>The client of a handle went away and nobody has noticed yet; true once.</summary>
+    public bool NoticeLoss(int index)
+    {
+        var lost = (_lost & (1 << index)) != 0;
+        _lost &= ~(1 << index);
+        return lost;
+    }
 
     /// <summary>Puts a new handle into the first free place; null when all are busy.</summary>
     public Handle? TryOpen(Func<int, Handle> create)
@@ -29,6 +39,7 @@ internal sealed class HandleTable(int capacity)
         {
             _handles[handle.Index] = null;
             LostLast = handle.Index;
+            _lost |= 1 << handle.Index;
         }
     }
 }
