@@ -6,25 +6,25 @@ namespace Engraver.Simulator;
 /// <summary>Brings commands, wall time and controller time together under one lock.</summary>
 internal sealed class ControllerCore : ICommandSink, IDisposable
 {
-    private readonly Lock gate = new();
-    private readonly SimulatorOptions options;
-    private readonly ITimer timer;
-    private readonly long started;
-    private readonly SilenceWatch silence;
-    private readonly DelayedReplies replies;
-    private readonly List<StatusWaiter> waiters = [];
-    private TimeSpan paced;
-    private long commands;
+    private readonly Lock _gate = new();
+    private readonly SimulatorOptions _options;
+    private readonly ITimer _timer;
+    private readonly long _started;
+    private readonly SilenceWatch _silence;
+    private readonly DelayedReplies _replies;
+    private readonly List<StatusWaiter> _waiters = [];
+    private TimeSpan _paced;
+    private long _commands;
 
     public ControllerCore(SimulatorOptions options)
     {
-        this.options = options;
+        _options = options;
         Machine = new Machine(options);
-        started = options.Time.GetTimestamp();
-        silence = new SilenceWatch(Machine, options.Time);
-        replies = new DelayedReplies(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
-        var period = options.IsVirtual ? SilenceWatch.Short : TimeSpan.FromMilliseconds(2);
-        timer = options.Time.CreateTimer(_ => Tick(), null, period, period);
+        _started = options.Time.GetTimestamp();
+        _silence = new SilenceWatch(Machine, options.Time);
+        _replies = new DelayedReplies(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
+        var period = _options.IsVirtual ? SilenceWatch.Short : TimeSpan.FromMilliseconds(2);
+        _timer = options.Time.CreateTimer(_ => Tick(), null, period, period);
     }
 
     public Machine Machine { get; }
@@ -36,41 +36,42 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     {
         get
         {
-            lock (gate)
+            lock (_gate)
             {
                 return StatusNow();
             }
         }
     }
 
-    public Handle? Open(int localPort, int remotePort, Action? disconnect)
+    /// <param name="datagrams">Where the answers of a UDP handle go; null for a connection.</param>
+    public Handle? Open(int localPort, int remotePort, Action? disconnect, DatagramSender? datagrams = null)
     {
-        lock (gate)
+        lock (_gate)
         {
             Pace();
-            silence.Heard();
-            return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, this) { Disconnect = disconnect });
+            _silence.Heard();
+            return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, this) { Disconnect = disconnect, Datagrams = datagrams });
         }
     }
 
     /// <summary>Plugs a cable into the serial port; null when one is plugged in.</summary>
     public Handle? OpenSerial(int baud, Action? disconnect)
     {
-        lock (gate)
+        lock (_gate)
         {
             Pace();
-            silence.Heard();
+            _silence.Heard();
             return Machine.Serial.Plug(baud, new Handle(SerialPort.HandleIndex, 0, 0, this) { Disconnect = disconnect });
         }
     }
 
     public void Receive(Handle handle, ReadOnlySpan<byte> bytes)
     {
-        lock (gate)
+        lock (_gate)
         {
             Pace();
             handle.Receive(bytes);
-            silence.Heard();
+            _silence.Heard();
             Notify();
         }
     }
@@ -78,22 +79,19 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     /// <summary>The client went away: its handle is free again, motion and threads go on.</summary>
     public void Detach(Handle handle)
     {
-        lock (gate)
+        lock (_gate)
         {
             handle.Close();
-            silence.Heard();
+            _silence.Heard();
             Notify();
         }
     }
 
     public void CutAll()
     {
-        lock (gate)
+        lock (_gate)
         {
-            foreach (var handle in Machine.Handles.Open.ToArray())
-            {
-                handle.Cut();
-            }
+            foreach (var handle in Machine.Handles.Open.ToArray()) handle.Cut();
 
             Machine.Serial.Client?.Cut();
             Notify();
@@ -102,7 +100,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     public void With(Action<Machine> action)
     {
-        lock (gate)
+        lock (_gate)
         {
             Pace();
             action(Machine);
@@ -112,7 +110,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     public void Advance(TimeSpan time)
     {
-        lock (gate)
+        lock (_gate)
         {
             Machine.Advance(time);
             Notify();
@@ -121,14 +119,11 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     public bool AdvanceUntil(Func<ControllerStatus, bool> condition, TimeSpan atMost)
     {
-        lock (gate)
+        lock (_gate)
         {
-            for (long end = Machine.Sample + (long)atMost.TotalMilliseconds; !condition(StatusNow());)
+            for (var end = Machine.Sample + (long)atMost.TotalMilliseconds; !condition(StatusNow());)
             {
-                if (Machine.Sample >= end)
-                {
-                    return false;
-                }
+                if (Machine.Sample >= end) return false;
 
                 Machine.Advance(TimeSpan.FromMilliseconds(1));
             }
@@ -141,9 +136,9 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     public async Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation)
     {
         var waiter = new StatusWaiter(condition);
-        lock (gate)
+        lock (_gate)
         {
-            waiters.Add(waiter);
+            _waiters.Add(waiter);
             Notify();
         }
 
@@ -153,31 +148,28 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         }
         finally
         {
-            lock (gate)
+            lock (_gate)
             {
-                waiters.Remove(waiter);
+                _waiters.Remove(waiter);
             }
         }
     }
 
     public void Dispose()
     {
-        timer.Dispose();
+        _timer.Dispose();
         CutAll();
         FlushRecord();
     }
 
-    string? ICommandSink.Execute(Handle handle, string text)
+    ReadOnlySpan<char> ICommandSink.Execute(Handle handle, ReadOnlySpan<char> text)
     {
-        commands++;
-        if (options.Faults is { } faults)
+        _commands++;
+        if (_options.Faults is { } faults)
         {
-            if (faults.FreezeAfterCommands is { } limit && commands > limit)
-            {
-                return null;
-            }
+            if (faults.FreezeAfterCommands is { } limit && _commands > limit) return null;
 
-            if (faults.RefusalOf(commands) is { } code)
+            if (faults.RefusalOf(_commands) is { } code)
             {
                 Machine.LastError = code;
                 return "?";
@@ -189,7 +181,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     string? ICommandSink.Refuse(Handle handle, int code)
     {
-        commands++;
+        _commands++;
         Machine.LastError = code;
         return IsFrozen ? null : "?";
     }
@@ -239,7 +231,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
             return;
         }
 
-        if (options.IsVirtual)
+        if (_options.IsVirtual)
         {
             Machine.Advance(Machine.Serial.ByteTime);
         }
@@ -252,21 +244,16 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     void ICommandSink.Answered(Handle handle, int replyLength)
     {
-        if (options.IsVirtual)
-        {
-            Machine.Advance(handle.IsSerial ? Machine.Serial.ByteTime * replyLength : options.CommandCost);
-        }
+        if (_options.IsVirtual) Machine.Advance(handle.IsSerial ? Machine.Serial.ByteTime * replyLength : _options.CommandCost);
 
-        foreach (var drop in options.Faults?.Drops ?? [])
+        if (_options.Faults is not { } faults) return;
+        foreach (var drop in faults.Drops)
         {
-            if (drop.Handle == handle.Index && handle.Commands == drop.AfterCommands)
-            {
-                handle.Cut();
-            }
+            if (drop.Handle == handle.Index && handle.Commands == drop.AfterCommands) handle.Cut();
         }
     }
 
-    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes) => replies.Send(handle, bytes);
+    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes) => _replies.Send(handle, bytes);
 
     void ICommandSink.Closed(Handle handle)
     {
@@ -280,16 +267,16 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         }
     }
 
-    private bool IsFrozen => options.Faults?.FreezeAfterCommands is { } limit && commands > limit;
+    private bool IsFrozen => _options.Faults?.FreezeAfterCommands is { } limit && _commands > limit;
 
-    private string? Executed(Handle handle, string text)
+    private ReadOnlySpan<char> Executed(Handle handle, ReadOnlySpan<char> text)
     {
-        var context = CommandContext.Of(handle);
+        var context = handle.Context.Restart();
         try
         {
-            Machine.Interpreter.Execute(Statements.Compact(text), context);
-            bool silent = handle.IsReceivingText;
-            return silent ? null : context.Output.Append(':').ToString();
+            Machine.Interpreter.Execute(text, context);
+            var silent = handle.IsReceivingText;
+            return silent ? default : context.Output.Append(':').Text;
         }
         catch (CommandRefusedException refusal)
         {
@@ -300,14 +287,11 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     private void Tick()
     {
-        lock (gate)
+        lock (_gate)
         {
             Pace();
-            replies.Release();
-            if (options.IsVirtual)
-            {
-                silence.Look();
-            }
+            _replies.Release();
+            if (_options.IsVirtual) _silence.Look();
 
             Notify();
         }
@@ -318,11 +302,11 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     /// <summary>Real time: controller time follows the wall. Virtual time stands still here.</summary>
     private void Pace()
     {
-        if (!options.IsVirtual)
+        if (!_options.IsVirtual)
         {
-            var due = options.Time.GetElapsedTime(started) * options.Speed;
-            Machine.Advance(due - paced);
-            paced = due;
+            var due = _options.Time.GetElapsedTime(_started) * _options.Speed;
+            Machine.Advance(due - _paced);
+            _paced = due;
         }
     }
 
@@ -330,10 +314,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
     {
         try
         {
-            if (RecordFailure is null)
-            {
-                Machine.Record.FlushCsv();
-            }
+            if (RecordFailure is null) Machine.Record.FlushCsv();
         }
         catch (IOException failure)
         {
@@ -343,13 +324,10 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
 
     private void Notify()
     {
-        if (waiters.Count == 0)
-        {
-            return;
-        }
+        if (_waiters.Count == 0) return;
 
         var status = StatusNow();
-        waiters.ForEach(w => w.Offer(status));
+        _waiters.ForEach(w => w.Offer(status));
     }
 
     private ControllerStatus StatusNow()

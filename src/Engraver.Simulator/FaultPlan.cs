@@ -33,10 +33,7 @@ public sealed record FaultPlan
     {
         foreach (var refusal in Refusals)
         {
-            if (refusal.Command == command)
-            {
-                return refusal.TcCode;
-            }
+            if (refusal.Command == command) return refusal.TcCode;
         }
 
         return null;

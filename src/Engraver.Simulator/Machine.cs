@@ -9,22 +9,27 @@ internal sealed class Machine
 {
     private static readonly long TicksPerSample = TimeSpan.TicksPerMillisecond;
 
-    private long clockTicks;
-    private bool wasMoving;
+    private long _clockTicks;
+    private bool _wasMoving;
+    private int _sampleMicroseconds = 1000;
+    private long _timeBefore;
+    private long _timeSince;
 
     public Machine(SimulatorOptions options)
     {
         Options = options;
+        Motion = new MotionKernel(options);
+        Records = new DataRecordPush(this);
         Program = new ProgramMemory(options.ProgramLines);
         Handles = new HandleTable(options.HandleCount);
         Threads = new Scheduler(this);
         Interpreter = new Interpreter(this);
-        Messages = new MessageRouter(Handles, Serial);
+        Messages = new MessageRouter(Handles, Serial, options);
     }
 
     public SimulatorOptions Options { get; }
 
-    public MotionKernel Motion { get; } = new();
+    public MotionKernel Motion { get; }
 
     public DigitalIo Io { get; } = new();
 
@@ -60,81 +65,129 @@ internal sealed class Machine
     /// <summary>VF and LZ together: how values print.</summary>
     public NumberFormat ValueFormat => VariableFormat with { LeadingZeros = !StripLeadingZeros };
 
-    /// <summary>CN0 to CN4: polarities, stored (galil-dmc.md C).</summary>
-    public int[] InputPolarity { get; } = [-1, -1, -1, 0, 0];
+    /// <summary>TM: the nominal sample in microseconds.</summary>
+    public int SampleMicroseconds
+    {
+        get => _sampleMicroseconds;
+        set
+        {
+            _timeBefore = Time;
+            _timeSince = Sample;
+            _sampleMicroseconds = value;
+        }
+    }
+
+    /// <summary>1000/TM.</summary>
+    public double SamplesPerMillisecond => 1000.0 / _sampleMicroseconds;
+
+    /// <summary>TIME: samples of TM since power up.</summary>
+    public long Time => _timeBefore + (long)((Sample - _timeSince) * SamplesPerMillisecond);
+
+    public InputInterrupt InputInterrupt { get; } = new();
+
+    public DataRecordPush Records { get; }
+
+    /// <summary>TB (galil-dmc.md A.10).</summary>
+    public int StatusByte =>
+        (Threads.AnyRunning ? 0x80 : 0)
+        | (Threads[0].Calls.Any(static c => c.Interrupt) && !InputInterrupt.IsRunning ? 0x10 : 0)
+        | (InputInterrupt.IsArmed ? 0x08 : 0)
+        | (InputInterrupt.IsRunning ? 0x04 : 0);
 
     /// <summary>The program that BP burned; RS restores it.</summary>
     public string[] BurnedProgram { get; set; } = [];
 
     /// <summary>Changes when something happened that a silent host could be waiting for.</summary>
-    public long Events => Motion.Ends + Threads.Events + outputChanges;
+    public long Events => Motion.Ends + Threads.Events + Records.Sent + _outputChanges;
 
-    private long outputChanges;
+    private long _outputChanges;
 
     /// <summary>An open sequence waits for its host: begun, not closed (contract: time at max stands still for it).</summary>
-    public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.IsStopping);
+    public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.Profile.IsStopping);
 
     /// <summary>Nothing moves and no thread runs, so that only a command can change anything.</summary>
-    public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning;
+    public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn;
+
+    /// <summary>The variable axes ~a to ~h: 0 to 7 axes, 8 and 9 the planes, 10 and 11 the virtual axes (galil-dmc.md E).</summary>
+    public int[] VariableAxes { get; } = new int[8];
+
+    public FixedPoint VariableAxis(char name) => FixedPoint.FromInteger(VariableAxes[PlaceOf(name)]);
+
+    public char LetterOfVariableAxis(char name) => "ABCDEFGHSTNM"[VariableAxes[PlaceOf(name)]];
+
+    public void SetVariableAxis(char name, int axis) =>
+        VariableAxes[PlaceOf(name)] = axis is >= 0 and <= 11 ? axis : throw new CommandRefusedException(Tc.OutOfRange);
+
+    private static int PlaceOf(char name) => name is >= 'a' and <= 'h' ? name - 'a' : throw new CommandRefusedException(Tc.OperandError);
 
     public string Print(FixedPoint value) => ValueFormat.Print(value);
 
     /// <summary>Lets controller time pass.</summary>
     public void Advance(TimeSpan time)
     {
-        clockTicks += time.Ticks;
-        while (clockTicks >= (Sample + 1) * TicksPerSample)
+        _clockTicks += time.Ticks;
+        while (_clockTicks >= (Sample + 1) * TicksPerSample)
         {
-            PassTowards(clockTicks / TicksPerSample);
+            PassTowards(_clockTicks / TicksPerSample);
         }
     }
 
     /// <summary>Lets time pass to the next event, or by <paramref name="atMost"/> samples when none comes.</summary>
     public void AdvanceToEvent(long atMost)
     {
-        long events = Events;
-        long limit = Sample + atMost;
-        while (Events == events && Sample < limit && !IsDormant)
-        {
-            PassTowards(limit);
-        }
+        var events = Events;
+        var limit = Sample + atMost;
+        while (Events == events && Sample < limit && !IsDormant) PassTowards(limit);
 
-        clockTicks = Math.Max(clockTicks, Sample * TicksPerSample);
+        _clockTicks = Math.Max(_clockTicks, Sample * TicksPerSample);
     }
 
     public void SetOutputs(byte value)
     {
-        if (value == Io.Outputs)
-        {
-            return;
-        }
+        if (value == Io.Outputs) return;
 
         Io.SetOutputs(value);
-        outputChanges++;
-        if (!wasMoving || !Motion.CanProgress)
+        _outputChanges++;
+        if (!_wasMoving || !Motion.CanProgress) AppendRow();
+    }
+
+    /// <summary>An input changes: latches, selective abort and the input interrupt look at it (galil-dmc.md C, D).</summary>
+    public void SetInput(int input, bool level)
+    {
+        var before = Io.Input(input);
+        Io.SetInput(input, level);
+        if (before == level) return;
+        var polarity = Motion.Polarity;
+        if (input <= Axis.Real && Motion.Axes[input - 1].Latch is { IsArmed: true, WaitsForIndex: false } latch && level == polarity.LatchOnRise)
+            latch.Catch(Motion.Axes[input - 1].Motor.Position);
+        if (input > Axis.Real && !level && polarity.SelectiveAbort)
         {
-            AppendRow();
+            Motion.Halt(Motion.Axes[input - 1 - Axis.Real], StopCode.SelectiveAbort, motorsOff: false);
+            Threads.Interrupt("POSERR");
         }
+
+        WatchInputs();
+    }
+
+    /// <summary>Starts #ININT when a watched input has its level.</summary>
+    public void WatchInputs()
+    {
+        if (InputInterrupt.IsDue(Io.Inputs) && Threads.Interrupt("ININT")) InputInterrupt.Taken();
     }
 
     /// <summary>AB: no ramps; motors with OE 1 or 3 go off (B.8).</summary>
     public void Abort(bool programsToo, int stopCode)
     {
-        foreach (var plane in Motion.Planes)
-        {
-            plane.Halt(stopCode);
-        }
+        foreach (var plane in Motion.Planes) plane.Halt(stopCode);
 
         foreach (var axis in Motion.Axes)
         {
             axis.Halt(stopCode);
+            axis.Gear.Release();
             axis.MotorOff |= axis.OffOnError is 1 or 3;
         }
 
-        if (programsToo)
-        {
-            Threads.HaltAll();
-        }
+        if (programsToo) Threads.HaltAll();
     }
 
     /// <summary>RS: back to the burned state (A.1); #AUTO starts when the burned program has it.</summary>
@@ -143,10 +196,7 @@ internal sealed class Machine
         Abort(true, StopCode.Aborted);
         Variables.Clear();
         Program.Truncate(0);
-        foreach (string line in BurnedProgram)
-        {
-            Program.Append(line);
-        }
+        foreach (var line in BurnedProgram) Program.Append(line);
 
         Messages.Reset();
         Serial.Reset();
@@ -154,14 +204,10 @@ internal sealed class Machine
         LastError = 0;
         foreach (var axis in Motion.Axes)
         {
-            axis.SetPosition(0);
-            axis.LastStop = 0;
+            axis.Redefine(0);
         }
 
-        if (Program.TryFind("AUTO", out int line0))
-        {
-            Threads[0].Start(line0, Sample);
-        }
+        if (Program.TryFind("AUTO", out var line0)) Threads[0].Start(line0, Sample);
     }
 
     /// <summary>One sample, or a jump over samples in which nothing can happen.</summary>
@@ -169,46 +215,37 @@ internal sealed class Machine
     {
         if (!Motion.CanProgress && Threads.QuietUntil(Sample) is var quiet && quiet > Sample + 1)
         {
-            Sample = Math.Min(quiet - 1, lastSample);
+            Sample = Math.Min(Math.Min(quiet - 1, lastSample), Records.NextDue);
+            Records.Step();
             Threads.ForgetUnusedTime();
-            wasMoving = false;
+            _wasMoving = false;
             return;
         }
 
         Sample++;
         StepMotion();
         Threads.RunSample();
+        Records.Step();
     }
 
     private void StepMotion()
     {
-        if (!wasMoving && Motion.CanProgress)
-        {
-            RecordStart();
-        }
+        if (!_wasMoving && Motion.CanProgress) RecordStart();
 
-        bool moved = Motion.Step();
-        wasMoving = moved;
-        if (moved)
-        {
-            AppendRow();
-        }
+        var moved = Motion.Step();
+        _wasMoving = moved;
+        if (moved) AppendRow();
 
-        for (int hits = Motion.TakeLimitHits(); hits > 0; hits--)
-        {
-            Threads.Interrupt("LIMSWI");
-        }
+        for (var hits = Motion.TakeLimitHits(); hits > 0; hits--) Threads.Interrupt("LIMSWI");
+        for (var hits = Motion.TakeErrorHits(); hits > 0; hits--) Threads.Interrupt("POSERR");
     }
 
     /// <summary>The place a motion starts from, unless the last row says it already.</summary>
     private void RecordStart()
     {
         var row = Row(Sample - 1);
-        int count = Record.Count;
-        if (count == 0 || Record[count - 1] with { Sample = row.Sample } != row)
-        {
-            Record.Append(row);
-        }
+        var count = Record.Count;
+        if (count == 0 || Record[count - 1] with { Sample = row.Sample } != row) Record.Append(row);
     }
 
     private void AppendRow() => Record.Append(Row(Sample));

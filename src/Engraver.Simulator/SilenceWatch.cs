@@ -13,18 +13,16 @@ internal sealed class SilenceWatch(Machine machine, TimeProvider time)
     private const long LongestLeap = 20_000;
     private const long BusyLeap = 5;
 
-    private long lastSign = time.GetTimestamp();
+    private long _lastSign = time.GetTimestamp();
 
     /// <summary>A host gave a sign of life.</summary>
-    public void Heard() => lastSign = time.GetTimestamp();
+    public void Heard() => _lastSign = time.GetTimestamp();
 
     public void Look()
     {
-        var silent = time.GetElapsedTime(lastSign);
+        var silent = time.GetElapsedTime(_lastSign);
         if (silent >= Short && !machine.IsDormant && (silent >= Long || !machine.AwaitsSegments))
-        {
             machine.AdvanceToEvent(Leap());
-        }
     }
 
     /// <summary>Pure waiting is jumped over whatever its length; simulated samples and lines take processor time and come in portions.</summary>

@@ -7,10 +7,10 @@ namespace Engraver.Simulator;
 /// <remarks>How true it is to the real one is written in docs/simulator-fidelity.md.</remarks>
 public sealed class SimulatedController : IAsyncDisposable
 {
-    private readonly ControllerCore core;
-    private readonly SimulatorOptions options;
-    private readonly Lock gate = new();
-    private readonly List<IAsyncDisposable> frontEnds = [];
+    private readonly ControllerCore _core;
+    private readonly SimulatorOptions _options;
+    private readonly Lock _gate = new();
+    private readonly List<IAsyncDisposable> _frontEnds = [];
 
     public SimulatedController(SimulatorOptions options)
     {
@@ -18,25 +18,25 @@ public sealed class SimulatedController : IAsyncDisposable
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.Speed);
         ArgumentOutOfRangeException.ThrowIfLessThan(options.HandleCount, 1);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(options.HandleCount, 8);
-        this.options = options;
-        core = new ControllerCore(options);
+        _options = options;
+        _core = new ControllerCore(options);
     }
 
     /// <summary>Every sample of motion and every output change so far.</summary>
-    public MotionRecord Record => core.Machine.Record;
+    public MotionRecord Record => _core.Machine.Record;
 
-    public ControllerStatus Status => core.Status;
+    public ControllerStatus Status => _core.Status;
 
     /// <summary>What stopped the record's file from being written (a full disk); null while all is well.</summary>
-    public IOException? RecordFailure => core.RecordFailure;
+    public IOException? RecordFailure => _core.RecordFailure;
 
     /// <summary>The client end of a new handle, without a socket but with the same bytes. Disposing it frees the handle.</summary>
     /// <exception cref="IOException">All handles are busy.</exception>
     public Stream OpenConnection()
     {
         const int ConventionalPort = 23;
-        var handle = core.Open(ConventionalPort, 0, null) ?? throw new IOException("All handles of the controller are busy.");
-        return new MemoryConnection(core, handle);
+        var handle = _core.Open(ConventionalPort, 0, null) ?? throw new IOException("All handles of the controller are busy.");
+        return new MemoryConnection(_core, handle);
     }
 
     /// <summary>Listens on loopback until the controller is disposed; may be called for several ports.</summary>
@@ -45,10 +45,25 @@ public sealed class SimulatedController : IAsyncDisposable
     public Task<IPEndPoint> ListenTcpAsync(int port, CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
-        var frontEnd = new TcpFrontEnd(core, port);
-        lock (gate)
+        var frontEnd = new TcpFrontEnd(_core, port);
+        lock (_gate)
         {
-            frontEnds.Add(frontEnd);
+            _frontEnds.Add(frontEnd);
+        }
+
+        return Task.FromResult(frontEnd.EndPoint);
+    }
+
+    /// <summary>Answers datagrams on loopback until the controller is disposed: commands, and data records after DR (galil-dmc.md A.1, A.9; hosts expect port 60007).</summary>
+    /// <param name="port">0 lets the system pick.</param>
+    /// <exception cref="System.Net.Sockets.SocketException">The port is taken or not allowed.</exception>
+    public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        var frontEnd = new UdpFrontEnd(_core, port);
+        lock (_gate)
+        {
+            _frontEnds.Add(frontEnd);
         }
 
         return Task.FromResult(frontEnd.EndPoint);
@@ -60,7 +75,7 @@ public sealed class SimulatedController : IAsyncDisposable
     public Stream OpenSerialConnection(int baud)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(baud);
-        return new MemoryConnection(core, core.OpenSerial(baud, null) ?? throw new IOException("The serial port has a client."));
+        return new MemoryConnection(_core, _core.OpenSerial(baud, null) ?? throw new IOException("The serial port has a client."));
     }
 
     /// <summary>Serves the serial port on a pseudo-terminal (Linux) until the controller is disposed or its links are dropped.</summary>
@@ -73,60 +88,68 @@ public sealed class SimulatedController : IAsyncDisposable
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(baud);
         cancellation.ThrowIfCancellationRequested();
-        var frontEnd = SerialFrontEnd.Open(core, path, baud, options);
-        lock (gate)
+        var frontEnd = SerialFrontEnd.Open(_core, path, baud, _options);
+        lock (_gate)
         {
-            frontEnds.Add(frontEnd);
+            _frontEnds.Add(frontEnd);
         }
 
         return Task.CompletedTask;
     }
 
     /// <summary>Cuts every link at once, as a pulled cable would; motion and programs go on.</summary>
-    public void DropConnections() => core.CutAll();
+    public void DropConnections() => _core.CutAll();
 
     /// <summary>Lets virtual time pass, besides what commands and silence do. Only at speed max.</summary>
     public void Advance(TimeSpan controllerTime)
     {
         RequireVirtualTime();
-        core.Advance(controllerTime);
+        _core.Advance(controllerTime);
     }
 
     /// <summary>Lets virtual time pass sample by sample until the condition holds; false when it does not within <paramref name="atMost"/> of controller time.</summary>
     public bool AdvanceUntil(Func<ControllerStatus, bool> condition, TimeSpan atMost)
     {
         RequireVirtualTime();
-        return core.AdvanceUntil(condition, atMost);
+        return _core.AdvanceUntil(condition, atMost);
     }
 
     /// <summary>Completes when the condition holds; it is looked at after every command and every few milliseconds.</summary>
     public Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation) =>
-        core.WaitUntilAsync(condition, cancellation);
+        _core.WaitUntilAsync(condition, cancellation);
 
     /// <summary>Waits until nothing moves and no thread runs.</summary>
     /// <returns>False when the controller stands for ever without being idle: a sequence ran dry, its host has to end it (galil-dmc.md B.7).</returns>
     public async Task<bool> WaitUntilIdleAsync(CancellationToken cancellation)
     {
-        var status = await core.WaitUntilAsync(s => s.IsIdle || (s.IsDry && !s.IsMoving && s.RunningThreads == 0), cancellation).ConfigureAwait(false);
+        var status = await _core.WaitUntilAsync(s => s.IsIdle || (s.IsDry && !s.IsMoving && s.RunningThreads == 0), cancellation).ConfigureAwait(false);
         return status.IsIdle;
     }
 
-    /// <summary>Closes or opens a limit switch of axis 0 to 3 (A to D).</summary>
+    /// <summary>Grounds or opens a limit input of axis 0 to 3 (A to D); under CN -1, the default, a grounded one forbids motion (galil-dmc.md C.1).</summary>
     public void SetLimitSwitch(int axis, bool forward, bool active)
     {
-        ArgumentOutOfRangeException.ThrowIfNegative(axis);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(axis, 3);
-        core.With(m =>
+        RequireAxis(axis);
+        _core.With(m =>
         {
-            if (forward)
-            {
-                m.Motion.Axes[axis].ForwardSwitch = active;
-            }
-            else
-            {
-                m.Motion.Axes[axis].ReverseSwitch = active;
-            }
+            var inputs = m.Motion.Axes[axis].Inputs;
+            if (forward) inputs.ForwardGrounded = active;
+            else inputs.ReverseGrounded = active;
         });
+    }
+
+    /// <summary>Grounds or opens the home input of axis 0 to 3 (A to D).</summary>
+    public void SetHomeSwitch(int axis, bool active)
+    {
+        RequireAxis(axis);
+        _core.With(m => m.Motion.Axes[axis].Inputs.HomeGrounded = active);
+    }
+
+    /// <summary>Holds the shaft of axis 0 to 3 or lets it go: the motor stays, the position error grows.</summary>
+    public void HoldMotor(int axis, bool held)
+    {
+        RequireAxis(axis);
+        _core.With(m => m.Motion.Axes[axis].Motor.IsHeld = held);
     }
 
     /// <summary>Sets input 1 to 8; an open input is true.</summary>
@@ -134,35 +157,36 @@ public sealed class SimulatedController : IAsyncDisposable
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(input, 1);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(input, 8);
-        core.With(m => m.Io.SetInput(input, level));
+        _core.With(m => m.SetInput(input, level));
     }
 
     /// <summary>The abort input was hit: all motion stops without a ramp, programs too unless CN's fifth field is 1 (galil-dmc.md D).</summary>
-    public void PressAbort() => core.With(m => m.Abort(m.InputPolarity[4] != 1, Motion.StopCode.AbortInput));
+    public void PressAbort() => _core.With(m => m.Abort(!m.Motion.Polarity.AbortKeepsPrograms, Motion.StopCode.AbortInput));
 
     /// <summary>Stops listening, cuts every link, completes the record's file.</summary>
     public async ValueTask DisposeAsync()
     {
         IAsyncDisposable[] listening;
-        lock (gate)
+        lock (_gate)
         {
-            listening = [.. frontEnds];
-            frontEnds.Clear();
+            listening = [.. _frontEnds];
+            _frontEnds.Clear();
         }
 
-        foreach (var frontEnd in listening)
-        {
-            await frontEnd.DisposeAsync().ConfigureAwait(false);
-        }
+        foreach (var frontEnd in listening) await frontEnd.DisposeAsync().ConfigureAwait(false);
 
-        core.Dispose();
+        _core.Dispose();
+    }
+
+    private static void RequireAxis(int axis)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(axis);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(axis, 3);
     }
 
     private void RequireVirtualTime()
     {
-        if (!options.IsVirtual)
-        {
+        if (!_options.IsVirtual)
             throw new InvalidOperationException("Time of the controller follows the wall clock; only at speed max it can be advanced.");
-        }
     }
 }

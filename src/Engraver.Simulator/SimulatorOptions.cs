@@ -1,3 +1,5 @@
+using System.Net;
+
 namespace Engraver.Simulator;
 
 /// <summary>How the simulated DMC-2143 behaves. Every open point of the reference ([U], [U-] in galil-dmc.md) that we can vary is a setting here.</summary>
@@ -29,6 +31,21 @@ public sealed record SimulatorOptions
 
     /// <summary>Whether automatic subroutines need a running thread 0 (galil-dmc.md C.3, [U]).</summary>
     public bool HandlersNeedThreadZero { get; init; } = true;
+
+    /// <summary>Time constant of the servo lag: how far the motors stay behind their command (galil-dmc.md I.14); zero is a perfect motor.</summary>
+    public TimeSpan ServoLag { get; init; }
+
+    /// <summary>Where limit switches, home switches and index pulses lie; axes left out have switches only as far as they are set by hand, and an index every 4000 counts.</summary>
+    public IReadOnlyList<AxisSwitches> Switches { get; init; } = [];
+
+    /// <summary>Where program messages go after power up: A to H, or S for the serial port (CF, galil-dmc.md A.5).</summary>
+    public char MessagePort { get; init; } = 'S';
+
+    /// <summary>Whether messages carry bit 7 after power up: 1 yes, 2 no (CW, galil-dmc.md A.5).</summary>
+    public int MessageMarking { get; init; } = 2;
+
+    /// <summary>The address that TH and _IA0 tell; the controller listens on loopback whatever it is.</summary>
+    public IPAddress Address { get; init; } = IPAddress.Loopback;
 
     /// <summary>The wall clock and its timers.</summary>
     public TimeProvider Time { get; init; } = TimeProvider.System;

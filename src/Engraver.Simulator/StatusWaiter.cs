@@ -3,15 +3,12 @@ namespace Engraver.Simulator;
 /// <summary>Someone who awaits a status of the controller.</summary>
 internal sealed class StatusWaiter(Func<ControllerStatus, bool> condition)
 {
-    private readonly TaskCompletionSource<ControllerStatus> completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource<ControllerStatus> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
-    public Task<ControllerStatus> Task => completion.Task;
+    public Task<ControllerStatus> Task => _completion.Task;
 
     public void Offer(ControllerStatus status)
     {
-        if (condition(status))
-        {
-            completion.TrySetResult(status);
-        }
+        if (condition(status)) _completion.TrySetResult(status);
     }
 }

@@ -11,7 +11,7 @@ public class ExampleProgramTests
         await using var rig = new Rig();
         rig.Do("x=3000;y=4000");
 
-        double seconds = rig.Run(ExamplePrograms.Line);
+        var seconds = rig.Run(ExamplePrograms.Line);
 
         Assert.Equal(" 3000, 4000, 0, 0\r\n:", rig.Ask("RP"));
         Assert.Equal(5000, rig.Value("_AV"));
@@ -26,7 +26,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        double seconds = rig.Run(ExamplePrograms.Arc);
+        var seconds = rig.Run(ExamplePrograms.Arc);
 
         Assert.Equal(" -5000, 0\r\n".Replace(" -", "-", StringComparison.Ordinal), rig.Ask("RP AB")[..^1]);
         Assert.Equal(7853, rig.Value("_AV"));
@@ -48,7 +48,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        double seconds = rig.Run(ExamplePrograms.Circle);
+        var seconds = rig.Run(ExamplePrograms.Circle);
 
         var samples = rig.Controller.Record.Snapshot();
         Assert.Equal((0, 0, 12566), (rig.Value("_RPA"), rig.Value("_RPB"), rig.Value("_AV")));
@@ -81,7 +81,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
         rig.Do("CFI", "CW2").Download(ExamplePrograms.Draw).Do("XQ");
-        long start = rig.Controller.Status.Sample;
+        var start = rig.Controller.Status.Sample;
 
         rig.RunToIdle();
 
@@ -109,10 +109,15 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        rig.Run(ExamplePrograms.Knife);
+        var seconds = rig.Run(ExamplePrograms.Knife);
 
         Assert.Equal((-3000, 0, 1000, 0), (rig.Value("_RPA"), rig.Value("_RPB"), rig.Value("_RPC"), rig.Value("_OP0")));
         Assert.Equal(9424, rig.Value("_AV"));
+        Assert.InRange(seconds, 1.62 + 0.228 + 0.05, 1.62 + 0.228 + 0.05 + (2 * InstructionTime)); // path, approach, WT
+        var samples = rig.Controller.Record.Snapshot();
+        Assert.All(samples.Where(s => s.Outputs == 1), s => Assert.Equal(Knife(s), s.C, 1.0));
+
+        static double Knife(MotionSample s) => Math.Atan2(s.B, s.A) * 180 / Math.PI * 2000 / 360;
     }
 
     [Fact]
@@ -120,7 +125,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        double seconds = rig.Run(ExamplePrograms.Linear3D);
+        var seconds = rig.Run(ExamplePrograms.Linear3D);
 
         var samples = rig.Controller.Record.Snapshot();
         Assert.Equal(" 0, 0, 0, 0\r\n:", rig.Ask("RP"));
@@ -132,17 +137,29 @@ public class ExampleProgramTests
     [Fact]
     public async Task EX8_homing_stops_on_the_limit_switch_and_zeroes()
     {
-        await using var rig = new Rig();
+        await using var rig = new Rig(new SimulatorOptions { Switches = [new AxisSwitches(0) { ReverseLimitAt = -3000 }] });
         rig.Do("CFI").Download(ExamplePrograms.HomeOnLimit).Do("XQ");
-        rig.Controller.AdvanceUntil(_ => rig.Value("_RPA") <= -3000, TimeSpan.FromSeconds(2));
+        var start = rig.Controller.Status.Sample;
+        rig.Controller.AdvanceUntil(_ => rig.Value("_SCA") == 3, TimeSpan.FromSeconds(2));
 
-        rig.Controller.SetLimitSwitch(0, forward: false, active: true);
-        rig.Controller.AdvanceUntil(_ => rig.Value("_SCA") == 3, TimeSpan.FromSeconds(1));
         rig.RunToIdle();
 
-        Assert.InRange(rig.Controller.Record.Snapshot().Min(s => s.A), -3060, -3031);
+        Assert.InRange(rig.Controller.Record.Snapshot().Min(s => s.A), -3036, -3031);
         Assert.Equal("HOMED A 0.0000\r\n", Rig.ReadAvailable(rig.Stream));
         Assert.Equal((1, 0), (rig.Value("homed"), rig.Value("_RPA")));
+        Assert.InRange((rig.Controller.Status.Sample - start) / 1000.0, 1.75, 1.85);
+    }
+
+    [Fact]
+    public async Task EX8_started_on_the_switch_skips_the_jog()
+    {
+        await using var rig = new Rig();
+        rig.Controller.SetLimitSwitch(0, forward: false, active: true);
+
+        rig.Download(ExamplePrograms.HomeOnLimit).Do("XQ").RunToIdle();
+
+        Assert.Equal((1, 0), (rig.Value("homed"), rig.Value("_RPA")));
+        Assert.Equal(0, rig.Controller.Record.Snapshot().Min(s => s.A));
     }
 
     [Fact]
@@ -151,7 +168,7 @@ public class ExampleProgramTests
         await using var rig = new Rig();
         rig.Do("CFI").Download(ExamplePrograms.Handlers).Do("XQ#AUTO,0").Pass(20);
 
-        string messages = rig.Ask("XQ#BAD,1") + Rig.ReadAvailable(rig.Pass(50).Stream);
+        var messages = rig.Ask("XQ#BAD,1") + Rig.ReadAvailable(rig.Pass(50).Stream);
 
         Assert.EndsWith("CMDERR 6.0000\r\n", messages);
         Assert.Equal((1, 6, -1, 1), (rig.Value("nerr"), rig.Value("lerr"), rig.Value("_XQ1"), rig.Value("_HX0") > 0 ? 1 : 0));
@@ -167,6 +184,19 @@ public class ExampleProgramTests
         rig.Pass(500);
 
         Assert.Equal((1, 0, 0, 2), (rig.Value("nlim"), rig.Value("_OP0"), rig.Value("_BGS"), rig.Value("_SCA")));
+    }
+
+    [Fact]
+    public async Task EX9_a_position_error_beyond_ER_runs_POSERR_which_aborts_the_motion()
+    {
+        await using var rig = new Rig();
+        rig.Do("CFI").Download(ExamplePrograms.Handlers).Do("XQ#AUTO,0", "SB1", "ERA=500", "PRA=100000", "BGA").Pass(100);
+
+        rig.Controller.HoldMotor(0, true);
+        rig.Pass(500);
+
+        Assert.Matches(@"^POSERR 5\d\d\.0000 0\.0000\r\n$", Rig.ReadAvailable(rig.Stream));
+        Assert.Equal((1, 0, 0, 7), (rig.Value("npos"), rig.Value("_OP0"), rig.Value("_BGA"), rig.Value("_SCA")));
     }
 
     [Fact]
@@ -190,10 +220,10 @@ public class ExampleProgramTests
             "op=3;x=5000;y=5000", "op=4;x=1", "op=1;x=10000;y=0", "op=1;x=0;y=10000", "op=2;r=5000;th=0;da=180", "op=1;x=0;y=-10000", "op=4;x=0",
         ];
 
-        for (int i = 0; i < calls.Length; i++)
+        for (var i = 0; i < calls.Length; i++)
         {
             rig.Do(calls[i], "go=1");
-            int wanted = i + 1;
+            var wanted = i + 1;
             rig.Controller.AdvanceUntil(_ => rig.Value("seq") == wanted && rig.Value("done") == 1, TimeSpan.FromSeconds(10));
         }
 
@@ -205,7 +235,7 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
         rig.Do("CFI").Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1");
-        long start = rig.Controller.Status.Sample;
+        var start = rig.Controller.Status.Sample;
 
         rig.RunToIdle();
 
@@ -219,12 +249,12 @@ public class ExampleProgramTests
     {
         await using var rig = new Rig();
 
-        double seconds = rig.Run(ExamplePrograms.Square);
+        var seconds = rig.Run(ExamplePrograms.Square);
 
         Assert.Equal((0, 0, 40000), (rig.Value("_RPA"), rig.Value("_RPB"), rig.Value("_AV")));
         Assert.InRange(seconds, 2.268, 2.268 + InstructionTime);
         var samples = rig.Controller.Record.Snapshot();
-        int corner = Enumerable.Range(0, samples.Count).First(i => samples[i].B > 0);
+        var corner = Enumerable.Range(0, samples.Count).First(i => samples[i].B > 0);
         Assert.InRange(samples[corner - 1].A - samples[corner - 2].A, 1, 3);
     }
 

@@ -20,7 +20,7 @@ public class LinkTests
         using var second = await TcpClientEnd.ConnectAsync(address, limit.Token);
         Assert.Equal("IHB\r\n:", await second.AskAsync("WH", limit.Token));
 
-        string table = await second.AskAsync("TH", limit.Token);
+        var table = await second.AskAsync("TH", limit.Token);
 
         Assert.Matches("ETHERNET ADDRESS ([0-9A-F]{2}-){5}[0-9A-F]{2}", table);
         Assert.Contains($"IHA TCP PORT {address.Port} TO IP ADDRESS 127,0,0,1 PORT {first.LocalPort}\r\n", table);

@@ -172,7 +172,7 @@ public class ProtocolTests
         await using var rig = new Rig();
         rig.Do("DPA=-5", "SB3", "MOB");
 
-        byte[] record = Encoding.Latin1.GetBytes(rig.Ask("QR"));
+        var record = Encoding.Latin1.GetBytes(rig.Ask("QR"));
 
         Assert.Equal(157, record.Length);
         Assert.Equal((byte)':', record[156]);
@@ -188,7 +188,7 @@ public class ProtocolTests
         await using var rig = new Rig();
         rig.Do("VMAB", "VS 20000", "VP -1000,0", "VP -9000,0", "VE", "BGS").Pass(200);
 
-        byte[] record = Encoding.Latin1.GetBytes(rig.Ask("QR"));
+        var record = Encoding.Latin1.GetBytes(rig.Ask("QR"));
 
         Assert.Equal(1, BitConverter.ToUInt16(record, 28));
         Assert.Equal(0x8020, BitConverter.ToUInt16(record, 30));
@@ -202,7 +202,7 @@ public class ProtocolTests
     {
         await using var rig = new Rig();
 
-        byte[] record = Encoding.Latin1.GetBytes(rig.Ask("QR BI"));
+        var record = Encoding.Latin1.GetBytes(rig.Ask("QR BI"));
 
         Assert.Equal(4 + 24 + 28 + 1, record.Length);
         Assert.Equal(new byte[] { 0x84, 0x02, 56, 0 }, record[..4]);
@@ -236,8 +236,8 @@ public class ProtocolTests
     public void Replies_do_not_depend_on_how_the_bytes_are_split()
     {
         const string session = "MG 1+2*3;x=5\r\nTP\r\n;;MG\"a;b\"\rDL\r#A\r\nx=x+1\rEN\r\\\rXQ#A\r\n\x12\x16\rbad;MG x\rQU\rUL\r";
-        byte[] bytes = Encoding.Latin1.GetBytes(session);
-        string whole = ReplyTo(bytes, []);
+        var bytes = Encoding.Latin1.GetBytes(session);
+        var whole = ReplyTo(bytes, []);
 
         Prop.ForAll(Gen.ListOf(Gen.Choose(1, bytes.Length - 1)).ToArbitrary(), cuts => ReplyTo(bytes, [.. cuts]) == whole)
             .QuickCheckThrowOnFailure();
@@ -247,8 +247,8 @@ public class ProtocolTests
     {
         var rig = new Rig();
         var reply = new StringBuilder();
-        int start = 0;
-        foreach (int cut in cuts.Append(bytes.Length).Order())
+        var start = 0;
+        foreach (var cut in cuts.Append(bytes.Length).Order())
         {
             rig.Stream.Write(bytes.AsSpan(start, cut - start));
             reply.Append(Rig.ReadAvailable(rig.Stream));

@@ -5,25 +5,25 @@ namespace Engraver.Simulator.Tests;
 /// <summary>A controller in virtual time with one client; the wall clock stands, so that every run is the same.</summary>
 internal sealed class Rig : IAsyncDisposable
 {
-    private readonly Stream stream;
+    private readonly Stream _stream;
 
     public Rig(SimulatorOptions? options = null)
     {
         Time = new StoppedTime();
         Controller = new SimulatedController((options ?? new SimulatorOptions()) with { Speed = double.PositiveInfinity, Time = Time });
-        stream = Controller.OpenConnection();
+        _stream = Controller.OpenConnection();
     }
 
     public StoppedTime Time { get; }
 
     public SimulatedController Controller { get; }
 
-    public Stream Stream => stream;
+    public Stream Stream => _stream;
 
     /// <summary>Sends a line with its CR and returns everything that is then there to read.</summary>
     public string Ask(string line) => SendRaw(line + "\r");
 
-    public string SendRaw(string bytes) => Exchange(stream, bytes);
+    public string SendRaw(string bytes) => Exchange(_stream, bytes);
 
     public static string Exchange(Stream connection, string bytes)
     {
@@ -45,11 +45,8 @@ internal sealed class Rig : IAsyncDisposable
                 return reply.ToString();
             }
 
-            int count = reading.Result;
-            if (count == 0)
-            {
-                return reply.ToString();
-            }
+            var count = reading.Result;
+            if (count == 0) return reply.ToString();
 
             reply.Append(Encoding.Latin1.GetString(buffer, 0, count));
         }
@@ -58,9 +55,9 @@ internal sealed class Rig : IAsyncDisposable
     /// <summary>Sends a command that must be accepted.</summary>
     public Rig Do(params string[] commands)
     {
-        foreach (string command in commands)
+        foreach (var command in commands)
         {
-            string reply = Ask(command);
+            var reply = Ask(command);
             Assert.True(reply.Length > 0 && reply.All(c => c == ':'), $"{command} answered {reply}: {(reply.Contains('?') ? Ask("TC1") : "")}");
         }
 
@@ -70,7 +67,7 @@ internal sealed class Rig : IAsyncDisposable
     /// <summary>The number that MG prints.</summary>
     public double Value(string expression)
     {
-        string reply = Ask("MG " + expression);
+        var reply = Ask("MG " + expression);
         Assert.EndsWith("\r\n:", reply);
         return double.Parse(reply[..^3], System.Globalization.CultureInfo.InvariantCulture);
     }
@@ -113,14 +110,14 @@ internal sealed class Rig : IAsyncDisposable
     public double Run(string program, double seconds = 60)
     {
         Download(program).Do("XQ");
-        long start = Controller.Status.Sample;
+        var start = Controller.Status.Sample;
         RunToIdle(seconds);
         return (Controller.Status.Sample - start) / 1000.0;
     }
 
     public async ValueTask DisposeAsync()
     {
-        await stream.DisposeAsync();
+        await _stream.DisposeAsync();
         await Controller.DisposeAsync();
     }
 }

@@ -3,33 +3,33 @@ namespace Engraver.Simulator.Tests;
 /// <summary>A wall clock that stands until a test moves it; its timers fire inside <see cref="Advance"/>.</summary>
 internal sealed class StoppedTime : TimeProvider
 {
-    private readonly List<ManualTimer> timers = [];
-    private long now;
+    private readonly List<ManualTimer> _timers = [];
+    private long _now;
 
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
 
-    public override long GetTimestamp() => now;
+    public override long GetTimestamp() => _now;
 
-    public override DateTimeOffset GetUtcNow() => new(now, TimeSpan.Zero);
+    public override DateTimeOffset GetUtcNow() => new(_now, TimeSpan.Zero);
 
     public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)
     {
         var timer = new ManualTimer(this, callback, state);
         timer.Change(dueTime, period);
-        timers.Add(timer);
+        _timers.Add(timer);
         return timer;
     }
 
     public void Advance(TimeSpan time)
     {
-        long end = now + time.Ticks;
-        while (timers.Where(t => t.Due <= end).MinBy(t => t.Due) is { } next)
+        var end = _now + time.Ticks;
+        while (_timers.Where(t => t.Due <= end).MinBy(t => t.Due) is { } next)
         {
-            now = next.Due;
+            _now = next.Due;
             next.Fire();
         }
 
-        now = end;
+        _now = end;
     }
 
     private sealed class ManualTimer(StoppedTime owner, TimerCallback callback, object? state) : ITimer
@@ -41,7 +41,7 @@ internal sealed class StoppedTime : TimeProvider
         public bool Change(TimeSpan dueTime, TimeSpan newPeriod)
         {
             period = newPeriod;
-            Due = dueTime == Timeout.InfiniteTimeSpan ? long.MaxValue : owner.now + dueTime.Ticks;
+            Due = dueTime == Timeout.InfiniteTimeSpan ? long.MaxValue : owner._now + dueTime.Ticks;
             return true;
         }
 

@@ -7,25 +7,25 @@ namespace Engraver.Simulator.Tests;
 /// <summary>A host on a real socket.</summary>
 internal sealed class TcpClientEnd : IDisposable
 {
-    private readonly Socket socket = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
+    private readonly Socket _socket = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
 
-    public int LocalPort => ((IPEndPoint)socket.LocalEndPoint!).Port;
+    public int LocalPort => ((IPEndPoint)_socket.LocalEndPoint!).Port;
 
     public static async Task<TcpClientEnd> ConnectAsync(IPEndPoint controller, CancellationToken cancellation)
     {
         var client = new TcpClientEnd();
-        await client.socket.ConnectAsync(controller, cancellation);
+        await client._socket.ConnectAsync(controller, cancellation);
         return client;
     }
 
     /// <summary>Sends a line and reads until as many prompts as commands have come.</summary>
     public async Task<string> AskAsync(string line, CancellationToken cancellation)
     {
-        await socket.SendAsync(Encoding.Latin1.GetBytes(line + "\r"), cancellation);
+        await _socket.SendAsync(Encoding.Latin1.GetBytes(line + "\r"), cancellation);
         var reply = new StringBuilder();
         do
         {
-            string part = await ReadAsync(cancellation);
+            var part = await ReadAsync(cancellation);
             Assert.NotEqual("", part);
             reply.Append(part);
         }
@@ -37,9 +37,9 @@ internal sealed class TcpClientEnd : IDisposable
     public async Task<string> ReadAsync(CancellationToken cancellation)
     {
         var buffer = new byte[4096];
-        int count = await socket.ReceiveAsync(buffer, cancellation);
+        var count = await _socket.ReceiveAsync(buffer, cancellation);
         return Encoding.Latin1.GetString(buffer, 0, count);
     }
 
-    public void Dispose() => socket.Dispose();
+    public void Dispose() => _socket.Dispose();
 }

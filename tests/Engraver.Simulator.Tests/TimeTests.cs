@@ -9,10 +9,7 @@ public class TimeTests
     public async Task At_max_every_command_costs_its_time_and_nothing_else_passes()
     {
         await using var rig = new Rig();
-        for (int i = 0; i < 100; i++)
-        {
-            rig.Do("x=1");
-        }
+        for (var i = 0; i < 100; i++) rig.Do("x=1");
 
         Assert.Equal(160, rig.Controller.Status.Sample);
         rig.Time.Advance(TimeSpan.FromHours(1));
@@ -55,7 +52,7 @@ public class TimeTests
     {
         await using var rig = new Rig();
         rig.Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1", "hb=20", "VMAB", "VS 20000", "VP 100000,0", "SB1", "BGS", "hb=20");
-        long death = rig.Controller.Status.Sample;
+        var death = rig.Controller.Status.Sample;
         rig.Controller.DropConnections();
 
         rig.Time.Advance(TimeSpan.FromSeconds(4));
@@ -72,7 +69,7 @@ public class TimeTests
     {
         await using var rig = new Rig();
         rig.Download("#A\nJP#A").Do("XQ");
-        long before = rig.Controller.Status.Sample;
+        var before = rig.Controller.Status.Sample;
 
         rig.Time.Advance(TimeSpan.FromSeconds(1));
 

@@ -81,10 +81,7 @@ public class VectorMotionTests
         Assert.Equal(6, rig.Refusal("LI 8388608"));
         Assert.Equal(90, rig.Refusal("LI ,,,5"));
         rig.Do("LI 1600,,,,");
-        for (int i = 0; i < 127; i++)
-        {
-            rig.Do("LI 8388607");
-        }
+        for (var i = 0; i < 127; i++) rig.Do("LI 8388607");
 
         Assert.Equal(31, rig.Refusal("LI 8388607"));
     }
@@ -94,14 +91,11 @@ public class VectorMotionTests
     {
         await using var rig = new Rig();
         rig.Do(Setup);
-        for (int i = 1; i <= 511; i++)
-        {
-            rig.Do($"VP {i * 100},0");
-        }
+        for (var i = 1; i <= 511; i++) rig.Do($"VP {i * 100},0");
 
         Assert.Equal((0, 32), (rig.Value("_LMS"), rig.Refusal("VP 60000,0")));
         rig.Do("BGS").Pass(100);
-        int free = (int)rig.Value("_LMS");
+        var free = (int)rig.Value("_LMS");
         Assert.InRange(free, 1, 30);
         Assert.InRange(rig.Value("_CSS") - free, 0, 1);
         rig.Do("VP 60000,0", "VE").RunToIdle();
@@ -145,7 +139,7 @@ public class VectorMotionTests
         rig.Do("VE").Pass(2);
         Assert.Equal((0, 101), (rig.Value("_BGS"), rig.Value("_SCA")));
         var samples = rig.Controller.Record.Snapshot();
-        int end = Enumerable.Range(0, samples.Count).First(i => samples[i].A == 5000);
+        var end = Enumerable.Range(0, samples.Count).First(i => samples[i].A == 5000);
         Assert.True(samples[end].A - samples[end - 2].A > 10, "it did not brake");
     }
 
@@ -167,10 +161,7 @@ public class VectorMotionTests
     {
         await using var rig = new Rig();
         rig.Do("VMAB", "VS 100000", "VA 256000", "VD 256000");
-        for (int i = 1; i <= 400; i++)
-        {
-            rig.Do($"VP {i * 100},0");
-        }
+        for (var i = 1; i <= 400; i++) rig.Do($"VP {i * 100},0");
 
         rig.Do("VE", "BGS").RunToIdle();
 
@@ -185,7 +176,7 @@ public class VectorMotionTests
     {
         await using var rig = new Rig();
         rig.Do(Setup).Do("VP 50000,0", "VP 100000,0", "VE", "BGS").Pass(1000);
-        double start = rig.Value("_RPA");
+        var start = rig.Value("_RPA");
 
         rig.Do("STS");
         Assert.Equal(4, rig.Value("_SCA"));
@@ -204,8 +195,8 @@ public class VectorMotionTests
 
         rig.Do("VR 0").Pass(200);
         Assert.Equal((0, 1), (rig.Value("_VMS"), rig.Value("_BGS")));
-        double held = rig.Value("_RPA");
-        int rows = rig.Controller.Record.Count;
+        var held = rig.Value("_RPA");
+        var rows = rig.Controller.Record.Count;
         rig.Pass(5000);
         Assert.Equal((held, rows), (rig.Value("_RPA"), rig.Controller.Record.Count));
 
@@ -234,7 +225,7 @@ public class VectorMotionTests
         rig.Do("VMAB", "VS 4000", "VA 256000", "VD 256000", "VP 5000,0>12000", "VP 5000,5000", "VE", "BGS").RunToIdle();
 
         var samples = rig.Controller.Record.Snapshot();
-        int corner = Enumerable.Range(0, samples.Count).First(i => samples[i].A == 5000);
+        var corner = Enumerable.Range(0, samples.Count).First(i => samples[i].A == 5000);
         Assert.InRange(samples[corner - 1].A - samples[corner - 2].A, 11, 12);
     }
 
@@ -286,10 +277,7 @@ public class VectorMotionTests
         {
             var rig = new Rig(new SimulatorOptions { CommandCost = TimeSpan.FromMilliseconds(0.1) });
             rig.Do("VMAB", "VS 60000", "VA 1024000", "VD 1024000");
-            foreach (var (x, y) in points)
-            {
-                rig.Do($"VP {x},{y}");
-            }
+            foreach (var (x, y) in points) rig.Do($"VP {x},{y}");
 
             rig.Do("VE", "BGS").RunToIdle(600);
             var samples = rig.Controller.Record.Snapshot();
@@ -304,12 +292,12 @@ public class VectorMotionTests
 
     private static double Distance((int X, int Y)[] path, MotionSample s)
     {
-        double best = double.PositiveInfinity;
-        for (int i = 1; i < path.Length; i++)
+        var best = double.PositiveInfinity;
+        for (var i = 1; i < path.Length; i++)
         {
             double dx = path[i].X - path[i - 1].X;
             double dy = path[i].Y - path[i - 1].Y;
-            double t = Math.Clamp((((s.A - path[i - 1].X) * dx) + ((s.B - path[i - 1].Y) * dy)) / ((dx * dx) + (dy * dy)), 0, 1);
+            var t = Math.Clamp((((s.A - path[i - 1].X) * dx) + ((s.B - path[i - 1].Y) * dy)) / ((dx * dx) + (dy * dy)), 0, 1);
             best = Math.Min(best, double.Hypot(s.A - path[i - 1].X - (t * dx), s.B - path[i - 1].Y - (t * dy)));
         }
 

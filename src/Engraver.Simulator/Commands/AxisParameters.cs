@@ -13,8 +13,8 @@ internal static class AxisParameters
 
     public static IReadOnlyList<AxisParameter> All { get; } =
     [
-        new("SP", a => FixedPoint.FromDouble(a.CruiseSpeed), (_, a, v) => a.CruiseSpeed = Speed(Math.Abs(v.Value), 0, LargestSpeed(a)), Whole),
-        new("AC", a => FixedPoint.FromDouble(a.Acceleration), (_, a, v) => a.Acceleration = Acceleration(v.Value), Whole),
+        new("SP", a => FixedPoint.FromDouble(a.CruiseSpeed), (m, a, v) => a.CruiseSpeed = Speed(Math.Abs(v.Value), 0, LargestSpeed(a), m.SamplesPerMillisecond), Whole),
+        new("AC", a => FixedPoint.FromDouble(a.Acceleration), (m, a, v) => a.Acceleration = Acceleration(v.Value, m.SamplesPerMillisecond), Whole),
         new("DC", a => FixedPoint.FromDouble(a.Deceleration), SetDeceleration, Whole),
         new("JG", a => FixedPoint.FromDouble(Math.Abs(a.JogSpeed)), SetJog, Whole),
         new("PA", a => FixedPoint.FromInteger(a.LastStop), SetAbsolute),
@@ -27,7 +27,12 @@ internal static class AxisParameters
         Stored("KP", 6, 0, 1023.875, 2),
         Stored("KI", 0, 0, 255.999, 4),
         Stored("KD", 64, 0, 4095.875, 2),
-        Stored("ER", 16384, -1, 2147483647, 0),
+        new("ER", a => FixedPoint.FromDouble(a.ErrorLimit), (_, a, v) => a.ErrorLimit = InRange(v.Value, -1, 2147483647), Whole),
+        new("PT", a => FixedPoint.FromBoolean(a.IsTracking), SetTracking, Whole),
+        new("IP", a => FixedPoint.FromInteger(a.RelativeDistance), IncrementPosition),
+        new("DE", a => FixedPoint.FromInteger(a.Auxiliary), (_, a, v) => a.Auxiliary = v.Integer),
+        new("GR", a => FixedPoint.FromDouble(a.Gear.Ratio), SetGearRatio, NumberFormat.Variable),
+        new("GM", a => FixedPoint.FromBoolean(a.Gear.IsGantry), (_, a, v) => a.Gear.IsGantry = v.IsTrue, Whole),
         Stored("TL", 9.9982, 0, 9.9982, 4),
         Stored("TK", 0, 0, 9.9982, 4),
         Stored("IL", 9.9982, -9.9982, 9.9982, 4),
@@ -45,30 +50,35 @@ internal static class AxisParameters
     public static IEnumerable<CommandEntry> Entries { get; } =
         All.Select(p => new CommandEntry(p.Mnemonic, CommandScope.Both, r => Run(r, p), TakesLetter: true));
 
-    public static AxisParameter? Find(string mnemonic) => Table.GetValueOrDefault(mnemonic);
+    private static readonly FrozenDictionary<string, AxisParameter>.AlternateLookup<ReadOnlySpan<char>> Lookup = Table.GetAlternateLookup<ReadOnlySpan<char>>();
+
+    public static AxisParameter? Find(ReadOnlySpan<char> mnemonic) => Lookup.TryGetValue(mnemonic, out var parameter) ? parameter : null;
 
     /// <summary>Calls <paramref name="apply"/> for every axis that was given a value, by position or by letter.</summary>
     public static void ForEachValue(StatementReader reader, Action<Axis, FixedPoint> apply)
     {
         foreach (var (axis, field) in TakeAxisFields(reader))
         {
-            if (field.Value is { } value)
-            {
-                apply(axis, value);
-            }
+            if (field.Value is { } value) apply(axis, value);
         }
     }
 
     /// <summary>Speeds are even (C, SP); anything outside the range is TC 6.</summary>
-    public static double Speed(double value, double smallest, double largest)
+    /// <param name="samplesPerMillisecond">1000/TM: the step is 2 counts a sample.</param>
+    public static double Speed(double value, double smallest, double largest, double samplesPerMillisecond = 1)
     {
-        double even = Math.Truncate(value / 2) * 2;
+        var step = 2 * samplesPerMillisecond;
+        var even = Math.Truncate(value / step) * step;
         return even >= smallest && value <= largest ? even : throw new CommandRefusedException(Tc.OutOfRange);
     }
 
     /// <summary>Accelerations are floored to multiples of 1024 (L.2 point 10).</summary>
-    public static double Acceleration(double value) =>
-        Math.Floor(InRange(value, AccelerationStep, LargestAcceleration) / AccelerationStep) * AccelerationStep;
+    /// <param name="samplesPerMillisecond">1000/TM: the step grows with its square (C, AC).</param>
+    public static double Acceleration(double value, double samplesPerMillisecond = 1)
+    {
+        var step = AccelerationStep * samplesPerMillisecond * samplesPerMillisecond;
+        return Math.Floor(InRange(value, step, LargestAcceleration) / step) * step;
+    }
 
     public static double InRange(double value, double smallest, double largest) =>
         value >= smallest && value <= largest ? value : throw new CommandRefusedException(Tc.OutOfRange);
@@ -96,17 +106,14 @@ internal static class AxisParameters
             }
         }
 
-        if (printed.Count > 0)
-        {
-            reader.Context.WriteLine(ReportCommands.Join(printed));
-        }
+        if (printed.Count > 0) reader.Context.WriteLine(ReportCommands.Join(printed));
     }
 
     private static List<(Axis Axis, Field Field)> TakeAxisFields(StatementReader reader)
     {
         var axes = reader.Machine.Motion.Axes;
         var result = new List<(Axis, Field)>();
-        if (AxisSelection.IndexOf(reader.Next) >= 0 || reader.Next == '*')
+        if (AxisSelection.IndexOf(reader.Next) >= 0 || reader.Next is '*' or '~')
         {
             var selection = reader.TakeAxes();
             reader.Take('=', Tc.OperandError);
@@ -117,12 +124,10 @@ internal static class AxisParameters
         {
             var fields = reader.TakeFields();
             // Surplus fields are tolerated when they are empty (L.2 point 8).
-            for (int i = 0; i < fields.Count; i++)
+            for (var i = 0; i < fields.Count; i++)
             {
                 if (!fields[i].IsMissing)
-                {
                     result.Add(i < Axis.Real ? (axes[i], fields[i]) : throw new CommandRefusedException(Tc.BadAxis));
-                }
             }
         }
 
@@ -132,39 +137,39 @@ internal static class AxisParameters
 
     private static void NotWhileBusy(Machine machine, Axis axis)
     {
-        if (machine.Motion.IsBusy(axis))
-        {
-            throw new CommandRefusedException(Tc.NotWhileRunning);
-        }
+        if (machine.Motion.IsBusy(axis)) throw new CommandRefusedException(Tc.NotWhileRunning);
     }
 
     /// <summary>DC is refused in motion except for a jog or an axis that already stops (C).</summary>
     private static void SetDeceleration(Machine machine, Axis axis, FixedPoint value)
     {
         if (axis is { IsMoving: true, IsStopping: false, CurrentMove: not AxisMove.Jog })
-        {
             throw new CommandRefusedException(Tc.NotWhileRunning);
-        }
 
-        axis.Deceleration = Acceleration(value.Value);
+        axis.Deceleration = Acceleration(value.Value, machine.SamplesPerMillisecond);
     }
 
     /// <summary>JG also overwrites SP with its absolute value (C).</summary>
     private static void SetJog(Machine machine, Axis axis, FixedPoint value)
     {
-        if (axis.IsMoving && axis.CurrentMove != AxisMove.Jog)
-        {
-            throw new CommandRefusedException(Tc.NotJogging);
-        }
+        if (axis.IsMoving && axis.CurrentMove != AxisMove.Jog) throw new CommandRefusedException(Tc.NotJogging);
 
-        double speed = Speed(Math.Abs(value.Value), 0, LargestSpeed(axis));
+        var speed = Speed(Math.Abs(value.Value), 0, LargestSpeed(axis), machine.SamplesPerMillisecond);
         axis.JogSpeed = value.Raw < 0 ? -speed : speed;
         axis.CruiseSpeed = speed;
         axis.NextMove = AxisMove.Jog;
     }
 
+    /// <summary>Under PT the axis starts for the target at once (C, PT).</summary>
     private static void SetAbsolute(Machine machine, Axis axis, FixedPoint value)
     {
+        if (axis.IsTracking)
+        {
+            if (axis.MotorOff) throw new CommandRefusedException(Tc.MotorOff);
+            axis.Track(value.Integer);
+            return;
+        }
+
         NotWhileBusy(machine, axis);
         axis.AbsoluteTarget = value.Integer;
         axis.NextMove = AxisMove.Absolute;
@@ -180,20 +185,39 @@ internal static class AxisParameters
     private static void SetPosition(Machine machine, Axis axis, FixedPoint value)
     {
         NotWhileBusy(machine, axis);
-        axis.SetPosition(value.Integer);
-        axis.LastStop = value.Integer;
+        axis.Redefine(value.Integer);
     }
 
     /// <summary>MT needs the motor off (C).</summary>
     private static void SetMotorType(Machine machine, Axis axis, FixedPoint value)
     {
         NotWhileBusy(machine, axis);
-        if (!axis.MotorOff)
-        {
-            throw new CommandRefusedException(Tc.NotWhileRunning);
-        }
+        if (!axis.MotorOff) throw new CommandRefusedException(Tc.NotWhileRunning);
 
-        double magnitude = Math.Abs(value.Value);
+        var magnitude = Math.Abs(value.Value);
         axis.MotorType = magnitude is 1 or 1.5 or 2 or 2.5 ? value : throw new CommandRefusedException(Tc.OutOfRange);
     }
+
+    private static void SetTracking(Machine machine, Axis axis, FixedPoint value)
+    {
+        NotWhileBusy(machine, axis);
+        axis.IsTracking = InRange(value.Value, 0, 1) == 1;
+    }
+
+    /// <summary>IP at rest is PR and BG; in motion it extends the move or, in a jog, jumps (C).</summary>
+    private static void IncrementPosition(Machine machine, Axis axis, FixedPoint value)
+    {
+        if (axis.IsMoving)
+        {
+            axis.Extend(value.Integer);
+            return;
+        }
+
+        SetRelative(machine, axis, value);
+        IndependentCommands.CheckAxis(machine.Motion, axis);
+        axis.Begin();
+    }
+
+    private static void SetGearRatio(Machine machine, Axis axis, FixedPoint value) =>
+        axis.Gear.Engage(InRange(value.Value, -127, 127), machine.Motion.PlaceOfMaster(axis.Gear.Master));
 }

@@ -12,6 +12,11 @@ internal static class CommandTable
         IndependentCommands.Entries,
         AxisParameters.Entries,
         VectorCommands.Entries,
+        SegmentCommands.Entries,
+        PlaneSettings.Entries,
+        HomingCommands.Entries,
+        GearCommands.Entries,
+        InterruptCommands.Entries,
         StopCommands.Entries,
         IoCommands.Entries,
         ReportCommands.Entries,
@@ -23,10 +28,10 @@ internal static class CommandTable
     private static readonly FrozenDictionary<string, CommandEntry>.AlternateLookup<ReadOnlySpan<char>> Lookup =
         Table.GetAlternateLookup<ReadOnlySpan<char>>();
 
-    /// <summary>Commands that a DMC-21x3 has and this controller does not (galil-dmc.md 0.4). They must be known, because GAC=1 would else pass for a variable.</summary>
+    /// <summary>Commands that a DMC-21x3 has and this controller does not (galil-dmc.md 0.4). They must be known, because EAC=1 would else pass for a variable.</summary>
     private static readonly FrozenSet<string> Absent = (
-        "AF AG AL AO AQ AU BA BC BD BI BK BM BR BZ CD CI CM DE DT DV EA EB EC ED EG EM EP EQ ES ET EW FE FI GA GD GM GR HM HS IA II IK IP LC MB MW NB NF NZ "
-        + "OC PL PT QH QS RA RC RD RL SL TA TR TZ YA YB YC YR YS").Split(' ').ToFrozenSet(StringComparer.Ordinal);
+        "AF AG AO AQ AU BA BC BD BI BK BM BR BZ CD CI CM DT DV EA EB EC ED EG EM EP EQ ET EW GD HS IA IK LC MB MW NB NF NZ "
+        + "OC PL QH QS RA RC RD SL TA TR TZ YA YB YC YR YS").Split(' ').ToFrozenSet(StringComparer.Ordinal);
 
     public static IEnumerable<string> Mnemonics => Table.Keys;
 

@@ -11,7 +11,7 @@ internal static class FlowCommands
         new("JS", CommandScope.Program, Call),
         new("EN", CommandScope.Program, End),
         new("RE", CommandScope.Program, End),
-        new("RI", CommandScope.Program, End),
+        new("RI", CommandScope.Program, ReturnFromInput),
         new("IF", CommandScope.Program, If),
         new("ELSE", CommandScope.Program, r => SkipBlock(r, stopAtElse: false)),
         new("ENDIF", CommandScope.Program, _ => { }),
@@ -23,25 +23,19 @@ internal static class FlowCommands
 
     private static void Jump(StatementReader reader)
     {
-        int line = TakeLine(reader);
-        if (TakeCondition(reader))
-        {
-            reader.Context.Thread!.JumpTo(line, 0);
-        }
+        var line = TakeLine(reader);
+        if (TakeCondition(reader)) reader.Context.Thread!.JumpTo(line, 0);
     }
 
     private static void Call(StatementReader reader)
     {
-        int line = TakeLine(reader);
-        if (TakeCondition(reader))
-        {
-            reader.Context.Thread!.Call(line, interrupt: false);
-        }
+        var line = TakeLine(reader);
+        if (TakeCondition(reader)) reader.Context.Thread!.Call(line, interrupt: false);
     }
 
     private static bool TakeCondition(StatementReader reader)
     {
-        bool holds = !reader.TryTake(',') || reader.TakeExpression().IsTrue;
+        var holds = !reader.TryTake(',') || reader.TakeExpression().IsTrue;
         reader.ExpectEnd();
         return holds;
     }
@@ -52,10 +46,8 @@ internal static class FlowCommands
         int line;
         if (reader.TryTake('#'))
         {
-            if (!reader.Machine.Program.TryFind(reader.TakeName(), out line))
-            {
+            if (!reader.Machine.Program.TryFind(reader.TakeName().ToString(), out line))
                 throw new CommandRefusedException(Tc.UndefinedLabel);
-            }
 
             line += reader.Next is '+' or '-' ? reader.TakeExpression().Integer : 0;
         }
@@ -83,14 +75,19 @@ internal static class FlowCommands
         }
     }
 
+    /// <summary>RI also arms the input interrupt again (C.3).</summary>
+    private static void ReturnFromInput(StatementReader reader)
+    {
+        End(reader);
+        reader.Machine.InputInterrupt.Rearm();
+        reader.Machine.WatchInputs();
+    }
+
     private static void If(StatementReader reader)
     {
-        bool holds = reader.TakeExpression().IsTrue;
+        var holds = reader.TakeExpression().IsTrue;
         reader.ExpectEnd();
-        if (!holds)
-        {
-            SkipBlock(reader, stopAtElse: true);
-        }
+        if (!holds) SkipBlock(reader, stopAtElse: true);
     }
 
     /// <summary>Goes behind the matching ENDIF, or behind ELSE for a condition that failed; blocks may share lines.</summary>
@@ -98,13 +95,13 @@ internal static class FlowCommands
     {
         var thread = reader.Context.Thread!;
         var program = reader.Machine.Program;
-        int depth = 0;
-        int part = thread.Part;
-        for (int line = thread.Line; line < program.Count; line++, part = 0)
+        var depth = 0;
+        var part = thread.Part;
+        for (var line = thread.Line; line < program.Count; line++, part = 0)
         {
-            for (string[] parts = program[line].Parts; part < parts.Length; part++)
+            for (var parts = program[line].Parts; part < parts.Length; part++)
             {
-                string? word = CommandTable.Find(parts[part])?.Mnemonic;
+                var word = parts[part].Command?.Mnemonic;
                 if (depth == 0 && (word == "ENDIF" || (word == "ELSE" && stopAtElse)))
                 {
                     thread.JumpTo(line, part + 1);
@@ -121,7 +118,7 @@ internal static class FlowCommands
     private static void ClearStack(StatementReader reader)
     {
         var calls = reader.Context.Thread!.Calls;
-        int levels = reader.IsAtEnd ? 0 : reader.TakeExpression().Integer;
+        var levels = reader.IsAtEnd ? 0 : reader.TakeExpression().Integer;
         if (levels == 1)
         {
             calls.TryPop(out _);
@@ -134,18 +131,12 @@ internal static class FlowCommands
 
     private static void Execute(StatementReader reader)
     {
-        int line = reader.IsAtEnd || reader.Next == ',' ? 0 : TakeLine(reader);
+        var line = reader.IsAtEnd || reader.Next == ',' ? 0 : TakeLine(reader);
         var thread = reader.Machine.Threads[reader.TryTake(',') ? reader.TakeExpression().Integer : 0];
         reader.ExpectEnd();
-        if (thread.IsRunning)
-        {
-            throw new CommandRefusedException(Tc.ThreadBusy);
-        }
+        if (thread.IsRunning) throw new CommandRefusedException(Tc.ThreadBusy);
 
-        if (line >= reader.Machine.Program.Count)
-        {
-            throw new CommandRefusedException(Tc.UndefinedLabel);
-        }
+        if (line >= reader.Machine.Program.Count) throw new CommandRefusedException(Tc.UndefinedLabel);
 
         thread.Start(line, reader.Machine.Sample);
     }

@@ -18,27 +18,22 @@ internal static class IndependentCommands
         var motion = reader.Machine.Motion;
         var selection = reader.TakeAxes();
         Axis[] axes = [.. selection.AxesOrAll];
-        foreach (var axis in axes)
-        {
-            CheckAxis(motion, axis);
-        }
+        foreach (var axis in axes) CheckAxis(motion, axis);
 
-        foreach (var plane in selection.Planes)
-        {
-            CheckPlane(plane);
-        }
+        foreach (var plane in selection.Planes) CheckPlane(plane);
 
         // Everything is checked before anything starts: BG is one command, not one per axis.
         selection.Planes.ForEach(p => p.Begin());
         Array.ForEach(axes, a => a.Begin());
     }
 
-    private static void CheckAxis(MotionKernel motion, Axis axis)
+    /// <summary>BG is refused with TC 20, 21, 22 or 29 (A.8).</summary>
+    public static void CheckAxis(MotionKernel motion, Axis axis)
     {
         Refuse(axis.MotorOff && axis.Index < Axis.Real, Tc.MotorOff);
-        Refuse(axis.IsMoving, Tc.BeginWhileRunning);
+        Refuse(axis.IsMoving || axis.IsSmoothing, Tc.BeginWhileRunning);
         Refuse(motion.IsCoordinated(axis), Tc.CoordinatedMove);
-        double heading = axis.PendingTarget() is { } target ? target - (long)axis.Reference : axis.JogSpeed;
+        var heading = axis.PendingHeading();
         Refuse(heading != 0 && axis.RunsIntoLimit(heading, out _), Tc.BeginAtLimit);
         Refuse(axis.PendingTarget() is { } end && (IsBeyond(end, axis)), Tc.BeginAtLimit);
     }
@@ -53,7 +48,7 @@ internal static class IndependentCommands
         foreach (var axis in plane.Axes)
         {
             Refuse(axis.MotorOff && axis.Index < Axis.Real, Tc.MotorOff);
-            Refuse(axis.IsMoving, Tc.BeginWhileRunning);
+            Refuse(axis.IsMoving || axis.IsSmoothing, Tc.BeginWhileRunning);
         }
     }
 
@@ -61,14 +56,16 @@ internal static class IndependentCommands
     {
         Axis[] axes = [.. reader.TakeAxes().AxesOrAll];
         Refuse(Array.Exists(axes, reader.Machine.Motion.IsBusy), Tc.NotWhileRunning);
-        Array.ForEach(axes, a => a.MotorOff = off);
+        foreach (var axis in axes)
+        {
+            // SH takes the place where the motor stands as command (C, SH).
+            if (!off && axis.MotorOff) axis.TakeMotorPosition();
+            axis.MotorOff = off;
+        }
     }
 
     private static void Refuse(bool condition, int code)
     {
-        if (condition)
-        {
-            throw new CommandRefusedException(code);
-        }
+        if (condition) throw new CommandRefusedException(code);
     }
 }

@@ -20,16 +20,16 @@ internal static class IoCommands
     {
         reader.ExpectEnd();
         reader.Machine.Io.Output(bit); // refuses a bit that does not exist
-        int mask = 1 << (bit - 1);
+        var mask = 1 << (bit - 1);
         int outputs = reader.Machine.Io.Outputs;
         reader.Machine.SetOutputs((byte)(level ? outputs | mask : outputs & ~mask));
     }
 
     private static void OutputBit(StatementReader reader)
     {
-        int bit = TakeBit(reader);
+        var bit = TakeBit(reader);
         reader.Take(',', Tc.NotEnoughFields);
-        bool level = reader.TakeExpression().IsTrue;
+        var level = reader.TakeExpression().IsTrue;
         Write(reader, bit, level);
     }
 
@@ -49,7 +49,7 @@ internal static class IoCommands
 
     private static void TellInputs(StatementReader reader)
     {
-        int bank = reader.IsAtEnd ? 0 : reader.TakeExpression().Integer;
+        var bank = reader.IsAtEnd ? 0 : reader.TakeExpression().Integer;
         reader.ExpectEnd();
         int value = bank == 0 ? reader.Machine.Io.Inputs : throw new CommandRefusedException(Tc.OutOfRange);
         reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(value)));

@@ -6,6 +6,9 @@ namespace Engraver.Simulator.Commands;
 /// <summary>Handles, routing of messages, data record setting (galil-dmc.md A.1, A.5, A.9).</summary>
 internal static class LinkCommands
 {
+    private const int LeastPeriod = 8;
+    private const int LongestPeriod = 30000;
+
     public static IEnumerable<CommandEntry> Entries { get; } =
     [
         new("WH", CommandScope.Host, r => r.Context.WriteLine(r.Context.Handle!.Name)),
@@ -20,13 +23,13 @@ internal static class LinkCommands
     private static void TellHandles(StatementReader reader)
     {
         reader.ExpectEnd();
-        reader.Context.WriteLine("CONTROLLER IP ADDRESS 127,0,0,1 ETHERNET ADDRESS 00-50-4C-08-01-1F");
+        reader.Context.WriteLine($"CONTROLLER IP ADDRESS {reader.Machine.Options.Address.ToString().Replace('.', ',')} ETHERNET ADDRESS 00-50-4C-08-01-1F");
         var handles = reader.Machine.Handles;
-        for (int i = 0; i < handles.Capacity; i++)
+        for (var i = 0; i < handles.Capacity; i++)
         {
-            string name = "IH" + (char)('A' + i);
+            var name = "IH" + (char)('A' + i);
             reader.Context.WriteLine(handles[i] is { } handle
-                ? string.Create(CultureInfo.InvariantCulture, $"{name} TCP PORT {handle.LocalPort} TO IP ADDRESS 127,0,0,1 PORT {handle.RemotePort}")
+                ? string.Create(CultureInfo.InvariantCulture, $"{name} {(handle.IsUdp ? "UDP" : "TCP")} PORT {handle.LocalPort} TO IP ADDRESS 127,0,0,1 PORT {handle.RemotePort}")
                 : name + " AVAILABLE");
         }
     }
@@ -34,39 +37,32 @@ internal static class LinkCommands
     /// <summary>IHT closes the others, IHS the sender, IHA to IHH one handle; written =&gt;-3 or =-3, types -1 UDP, -2 TCP, -3 any (A.1).</summary>
     private static void CloseHandles(StatementReader reader)
     {
-        char which = reader.TakeCharacter();
+        var which = reader.TakeCharacter();
         reader.Take('=', Tc.OperandError);
         reader.TryTake('>');
-        int type = reader.TakeExpression().Integer;
+        var type = reader.TakeExpression().Integer;
         reader.ExpectEnd();
         AxisParameters.InRange(type, -3, -1);
-        bool tcp = type != -1;
         var own = reader.Context.Handle;
         var handles = reader.Machine.Handles;
-        if (which is not ('T' or 'S' or (>= 'A' and <= 'H')))
-        {
-            throw new CommandRefusedException(Tc.OperandError);
-        }
+        if (which is not ('T' or 'S' or (>= 'A' and <= 'H'))) throw new CommandRefusedException(Tc.OperandError);
 
         foreach (var handle in handles.Open.Where(h => which switch { 'T' => h != own, 'S' => h == own, _ => h.Index == which - 'A' }).ToArray())
         {
-            if (tcp)
-            {
-                handle.CloseWhenAnswered(handle == own);
-            }
+            if (type == -3 || handle.IsUdp == (type == -1)) handle.CloseWhenAnswered(handle == own);
         }
     }
 
     private static void ConfigureMessages(StatementReader reader)
     {
-        char port = reader.TakeCharacter();
+        var port = reader.TakeCharacter();
         reader.ExpectEnd();
         if (port == 'I')
         {
             port = reader.Context.Handle is { } handle ? (handle.IsSerial ? 'S' : (char)('A' + handle.Index)) : throw new CommandRefusedException(Tc.NotInProgram);
         }
 
-        bool known = port == 'S' || (port >= 'A' && port < 'A' + reader.Machine.Handles.Capacity);
+        var known = port == 'S' || (port >= 'A' && port < 'A' + reader.Machine.Handles.Capacity);
         reader.Machine.Messages.Port = known ? port : throw new CommandRefusedException(Tc.OperandError);
     }
 
@@ -101,14 +97,22 @@ internal static class LinkCommands
         messages.WhenBlocked = fields.ElementAtOrDefault(1).Value?.Integer ?? messages.WhenBlocked;
     }
 
-    /// <summary>Records are pushed over UDP only, which is not modelled: anything but DR 0 asks for a UDP handle (A.9).</summary>
+    /// <summary>DR n,h: a record every n samples, 8 at least, to UDP handle h or, without h, to the handle CF names (A.9). DR 0 stops.</summary>
     private static void DataRecordRate(StatementReader reader)
     {
         var fields = reader.TakeFields();
         reader.ExpectEnd();
-        if (fields[0].Value is { Raw: not 0 })
+        var machine = reader.Machine;
+        var period = (int)AxisParameters.InRange(fields[0].Value?.Integer ?? throw new CommandRefusedException(Tc.NotEnoughFields), 0, LongestPeriod);
+        if (period == 0)
         {
-            throw new CommandRefusedException(Tc.MustBeUdp);
+            machine.Records.Stop();
+            return;
         }
+
+        var index = fields.ElementAtOrDefault(1).Value?.Integer ?? machine.Messages.Port - 'A';
+        if (index < 0 || index >= machine.Handles.Capacity || machine.Handles[index] is not { IsUdp: true }) throw new CommandRefusedException(Tc.MustBeUdp);
+        AxisParameters.InRange(period, LeastPeriod, LongestPeriod);
+        machine.Records.Start(period, index);
     }
 }

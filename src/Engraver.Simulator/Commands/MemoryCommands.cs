@@ -18,8 +18,8 @@ internal static class MemoryCommands
         new("QU", CommandScope.Host, UploadArray),
         new("DM", CommandScope.Both, Dimension),
         new("DA", CommandScope.Both, Deallocate),
-        new("LA", CommandScope.Both, r => Each(r, r.Machine.Variables.Arrays.Select(a => Invariant($"{a.Key}[{a.Value.Length}]")))),
-        new("LV", CommandScope.Both, r => Each(r, r.Machine.Variables.Variables.Select(v => $"{v.Key} ={r.Machine.Print(v.Value)}"))),
+        new("LA", CommandScope.Both, r => Each(r, r.Machine.Variables.Arrays.OrderBy(a => a.Key, StringComparer.Ordinal).Select(a => Invariant($"{a.Key}[{a.Value.Length}]")))),
+        new("LV", CommandScope.Both, r => Each(r, r.Machine.Variables.Variables.OrderBy(v => v.Key, StringComparer.Ordinal).Select(v => $"{v.Key} ={r.Machine.Print(v.Value)}"))),
         new("LL", CommandScope.Both, r => Each(r, r.Machine.Program.Labels.Select(l => Invariant($"#{l.Key}={l.Value}")))),
         new("BP", CommandScope.Both, BurnProgram),
         new("BN", CommandScope.Host, RefuseWhileRunning),
@@ -33,12 +33,12 @@ internal static class MemoryCommands
     {
         RefuseWhileRunning(reader);
         var program = reader.Machine.Program;
-        int keep = 0;
+        var keep = 0;
         if (reader.TryTake('#'))
         {
-            string label = reader.TakeName();
+            var label = reader.TakeName().ToString();
             keep = label.Length == 0 ? program.Count
-                : program.TryFind(label, out int line) ? line
+                : program.TryFind(label, out var line) ? line
                 : throw new CommandRefusedException(Tc.UndefinedLabel);
         }
         else if (!reader.IsAtEnd)
@@ -53,20 +53,14 @@ internal static class MemoryCommands
 
     private static void RefuseWhileRunning(StatementReader reader)
     {
-        if (reader.Machine.Threads.AnyRunning)
-        {
-            throw new CommandRefusedException(Tc.ProgramRunning);
-        }
+        if (reader.Machine.Threads.AnyRunning) throw new CommandRefusedException(Tc.ProgramRunning);
     }
 
     private static void Upload(StatementReader reader)
     {
         reader.ExpectEnd();
         var program = reader.Machine.Program;
-        for (int i = 0; i < program.Count; i++)
-        {
-            reader.Context.WriteLine(program[i].Text);
-        }
+        for (var i = 0; i < program.Count; i++) reader.Context.WriteLine(program[i].Text);
 
         reader.Context.Output.Append(program.Count == 0 ? "\r\n" : "").Append(ControlZ);
     }
@@ -75,9 +69,9 @@ internal static class MemoryCommands
     {
         var program = reader.Machine.Program;
         var fields = reader.TakeFields();
-        int first = fields[0].Value?.Integer ?? 0;
-        int last = fields.Count > 1 && fields[1].Value is { } value ? value.Integer : program.Count - 1;
-        for (int i = Math.Max(0, first); i <= Math.Min(last, program.Count - 1); i++)
+        var first = fields[0].Value?.Integer ?? 0;
+        var last = fields.Count > 1 && fields[1].Value is { } value ? value.Integer : program.Count - 1;
+        for (var i = Math.Max(0, first); i <= Math.Min(last, program.Count - 1); i++)
         {
             reader.Context.WriteLine(Invariant($"{i} {program[i].Text}"));
         }
@@ -92,18 +86,13 @@ internal static class MemoryCommands
 
     private static void StoreArray(string text, FixedPoint[] array, int first, int last)
     {
-        int index = first;
-        foreach (string item in text.Split(',', '\r'))
+        var index = first;
+        foreach (var item in text.Split(',', '\r'))
         {
-            if (item.Length == 0)
-            {
-                continue;
-            }
+            if (item.Length == 0) continue;
 
-            if (!decimal.TryParse(item, NumberStyles.Number, CultureInfo.InvariantCulture, out decimal value))
-            {
+            if (!decimal.TryParse(item, NumberStyles.Number, CultureInfo.InvariantCulture, out var value))
                 throw new CommandRefusedException(Tc.NotANumber);
-            }
 
             array[index <= last ? index++ : throw new CommandRefusedException(Tc.TooManyElements)] =
                 new FixedPoint((long)decimal.Truncate(value * 65536));
@@ -115,12 +104,12 @@ internal static class MemoryCommands
         var (array, first, last, commas) = TakeRange(reader);
         var format = reader.Machine.ValueFormat;
         var output = new StringBuilder();
-        for (int i = first; i <= last; i++)
+        for (var i = first; i <= last; i++)
         {
             output.Append(format.Print(array[i])).Append(!commas ? "\r\n" : i < last ? "," : "\r\n");
         }
 
-        reader.Context.Output.Append(output).Append(ControlZ);
+        reader.Context.Output.Append(output.ToString()).Append(ControlZ);
     }
 
     private static (FixedPoint[] Array, int First, int Last, bool Commas) TakeRange(StatementReader reader)
@@ -130,8 +119,8 @@ internal static class MemoryCommands
         reader.Take(']', Tc.MissingBracket);
         var fields = reader.TryTake(',') ? reader.TakeFields() : [];
         reader.ExpectEnd();
-        int first = fields.ElementAtOrDefault(0).Value?.Integer ?? 0;
-        int last = fields.ElementAtOrDefault(1).Value?.Integer ?? array.Length - 1;
+        var first = fields.ElementAtOrDefault(0).Value?.Integer ?? 0;
+        var last = fields.ElementAtOrDefault(1).Value?.Integer ?? array.Length - 1;
         return (array, StatementReader.Checked(first, array), StatementReader.Checked(last, array), fields.ElementAtOrDefault(2).Value is { Integer: 1 });
     }
 
@@ -145,7 +134,7 @@ internal static class MemoryCommands
 
         do
         {
-            string name = reader.TakeName();
+            var name = reader.TakeName().ToString();
             reader.Machine.Variables.Dimension(name, reader.TakeIndex());
         }
         while (reader.TryTake(','));
@@ -164,12 +153,9 @@ internal static class MemoryCommands
 
         do
         {
-            string name = reader.TryTake('*') ? "*" : reader.TakeName();
-            bool array = reader.TryTake('[');
-            if (array)
-            {
-                reader.TakeUntil(']', Tc.MissingBracket);
-            }
+            var name = reader.TryTake('*') ? "*" : reader.TakeName().ToString();
+            var array = reader.TryTake('[');
+            if (array) reader.TakeUntil(']', Tc.MissingBracket);
 
             Remove(variables, name, array);
         }
@@ -181,7 +167,7 @@ internal static class MemoryCommands
     {
         if (name != "*")
         {
-            bool removed = array ? variables.Arrays.Remove(name) : variables.Variables.Remove(name);
+            var removed = array ? variables.Arrays.Remove(name) : variables.Variables.Remove(name);
             _ = removed ? true : throw new CommandRefusedException(array ? Tc.UndefinedArray : Tc.VariableError);
         }
         else if (array)
@@ -197,9 +183,7 @@ internal static class MemoryCommands
     private static void BurnProgram(StatementReader reader)
     {
         if (Array.Exists(reader.Machine.Motion.Axes, reader.Machine.Motion.IsBusy))
-        {
             throw new CommandRefusedException(Tc.NotWhileRunning);
-        }
 
         var program = reader.Machine.Program;
         reader.Machine.BurnedProgram = [.. Enumerable.Range(0, program.Count).Select(i => program[i].Text)];
@@ -208,9 +192,6 @@ internal static class MemoryCommands
     private static void Each(StatementReader reader, IEnumerable<string> lines)
     {
         reader.ExpectEnd();
-        foreach (string line in lines)
-        {
-            reader.Context.WriteLine(line);
-        }
+        foreach (var line in lines) reader.Context.WriteLine(line);
     }
 }

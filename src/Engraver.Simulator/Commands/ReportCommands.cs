@@ -9,13 +9,14 @@ internal static class ReportCommands
 {
     public static IEnumerable<CommandEntry> Entries { get; } =
     [
-        new("TP", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.Reference))),
+        new("TP", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.Encoder))),
         new("RP", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.Reference))),
-        new("TD", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.IsStepper ? a.Reference : 0))),
-        new("TE", CommandScope.Both, r => PerAxis(r, (m, _) => Position(m, 0))),
+        new("TD", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.SecondEncoder))),
+        new("TE", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.Error))),
         new("TV", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, (int)a.Velocity))),
         new("TT", CommandScope.Both, r => PerAxis(r, (_, _) => " 0.0000")),
         new("SC", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.StopCode))),
+        new("RL", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.Latch.Position))),
         new("TS", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, StatusByte(m, a)))),
         new("TB", CommandScope.Both, StatusOfController),
         new("TC", CommandScope.Both, ErrorCode),
@@ -30,11 +31,13 @@ internal static class ReportCommands
 
     /// <summary>TS: bit 7 moving, 5 motor off, 3 and 2 limits inactive, 1 home, 0 latch not armed (A.10).</summary>
     private static int StatusByte(Machine machine, Axis axis) =>
-        0b0011
+        (axis.Latch.IsArmed ? 0 : 0x01)
+        | (axis.Inputs.Home ? 0x02 : 0)
+        | (Math.Abs(axis.Error) > axis.ErrorLimit && axis.ErrorLimit > 0 ? 0x40 : 0)
         | (machine.Motion.IsBusy(axis) ? 0x80 : 0)
         | (axis.MotorOff ? 0x20 : 0)
-        | (axis.ForwardSwitch ? 0 : 0x08)
-        | (axis.ReverseSwitch ? 0 : 0x04);
+        | (axis.Inputs.ForwardHit ? 0 : 0x08)
+        | (axis.Inputs.ReverseHit ? 0 : 0x04);
 
     private static string Position(Machine machine, int value) => machine.PositionFormat.Print(FixedPoint.FromInteger(value));
 
@@ -42,10 +45,7 @@ internal static class ReportCommands
     {
         var selection = reader.TakeAxes();
         reader.ExpectEnd();
-        if (selection.Planes.Count > 0)
-        {
-            throw new CommandRefusedException(Tc.PlaneNotValid);
-        }
+        if (selection.Planes.Count > 0) throw new CommandRefusedException(Tc.PlaneNotValid);
 
         reader.Context.WriteLine(Join(selection.AxesOrAll.Select(a => print(reader.Machine, a))));
     }
@@ -54,17 +54,17 @@ internal static class ReportCommands
     {
         reader.TryTake('?');
         reader.ExpectEnd();
-        reader.Context.WriteLine(Position(reader.Machine, reader.Machine.Threads.AnyRunning ? 0x80 : 0));
+        reader.Context.WriteLine(Position(reader.Machine, reader.Machine.StatusByte));
     }
 
     /// <summary>TC, TC 0 and TC ? give the number, TC 1 also the text; all of them clear it (A.8).</summary>
     private static void ErrorCode(StatementReader reader)
     {
-        bool text = !reader.IsAtEnd && !reader.TryTake('?') && reader.TakeExpression().Integer == 1;
+        var text = !reader.IsAtEnd && !reader.TryTake('?') && reader.TakeExpression().Integer == 1;
         reader.ExpectEnd();
-        int code = reader.Machine.LastError;
+        var code = reader.Machine.LastError;
         reader.Machine.LastError = 0;
-        string number = code.ToString(CultureInfo.InvariantCulture);
+        var number = code.ToString(CultureInfo.InvariantCulture);
         reader.Context.WriteLine(text ? code == 0 ? " 0" : $"{number} {Tc.TextOf(code)}" : " " + number);
     }
 }

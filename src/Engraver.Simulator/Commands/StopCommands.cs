@@ -19,25 +19,20 @@ internal static class StopCommands
         var selection = reader.TakeAxes();
         IEnumerable<Axis> axes = selection.IsEmpty ? machine.Motion.Axes : selection.Axes;
         IEnumerable<VectorPlane> planes = selection.IsEmpty ? machine.Motion.Planes : selection.Planes;
-        foreach (var plane in planes)
-        {
-            plane.Stop(StopCode.Stopped);
-        }
+        foreach (var plane in planes) plane.Stop(StopCode.Stopped);
 
         foreach (var axis in axes)
         {
+            axis.Gear.Release();
             axis.Stop(StopCode.Stopped);
         }
 
-        if (selection.IsEmpty && !reader.Context.IsProgram)
-        {
-            machine.Threads.HaltAll();
-        }
+        if (selection.IsEmpty && !reader.Context.IsProgram) machine.Threads.HaltAll();
     }
 
     private static void Abort(StatementReader reader)
     {
-        bool motionOnly = !reader.IsAtEnd && reader.TakeExpression().Integer == 1;
+        var motionOnly = !reader.IsAtEnd && reader.TakeExpression().Integer == 1;
         reader.ExpectEnd();
         reader.Machine.Abort(!motionOnly, StopCode.Aborted);
     }

@@ -5,6 +5,9 @@ namespace Engraver.Simulator.Commands;
 /// <summary>Settings of the whole controller (galil-dmc.md A.1, A.3 format commands, C).</summary>
 internal static class SystemCommands
 {
+    private const int LeastSampleTime = 250;
+    private const int LargestSampleTime = 20000;
+
     public static IEnumerable<CommandEntry> Entries { get; } =
     [
         new("\x12\x16", CommandScope.Host, r => r.Context.WriteLine(r.Machine.Options.Model)),
@@ -27,18 +30,20 @@ internal static class SystemCommands
         }
     }
 
-    /// <summary>Only the default sample time is modelled.</summary>
+    /// <summary>TM in microseconds, not in motion. The kernel keeps its 1 ms grid; steps of speeds, WT n,1, TIME and the speeds on segments follow TM (C).</summary>
     private static void SampleTime(StatementReader reader)
     {
         var field = reader.TakeFields()[0];
         reader.ExpectEnd();
         if (field.IsQuery)
         {
-            reader.Context.WriteLine(" 1000");
+            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(reader.Machine.SampleMicroseconds)));
         }
-        else if (field.Value?.Integer != 1000)
+        else
         {
-            throw new CommandRefusedException(Tc.OutOfRange);
+            var motion = reader.Machine.Motion;
+            if (motion.CanProgress || Array.Exists(motion.Axes, motion.IsBusy)) throw new CommandRefusedException(Tc.NotWhileRunning);
+            reader.Machine.SampleMicroseconds = (int)AxisParameters.InRange(field.Value?.Integer ?? 0, LeastSampleTime, LargestSampleTime);
         }
     }
 
@@ -67,8 +72,8 @@ internal static class SystemCommands
     {
         var fields = reader.TakeFields();
         reader.ExpectEnd();
-        var polarity = reader.Machine.InputPolarity;
-        for (int i = 0; i < fields.Count && i < polarity.Length; i++)
+        var polarity = reader.Machine.Motion.Polarity.Fields;
+        for (var i = 0; i < fields.Count && i < polarity.Length; i++)
         {
             polarity[i] = fields[i].Value?.Integer ?? polarity[i];
         }

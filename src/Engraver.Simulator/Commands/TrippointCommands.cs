@@ -11,7 +11,7 @@ internal static class TrippointCommands
         new("WT", CommandScope.Program, Wait),
         new("AT", CommandScope.Program, AtTime),
         new("AM", CommandScope.Program, AfterMotion),
-        new("MC", CommandScope.Program, AfterMotion), // the perfect motor is in position when the profile is
+        new("MC", CommandScope.Program, AfterArrival),
         new("AS", CommandScope.Program, AtSpeed),
         new("AV", CommandScope.Program, AfterVectorDistance),
         new("AI", CommandScope.Program, AfterInput),
@@ -32,40 +32,27 @@ internal static class TrippointCommands
 
     private static void Wait(StatementReader reader)
     {
-        int samples = reader.TakeExpression().Integer;
-        if (samples < 2)
-        {
-            throw new CommandRefusedException(Tc.OutOfRange);
-        }
+        var samples = reader.TakeExpression().Integer;
+        if (samples < 2) throw new CommandRefusedException(Tc.OutOfRange);
 
-        SkipUnitField(reader);
-        Until(reader, reader.Machine.Sample + (samples & ~1));
+        Until(reader, reader.Machine.Sample + Milliseconds(reader, samples & ~1));
     }
 
     /// <summary>AT 0 sets the reference, AT n waits for it plus n, a negative n also moves the reference.</summary>
     private static void AtTime(StatementReader reader)
     {
         var thread = reader.Context.Thread!;
-        int samples = reader.TakeExpression().Integer;
-        SkipUnitField(reader);
-        long release = thread.TimeReference + Math.Abs((long)samples);
-        if (samples == 0)
-        {
-            release = reader.Machine.Sample;
-        }
+        var samples = reader.TakeExpression().Integer;
+        var release = thread.TimeReference + Milliseconds(reader, Math.Abs((long)samples));
+        if (samples == 0) release = reader.Machine.Sample;
 
         thread.TimeReference = samples <= 0 ? release : thread.TimeReference;
         Until(reader, release);
     }
 
-    /// <summary>The second field chooses samples instead of nominal milliseconds; here they are the same.</summary>
-    private static void SkipUnitField(StatementReader reader)
-    {
-        if (reader.TryTake(','))
-        {
-            reader.TakeExpression();
-        }
-    }
+    /// <summary>A second field 1 counts samples of TM instead of nominal milliseconds.</summary>
+    private static long Milliseconds(StatementReader reader, long count) =>
+        reader.TryTake(',') && reader.TakeExpression().Integer == 1 ? (long)Math.Ceiling(count / reader.Machine.SamplesPerMillisecond) : count;
 
     private static void AfterMotion(StatementReader reader)
     {
@@ -74,6 +61,14 @@ internal static class TrippointCommands
         Axis[] axes = [.. selection.AxesOrAll];
         VectorPlane[] planes = [.. selection.Planes];
         Set(reader, () => !Array.Exists(axes, motion.IsBusy) && !Array.Exists(planes, p => p.IsActive));
+    }
+
+    /// <summary>MC: AM, and then the motors in position, or TW's time-out with SC 99 and #MCTIME (C, MC).</summary>
+    private static void AfterArrival(StatementReader reader)
+    {
+        Axis[] axes = [.. reader.TakeAxes().AxesOrAll];
+        var arrival = new Arrival(reader.Machine, axes);
+        Set(reader, arrival.IsOver, atSample: 0);
     }
 
     private static void AtSpeed(StatementReader reader)
@@ -88,22 +83,19 @@ internal static class TrippointCommands
     private static void AfterVectorDistance(StatementReader reader)
     {
         var fields = reader.TakeFields();
-        int index = fields.FindIndex(f => f.Value is not null);
-        if (index is < 0 or > 1)
-        {
-            throw new CommandRefusedException(Tc.NotEnoughFields);
-        }
+        var index = fields.FindIndex(f => f.Value is not null);
+        if (index is < 0 or > 1) throw new CommandRefusedException(Tc.NotEnoughFields);
 
         var plane = reader.Machine.Motion.Planes[index];
-        double target = plane.TrippointReference + Math.Max(0, fields[index].Value!.Value.Value);
+        var target = plane.TrippointReference + Math.Max(0, fields[index].Value!.Value.Value);
         plane.TrippointReference = target;
-        Set(reader, () => !plane.IsActive || plane.Travelled >= target);
+        Set(reader, () => !plane.IsActive || plane.Profile.Travelled >= target);
     }
 
     /// <summary>AI n waits for input n high, AI -n for low.</summary>
     private static void AfterInput(StatementReader reader)
     {
-        int input = reader.TakeExpression().Integer;
+        var input = reader.TakeExpression().Integer;
         var io = reader.Machine.Io;
         io.Input(Math.Abs(input));
         Set(reader, () => io.Input(Math.Abs(input)) == input > 0);
@@ -114,7 +106,7 @@ internal static class TrippointCommands
 
     private static Func<bool> AfterPosition(Axis axis, int position)
     {
-        bool above = position >= axis.Reference;
+        var above = position >= axis.Reference;
         return () => !axis.IsMoving || (above ? axis.Reference >= position : axis.Reference <= position);
     }
 

@@ -5,14 +5,21 @@ internal static class Assignments
 {
     public static void Run(StatementReader reader)
     {
-        string name = reader.TakeName();
+        if (reader.TryTake('~'))
+        {
+            SetVariableAxis(reader);
+            return;
+        }
+
+        var name = reader.TakeName();
         var array = reader.Next == '[' ? reader.Machine.Variables.ArrayNamed(name) : null;
-        int index = array is null ? 0 : reader.TakeIndex();
+        var index = array is null ? 0 : reader.TakeIndex();
         reader.Take('=', Tc.Unrecognized);
         if (reader.IsAtEnd || reader.TryTake('?'))
         {
             var value = array is null ? reader.Machine.Variables.Read(name) : array[StatementReader.Checked(index, array)];
-            reader.Context.WriteLine(reader.Machine.Print(value));
+            reader.Context.WriteNumber(reader.Machine.ValueFormat, value);
+            reader.Context.Output.Append("\r\n");
         }
         else if (array is null)
         {
@@ -24,6 +31,16 @@ internal static class Assignments
             array[StatementReader.Checked(index, array)] = value;
         }
 
+        reader.ExpectEnd();
+    }
+
+    /// <summary><c>~a=2</c>, <c>~a=?</c> (E: 0-7 axes, 8 and 9 planes, 10 and 11 virtual axes).</summary>
+    private static void SetVariableAxis(StatementReader reader)
+    {
+        var name = reader.TakeCharacter();
+        reader.Take('=', Tc.Unrecognized);
+        if (reader.IsAtEnd || reader.TryTake('?')) reader.Context.WriteLine(reader.Machine.Print(reader.Machine.VariableAxis(name)));
+        else reader.Machine.SetVariableAxis(name, reader.TakeExpression().Integer);
         reader.ExpectEnd();
     }
 }

@@ -1,4 +1,3 @@
-using System.Text;
 using Engraver.Simulator.Protocol;
 
 namespace Engraver.Simulator.Language;
@@ -17,16 +16,30 @@ internal sealed class CommandContext
     public ProgramThread? Thread { get; }
 
     /// <summary>Text the command printed, as Latin-1 characters: the reply to a host, an unsolicited message of a program.</summary>
-    public StringBuilder Output { get; } = new();
+    public TextBuffer Output { get; } = new();
 
     /// <summary>The handle a program message was sent to with {Ex}; null means CF decides.</summary>
     public int? OutputHandle { get; set; }
 
     public bool IsProgram => Thread is not null;
 
+    /// <summary>Ready for the next command of the same host or thread.</summary>
+    public CommandContext Restart()
+    {
+        Output.Clear();
+        OutputHandle = null;
+        return this;
+    }
+
     public static CommandContext Of(Handle handle) => new(handle, null);
 
     public static CommandContext Of(ProgramThread thread) => new(null, thread);
 
     public void WriteLine(string text) => Output.Append(text).Append("\r\n");
+
+    public void WriteNumber(NumberFormat format, FixedPoint value)
+    {
+        Span<char> text = stackalloc char[NumberFormat.Longest];
+        Output.Append(text[..format.Write(text, value)]);
+    }
 }

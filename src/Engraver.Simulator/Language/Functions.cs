@@ -7,7 +7,7 @@ internal static class Functions
 
     public static FixedPoint Evaluate(StatementReader reader)
     {
-        string name = reader.TakeName();
+        var name = reader.TakeName();
         reader.Take('[', Tc.MissingBracket);
         var argument = reader.TakeExpression();
         reader.Take(']', Tc.MissingBracket);

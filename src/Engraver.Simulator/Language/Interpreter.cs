@@ -1,119 +1,38 @@
 using Engraver.Simulator.Commands;
-using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>Decides what a statement is, an assignment or a command, and runs it.</summary>
+/// <summary>Runs statements, one at a time.</summary>
 internal sealed class Interpreter(Machine machine)
 {
-    /// <summary>Runs one compacted statement; a refusal leaves as <see cref="CommandRefusedException"/>.</summary>
-    public void Execute(string statement, CommandContext context)
-    {
-        if (statement.Length == 0 || statement[0] == '\'')
-        {
-            return;
-        }
+    private readonly StatementReader _reader = new(machine);
+    private readonly StatementCache _cache = new();
 
-        var reader = new StatementReader(statement, machine, context);
-        if (FindCommand(statement) is { } entry)
+    /// <summary>Runs what a host sent; a refusal leaves as <see cref="CommandRefusedException"/>.</summary>
+    public void Execute(ReadOnlySpan<char> source, CommandContext context) => Execute(_cache.Read(source), context);
+
+    /// <inheritdoc cref="Execute(ReadOnlySpan{char}, CommandContext)"/>
+    public void Execute(Statement statement, CommandContext context)
+    {
+        switch (statement.Kind)
         {
-            Run(entry, reader, context);
-        }
-        else if (IsAssignment(statement))
-        {
-            Assignments.Run(new StatementReader(WithoutBlank(statement), machine, context));
-        }
-        else
-        {
-            throw new CommandRefusedException(Tc.Unrecognized);
+            case StatementKind.Command:
+                Run(statement, statement.Command!, context);
+                break;
+            case StatementKind.Assignment:
+                Assignments.Run(_reader.On(statement.Text, context));
+                break;
+            case StatementKind.Unknown:
+                throw new CommandRefusedException(Tc.Unrecognized);
         }
     }
 
-    private static void Run(CommandEntry entry, StatementReader reader, CommandContext context)
+    private void Run(Statement statement, CommandEntry entry, CommandContext context)
     {
         if (context.IsProgram ? entry.Scope == CommandScope.Host : entry.Scope == CommandScope.Program)
-        {
             throw new CommandRefusedException(context.IsProgram ? Tc.NotInProgram : Tc.OnlyFromProgram);
-        }
-
+        var reader = _reader.On(statement.Text, context);
         reader.Skip(entry.Mnemonic.Length);
         entry.Run(reader);
     }
-
-    /// <summary>The command a statement starts with, or null when it is no command or the name of a variable that merely starts like one.</summary>
-    private static CommandEntry? FindCommand(string statement)
-    {
-        var entry = CommandTable.Find(statement);
-        if (entry is null || !char.IsAsciiLetterUpper(statement[0]))
-        {
-            return entry;
-        }
-
-        int end = entry.Mnemonic.Length;
-        if (end == statement.Length || statement[end] == ' ')
-        {
-            return entry;
-        }
-
-        int name = NameLength(statement);
-        bool assigned = name < statement.Length && statement[name] is '=' or '[' && IsAssignment(statement);
-        return assigned && !IsAxisAssignment(statement, entry, name) ? null : entry;
-    }
-
-    /// <summary>SPA=1000: the mnemonic, one axis, plane or handle letter, an equals sign. Plain SP=.. is the command too and will be refused there.</summary>
-    private static bool IsAxisAssignment(string statement, CommandEntry entry, int name) =>
-        name == entry.Mnemonic.Length
-        || (entry.TakesLetter && name == entry.Mnemonic.Length + 1 && IsLetterOfMachine(statement[name - 1]));
-
-    private static bool IsLetterOfMachine(char c) => AxisSelection.IndexOf(c) >= 0 || c is >= 'A' and <= 'H' or 'S' or 'T';
-
-    private static bool IsAssignment(string statement)
-    {
-        string text = WithoutBlank(statement);
-        int name = NameLength(text);
-        if (name == 0 || name == text.Length || char.IsAsciiDigit(text[0]) || IsCommandNotModelled(text, name))
-        {
-            return false;
-        }
-
-        if (text[name] == '[')
-        {
-            int close = MatchingBracket(text, name);
-            return close >= 0 && close + 1 < text.Length && text[close + 1] == '=';
-        }
-
-        return text[name] == '=';
-    }
-
-    private static bool IsCommandNotModelled(string text, int name) =>
-        name is 2 or 3 && CommandTable.IsNotModelled(text[..2]) && (name == 2 || IsLetterOfMachine(text[2]));
-
-    private static int NameLength(string text)
-    {
-        int i = 0;
-        while (i < text.Length && (char.IsAsciiLetterOrDigit(text[i]) || (text[i] == '_' && i > 0)))
-        {
-            i++;
-        }
-
-        return i;
-    }
-
-    private static int MatchingBracket(string text, int open)
-    {
-        int depth = 0;
-        for (int i = open; i < text.Length; i++)
-        {
-            depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
-            if (depth == 0)
-            {
-                return i;
-            }
-        }
-
-        return -1;
-    }
-
-    private static string WithoutBlank(string statement) =>
-        statement.Length > 2 && statement[2] == ' ' ? string.Concat(statement.AsSpan(0, 2), statement.AsSpan(3)) : statement;
 }

@@ -9,7 +9,11 @@ namespace Engraver.Simulator.Language;
 /// <param name="Hex">Hexadecimal with a dollar sign.</param>
 internal readonly record struct NumberFormat(int Digits, int Decimals, bool LeadingZeros, bool Hex)
 {
+    /// <summary>Characters of the longest number: sign or blank, ten digits, point, four decimals.</summary>
+    public const int Longest = 20;
+
     private const int LeastCutDecimals = 4;
+    private static readonly long[] Powers = [.. Enumerable.Range(0, 12).Select(n => (long)Math.Pow(10, n))];
 
     public static NumberFormat Variable => new(10, 4, false, false);
 
@@ -18,42 +22,54 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
     /// <summary>From the argument of PF and VF: m.n, negative m for hexadecimal.</summary>
     public static NumberFormat FromArgument(FixedPoint argument)
     {
-        int digits = Math.Abs(argument.Integer);
-        int decimals = (int)Math.Round((Math.Abs(argument.Value) - digits) * 10);
+        var digits = Math.Abs(argument.Integer);
+        var decimals = (int)Math.Round((Math.Abs(argument.Value) - digits) * 10);
         return digits is > 0 and <= 10 && decimals <= 4
             ? new(digits, decimals, false, argument.Raw < 0)
             : throw new CommandRefusedException(Tc.OutOfRange);
     }
 
     /// <summary>The number with one column for the sign: a blank or a minus.</summary>
-    public string Print(FixedPoint value) => (value.Raw < 0 && !Hex ? "-" : " ") + PrintMagnitude(value);
-
-    private string PrintMagnitude(FixedPoint value)
+    public string Print(FixedPoint value)
     {
-        if (Hex)
-        {
-            return PrintHex(value);
-        }
-
-        // One unit of the last place; the stored fraction is coarser than four decimals, so rounding those would invent digits.
-        long unit = (long)Math.Pow(10, Decimals);
-        Int128 scaled = (Int128)Math.Abs(value.Raw) * unit + (Decimals < LeastCutDecimals ? 1 << 15 : 0);
-        long places = (long)(scaled >> 16);
-        string whole = (places / unit).ToString(CultureInfo.InvariantCulture);
-        if (whole.Length > Digits)
-        {
-            return new string('9', Digits) + (Decimals > 0 ? "." + new string('9', Decimals) : "");
-        }
-
-        string fraction = Decimals == 0 ? "" : "." + (places % unit).ToString(CultureInfo.InvariantCulture).PadLeft(Decimals, '0');
-        return (LeadingZeros ? whole.PadLeft(Digits, '0') : whole) + fraction;
+        Span<char> text = stackalloc char[Longest];
+        return new string(text[..Write(text, value)]);
     }
 
-    private string PrintHex(FixedPoint value)
+    /// <summary>The same into a buffer of at least <see cref="Longest"/> characters; returns the characters written.</summary>
+    public int Write(Span<char> text, FixedPoint value)
     {
-        string whole = ((uint)(value.Raw >> 16)).ToString("X8", CultureInfo.InvariantCulture);
-        whole = whole.Length > Digits ? whole[^Digits..] : whole;
-        string fraction = ((uint)value.Raw & 0xFFFF).ToString("X4", CultureInfo.InvariantCulture);
-        return "$" + whole + (Decimals > 0 ? "." + fraction[..Math.Min(4, Decimals)] : "");
+        text[0] = value.Raw < 0 && !Hex ? '-' : ' ';
+        return 1 + (Hex ? WriteHex(text[1..], value) : WriteDecimal(text[1..], value));
+    }
+
+    private int WriteDecimal(Span<char> text, FixedPoint value)
+    {
+        // One unit of the last place; the stored fraction is coarser than four decimals, so rounding those would invent digits.
+        var unit = Powers[Decimals];
+        var scaled = ((Int128)Math.Abs(value.Raw) * unit) + (Decimals < LeastCutDecimals ? 1 << 15 : 0);
+        var places = (long)(scaled >> 16);
+        var (whole, fraction) = Math.DivRem(places, unit);
+        if (whole >= Powers[Digits]) (whole, fraction) = (Powers[Digits] - 1, unit - 1); // clipped: all nines (A.3 format commands)
+        Span<char> zeros = stackalloc char[Digits];
+        zeros.Fill('0');
+        whole.TryFormat(text, out var length, LeadingZeros ? zeros : default, CultureInfo.InvariantCulture);
+        if (Decimals == 0) return length;
+        text[length++] = '.';
+        for (var i = Decimals - 1; i >= 0; i--, fraction /= 10) text[length + i] = (char)('0' + (fraction % 10));
+        return length + Decimals;
+    }
+
+    private int WriteHex(Span<char> text, FixedPoint value)
+    {
+        Span<char> digits = stackalloc char[12];
+        ((ulong)value.Raw & 0xFFFF_FFFF_FFFF).TryFormat(digits, out _, "X12", CultureInfo.InvariantCulture);
+        var whole = digits[Math.Max(0, 8 - Digits)..8];
+        text[0] = '$';
+        whole.CopyTo(text[1..]);
+        if (Decimals == 0) return whole.Length + 1;
+        text[whole.Length + 1] = '.';
+        digits.Slice(8, Math.Min(4, Decimals)).CopyTo(text[(whole.Length + 2)..]);
+        return whole.Length + 2 + Math.Min(4, Decimals);
     }
 }

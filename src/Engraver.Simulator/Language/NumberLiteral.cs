@@ -9,10 +9,7 @@ internal static class NumberLiteral
     /// <param name="length">Characters read.</param>
     public static FixedPoint Read(ReadOnlySpan<char> text, out int length)
     {
-        if (text[0] == '$')
-        {
-            return ReadHex(text, out length);
-        }
+        if (text[0] == '$') return ReadHex(text, out length);
 
         length = 0;
         long whole = 0;
@@ -21,7 +18,7 @@ internal static class NumberLiteral
             whole = Math.Min((whole * 10) + (text[length++] - '0'), LargestWhole + 1);
         }
 
-        int digits = length;
+        var digits = length;
         long fraction = 0;
         if (length < text.Length && text[length] == '.')
         {
@@ -36,18 +33,12 @@ internal static class NumberLiteral
     }
 
     /// <summary>Up to six characters, first one in the highest byte (E, Variable).</summary>
-    public static FixedPoint PackText(string value)
+    public static FixedPoint PackText(ReadOnlySpan<char> value)
     {
-        if (value.Length > 6)
-        {
-            throw new CommandRefusedException(Tc.BadString);
-        }
+        if (value.Length > 6) throw new CommandRefusedException(Tc.BadString);
 
         long raw = 0;
-        for (int i = 0; i < 6; i++)
-        {
-            raw = (raw << 8) | (byte)(i < value.Length ? value[i] : 0);
-        }
+        for (var i = 0; i < 6; i++) raw = (raw << 8) | (byte)(i < value.Length ? value[i] : 0);
 
         return new FixedPoint((raw << 16) >> 16);
     }
@@ -80,7 +71,7 @@ internal static class NumberLiteral
         if (length < text.Length && text[length] == '.')
         {
             length++;
-            for (int shift = 12; length < text.Length && char.IsAsciiHexDigitUpper(text[length]); length++, shift -= 4)
+            for (var shift = 12; length < text.Length && char.IsAsciiHexDigitUpper(text[length]); length++, shift -= 4)
             {
                 fraction |= shift < 0 ? 0 : (long)Convert.ToInt32(text[length].ToString(), 16) << shift;
             }

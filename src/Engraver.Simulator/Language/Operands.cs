@@ -10,43 +10,47 @@ internal static class Operands
     private static readonly FrozenDictionary<string, Func<OperandRequest, FixedPoint>> Table = new Dictionary<string, Func<OperandRequest, FixedPoint>>
     {
         ["LM"] = r => Whole(r.Plane.Buffer.FreeSlots),
-        ["CS"] = r => Whole(r.Plane.SegmentIndex),
-        ["AV"] = r => Length(r.Plane.Travelled),
-        ["VM"] = r => Real(Math.Round(r.Plane.Speed)),
+        ["CS"] = r => Whole(r.Plane.Profile.SegmentIndex),
+        ["AV"] = r => Length(r.Plane.Profile.Travelled),
+        ["VM"] = r => Real(Math.Round(r.Plane.Profile.Speed)),
         ["VE"] = r => Length(r.Plane.Buffer.Length),
         ["LE"] = r => Length(r.Plane.Buffer.Length),
-        ["VS"] = r => Real(r.Plane.VectorSpeed),
-        ["VA"] = r => Real(r.Plane.Acceleration),
-        ["VD"] = r => Real(r.Plane.Deceleration),
-        ["VR"] = r => Real(r.Plane.SpeedRatio),
+        ["VS"] = r => Real(r.Plane.Profile.VectorSpeed),
+        ["VA"] = r => Real(r.Plane.Profile.Acceleration),
+        ["VD"] = r => Real(r.Plane.Profile.Deceleration),
+        ["VR"] = r => Real(r.Plane.Profile.SpeedRatio),
         ["TN"] = r => Real(Math.Round(r.Plane.Tangent.StartFor(r.Plane.Buffer.Current), MidpointRounding.AwayFromZero)),
         ["CA"] = r => Whole(r.Machine.Motion.Selected.Letter - 'S'),
         ["VP"] = r => Whole((r.Machine.Motion.PlaneOf(r.Axis) ?? r.Machine.Motion.Selected).JointOf(r.Axis)),
         ["BG"] = r => FixedPoint.FromBoolean(r.IsPlane ? r.Plane.IsActive : r.Machine.Motion.IsBusy(r.Axis)),
         ["RP"] = r => Whole(r.Axis.Reference),
-        ["TP"] = r => Whole(r.Axis.Reference),
-        ["TD"] = r => Whole(r.Axis.IsStepper ? r.Axis.Reference : 0),
-        ["TE"] = r => Whole(r.Axis.Index * 0),
+        ["TP"] = r => Whole(r.Axis.Encoder),
+        ["TD"] = r => Whole(r.Axis.SecondEncoder),
+        ["TE"] = r => Whole(r.Axis.Error),
         ["TV"] = r => Real(Math.Round(r.Axis.Velocity)),
         ["TT"] = r => Whole(r.Axis.Index * 0),
         ["SC"] = r => Whole(r.Axis.StopCode),
         ["MO"] = r => FixedPoint.FromBoolean(r.Axis.MotorOff),
-        ["LF"] = r => FixedPoint.FromBoolean(!r.Axis.ForwardSwitch),
-        ["LR"] = r => FixedPoint.FromBoolean(!r.Axis.ReverseSwitch),
-        ["HM"] = r => FixedPoint.FromBoolean(r.Axis.Index >= 0), // open input, CN second field -1 (C.2)
+        ["LF"] = r => FixedPoint.FromBoolean(!r.Axis.Inputs.ForwardHit),
+        ["LR"] = r => FixedPoint.FromBoolean(!r.Axis.Inputs.ReverseHit),
+        ["HM"] = r => FixedPoint.FromBoolean(r.Axis.Inputs.Home),
+        ["AL"] = r => FixedPoint.FromBoolean(r.Axis.Latch.IsArmed),
+        ["RL"] = r => Whole(r.Axis.Latch.Position),
+        ["VT"] = r => Real(r.Plane.Smoothing),
+        ["TB"] = r => Whole(r.Machine.StatusByte),
         ["TC"] = r => Whole(r.Machine.LastError),
         ["XQ"] = r => Whole(r.Machine.Threads[r.Number(7)] is { IsRunning: true } thread ? thread.Line : -1),
         ["HX"] = r => Whole(r.Machine.Threads[r.Number(7)] switch { { IsRunning: false } => 0, { Trippoint: null } => 1, _ => 2 }),
         ["NO"] = r => Whole(r.Machine.Threads.Running),
         ["ZS"] = r => Whole(r.Machine.Threads[r.Number(7)].Calls.Count),
         ["ED"] = ProgramError,
-        ["TM"] = _ => Whole(1000),
+        ["TM"] = r => Whole(r.Machine.SampleMicroseconds),
         ["OP"] = r => Whole(r.Number(0) == 0 ? r.Machine.Io.Outputs : 0),
         ["TI"] = r => Whole(r.Number(0) == 0 ? r.Machine.Io.Inputs : 0),
         ["EO"] = r => FixedPoint.FromBoolean(r.Machine.Serial.Echo && r.Context.Handle is not { IsSerial: false }), // Ethernet never echoes (A.2)
         ["CF"] = r => Whole(r.Machine.Messages.Port),
         ["CW"] = r => Whole(r.Number(4) == 4 ? r.Machine.Messages.WhenBlocked : r.Machine.Messages.Marking),
-        ["DR"] = r => Whole(r.Number(1) * 0),
+        ["DR"] = r => Whole(r.Number(1) == 0 ? r.Machine.Records.Period : r.Machine.Records.HandleIndex),
         ["DL"] = r => Whole(r.Machine.Program.LabelsLeft),
         ["UL"] = r => Whole(VariableStore.MaximumVariables - r.Machine.Variables.Variables.Count),
         ["DM"] = r => Whole(r.Machine.Variables.ElementsLeft),
@@ -58,26 +62,26 @@ internal static class Operands
         ["BV"] = _ => Whole(Axis.Real),
         ["QZ"] = r => Whole(r.Number(3) switch { 0 => Axis.Real, 1 => 24, 2 => 16, _ => 28 }),
         ["AB"] = _ => FixedPoint.True, // abort input inactive
-        ["CN"] = r => Whole(r.Machine.InputPolarity[r.Number(4)]),
+        ["CN"] = r => Whole(r.Machine.Motion.Polarity.Fields[r.Number(4)]),
         ["LZ"] = r => FixedPoint.FromBoolean(r.Machine.StripLeadingZeros),
         ["PF"] = r => FormatNumber(r.Machine.PositionFormat),
         ["VF"] = r => FormatNumber(r.Machine.VariableFormat),
     }.ToFrozenDictionary(StringComparer.Ordinal);
 
+    private static readonly FrozenDictionary<string, Func<OperandRequest, FixedPoint>>.AlternateLookup<ReadOnlySpan<char>> Lookup =
+        Table.GetAlternateLookup<ReadOnlySpan<char>>();
+
     public static IEnumerable<string> Names => Table.Keys;
 
-    /// <param name="name">Without the underscore: two letters and a suffix.</param>
-    public static FixedPoint Evaluate(Machine machine, CommandContext context, string name)
+    /// <summary>The operand behind the underscore: two letters and a suffix, which may be a variable axis (<c>_TP~a</c>).</summary>
+    public static FixedPoint Take(StatementReader reader)
     {
-        if (name.Length < 2)
-        {
-            throw new CommandRefusedException(Tc.BadOperand);
-        }
-
-        string key = name[..2];
-        var request = new OperandRequest(machine, context, name[2..]);
-        return Table.TryGetValue(key, out var read) ? read(request)
-            : AxisParameters.Find(key) is { } parameter ? parameter.Read(request.Axis)
+        var name = reader.TakeName();
+        if (name.Length < 2) throw new CommandRefusedException(Tc.BadOperand);
+        var suffix = reader.Next == '~' ? new OperandSuffix(reader.TakeLetter(), '\0', 1) : OperandSuffix.Of(name[2..]);
+        var request = new OperandRequest(reader.Machine, reader.Context, suffix);
+        return Lookup.TryGetValue(name[..2], out var read) ? read(request)
+            : AxisParameters.Find(name[..2]) is { } parameter ? parameter.Read(request.Axis)
             : throw new CommandRefusedException(Tc.BadOperand);
     }
 
@@ -122,17 +126,15 @@ internal static class Operands
     private static FixedPoint HandleState(OperandRequest request)
     {
         var handles = request.Machine.Handles;
-        if (request.Suffix.Length != 2 || request.Suffix[0] < 'A' || request.Suffix[0] >= 'A' + handles.Capacity)
-        {
+        if (request.Suffix.Length != 2 || request.Suffix.First < 'A' || request.Suffix.First >= 'A' + handles.Capacity)
             throw new CommandRefusedException(Tc.BadOperand);
-        }
 
-        var handle = handles[request.Suffix[0] - 'A'];
-        return Whole(request.Suffix[1] switch
+        var handle = handles[request.Suffix.First - 'A'];
+        return Whole(request.Suffix.Second switch
         {
             '0' => handle is null ? 0 : 0x7F000001,
             '1' => handle?.RemotePort ?? 0,
-            '2' => handle is null ? 0 : 2,
+            '2' => handle is null ? 0 : handle.IsUdp ? 1 : 2,
             '3' => 0,
             '4' => 0,
             _ => throw new CommandRefusedException(Tc.BadOperand),

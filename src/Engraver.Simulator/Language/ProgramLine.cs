@@ -1,21 +1,18 @@
 namespace Engraver.Simulator.Language;
 
 /// <summary>One line of program memory: the text as downloaded, its label if any, and the statements behind the label.</summary>
-internal sealed record ProgramLine(string Text, string? Label, string[] Parts)
+internal sealed record ProgramLine(string Text, string? Label, Statement[] Parts)
 {
     private const int LongestLabel = 7;
 
     /// <summary>Reads a line; a bad label refuses with TC 61. Characters other than letters and digits are tolerated ("_" occurs in the field, E Label).</summary>
     public static ProgramLine Parse(string text)
     {
-        string[] parts = Statements.Split(text);
-        if (parts[0].Length == 0 || parts[0][0] != '#')
-        {
-            return new(text, null, parts);
-        }
+        var parts = Statements.Split(text);
+        if (parts[0].Text is not ['#', ..]) return new(text, null, parts);
 
-        string label = parts[0][1..];
-        bool good = label.Length is > 0 and <= LongestLabel
+        var label = parts[0].Text[1..];
+        var good = label.Length is > 0 and <= LongestLabel
             && !char.IsAsciiDigit(label[0])
             && label.All(c => char.IsAsciiLetterOrDigit(c) || c == '_');
         return good ? new(text, label, parts[1..]) : throw new CommandRefusedException(Tc.BadLabel);

@@ -1,11 +1,20 @@
 namespace Engraver.Simulator.Language;
 
 /// <summary>One of the eight program threads.</summary>
-internal sealed class ProgramThread(int number)
+internal sealed class ProgramThread
 {
     public const int DeepestCall = 16;
 
-    public int Number => number;
+    public ProgramThread(int number)
+    {
+        Number = number;
+        Context = CommandContext.Of(this);
+    }
+
+    public int Number { get; }
+
+    /// <summary>What its commands print into; restarted for each.</summary>
+    public CommandContext Context { get; }
 
     public bool IsRunning { get; private set; }
 
@@ -51,10 +60,7 @@ internal sealed class ProgramThread(int number)
 
     public void Call(int line, bool interrupt)
     {
-        if (Calls.Count >= DeepestCall)
-        {
-            throw new CommandRefusedException(Tc.TooDeep);
-        }
+        if (Calls.Count >= DeepestCall) throw new CommandRefusedException(Tc.TooDeep);
 
         Calls.Push(new CallFrame(Line, Part, interrupt, interrupt ? Trippoint : null));
         Trippoint = null;

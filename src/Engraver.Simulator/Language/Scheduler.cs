@@ -1,17 +1,19 @@
+using System.Globalization;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>The eight threads. One line of each running thread in turn, every command costs controller time (galil-dmc.md E Threads, A.4).</summary>
 internal sealed class Scheduler
 {
     public const int ThreadCount = 8;
-    private readonly Machine machine;
-    private readonly ProgramThread[] threads = [.. Enumerable.Range(0, ThreadCount).Select(n => new ProgramThread(n))];
-    private TimeSpan budget;
-    private int turn;
+    private readonly Machine _machine;
+    private readonly ProgramThread[] _threads = [.. Enumerable.Range(0, ThreadCount).Select(n => new ProgramThread(n))];
+    private TimeSpan _budget;
+    private int _turn;
 
-    public Scheduler(Machine machine) => this.machine = machine;
+    public Scheduler(Machine machine) => _machine = machine;
 
-    public ProgramThread this[int number] => number is >= 0 and < ThreadCount ? threads[number] : throw new CommandRefusedException(Tc.OutOfRange);
+    public ProgramThread this[int number] => number is >= 0 and < ThreadCount ? _threads[number] : throw new CommandRefusedException(Tc.OutOfRange);
 
     /// <summary>Counts released trippoints and ended threads.</summary>
     public long Events { get; private set; }
@@ -24,11 +26,8 @@ internal sealed class Scheduler
     {
         get
         {
-            int mask = 0;
-            foreach (var thread in threads)
-            {
-                mask |= thread.IsRunning ? 1 << thread.Number : 0;
-            }
+            var mask = 0;
+            foreach (var thread in _threads) mask |= thread.IsRunning ? 1 << thread.Number : 0;
 
             return mask;
         }
@@ -39,44 +38,38 @@ internal sealed class Scheduler
     /// <summary>The first sample in which a thread can run; long.MaxValue when only motion or a command can release one.</summary>
     public long QuietUntil(long sample)
     {
-        long first = long.MaxValue;
-        foreach (var thread in threads)
+        var first = long.MaxValue;
+        foreach (var thread in _threads)
         {
-            if (thread.IsRunning)
-            {
-                first = Math.Min(first, ReadyAt(thread, sample));
-            }
+            if (thread.IsRunning) first = Math.Min(first, ReadyAt(thread, sample));
         }
 
         return first;
     }
 
-    public void ForgetUnusedTime() => budget = TimeSpan.Zero;
+    public void ForgetUnusedTime() => _budget = TimeSpan.Zero;
 
     /// <summary>Releases trippoints and spends one sample of processor time.</summary>
     public void RunSample()
     {
-        budget += TimeSpan.FromTicks(TimeSpan.TicksPerMillisecond);
+        _budget += TimeSpan.FromTicks(TimeSpan.TicksPerMillisecond);
         ReleaseTrippoints();
-        while (budget > TimeSpan.Zero && NextReady() is { } thread)
+        while (_budget > TimeSpan.Zero && NextReady() is { } thread)
         {
-            int commands = RunLine(thread);
-            budget -= commands * machine.Options.LineCost; // a label alone costs nothing
-            if (machine.Options.LineCost == TimeSpan.Zero)
+            var commands = RunLine(thread);
+            _budget -= commands * _machine.Options.LineCost; // a label alone costs nothing
+            if (_machine.Options.LineCost == TimeSpan.Zero)
             {
-                budget -= TimeSpan.FromTicks(TimeSpan.TicksPerMillisecond / 100); // free lines must not stop the clock
+                _budget -= TimeSpan.FromTicks(TimeSpan.TicksPerMillisecond / 100); // free lines must not stop the clock
             }
         }
 
-        budget = budget > TimeSpan.Zero ? TimeSpan.Zero : budget;
+        _budget = _budget > TimeSpan.Zero ? TimeSpan.Zero : _budget;
     }
 
     public void HaltAll()
     {
-        foreach (var thread in threads)
-        {
-            Halt(thread);
-        }
+        foreach (var thread in _threads) Halt(thread);
     }
 
     public void Halt(ProgramThread thread)
@@ -88,11 +81,9 @@ internal sealed class Scheduler
     /// <summary>Sends thread 0 into an automatic subroutine (C.3). False when there is none or it cannot run.</summary>
     public bool Interrupt(string label)
     {
-        var zero = threads[0];
-        if (!machine.Program.TryFind(label, out int line) || (!zero.IsRunning && machine.Options.HandlersNeedThreadZero))
-        {
+        var zero = _threads[0];
+        if (!_machine.Program.TryFind(label, out var line) || (!zero.IsRunning && _machine.Options.HandlersNeedThreadZero))
             return false;
-        }
 
         if (zero.IsRunning)
         {
@@ -100,7 +91,7 @@ internal sealed class Scheduler
         }
         else
         {
-            zero.Start(line, machine.Sample);
+            zero.Start(line, _machine.Sample);
         }
 
         Events++;
@@ -114,7 +105,7 @@ internal sealed class Scheduler
 
     private void ReleaseTrippoints()
     {
-        foreach (var thread in threads)
+        foreach (var thread in _threads)
         {
             if (thread.Trippoint is { } trippoint && trippoint.IsReleased())
             {
@@ -126,13 +117,10 @@ internal sealed class Scheduler
 
     private ProgramThread? NextReady()
     {
-        for (int i = 0; i < ThreadCount; i++)
+        for (var i = 0; i < ThreadCount; i++)
         {
-            turn = (turn + 1) % ThreadCount;
-            if (threads[turn] is { IsRunning: true, Trippoint: null } thread)
-            {
-                return thread;
-            }
+            _turn = (_turn + 1) % ThreadCount;
+            if (_threads[_turn] is { IsRunning: true, Trippoint: null } thread) return thread;
         }
 
         return null;
@@ -140,17 +128,17 @@ internal sealed class Scheduler
 
     private int RunLine(ProgramThread thread)
     {
-        int commands = 0;
+        var commands = 0;
         thread.Jumped = false;
         while (thread is { IsRunning: true, Trippoint: null, Jumped: false })
         {
-            if (thread.Line >= machine.Program.Count)
+            if (thread.Line >= _machine.Program.Count)
             {
-                Fail(thread, thread.Line, "", Tc.UndefinedLabel);
+                Fail(thread, thread.Line, null, Tc.UndefinedLabel);
                 break;
             }
 
-            var parts = machine.Program[thread.Line].Parts;
+            var parts = _machine.Program[thread.Line].Parts;
             if (thread.Part >= parts.Length)
             {
                 thread.JumpTo(thread.Line + 1, 0);
@@ -164,47 +152,47 @@ internal sealed class Scheduler
         return commands;
     }
 
-    private void RunStatement(ProgramThread thread, int line, string statement)
+    private void RunStatement(ProgramThread thread, int line, Statement statement)
     {
-        var context = CommandContext.Of(thread);
+        var context = thread.Context.Restart();
         try
         {
-            machine.Interpreter.Execute(statement, context);
+            _machine.Interpreter.Execute(statement, context);
         }
         catch (CommandRefusedException refusal)
         {
+            context.Output.Clear();
             Fail(thread, line, statement, refusal.Code);
         }
 
-        if (context.Output.Length > 0)
-        {
-            machine.Messages.Send(context.Output, context.OutputHandle);
-        }
+        if (context.Output.Length > 0) Tell(context.Output.Text, context.OutputHandle);
 
         Events += thread.IsRunning ? 0 : 1;
     }
 
-    /// <summary>Without #CMDERR a command error stops all threads; with it only the faulty one, and thread 0 is interrupted (C.3).</summary>
-    private void Fail(ProgramThread thread, int line, string statement, int code)
+    /// <summary>A message that nobody acknowledges is error 123 and runs #TCPERR (A.5, C.3).</summary>
+    private void Tell(ReadOnlySpan<char> text, int? handle)
     {
-        machine.LastError = code;
-        LastError = (line, thread.Number);
-        machine.Messages.Send(new System.Text.StringBuilder().Append('?').Append(line).Append(' ').Append(statement).Append("\r\n"), null);
-        bool handled = CanHandle(thread);
-        if (thread.Number != 0 || !handled)
-        {
-            Halt(thread);
-        }
+        if (_machine.Messages.Send(text, handle)) return;
+        _machine.LastError = Tc.LostSync;
+        Interrupt("TCPERR");
+    }
 
-        if (!handled || !Interrupt("CMDERR"))
-        {
-            HaltAll();
-        }
+    /// <summary>Without #CMDERR a command error stops all threads; with it only the faulty one, and thread 0 is interrupted (C.3).</summary>
+    private void Fail(ProgramThread thread, int line, Statement? statement, int code)
+    {
+        _machine.LastError = code;
+        LastError = (line, thread.Number);
+        Tell(string.Create(CultureInfo.InvariantCulture, $"?{line} {statement?.Text}\r\n"), null);
+        var handled = CanHandle(thread);
+        if (thread.Number != 0 || !handled) Halt(thread);
+
+        if (!handled || !Interrupt("CMDERR")) HaltAll();
     }
 
     /// <summary>An error inside #CMDERR itself finds the stack deep or thread 0 in the handler: then everything stops.</summary>
     private bool CanHandle(ProgramThread thread) =>
-        machine.Program.TryFind("CMDERR", out _)
-        && threads[0].Calls.Count < ProgramThread.DeepestCall
-        && !(thread.Number == 0 && threads[0].Calls.Any(c => c.Interrupt));
+        _machine.Program.TryFind("CMDERR", out _)
+        && _threads[0].Calls.Count < ProgramThread.DeepestCall
+        && !(thread.Number == 0 && _threads[0].Calls.Any(c => c.Interrupt));
 }

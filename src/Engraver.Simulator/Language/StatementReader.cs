@@ -2,219 +2,113 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>Reads one compacted statement from left to right: names, fields and expressions (galil-dmc.md E).</summary>
-internal sealed class StatementReader(string text, Machine machine, CommandContext context)
+/// <summary>Reads one compacted statement from left to right: characters, names, fields (galil-dmc.md E). One reader serves one statement after the other.</summary>
+internal sealed class StatementReader(Machine machine)
 {
-    private int position;
-    private int depth;
+    private readonly List<Field> _fields = new(8);
+    private string _text = "";
+    private int _position;
+    private CommandContext? _context;
 
     public Machine Machine => machine;
 
-    public CommandContext Context => context;
+    public CommandContext Context => _context!;
 
-    public bool IsAtEnd => position >= text.Length;
+    public bool IsAtEnd => _position >= _text.Length;
 
-    public char Next => position < text.Length ? text[position] : '\0';
+    public char Next => _position < _text.Length ? _text[_position] : '\0';
+
+    /// <summary>What is still to be read.</summary>
+    public ReadOnlySpan<char> Rest => _text.AsSpan(_position);
+
+    /// <summary>Parentheses and brackets open around the place being read.</summary>
+    public int Depth { get; set; }
+
+    public StatementReader On(string text, CommandContext context)
+    {
+        _text = text;
+        _context = context;
+        _position = 0;
+        Depth = 0;
+        return this;
+    }
 
     public void Skip(int characters)
     {
-        position += characters;
+        _position += characters;
         TryTake(' ');
     }
 
+    public void Advance(int characters) => _position += characters;
+
     public bool TryTake(char c)
     {
-        if (Next != c)
-        {
-            return false;
-        }
-
-        position++;
+        if (Next != c) return false;
+        _position++;
         return true;
     }
 
     public void Take(char c, int code)
     {
-        if (!TryTake(c))
-        {
-            throw new CommandRefusedException(code);
-        }
+        if (!TryTake(c)) throw new CommandRefusedException(code);
     }
 
     public void ExpectEnd()
     {
-        if (!IsAtEnd)
-        {
-            throw new CommandRefusedException(Tc.OperandError);
-        }
+        if (!IsAtEnd) throw new CommandRefusedException(Tc.OperandError);
     }
 
     public string TakeRest()
     {
-        string rest = text[position..];
-        position = text.Length;
+        var rest = _text[_position..];
+        _position = _text.Length;
         return rest;
     }
 
-    public char TakeCharacter() => position < text.Length ? text[position++] : throw new CommandRefusedException(Tc.OperandError);
+    public char TakeCharacter() => _position < _text.Length ? _text[_position++] : throw new CommandRefusedException(Tc.OperandError);
 
-    public string TakeUntil(char end, int code)
+    public ReadOnlySpan<char> TakeUntil(char end, int code)
     {
-        int found = text.IndexOf(end, position);
-        if (found < 0)
-        {
-            throw new CommandRefusedException(code);
-        }
-
-        string taken = text[position..found];
-        position = found + 1;
+        var found = _text.IndexOf(end, _position);
+        if (found < 0) throw new CommandRefusedException(code);
+        var taken = _text.AsSpan(_position, found - _position);
+        _position = found + 1;
         return taken;
     }
 
     /// <summary>A letter followed by letters, digits and underscores; empty when there is none.</summary>
-    public string TakeName()
+    public ReadOnlySpan<char> TakeName()
     {
-        int start = position;
-        while (char.IsAsciiLetterOrDigit(Next) || (Next == '_' && position > start))
-        {
-            position++;
-        }
-
-        return text[start..position];
+        var start = _position;
+        while (char.IsAsciiLetterOrDigit(Next) || (Next == '_' && _position > start)) _position++;
+        return _text.AsSpan(start, _position - start);
     }
 
-    /// <summary>Comma separated fields up to the end, or up to "&lt;" or "&gt;" of a segment speed.</summary>
+    /// <summary>Comma separated fields up to the end, or up to "&lt;" or "&gt;" of a segment speed. The list is the reader's own and filled anew by the next call.</summary>
     public List<Field> TakeFields(bool comparisons = true)
     {
-        var fields = new List<Field>(4);
-        while (true)
+        _fields.Clear();
+        do
         {
-            fields.Add(TakeField(comparisons));
-            if (!TryTake(','))
-            {
-                return fields;
-            }
+            _fields.Add(TakeField(comparisons));
         }
+        while (TryTake(','));
+        return _fields;
     }
 
-    public Field TakeField(bool comparisons = true)
-    {
-        if (IsAtEnd || Next == ',' || (!comparisons && Next is '<' or '>'))
-        {
-            return default;
-        }
+    public Field TakeField(bool comparisons = true) =>
+        IsAtEnd || Next == ',' || (!comparisons && Next is '<' or '>') ? default
+        : TryTake('?') ? new Field(true, null)
+        : new Field(false, TakeExpression(comparisons));
 
-        return TryTake('?') ? new Field(true, null) : new Field(false, TakeExpression(comparisons));
-    }
-
-    /// <summary>An expression strictly from left to right, no precedence.</summary>
-    /// <param name="comparisons">False where "&lt;" and "&gt;" introduce speeds (VP, CR, LI); inside parentheses they compare again.</param>
-    public FixedPoint TakeExpression(bool comparisons = true)
-    {
-        var value = TakeOperand();
-        while (TakeOperator(comparisons) is { } apply)
-        {
-            value = apply(value, TakeOperand());
-        }
-
-        return value;
-    }
-
-    private Func<FixedPoint, FixedPoint, FixedPoint>? TakeOperator(bool comparisons)
-    {
-        char c = Next;
-        if (c is '<' or '>' or '=' && !comparisons)
-        {
-            return null;
-        }
-
-        Func<FixedPoint, FixedPoint, FixedPoint>? apply = c switch
-        {
-            '+' => static (a, b) => a + b,
-            '-' => static (a, b) => a - b,
-            '*' => static (a, b) => a * b,
-            '/' => static (a, b) => a / b,
-            '&' => static (a, b) => a & b,
-            '|' => static (a, b) => a | b,
-            '=' => static (a, b) => FixedPoint.FromBoolean(a == b),
-            '<' => static (a, b) => FixedPoint.FromBoolean(a < b),
-            '>' => static (a, b) => FixedPoint.FromBoolean(a > b),
-            _ => null,
-        };
-        position += apply is null ? 0 : 1;
-        return c switch
-        {
-            '<' when TryTake('=') => static (a, b) => FixedPoint.FromBoolean(a <= b),
-            '<' when TryTake('>') => static (a, b) => FixedPoint.FromBoolean(a != b),
-            '>' when TryTake('=') => static (a, b) => FixedPoint.FromBoolean(a >= b),
-            _ => apply,
-        };
-    }
-
-    private FixedPoint TakeOperand()
-    {
-        char c = Next;
-        if (char.IsAsciiDigit(c) || c is '.' or '$')
-        {
-            return TakeNumber();
-        }
-
-        switch (c)
-        {
-            case '-':
-                position++;
-                return -TakeOperand();
-            case '+':
-                position++;
-                return TakeOperand();
-            case '(':
-                return TakeParentheses();
-            case '@':
-                position++;
-                return Functions.Evaluate(this);
-            case '_':
-                position++;
-                return Operands.Evaluate(machine, context, TakeName());
-            case '"':
-                position++;
-                return NumberLiteral.PackText(TakeUntil('"', Tc.BadString));
-        }
-
-        return char.IsAsciiLetter(c) ? TakeVariable() : throw new CommandRefusedException(Tc.OperandError);
-    }
-
-    private FixedPoint TakeParentheses()
-    {
-        if (++depth > 32)
-        {
-            throw new CommandRefusedException(Tc.Parentheses);
-        }
-
-        Take('(', Tc.Parentheses);
-        var value = TakeExpression();
-        Take(')', Tc.Parentheses);
-        depth--;
-        return value;
-    }
-
-    private FixedPoint TakeVariable()
-    {
-        string name = TakeName();
-        if (Next == '[')
-        {
-            var array = machine.Variables.ArrayNamed(name);
-            int index = TakeIndex();
-            return index == -1 ? FixedPoint.FromInteger(array.Length) : array[Checked(index, array)];
-        }
-
-        return name == "TIME" ? FixedPoint.FromInteger((int)machine.Sample) : machine.Variables.Read(name);
-    }
+    /// <inheritdoc cref="Expressions.Take"/>
+    public FixedPoint TakeExpression(bool comparisons = true) => Expressions.Take(this, comparisons);
 
     /// <summary>The index in brackets behind an array name.</summary>
     public int TakeIndex()
     {
         Take('[', Tc.MissingBracket);
-        int index = TakeExpression().Integer;
+        var index = TakeExpression().Integer;
         Take(']', Tc.MissingBracket);
         return index;
     }
@@ -222,26 +116,19 @@ internal sealed class StatementReader(string text, Machine machine, CommandConte
     public static int Checked(int index, FixedPoint[] array) =>
         index >= 0 && index < array.Length ? index : throw new CommandRefusedException(Tc.BadIndex);
 
-    private FixedPoint TakeNumber()
-    {
-        var value = NumberLiteral.Read(text.AsSpan(position), out int length);
-        position += length;
-        return value;
-    }
-
     /// <summary>Axis and plane letters up to the end or an equals sign; commas between them are ignored (L.2 point 8). Empty means none were named.</summary>
     public AxisSelection TakeAxes()
     {
         var selection = new AxisSelection(machine.Motion);
         while (!IsAtEnd && Next != '=')
         {
-            char c = text[position++];
-            if (c is not (',' or ' '))
-            {
-                selection.Add(c);
-            }
+            var c = TakeLetter();
+            if (c is not (',' or ' ')) selection.Add(c);
         }
 
         return selection;
     }
+
+    /// <summary>The letter of an axis or plane, also by way of a variable axis <c>~a</c> to <c>~h</c> (E: 0-7 axes, 8 and 9 planes, 10 and 11 virtual axes).</summary>
+    public char TakeLetter() => TryTake('~') ? machine.LetterOfVariableAxis(TakeCharacter()) : TakeCharacter();
 }

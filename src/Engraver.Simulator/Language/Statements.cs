@@ -6,16 +6,16 @@ namespace Engraver.Simulator.Language;
 internal static class Statements
 {
     /// <summary>The parts between semicolons; quotes protect. Whether ";" ends a comment is not documented (L.3): here it does.</summary>
-    public static string[] Split(string line)
+    public static Statement[] Split(string line)
     {
-        var parts = new List<string>();
-        bool quoted = false;
-        int start = 0;
-        for (int i = 0; i <= line.Length; i++)
+        var parts = new List<Statement>();
+        var quoted = false;
+        var start = 0;
+        for (var i = 0; i <= line.Length; i++)
         {
             if (i == line.Length || (line[i] == ';' && !quoted))
             {
-                parts.Add(Compact(line.AsSpan(start, i - start)));
+                parts.Add(Statement.Parse(line.AsSpan(start, i - start)));
                 start = i + 1;
             }
             else if (line[i] == '"')
@@ -31,21 +31,16 @@ internal static class Statements
     public static string Compact(ReadOnlySpan<char> text)
     {
         text = text.Trim(" \t");
-        if (text.IndexOfAny(' ', '\t') < 0)
-        {
-            return text.ToString();
-        }
+        if (text.IndexOfAny(' ', '\t') < 0) return text.ToString();
 
         var compact = new StringBuilder(text.Length);
-        bool quoted = false;
-        foreach (char c in text)
+        var quoted = false;
+        foreach (var c in text)
         {
             quoted ^= c == '"';
-            bool blank = c is ' ' or '\t' && !quoted;
+            var blank = c is ' ' or '\t' && !quoted;
             if (!blank || (compact.Length == 2 && char.IsAsciiLetterUpper(compact[0]) && char.IsAsciiLetterUpper(compact[1])))
-            {
                 compact.Append(blank ? ' ' : c);
-            }
         }
 
         return compact.ToString();

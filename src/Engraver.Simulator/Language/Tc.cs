@@ -17,6 +17,7 @@ internal static class Tc
     public const int InvalidLine = 11;
     public const int TooDeep = 12;
     public const int NotJogging = 13;
+    public const int WrongSignOfIncrement = 16;
     public const int ProgramRunning = 17;
     public const int ThreadBusy = 19;
     public const int MotorOff = 20;
@@ -29,6 +30,7 @@ internal static class Tc
     public const int SequenceTooLong = 31;
     public const int SegmentBufferFull = 32;
     public const int SegmentsMixed = 33;
+    public const int MasterAndFollower = 46;
     public const int NotEnoughFields = 50;
     public const int BadString = 52;
     public const int BadBraces = 53;
@@ -47,6 +49,7 @@ internal static class Tc
     public const int NotANumber = 83;
     public const int TooManyElements = 84;
     public const int BadAxis = 90;
+    public const int LostSync = 123;
     public const int AnalogAbsent = 132;
     public const int MustBeUdp = 133;
 

@@ -2,26 +2,55 @@ using Engraver.Simulator.Language;
 
 namespace Engraver.Simulator.Motion;
 
-/// <summary>One axis with its independent profiler (galil-dmc.md C). Positions in counts; the motor follows without error (I.14).</summary>
-internal sealed class Axis(int index)
+/// <summary>One axis with its independent profiler (galil-dmc.md C). Positions in counts.</summary>
+internal sealed class Axis
 {
     public const string Letters = "ABCDNM";
     public const int Real = 4;
 
-    private double target;
-    private double speed;
-    private int direction = 1;
+    private double _target;
+    private double _speed;
+    private int _direction = 1;
+    private double _smoothed;
+    private double _shift;
 
-    /// <summary>0 to 3 are A to D, 4 and 5 the virtual axes N and M.</summary>
-    public int Index => index;
+    /// <param name="index">0 to 3 are A to D, 4 and 5 the virtual axes N and M.</param>
+    public Axis(int index, InputPolarity polarity, SimulatorOptions options)
+    {
+        Index = index;
+        Inputs = new AxisInputs(polarity, options.Switches.FirstOrDefault(s => s.Axis == index));
+        Motor = new Motor(index < Real ? options.ServoLag : TimeSpan.Zero);
+    }
 
-    public char Letter => Letters[index];
+    public int Index { get; }
 
-    /// <summary>Commanded position before rounding.</summary>
+    public char Letter => Letters[Index];
+
+    public AxisInputs Inputs { get; }
+
+    public Motor Motor { get; }
+
+    public Gear Gear { get; } = new();
+
+    public Latch Latch { get; } = new();
+
+    /// <summary>Commanded position before smoothing and rounding.</summary>
     public double Position { get; private set; }
 
     /// <summary>Commanded position as the controller reports it (RP).</summary>
-    public int Reference => (int)Math.Round(Position, MidpointRounding.AwayFromZero);
+    public int Reference => (int)Math.Round(_smoothed, MidpointRounding.AwayFromZero);
+
+    /// <summary>TP: the main encoder; without an error it is the commanded position.</summary>
+    public int Encoder => IsStepper ? Reference : Motor.Counts;
+
+    /// <summary>TD: the auxiliary encoder, for a stepper the pulses sent.</summary>
+    public int SecondEncoder => IsStepper ? Reference : Auxiliary;
+
+    /// <summary>RP - TP: <c>_TE</c>; a stepper has none.</summary>
+    public int Error => IsStepper ? 0 : Reference - Motor.Counts;
+
+    /// <summary>The register of DE: the auxiliary encoder of a servo, the main encoder of a stepper.</summary>
+    public int Auxiliary { get; set; }
 
     public double CruiseSpeed { get; set; } = 25000;
 
@@ -39,9 +68,24 @@ internal sealed class Axis(int index)
 
     public AxisMove CurrentMove { get; private set; } = AxisMove.Relative;
 
+    /// <summary>PT 1: every PA moves at once.</summary>
+    public bool IsTracking { get; set; }
+
+    /// <summary>The share of the way to the profile that a sample goes: IT in independent moves, VT in vector moves; 1 is no smoothing.</summary>
+    public double Smoothing { get; set; } = 1;
+
     public bool IsMoving { get; private set; }
 
     public bool IsStopping { get; private set; }
+
+    /// <summary>The profile has ended but its smoothed output has not.</summary>
+    public bool IsSmoothing => !IsMoving && Math.Abs(Position - _smoothed) >= 0.5;
+
+    /// <summary>A sample will still change something although no profile runs.</summary>
+    public bool IsSettling => IsSmoothing || Motor.IsSettling(_smoothed, MotorOff);
+
+    /// <summary>A homing move in progress; null otherwise.</summary>
+    public HomingRun? Homing { get; private set; }
 
     /// <summary>Where the running or last independent move began.</summary>
     public double MoveStart { get; private set; }
@@ -57,131 +101,194 @@ internal sealed class Axis(int index)
 
     public int OffOnError { get; set; }
 
+    /// <summary>ER: position errors beyond it are a fault; 0 and -1 are none.</summary>
+    public double ErrorLimit { get; set; } = 16384;
+
     public int ForwardSoftLimit { get; set; } = int.MaxValue;
 
     public int ReverseSoftLimit { get; set; } = int.MinValue;
 
-    /// <summary>Limit switch hit; the test sets it.</summary>
-    public bool ForwardSwitch { get; set; }
-
-    public bool ReverseSwitch { get; set; }
-
-    /// <summary>Stored settings without an effect on the perfect motor: KP, KD, ER and the like.</summary>
+    /// <summary>Stored settings: KP, KD, ER and the like.</summary>
     public Dictionary<string, FixedPoint> Settings { get; } = [];
 
     public bool IsStepper => Math.Abs(MotorType.Value) >= 2;
 
     /// <summary>Signed commanded speed of the independent move in counts/s.</summary>
-    public double Velocity => speed * direction;
+    public double Velocity => _speed * _direction;
 
-    public bool IsAtSpeed => IsMoving && speed == Commanded;
+    public bool IsAtSpeed => IsMoving && _speed == Commanded;
 
-    private double Commanded => IsStopping ? 0 : CurrentMove == AxisMove.Jog ? Math.Abs(JogSpeed) : CruiseSpeed;
+    private double Commanded => IsStopping ? 0 : Homing?.Speed ?? (CurrentMove == AxisMove.Jog ? Math.Abs(JogSpeed) : CruiseSpeed);
 
-    public void SetPosition(double position) => Position = position;
+    public double Setting(string mnemonic, double atStart) => Settings.TryGetValue(mnemonic, out var value) ? value.Value : atStart;
 
-    /// <summary>The move as BG would make it: its end for PA and PR, null for a jog.</summary>
+    public void SetPosition(double position)
+    {
+        Position = position;
+        if (Smoothing >= 1) _smoothed = position;
+    }
+
+    /// <summary>DP, or the zero of a homing: the axis stands where it stands, but the place is called otherwise.</summary>
+    public void Redefine(double position)
+    {
+        _shift += position - Position;
+        Position = position;
+        _smoothed = position;
+        LastStop = Reference;
+        Motor.Define(position);
+    }
+
+    /// <summary>SH: the place where the motor stands becomes the command (C).</summary>
+    public void TakeMotorPosition() => SetPosition(_smoothed = Motor.Counts);
+
+    /// <summary>The move as BG would make it: its end for PA and PR, null for a jog or a homing.</summary>
     public long? PendingTarget() => NextMove switch
     {
-        AxisMove.Absolute => AbsoluteTarget,
+        AxisMove.Absolute or AxisMove.Tracking => AbsoluteTarget,
         AxisMove.Relative => (long)Reference + RelativeDistance,
         _ => null,
     };
 
+    /// <summary>Sense of the move as BG would make it; 0 when it goes nowhere.</summary>
+    public double PendingHeading() =>
+        PendingTarget() is { } target ? target - (long)Reference : NextMove == AxisMove.Jog ? JogSpeed : HomingRun.Heading(this, NextMove);
+
     public void Begin()
     {
         CurrentMove = NextMove;
-        target = PendingTarget() ?? 0;
-        direction = CurrentMove == AxisMove.Jog ? Math.Sign(JogSpeed) : Math.Sign(target - Position);
-        direction = direction == 0 ? 1 : direction;
+        Homing = CurrentMove is AxisMove.Home or AxisMove.FindEdge or AxisMove.FindIndex ? new HomingRun(this, CurrentMove) : null;
+        if (Homing is not null) NextMove = AxisMove.Relative;
+        _target = PendingTarget() ?? 0;
+        _direction = Homing?.Direction ?? (CurrentMove == AxisMove.Jog ? Math.Sign(JogSpeed) : Math.Sign(_target - Position));
+        _direction = _direction == 0 ? 1 : _direction;
+        Smoothing = Setting("IT", 1);
         MoveStart = Position;
-        speed = 0;
+        _speed = 0;
         IsMoving = true;
         IsStopping = false;
         StopCode = Motion.StopCode.Running;
     }
 
+    /// <summary>PA under PT: the running move turns to another target, or one begins.</summary>
+    public void Track(int target)
+    {
+        AbsoluteTarget = target;
+        NextMove = AxisMove.Tracking;
+        if (!IsMoving) Begin();
+        _target = target;
+    }
+
+    /// <summary>IP in motion: a jog jumps, a move goes further (C).</summary>
+    /// <exception cref="CommandRefusedException">TC 16: the other way, or the axis already stops.</exception>
+    public void Extend(int counts)
+    {
+        if (IsStopping || (CurrentMove != AxisMove.Jog && Math.Sign(counts) != _direction)) throw new CommandRefusedException(Tc.WrongSignOfIncrement);
+        if (CurrentMove == AxisMove.Jog) SetPosition(Position + counts);
+        else _target += counts;
+    }
+
     public void Stop(int stopCode)
     {
-        if (IsMoving && !IsStopping)
-        {
-            IsStopping = true;
-            StopCode = stopCode;
-        }
+        IsTracking &= stopCode != Motion.StopCode.Stopped;
+        if (!IsMoving || IsStopping) return;
+        IsStopping = true;
+        StopCode = stopCode;
     }
 
     /// <summary>Stands still at once, without a ramp (AB).</summary>
     public void Halt(int stopCode)
     {
-        if (IsMoving)
-        {
-            StopCode = stopCode;
-            End();
-        }
+        if (!IsMoving) return;
+        StopCode = stopCode;
+        End();
     }
 
     /// <summary>One sample; false when the move ended in it.</summary>
-    public bool Step()
+    public bool Step() =>
+        IsStopping || CurrentMove == AxisMove.Jog ? StepFree()
+        : Homing is { } homing ? StepHoming(homing)
+        : CurrentMove == AxisMove.Tracking && MustTurn() ? StepFree()
+        : StepToTarget();
+
+    /// <summary>Behind every sample: the smoothed output and the motor follow.</summary>
+    public void Follow()
     {
-        if (CurrentMove == AxisMove.Jog || IsStopping)
-        {
-            return StepFree();
-        }
-
-        double remaining = Math.Abs(target - Position);
-        double next = Math.Min(
-            Ramp.Towards(speed, Commanded, Acceleration, Deceleration, Ramp.Sample),
-            Math.Max(speed - (Deceleration * Ramp.Sample), Ramp.Braking(speed, remaining, 0, Deceleration, Ramp.Sample)));
-        double distance = (speed + Math.Max(0, next)) / 2 * Ramp.Sample;
-        if (distance >= remaining - 1e-6 || (next <= 0 && remaining < 0.5))
-        {
-            Position = target;
-            StopCode = Motion.StopCode.AtTarget;
-            End();
-            return false;
-        }
-
-        speed = Math.Max(0, next);
-        Position += direction * distance;
-        return true;
+        _smoothed = Smoothing >= 1 ? Position : _smoothed + ((Position - _smoothed) * Smoothing);
+        if (!IsMoving && Math.Abs(Position - _smoothed) < 0.5) _smoothed = Position;
+        if (IsStepper) Motor.Define(_smoothed);
+        else Motor.Follow(_smoothed, MotorOff);
+        Inputs.MoveTo(Motor.Position - _shift);
     }
 
     /// <summary>True when the axis moves towards a limit switch or has reached a software limit.</summary>
     public bool RunsIntoLimit(double velocity, out int stopCode)
     {
         stopCode = velocity > 0 ? Motion.StopCode.ForwardLimit : Motion.StopCode.ReverseLimit;
-        return (velocity > 0 && (ForwardSwitch || (ForwardSoftLimit != int.MaxValue && Reference >= ForwardSoftLimit)))
-            || (velocity < 0 && (ReverseSwitch || (ReverseSoftLimit != int.MinValue && Reference <= ReverseSoftLimit)));
+        return (velocity > 0 && (Inputs.ForwardHit || (ForwardSoftLimit != int.MaxValue && Reference >= ForwardSoftLimit)))
+            || (velocity < 0 && (Inputs.ReverseHit || (ReverseSoftLimit != int.MinValue && Reference <= ReverseSoftLimit)));
     }
+
+    private bool StepToTarget()
+    {
+        if (_speed == 0 && CurrentMove == AxisMove.Tracking) _direction = Math.Sign(_target - Position) is var sign && sign != 0 ? sign : _direction;
+        var remaining = Math.Abs(_target - Position);
+        var next = Math.Min(
+            Ramp.Towards(_speed, Commanded, Acceleration, Deceleration, Ramp.Sample),
+            Math.Max(_speed - (Deceleration * Ramp.Sample), Ramp.Braking(_speed, remaining, 0, Deceleration, Ramp.Sample)));
+        var distance = (_speed + Math.Max(0, next)) / 2 * Ramp.Sample;
+        if (distance >= remaining - 1e-6 || (next <= 0 && remaining < 0.5))
+        {
+            SetPosition(_target);
+            StopCode = Motion.StopCode.AtTarget;
+            End();
+            return false;
+        }
+
+        _speed = Math.Max(0, next);
+        SetPosition(Position + (_direction * distance));
+        return true;
+    }
+
+    /// <summary>A tracked target lies behind, or too near to stop in front of it.</summary>
+    private bool MustTurn() =>
+        _speed > 0 && (_target - Position) * _direction < (_speed * _speed / (2 * Deceleration)) - (_speed * Ramp.Sample);
 
     private bool StepFree()
     {
         // A jog that changes its sign brakes to zero first and then turns round.
-        bool turning = !IsStopping && Math.Sign(JogSpeed) == -direction && JogSpeed != 0;
-        double next = Ramp.Towards(speed, turning ? 0 : Commanded, Acceleration, Deceleration, Ramp.Sample);
-        Position += direction * (speed + next) / 2 * Ramp.Sample;
-        speed = next;
-        if (speed == 0 && turning)
-        {
-            direction = -direction;
-        }
-
-        if (speed > 0 || !IsStopping)
-        {
-            return true;
-        }
-
-        Position = Reference;
+        var turning = !IsStopping && (CurrentMove == AxisMove.Tracking || (Math.Sign(JogSpeed) == -_direction && JogSpeed != 0));
+        Roll(turning ? 0 : Commanded);
+        if (_speed == 0 && turning) _direction = -_direction;
+        if (_speed > 0 || !IsStopping) return true;
         End();
         return false;
     }
 
+    private bool StepHoming(HomingRun homing)
+    {
+        _direction = homing.Direction;
+        Roll(homing.Speed);
+        Inputs.MoveTo(Position - _shift);
+        if (homing.Look(this, ref _speed) is not { } code) return true;
+        StopCode = code;
+        End();
+        return false;
+    }
+
+    private void Roll(double commanded)
+    {
+        var next = Ramp.Towards(_speed, commanded, Acceleration, Deceleration, Ramp.Sample);
+        SetPosition(Position + (_direction * (_speed + next) / 2 * Ramp.Sample));
+        _speed = next;
+    }
+
     private void End()
     {
-        Position = Reference;
-        LastStop = Reference;
-        speed = 0;
+        SetPosition(Math.Round(Position, MidpointRounding.AwayFromZero));
+        LastStop = (int)Position;
+        _speed = 0;
         IsMoving = false;
         IsStopping = false;
+        Homing = null;
     }
 }

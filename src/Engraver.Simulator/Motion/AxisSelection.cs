@@ -19,7 +19,7 @@ internal sealed class AxisSelection(MotionKernel motion)
     /// <summary>0 to 5 for A to D, N, M and their other names X to W; -1 for anything else (A.3).</summary>
     public static int IndexOf(char letter)
     {
-        int index = Axis.Letters.IndexOf(letter, StringComparison.Ordinal);
+        var index = Axis.Letters.IndexOf(letter, StringComparison.Ordinal);
         return index >= 0 ? index : Alternatives.IndexOf(letter, StringComparison.Ordinal);
     }
 

@@ -3,12 +3,20 @@ namespace Engraver.Simulator.Motion;
 /// <summary>All axes and both planes, one sample at a time (galil-dmc.md I.9 to I.11).</summary>
 internal sealed class MotionKernel
 {
-    public MotionKernel()
+    /// <summary>Counts each axis went along a vector path in the last sample.</summary>
+    private readonly int[] _sampleSteps = new int[Axis.Letters.Length];
+    private readonly bool[] _isBeyondError = new bool[Axis.Real];
+    private int _limitHits;
+    private int _errorHits;
+
+    public MotionKernel(SimulatorOptions options)
     {
-        Axes = [.. Enumerable.Range(0, Axis.Letters.Length).Select(i => new Axis(i))];
+        Axes = [.. Enumerable.Range(0, Axis.Letters.Length).Select(i => new Axis(i, Polarity, options))];
         Planes = [new VectorPlane('S'), new VectorPlane('T')];
         Selected = Planes[0];
     }
+
+    public InputPolarity Polarity { get; } = new();
 
     public Axis[] Axes { get; }
 
@@ -21,12 +29,6 @@ internal sealed class MotionKernel
     /// <summary>Counts ends of moves and sequences; what waits for an event compares it.</summary>
     public long Ends { get; private set; }
 
-    /// <summary>Counts each axis went along a vector path in the last sample.</summary>
-    private readonly int[] sampleSteps = new int[Axis.Letters.Length];
-
-    /// <summary>Limits hit since <see cref="TakeLimitHits"/>.</summary>
-    private int limitHits;
-
     /// <summary>True when the next sample will change a position or end a motion.</summary>
     public bool CanProgress
     {
@@ -34,10 +36,7 @@ internal sealed class MotionKernel
         {
             foreach (var axis in Axes)
             {
-                if (axis.IsMoving)
-                {
-                    return true;
-                }
+                if (axis.IsMoving || axis.IsSettling) return true;
             }
 
             return Planes[0].CanProgress || Planes[1].CanProgress;
@@ -47,59 +46,71 @@ internal sealed class MotionKernel
     /// <summary>One sample of everything; true when something moved.</summary>
     public bool Step()
     {
-        bool moved = false;
-        Array.Clear(sampleSteps);
-        foreach (var plane in Planes)
-        {
-            moved |= plane.IsActive && StepPlane(plane);
-        }
-
-        foreach (var axis in Axes)
-        {
-            moved |= axis.IsMoving && StepAxis(axis);
-        }
-
+        var moved = false;
+        Array.Clear(_sampleSteps);
+        foreach (var plane in Planes) moved |= plane.IsRunning && StepPlane(plane);
+        foreach (var axis in Axes) moved |= axis.IsMoving && StepAxis(axis);
+        foreach (var axis in Axes) moved |= Follow(axis);
         return moved;
     }
 
     public bool IsCoordinated(Axis axis) => PlaneOf(axis) is not null;
 
-    public VectorPlane? PlaneOf(Axis axis) => Array.Find(Planes, p => p.IsActive && (p.Axes.Contains(axis) || p.Tangent.Axis == axis));
+    /// <summary>The running plane that drives an axis.</summary>
+    public VectorPlane? PlaneOf(Axis axis) => Planes[0].Drives(axis) ? Planes[0] : Planes[1].Drives(axis) ? Planes[1] : null;
 
-    public bool IsBusy(Axis axis) => axis.IsMoving || IsCoordinated(axis);
+    public bool IsBusy(Axis axis) => axis.IsMoving || axis.IsSmoothing || IsCoordinated(axis);
 
     /// <summary>Signed commanded speed of an axis in counts/s; along a vector path from the last sample.</summary>
     public double VelocityOf(Axis axis) =>
         axis.IsMoving ? axis.Velocity
-        : PlaneOf(axis) is { Speed: > 0 } ? sampleSteps[axis.Index] / Ramp.Sample
+        : PlaneOf(axis) is { Profile.Speed: > 0 } ? _sampleSteps[axis.Index] / Ramp.Sample
         : 0;
 
+    /// <summary>What a gear's master has gone so far: the length of a path, or the place of an axis (B.6).</summary>
+    public double PlaceOfMaster(char master) =>
+        master is 'S' or 'T' ? Planes[master - 'S'].Profile.Travelled
+        : AxisSelection.IndexOf(master) is >= 0 and var index ? Axes[index].Motor.Position
+        : 0;
+
+    /// <summary>Limits hit since the last call.</summary>
     public int TakeLimitHits()
     {
-        int hits = limitHits;
-        limitHits = 0;
+        var hits = _limitHits;
+        _limitHits = 0;
         return hits;
+    }
+
+    /// <summary>Position errors that grew beyond ER since the last call.</summary>
+    public int TakeErrorHits()
+    {
+        var hits = _errorHits;
+        _errorHits = 0;
+        return hits;
+    }
+
+    /// <summary>Stops an axis at once with whatever moves it; its motor goes off where OE asks for it (C, OE).</summary>
+    public void Halt(Axis axis, int code, bool motorsOff)
+    {
+        var plane = PlaneOf(axis);
+        ReadOnlySpan<Axis> all = plane is null ? [axis] : plane.Axes;
+        foreach (var other in all) other.MotorOff |= motorsOff;
+        plane?.Halt(code);
+        axis.Halt(code);
     }
 
     private bool StepPlane(VectorPlane plane)
     {
         Span<int> before = stackalloc int[Axis.Letters.Length];
-        for (int i = 0; i < plane.Axes.Length; i++)
+        for (var i = 0; i < plane.Axes.Length; i++) before[i] = plane.Axes[i].Reference;
+        var moved = plane.Step();
+        Ends += plane.IsRunning ? 0 : 1;
+        for (var i = 0; i < plane.Axes.Length; i++)
         {
-            before[i] = plane.Axes[i].Reference;
-        }
-
-        bool moved = plane.Step();
-        Ends += plane.IsActive ? 0 : 1;
-        for (int i = 0; i < plane.Axes.Length; i++)
-        {
-            int step = plane.Axes[i].Reference - before[i];
-            sampleSteps[plane.Axes[i].Index] = plane.IsActive ? step : 0;
-            if (plane is { IsActive: true, IsStopping: false } && plane.Axes[i].RunsIntoLimit(step, out int code))
-            {
-                limitHits++;
-                plane.Stop(code);
-            }
+            var axis = plane.Axes[i];
+            var step = (int)Math.Round(axis.Position, MidpointRounding.AwayFromZero) - before[i];
+            _sampleSteps[axis.Index] = plane.IsRunning ? step : 0;
+            if (plane is { IsRunning: true, Profile.IsStopping: false } && axis.RunsIntoLimit(step, out var code)) HitLimit(axis, code, plane);
         }
 
         return moved;
@@ -108,12 +119,56 @@ internal sealed class MotionKernel
     private bool StepAxis(Axis axis)
     {
         Ends += axis.Step() ? 0 : 1;
-        if (axis.IsMoving && !axis.IsStopping && axis.RunsIntoLimit(axis.Velocity, out int code))
+        if (axis.IsMoving && !axis.IsStopping && axis.RunsIntoLimit(axis.Velocity, out var code)) HitLimit(axis, code, null);
+        return true;
+    }
+
+    /// <summary>A ramp like ST; with OE 2 or 3 the motor is switched off instead (C.1).</summary>
+    private void HitLimit(Axis axis, int code, VectorPlane? plane)
+    {
+        _limitHits++;
+        if (axis.OffOnError >= 2) Halt(axis, code, motorsOff: true);
+        else if (plane is not null) plane.Stop(code);
+        else axis.Stop(code);
+    }
+
+    private bool Follow(Axis axis)
+    {
+        var before = axis.Reference;
+        if (axis.Gear.IsEngaged) FollowGear(axis);
+        var settling = axis.IsSmoothing;
+        axis.Follow();
+        if (axis.Latch is { IsArmed: true, WaitsForIndex: true } && axis.Inputs.IndexPassed is { } away) axis.Latch.Catch(axis.Motor.Position + away);
+        if (axis.Index < Axis.Real) CheckError(axis);
+        if (settling && !axis.IsSmoothing) Ends++;
+        return axis.Reference != before;
+    }
+
+    private void FollowGear(Axis axis)
+    {
+        var counts = axis.Gear.Follow(PlaceOfMaster(axis.Gear.Master));
+        if (counts == 0) return;
+        if (axis.RunsIntoLimit(counts, out var code))
         {
-            limitHits++;
-            axis.Stop(code);
+            _limitHits++;
+            axis.StopCode = code;
+            axis.Gear.Release();
+            return;
         }
 
-        return true;
+        axis.SetPosition(axis.Position + counts);
+    }
+
+    /// <summary>An error beyond ER counts once until it has been smaller again; with OE 1 or 3 everything that moves the axis stops and its motors go off (C, ER, OE).</summary>
+    private void CheckError(Axis axis)
+    {
+        var beyond = !axis.MotorOff && axis.ErrorLimit > 0 && Math.Abs(axis.Error) > axis.ErrorLimit;
+        if (beyond && !_isBeyondError[axis.Index])
+        {
+            _errorHits++;
+            if (axis.OffOnError is 1 or 3) Halt(axis, StopCode.OffOnError, motorsOff: true);
+        }
+
+        _isBeyondError[axis.Index] = beyond;
     }
 }

@@ -18,8 +18,8 @@ internal static class Ramp
     /// </summary>
     public static double Braking(double speed, double remaining, double endSpeed, double deceleration, double dt)
     {
-        double step = deceleration * dt;
-        double square = (step * step) + (4 * ((endSpeed * endSpeed) + (2 * deceleration * remaining) - (step * speed)));
+        var step = deceleration * dt;
+        var square = (step * step) + (4 * ((endSpeed * endSpeed) + (2 * deceleration * remaining) - (step * speed)));
         return square <= 0 ? -step : (Math.Sqrt(square) - step) / 2;
     }
 }

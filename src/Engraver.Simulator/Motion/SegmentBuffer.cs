@@ -10,14 +10,14 @@ internal sealed class SegmentBuffer
     private const double ShortestSegment = 1e-3;
     private const double LongestSequence = 2e9;
 
-    private readonly Queue<VectorSegment> segments = new(Slots);
-    private readonly double[] frameEnd = new double[Axis.Letters.Length];
+    private readonly Queue<VectorSegment> _segments = new(Slots);
+    private readonly double[] _frameEnd = new double[Axis.Letters.Length];
 
-    public int FreeSlots => Slots - segments.Count;
+    public int FreeSlots => Slots - _segments.Count;
 
-    public bool IsEmpty => segments.Count == 0;
+    public bool IsEmpty => _segments.Count == 0;
 
-    public VectorSegment? Current => segments.TryPeek(out var segment) ? segment : null;
+    public VectorSegment? Current => _segments.TryPeek(out var segment) ? segment : null;
 
     /// <summary>Path length of the whole sequence so far, executed segments included.</summary>
     public double Length { get; private set; }
@@ -26,34 +26,31 @@ internal sealed class SegmentBuffer
     public bool IsClosed { get; set; }
 
     /// <summary>The end of the last stored segment in the sequence frame; after a CR it is a real point (I, rounding rule).</summary>
-    public ReadOnlySpan<double> FrameEnd => frameEnd;
+    public ReadOnlySpan<double> FrameEnd => _frameEnd;
 
     public void Store(VectorSegment segment)
     {
-        int refusal = segment.Length < ShortestSegment ? Tc.SegmentTooShort
-            : segments.Count >= Slots ? Tc.SegmentBufferFull
+        var refusal = segment.Length < ShortestSegment ? Tc.SegmentTooShort
+            : _segments.Count >= Slots ? Tc.SegmentBufferFull
             : Length + segment.Length > LongestSequence ? Tc.SequenceTooLong
             : 0;
-        if (refusal != 0)
-        {
-            throw new CommandRefusedException(refusal);
-        }
+        if (refusal != 0) throw new CommandRefusedException(refusal);
 
         segment.StartLength = Length;
         Length += segment.Length;
-        segment.PointAt(segment.Length, frameEnd);
-        segments.Enqueue(segment);
+        segment.PointAt(segment.Length, _frameEnd);
+        _segments.Enqueue(segment);
     }
 
-    public void Drop() => segments.Dequeue();
+    public void Drop() => _segments.Dequeue();
 
     /// <summary>What was not executed is given up; length and end stay readable.</summary>
-    public void Abandon() => segments.Clear();
+    public void Abandon() => _segments.Clear();
 
     public void Clear()
     {
-        segments.Clear();
-        Array.Clear(frameEnd);
+        _segments.Clear();
+        Array.Clear(_frameEnd);
         Length = 0;
         IsClosed = false;
     }

@@ -10,6 +10,11 @@ internal static class StopCode
     public const int Stopped = 4;
     public const int AbortInput = 6;
     public const int Aborted = 7;
+    public const int OffOnError = 8;
+    public const int EdgeFound = 9;
+    public const int Homed = 10;
+    public const int SelectiveAbort = 11;
+    public const int MotionTimeOut = 99;
     public const int VectorRunning = 100;
     public const int VectorDone = 101;
 }

@@ -4,7 +4,7 @@ namespace Engraver.Simulator.Motion;
 /// <remarks>The angle goes on beyond 180 degrees, so that the axis never turns back at the seam.</remarks>
 internal sealed class TangentFollower
 {
-    private double? angle;
+    private double? _angle;
 
     /// <summary>Null when no tangent axis was named.</summary>
     public Axis? Axis { get; set; }
@@ -18,18 +18,15 @@ internal sealed class TangentFollower
     /// <summary>Position needed at the start of a path: <c>_TNS</c>.</summary>
     public double StartFor(VectorSegment? first) => first is null ? Zero : Zero + (CountsPerDegree * Unwound(first.TangentAt(0), 0));
 
-    public void Restart() => angle = null;
+    public void Restart() => _angle = null;
 
     public void Follow(double tangent)
     {
-        if (Axis is null)
-        {
-            return;
-        }
+        if (Axis is null) return;
 
-        angle = Unwound(tangent, angle ?? 0);
-        Axis.SetPosition(Math.Round(Zero + (CountsPerDegree * angle.Value), MidpointRounding.AwayFromZero));
+        _angle = Unwound(tangent, _angle ?? 0);
+        Axis.SetPosition(Math.Round(Zero + (CountsPerDegree * _angle.Value), MidpointRounding.AwayFromZero));
     }
 
-    private static double Unwound(double angle, double near) => near + Math.IEEERemainder(angle - near, 360);
+    private static double Unwound(double _angle, double near) => near + Math.IEEERemainder(_angle - near, 360);
 }

@@ -2,48 +2,43 @@ using Engraver.Simulator.Language;
 
 namespace Engraver.Simulator.Motion;
 
-/// <summary>One coordinate system, S or T: the path profiler (galil-dmc.md B). Speeds counts/s along the path, lengths counts.</summary>
-internal sealed class VectorPlane(char letter)
+/// <summary>One coordinate system, S or T: sequences of segments over its axes (galil-dmc.md B).</summary>
+internal sealed class VectorPlane
 {
-    private readonly double[] point = new double[Axis.Letters.Length];
-    private readonly int[] origin = new int[Axis.Letters.Length];
-    private readonly int[] joint = new int[Axis.Letters.Length];
-    private Axis[] axes = [];
-    private double commanded = 25000;
-    private int stopCode;
+    private readonly double[] _point = new double[Axis.Letters.Length];
+    private readonly int[] _origin = new int[Axis.Letters.Length];
+    private readonly int[] _joint = new int[Axis.Letters.Length];
+    private Axis[] _axes = [];
+    private double _firstScale = 1;
+    private double _secondScale = 1;
+    private int _stopCode;
 
-    public char Letter => letter;
+    public VectorPlane(char letter)
+    {
+        Letter = letter;
+        Profile = new PathProfile(Buffer);
+    }
+
+    public char Letter { get; }
 
     public PlaneMode Mode { get; private set; }
 
-    public ReadOnlySpan<Axis> Axes => axes;
+    public ReadOnlySpan<Axis> Axes => _axes;
 
     public SegmentBuffer Buffer { get; } = new();
 
+    public PathProfile Profile { get; }
+
     public TangentFollower Tangent { get; } = new();
 
-    public double VectorSpeed { get; private set; } = 25000;
+    /// <summary>VT: the share of the way to the profile that the axes go in a sample; 1 is no smoothing (B.1).</summary>
+    public double Smoothing { get; set; } = 1;
 
-    public double Acceleration { get; set; } = 256000;
+    /// <summary>BGS was given and the sequence has not come to its end, smoothing included: <c>_BGS</c>.</summary>
+    public bool IsActive => IsRunning || Array.Exists(_axes, static a => a.IsSmoothing);
 
-    public double Deceleration { get; set; } = 256000;
-
-    /// <summary>VR: 0 to 10, scales every speed of the plane (B.4).</summary>
-    public double SpeedRatio { get; set; } = 1;
-
-    /// <summary>BGS was given and the sequence has not come to its end: <c>_BGS</c>.</summary>
-    public bool IsActive { get; private set; }
-
-    public bool IsStopping { get; private set; }
-
-    /// <summary>Momentary commanded speed: <c>_VMS</c>.</summary>
-    public double Speed { get; private set; }
-
-    /// <summary>Path length from the start of the sequence: <c>_AVS</c>.</summary>
-    public double Travelled { get; private set; }
-
-    /// <summary>Index of the segment being executed, from 0; after the end the number executed: <c>_CSS</c>.</summary>
-    public int SegmentIndex { get; private set; }
+    /// <summary>The path profile has not come to its end.</summary>
+    public bool IsRunning { get; private set; }
 
     /// <summary>The buffer ran empty without VE (B.7): the plane stands until it is fed, closed or aborted.</summary>
     public bool IsDry { get; private set; }
@@ -55,52 +50,49 @@ internal sealed class VectorPlane(char letter)
     public double TrippointReference { get; set; }
 
     /// <summary>True when the next sample will move something.</summary>
-    public bool CanProgress => IsActive && (Speed > 0 || IsStopping || (Buffer.IsEmpty ? Buffer.IsClosed || !IsDry : commanded * SpeedRatio > 0));
+    public bool CanProgress => IsRunning && (Buffer.IsEmpty ? Buffer.IsClosed || !IsDry || Profile.IsStopping : Profile.WantsToMove);
 
-    public bool IsAtSpeed => IsActive && Speed == commanded * SpeedRatio;
+    public bool IsAtSpeed => IsRunning && Profile.IsAtSpeed;
+
+    /// <summary>The end of the last stored segment in the sequence frame, one number per axis.</summary>
+    public ReadOnlySpan<double> FrameEnd => Buffer.FrameEnd[.._axes.Length];
+
+    /// <summary>A running sequence moves the axis, along the path or its tangent.</summary>
+    public bool Drives(Axis axis) => IsRunning && (Tangent.Axis == axis || Array.IndexOf(_axes, axis) >= 0);
 
     /// <summary>Slot 1 to n of the frame as absolute counts at the last segment joint: <c>_VPx</c>.</summary>
     public int JointOf(Axis axis)
     {
-        int i = Array.IndexOf(axes, axis);
-        return i < 0 ? axis.Reference : origin[i] + joint[i];
+        var i = Array.IndexOf(_axes, axis);
+        return i < 0 ? axis.Reference : _origin[i] + _joint[i];
     }
 
-    public void SetSpeed(double speed)
-    {
-        VectorSpeed = speed;
-        commanded = speed;
-    }
-
-    /// <summary>VM or LM: new axes, empty buffer.</summary>
+    /// <summary>VM or LM: new axes, empty buffer, no scaling.</summary>
     public void SetUp(PlaneMode mode, Axis[] newAxes, Axis? tangentAxis)
     {
         Mode = mode;
-        axes = newAxes;
+        _axes = newAxes;
         Tangent.Axis = tangentAxis;
+        (_firstScale, _secondScale) = (1, 1);
         Clear();
     }
+
+    /// <summary>ES m,n: the axis with the smaller number is driven further by the quotient (B.1).</summary>
+    public void Scale(double m, double n) => (_firstScale, _secondScale) = (Math.Max(1, m / n), Math.Max(1, n / m));
 
     /// <summary>CS: removes what was stored (B.1).</summary>
     public void Clear()
     {
         Buffer.Clear();
-        SegmentIndex = 0;
-        Travelled = 0;
+        Profile.Clear();
     }
-
-    /// <summary>The end of the last stored segment in the sequence frame, one number per axis.</summary>
-    public ReadOnlySpan<double> FrameEnd => Buffer.FrameEnd[..axes.Length];
 
     public void Store(VectorSegment segment)
     {
         PrepareForSegment();
-        bool next = Buffer.IsEmpty;
+        var next = Buffer.IsEmpty;
         Buffer.Store(segment);
-        if (next && IsActive)
-        {
-            EnterSegment();
-        }
+        if (next && IsRunning) Profile.EnterSegment();
     }
 
     /// <summary>VE or LE.</summary>
@@ -109,89 +101,63 @@ internal sealed class VectorPlane(char letter)
     /// <summary>A stored sequence that was executed makes room for the next one by itself; CS is not needed then (B.1).</summary>
     public void PrepareForSegment()
     {
-        if (IsActive && Buffer.IsClosed)
-        {
-            throw new CommandRefusedException(Tc.NotWhileRunning);
-        }
-
-        if (!IsActive && Buffer.IsEmpty && (SegmentIndex > 0 || Buffer.Length > 0))
-        {
-            Clear();
-        }
-
+        if (IsRunning && Buffer.IsClosed) throw new CommandRefusedException(Tc.NotWhileRunning);
+        if (!IsRunning && Buffer.IsEmpty && (Profile.SegmentIndex > 0 || Buffer.Length > 0)) Clear();
         Buffer.IsClosed = false;
     }
 
     /// <summary>BGS: latches the frame origin at the present position (B.2).</summary>
     public void Begin()
     {
-        if (Buffer.IsEmpty)
+        if (Buffer.IsEmpty) throw new CommandRefusedException(Tc.NoSequence);
+        for (var i = 0; i < _axes.Length; i++)
         {
-            throw new CommandRefusedException(Tc.NoSequence);
+            _origin[i] = _axes[i].Reference;
+            _joint[i] = 0;
+            _axes[i].Smoothing = Smoothing;
         }
 
-        for (int i = 0; i < axes.Length; i++)
-        {
-            origin[i] = axes[i].Reference;
-            joint[i] = 0;
-        }
-
-        IsActive = true;
-        IsStopping = false;
+        IsRunning = true;
         IsDry = false;
-        Speed = 0;
-        Travelled = 0;
-        SegmentIndex = 0;
         TrippointReference = 0;
         Tangent.Restart();
-        commanded = VectorSpeed;
+        Profile.Begin();
         MarkAxes(StopCode.VectorRunning);
-        EnterSegment();
     }
 
     /// <summary>STS or a limit: brakes at VD, the rest of the sequence is given up (B.8). A dry plane is not helped by it; that needs VE or AB1 (B.7).</summary>
     public void Stop(int code)
     {
-        if (IsActive && !IsStopping && !IsDry)
-        {
-            IsStopping = true;
-            stopCode = code;
-            MarkAxes(code);
-        }
+        if (!IsRunning || Profile.IsStopping || IsDry) return;
+        Profile.IsStopping = true;
+        _stopCode = code;
+        MarkAxes(code);
     }
 
     /// <summary>AB: at once, without a ramp; the buffer is emptied.</summary>
     public void Halt(int code)
     {
-        if (IsActive)
-        {
-            End(code);
-        }
+        if (IsRunning) End(code);
     }
 
     /// <summary>One sample. The sample may lie in several segments: time is split at the joints, so every point lies on the path.</summary>
     /// <returns>True when something moved or the sequence ended.</returns>
     public bool Step()
     {
-        double before = Travelled;
-        double left = Ramp.Sample;
-        while (left > 1e-12 && IsActive && HasPath())
+        var before = Profile.Travelled;
+        var left = Ramp.Sample;
+        while (left > 1e-12 && IsRunning && HasPath())
         {
-            double used = Advance(Buffer.Current!, left);
-            if (used <= 0)
-            {
-                break;
-            }
-
+            var segment = Buffer.Current!;
+            var used = Profile.Advance(segment, left, out var crossed);
+            if (crossed) PassJoint(segment);
+            else if (Profile is { IsStopping: true, Speed: 0 }) EndHere(_stopCode);
+            if (used <= 0 || (crossed && !HasPath())) break;
             left -= used;
         }
 
-        if (IsActive && Travelled != before)
-        {
-            MoveAxes();
-        }
-
-        return Travelled != before || !IsActive;
+        if (IsRunning && Profile.Travelled != before) MoveAxes();
+        return Profile.Travelled != before || !IsRunning;
     }
 
     private bool HasPath()
@@ -202,134 +168,58 @@ internal sealed class VectorPlane(char letter)
             return true;
         }
 
-        if (Buffer.IsClosed || IsStopping)
+        if (Buffer.IsClosed || Profile.IsStopping)
         {
-            MoveAxes();
-            End(IsStopping ? stopCode : StopCode.VectorDone);
+            EndHere(Profile.IsStopping ? _stopCode : StopCode.VectorDone);
             return false;
         }
 
         Underruns += IsDry ? 0 : 1;
         IsDry = true;
-        Speed = 0;
+        Profile.StandStill();
         return false;
     }
 
-    private double Advance(VectorSegment segment, double dt)
+    private void PassJoint(VectorSegment segment)
     {
-        double next = NextSpeed(segment, dt);
-        double acceleration = (next - Speed) / dt;
-        double used = dt;
-        if (next < 0)
-        {
-            used = dt * Speed / (Speed - next);
-            next = 0;
-        }
-
-        double distance = (Speed + next) / 2 * used;
-        double remaining = segment.EndLength - Travelled;
-        if (distance >= remaining - 1e-7)
-        {
-            return Cross(segment, remaining, acceleration, used);
-        }
-
-        Travelled += distance;
-        Speed = next;
-        if (Speed > 0 || !IsStopping)
-        {
-            return used;
-        }
-
-        MoveAxes();
-        End(stopCode);
-        return 0;
-    }
-
-    private double Cross(VectorSegment segment, double remaining, double acceleration, double dt)
-    {
-        double end = Math.Sqrt(Math.Max(0, (Speed * Speed) + (2 * acceleration * remaining)));
-        double used = Speed + end <= 0 ? dt : Math.Min(dt, 2 * remaining / (Speed + end));
-        Travelled = segment.EndLength;
-        Speed = end;
-        segment.PointAt(segment.Length, point);
-        for (int i = 0; i < axes.Length; i++)
-        {
-            joint[i] = Rounded(point[i]);
-        }
-
+        segment.PointAt(segment.Length, _point);
+        for (var i = 0; i < _axes.Length; i++) _joint[i] = Scaled(i);
         Tangent.Follow(segment.TangentAt(segment.Length));
-        Buffer.Drop();
-        SegmentIndex++;
-        EnterSegment();
-        return HasPath() ? Math.Max(used, 1e-9) : 0;
     }
 
-    private double NextSpeed(VectorSegment segment, double dt)
+    private void EndHere(int code)
     {
-        double target = IsStopping ? 0 : commanded * SpeedRatio;
-        double ceiling = double.PositiveInfinity;
-        double toEnd = segment.EndLength - Travelled;
-        if (!IsStopping && segment.ExitSpeed is { } exit)
-        {
-            exit *= SpeedRatio;
-            if (exit <= target)
-            {
-                ceiling = Ramp.Braking(Speed, toEnd, exit, Deceleration, dt);
-            }
-            else if (toEnd <= ((exit * exit) - (Speed * Speed)) / (2 * Acceleration))
-            {
-                target = exit;
-            }
-        }
-
-        if (Buffer.IsClosed)
-        {
-            ceiling = Math.Min(ceiling, Ramp.Braking(Speed, Buffer.Length - Travelled, 0, Deceleration, dt));
-        }
-
-        double slowest = Speed - (Deceleration * dt);
-        double towards = target == 0 ? slowest : Ramp.Towards(Speed, target, Acceleration, Deceleration, dt);
-        return Speed == 0 && target == 0 ? 0 : Math.Max(slowest, Math.Min(ceiling, towards));
+        MoveAxes();
+        End(code);
     }
-
-    private void EnterSegment() => commanded = Buffer.Current?.EntrySpeed ?? commanded;
 
     private void MoveAxes()
     {
         if (Buffer.Current is { } segment)
         {
-            segment.PointAt(Travelled - segment.StartLength, point);
-            Tangent.Follow(segment.TangentAt(Travelled - segment.StartLength));
+            segment.PointAt(Profile.Travelled - segment.StartLength, _point);
+            Tangent.Follow(segment.TangentAt(Profile.Travelled - segment.StartLength));
         }
 
-        for (int i = 0; i < axes.Length; i++)
-        {
-            axes[i].SetPosition(origin[i] + Rounded(point[i]));
-        }
+        for (var i = 0; i < _axes.Length; i++) _axes[i].SetPosition(_origin[i] + Scaled(i));
     }
 
     private void End(int code)
     {
-        IsActive = false;
-        IsStopping = false;
+        IsRunning = false;
+        Profile.IsStopping = false;
         IsDry = false;
-        Speed = 0;
+        Profile.StandStill();
         Buffer.Abandon();
-        foreach (var axis in axes)
-        {
-            axis.LastStop = axis.Reference;
-        }
-
+        foreach (var axis in _axes) axis.LastStop = (int)axis.Position;
         MarkAxes(code);
     }
 
     private void MarkAxes(int code)
     {
-        foreach (var axis in axes)
-        {
-            axis.StopCode = code;
-        }
+        foreach (var axis in _axes) axis.StopCode = code;
     }
 
-    private static int Rounded(double value) => (int)Math.Round(value, MidpointRounding.AwayFromZero);
+    private int Scaled(int slot) =>
+        (int)Math.Round(_point[slot] * (slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1), MidpointRounding.AwayFromZero);
 }

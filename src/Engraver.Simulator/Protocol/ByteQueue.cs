@@ -3,26 +3,23 @@ namespace Engraver.Simulator.Protocol;
 /// <summary>Bytes on their way to one reader. Writing never waits; reading completes at once while bytes are there.</summary>
 internal sealed class ByteQueue
 {
-    private readonly Lock gate = new();
-    private byte[] buffer = new byte[256];
-    private int start;
-    private int count;
-    private bool completed;
-    private TaskCompletionSource? waiting;
+    private readonly Lock _gate = new();
+    private byte[] _buffer = new byte[256];
+    private int _start;
+    private int _count;
+    private bool _completed;
+    private TaskCompletionSource? _waiting;
 
     public void Write(ReadOnlySpan<byte> bytes)
     {
         TaskCompletionSource? reader;
-        lock (gate)
+        lock (_gate)
         {
-            if (completed)
-            {
-                return;
-            }
+            if (_completed) return;
 
             MakeRoom(bytes.Length);
-            bytes.CopyTo(buffer.AsSpan(start + count));
-            count += bytes.Length;
+            bytes.CopyTo(_buffer.AsSpan(_start + _count));
+            _count += bytes.Length;
             reader = Taken();
         }
 
@@ -33,9 +30,9 @@ internal sealed class ByteQueue
     public void Complete()
     {
         TaskCompletionSource? reader;
-        lock (gate)
+        lock (_gate)
         {
-            completed = true;
+            _completed = true;
             reader = Taken();
         }
 
@@ -48,15 +45,12 @@ internal sealed class ByteQueue
         while (true)
         {
             Task wait;
-            lock (gate)
+            lock (_gate)
             {
-                if (count > 0 || completed || destination.IsEmpty)
-                {
-                    return Take(destination.Span);
-                }
+                if (_count > 0 || _completed || destination.IsEmpty) return Take(destination.Span);
 
-                waiting ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-                wait = waiting.Task;
+                _waiting ??= new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+                wait = _waiting.Task;
             }
 
             await wait.WaitAsync(cancellation).ConfigureAwait(false);
@@ -65,31 +59,28 @@ internal sealed class ByteQueue
 
     private int Take(Span<byte> destination)
     {
-        int taken = Math.Min(count, destination.Length);
-        buffer.AsSpan(start, taken).CopyTo(destination);
-        start += taken;
-        count -= taken;
-        start = count == 0 ? 0 : start;
+        var taken = Math.Min(_count, destination.Length);
+        _buffer.AsSpan(_start, taken).CopyTo(destination);
+        _start += taken;
+        _count -= taken;
+        _start = _count == 0 ? 0 : _start;
         return taken;
     }
 
     private void MakeRoom(int length)
     {
-        if (start + count + length <= buffer.Length)
-        {
-            return;
-        }
+        if (_start + _count + length <= _buffer.Length) return;
 
-        var larger = count + length <= buffer.Length ? buffer : new byte[Math.Max(buffer.Length * 2, count + length)];
-        buffer.AsSpan(start, count).CopyTo(larger);
-        buffer = larger;
-        start = 0;
+        var larger = _count + length <= _buffer.Length ? _buffer : new byte[Math.Max(_buffer.Length * 2, _count + length)];
+        _buffer.AsSpan(_start, _count).CopyTo(larger);
+        _buffer = larger;
+        _start = 0;
     }
 
     private TaskCompletionSource? Taken()
     {
-        var reader = waiting;
-        waiting = null;
+        var reader = _waiting;
+        _waiting = null;
         return reader;
     }
 }

@@ -8,14 +8,15 @@ namespace Engraver.Simulator.Protocol;
 internal sealed class Handle(int index, int localPort, int remotePort, ICommandSink sink)
 {
     private const int LongestLine = 80;
-    private readonly StringBuilder command = new();
-    private readonly StringBuilder download = new();
-    private int lineLength;
-    private bool quoted;
-    private bool swallowReturn;
-    private Action<string>? arrayTarget;
-    private bool downloading;
-    private bool downloadFailed;
+    private readonly TextBuffer _command = new();
+    private readonly StringBuilder _download = new();
+    private CommandContext? _context;
+    private int _lineLength;
+    private bool _quoted;
+    private bool _swallowReturn;
+    private Action<string>? _arrayTarget;
+    private bool _downloading;
+    private bool _downloadFailed;
 
     public int Index => index;
 
@@ -28,6 +29,9 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     public int RemotePort => remotePort;
 
+    /// <summary>What its commands print into; restarted for each.</summary>
+    public CommandContext Context => _context ??= CommandContext.Of(this);
+
     /// <summary>What the controller sends to this client.</summary>
     public ByteQueue Output { get; } = new();
 
@@ -36,22 +40,31 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     public bool IsClosed { get; private set; }
 
+    /// <summary>Answers leave as datagrams; null for a connection.</summary>
+    public DatagramSender? Datagrams { get; init; }
+
+    public bool IsUdp => Datagrams is not null;
+
+    /// <summary>The bytes leave for the client now.</summary>
+    public void Emit(ReadOnlySpan<byte> bytes)
+    {
+        if (Datagrams is null) Output.Write(bytes);
+        else Datagrams(bytes);
+    }
+
     /// <summary>Cuts the connection from the controller's side.</summary>
     public Action? Disconnect { get; set; }
 
     /// <summary>Inside a download: the command gets no prompt before its text has ended.</summary>
-    public bool IsReceivingText => downloading || arrayTarget is not null;
+    public bool IsReceivingText => _downloading || _arrayTarget is not null;
 
-    private bool closeAfterReply;
+    private bool _closeAfterReply;
 
     public void Receive(ReadOnlySpan<byte> bytes)
     {
-        foreach (byte b in bytes)
+        foreach (var b in bytes)
         {
-            if (IsClosed)
-            {
-                return;
-            }
+            if (IsClosed) return;
 
             sink.Arrived(this, b);
             Accept((char)b);
@@ -60,10 +73,7 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     public void Send(ReadOnlySpan<byte> bytes)
     {
-        if (!IsClosed)
-        {
-            sink.Deliver(this, bytes);
-        }
+        if (!IsClosed) sink.Deliver(this, bytes);
     }
 
     /// <summary>Closes now, or behind the prompt of the running command when it is this handle's own.</summary>
@@ -71,7 +81,7 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
     {
         if (own)
         {
-            closeAfterReply = true;
+            _closeAfterReply = true;
         }
         else
         {
@@ -99,41 +109,35 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     public void BeginDownload()
     {
-        downloading = true;
-        downloadFailed = false;
-        download.Clear();
+        _downloading = true;
+        _downloadFailed = false;
+        _download.Clear();
     }
 
     public void BeginArrayDownload(Action<string> store)
     {
-        arrayTarget = store;
-        download.Clear();
+        _arrayTarget = store;
+        _download.Clear();
     }
 
     private void Accept(char c)
     {
-        if (c == '\n')
-        {
-            return;
-        }
+        if (c == '\n') return;
 
-        bool afterTerminator = swallowReturn;
-        swallowReturn = false;
-        if (downloading)
+        var afterTerminator = _swallowReturn;
+        _swallowReturn = false;
+        if (_downloading)
         {
             AcceptProgram(c);
         }
-        else if (arrayTarget is not null)
+        else if (_arrayTarget is not null)
         {
             AcceptArray(c);
         }
         else if (c == '\r')
         {
             // A CR behind the terminator of a download belongs to it (L.2 point 3).
-            if (!afterTerminator)
-            {
-                EndLine();
-            }
+            if (!afterTerminator) EndLine();
         }
         else
         {
@@ -143,31 +147,28 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     private void AcceptCommand(char c)
     {
-        lineLength++;
-        if (lineLength > LongestLine)
-        {
-            return;
-        }
+        _lineLength++;
+        if (_lineLength > LongestLine) return;
 
-        quoted ^= c == '"';
-        if (c == ';' && !quoted)
+        _quoted ^= c == '"';
+        if (c == ';' && !_quoted)
         {
             RunCommand();
         }
         else
         {
-            command.Append(c);
+            _command.Append(c);
         }
     }
 
     private void EndLine()
     {
-        bool tooLong = lineLength > LongestLine;
-        lineLength = 0;
-        quoted = false;
+        var tooLong = _lineLength > LongestLine;
+        _lineLength = 0;
+        _quoted = false;
         if (tooLong)
         {
-            command.Clear();
+            _command.Clear();
             Answer(sink.Refuse(this, Tc.InputBufferFull));
         }
         else
@@ -178,28 +179,22 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     private void RunCommand()
     {
-        string text = command.ToString();
-        command.Clear();
-        Answer(sink.Execute(this, text));
+        var reply = sink.Execute(this, _command.Text);
+        _command.Clear();
+        Answer(reply);
     }
 
-    /// <summary>A null reply means silence: a download begins, or the controller is frozen.</summary>
-    private void Answer(string? reply)
+    /// <summary>An empty reply means silence: a download begins, or the controller is frozen.</summary>
+    private void Answer(ReadOnlySpan<char> reply)
     {
         Commands++;
-        if (reply is not null)
-        {
-            SendText(reply);
-        }
+        if (reply.Length > 0) SendText(reply);
 
-        sink.Answered(this, reply?.Length ?? 0);
-        if (closeAfterReply)
-        {
-            Close();
-        }
+        sink.Answered(this, reply.Length);
+        if (_closeAfterReply) Close();
     }
 
-    private void SendText(string text)
+    private void SendText(ReadOnlySpan<char> text)
     {
         Span<byte> bytes = text.Length <= 512 ? stackalloc byte[text.Length] : new byte[text.Length];
         Encoding.Latin1.GetBytes(text, bytes);
@@ -208,31 +203,31 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     private void AcceptProgram(char c)
     {
-        bool end = c is '\\' or '\x1A' or '\x11' or '\x04';
+        var end = c is '\\' or '\x1A' or '\x11' or '\x04';
         if (c == '\r' || end)
         {
             EndProgramLine();
         }
         else
         {
-            download.Append(c);
+            _download.Append(c);
         }
 
         if (end)
         {
-            downloading = false;
-            swallowReturn = true;
-            Answer(sink.EndDownload(downloadFailed));
+            _downloading = false;
+            _swallowReturn = true;
+            Answer(sink.EndDownload(_downloadFailed));
         }
     }
 
     private void EndProgramLine()
     {
-        string line = download.ToString();
-        download.Clear();
-        if (!downloadFailed && !sink.StoreLine(line))
+        var line = _download.ToString();
+        _download.Clear();
+        if (!_downloadFailed && !sink.StoreLine(line))
         {
-            downloadFailed = true;
+            _downloadFailed = true;
             SendText("?");
         }
     }
@@ -241,13 +236,13 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
     {
         if (c is not ('\\' or '\x1A'))
         {
-            download.Append(c);
+            _download.Append(c);
             return;
         }
 
-        var store = arrayTarget!;
-        arrayTarget = null;
-        swallowReturn = true;
-        Answer(sink.StoreArray(this, () => store(download.ToString())));
+        var store = _arrayTarget!;
+        _arrayTarget = null;
+        _swallowReturn = true;
+        Answer(sink.StoreArray(this, () => store(_download.ToString())));
     }
 }

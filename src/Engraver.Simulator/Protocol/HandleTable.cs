@@ -3,32 +3,43 @@ namespace Engraver.Simulator.Protocol;
 /// <summary>The controller's connections, A to H (galil-dmc.md A.1).</summary>
 internal sealed class HandleTable(int capacity)
 {
-    private readonly Handle?[] handles = new Handle?[capacity];
+    private readonly Handle?[] _handles = new Handle?[capacity];
 
-    public int Capacity => handles.Length;
+    private int _lost;
 
-    public Handle? this[int index] => handles[index];
+    public int Capacity => _handles.Length;
 
-    public int Free => handles.Count(h => h is null);
+    public Handle? this[int index] => _handles[index];
+
+    public int Free => _handles.AsSpan().Count((Handle?)null);
 
     /// <summary>The handle lost last, -1 for none: <c>_IA4</c>.</summary>
     public int LostLast { get; private set; } = -1;
 
-    public IEnumerable<Handle> Open => handles.OfType<Handle>();
+    public IEnumerable<Handle> Open => _handles.OfType<Handle>();
+
+    /// <summary>The client of a handle went away and nobody has noticed yet; true once.</summary>
+    public bool NoticeLoss(int index)
+    {
+        var lost = (_lost & (1 << index)) != 0;
+        _lost &= ~(1 << index);
+        return lost;
+    }
 
     /// <summary>Puts a new handle into the first free place; null when all are busy.</summary>
     public Handle? TryOpen(Func<int, Handle> create)
     {
-        int index = Array.IndexOf(handles, null);
-        return index < 0 ? null : handles[index] = create(index);
+        var index = Array.IndexOf(_handles, null);
+        return index < 0 ? null : _handles[index] = create(index);
     }
 
     public void Remove(Handle handle)
     {
-        if (handles[handle.Index] == handle)
+        if (_handles[handle.Index] == handle)
         {
-            handles[handle.Index] = null;
+            _handles[handle.Index] = null;
             LostLast = handle.Index;
+            _lost |= 1 << handle.Index;
         }
     }
 }

@@ -3,8 +3,8 @@ namespace Engraver.Simulator.Protocol;
 /// <summary>What a handle needs from the controller: someone who executes, answers and counts.</summary>
 internal interface ICommandSink
 {
-    /// <summary>Executes one command; the reply with its prompt, or null for silence.</summary>
-    string? Execute(Handle handle, string text);
+    /// <summary>Executes one command; the reply with its prompt, valid until the next command, or nothing for silence.</summary>
+    ReadOnlySpan<char> Execute(Handle handle, ReadOnlySpan<char> text);
 
     /// <summary>Refuses what never became a command.</summary>
     string? Refuse(Handle handle, int code);

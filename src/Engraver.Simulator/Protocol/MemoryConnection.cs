@@ -19,10 +19,7 @@ internal sealed class MemoryConnection(ControllerCore core, Handle handle) : Str
 
     public override void Write(ReadOnlySpan<byte> buffer)
     {
-        if (handle.IsClosed)
-        {
-            throw new IOException("The controller closed the connection.");
-        }
+        if (handle.IsClosed) throw new IOException("The controller closed the connection.");
 
         core.Receive(handle, buffer);
     }
@@ -63,10 +60,7 @@ internal sealed class MemoryConnection(ControllerCore core, Handle handle) : Str
 
     protected override void Dispose(bool disposing)
     {
-        if (disposing)
-        {
-            core.Detach(handle);
-        }
+        if (disposing) core.Detach(handle);
 
         base.Dispose(disposing);
     }

@@ -1,40 +1,35 @@
-using System.Text;
-
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>Sends what programs print to the port that CF names, with bit 7 set under CW 1 (galil-dmc.md A.5).</summary>
-internal sealed class MessageRouter(HandleTable handles, SerialPort serial)
+internal sealed class MessageRouter(HandleTable handles, SerialPort serial, SimulatorOptions options)
 {
     private const int Marked = 1;
 
     /// <summary>A to H, or S for the serial port, where nobody on Ethernet hears it (factory).</summary>
-    public char Port { get; set; } = 'S';
+    public char Port { get; set; } = options.MessagePort;
 
     /// <summary>CW, first field: 1 sets bit 7, 2 does not (factory).</summary>
-    public int Marking { get; set; } = 2;
+    public int Marking { get; set; } = options.MessageMarking;
 
     /// <summary>CW, second field.</summary>
     public int WhenBlocked { get; set; } = 1;
 
     /// <summary>CF is not burned: every reset brings the serial port back.</summary>
-    public void Reset() => Port = 'S';
+    public void Reset() => Port = options.MessagePort;
 
     /// <param name="handle">The handle that {Ex} named; null leaves it to CF, -1 is the serial port.</param>
-    public void Send(StringBuilder text, int? handle)
+    /// <returns>False when the client it goes to has left without the controller having noticed (#TCPERR, C.3).</returns>
+    public bool Send(ReadOnlySpan<char> text, int? handle)
     {
-        int index = handle ?? (Port == 'S' ? -1 : Port - 'A');
-        if ((index < 0 ? serial.Client : index < handles.Capacity ? handles[index] : null) is not { } target)
-        {
-            return;
-        }
+        var index = handle ?? (Port == 'S' ? -1 : Port - 'A');
+        if (index >= handles.Capacity) return true;
+        if ((index < 0 ? serial.Client : handles[index]) is not { } target) return index < 0 || !handles.NoticeLoss(index);
 
-        byte mark = Marking == Marked ? (byte)0x80 : (byte)0;
-        var bytes = new byte[text.Length];
-        for (int i = 0; i < bytes.Length; i++)
-        {
-            bytes[i] = (byte)(text[i] | mark);
-        }
+        var mark = Marking == Marked ? (byte)0x80 : (byte)0;
+        Span<byte> bytes = text.Length <= 256 ? stackalloc byte[text.Length] : new byte[text.Length];
+        for (var i = 0; i < bytes.Length; i++) bytes[i] = (byte)(text[i] | mark);
 
         target.Send(bytes);
+        return true;
     }
 }

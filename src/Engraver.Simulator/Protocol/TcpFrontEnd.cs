@@ -6,37 +6,37 @@ namespace Engraver.Simulator.Protocol;
 /// <summary>Connections over TCP on loopback; each is one handle, one too many is answered with RST (galil-dmc.md A.1).</summary>
 internal sealed class TcpFrontEnd : IAsyncDisposable
 {
-    private readonly ControllerCore core;
-    private readonly Socket listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
-    private readonly CancellationTokenSource stopping = new();
-    private readonly Lock gate = new();
-    private readonly HashSet<Task> clients = [];
-    private readonly Task accepting;
+    private readonly ControllerCore _core;
+    private readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+    private readonly CancellationTokenSource _stopping = new();
+    private readonly Lock _gate = new();
+    private readonly HashSet<Task> _clients = [];
+    private readonly Task _accepting;
 
     public TcpFrontEnd(ControllerCore core, int port)
     {
-        this.core = core;
-        listener.Bind(new IPEndPoint(IPAddress.Loopback, port));
-        listener.Listen();
-        EndPoint = (IPEndPoint)listener.LocalEndPoint!;
-        accepting = AcceptAsync(stopping.Token);
+        _core = core;
+        _listener.Bind(new IPEndPoint(IPAddress.Loopback, port));
+        _listener.Listen();
+        EndPoint = (IPEndPoint)_listener.LocalEndPoint!;
+        _accepting = AcceptAsync(_stopping.Token);
     }
 
     public IPEndPoint EndPoint { get; }
 
     public async ValueTask DisposeAsync()
     {
-        await stopping.CancelAsync().ConfigureAwait(false);
-        listener.Dispose();
-        await accepting.ConfigureAwait(false);
+        await _stopping.CancelAsync().ConfigureAwait(false);
+        _listener.Dispose();
+        await _accepting.ConfigureAwait(false);
         Task[] open;
-        lock (gate)
+        lock (_gate)
         {
-            open = [.. clients];
+            open = [.. _clients];
         }
 
         await Task.WhenAll(open).ConfigureAwait(false);
-        stopping.Dispose();
+        _stopping.Dispose();
     }
 
     private async Task AcceptAsync(CancellationToken cancellation)
@@ -45,7 +45,7 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
         {
             try
             {
-                var socket = await listener.AcceptAsync(cancellation).ConfigureAwait(false);
+                var socket = await _listener.AcceptAsync(cancellation).ConfigureAwait(false);
                 Admit(socket, cancellation);
             }
             catch (OperationCanceledException)
@@ -62,18 +62,18 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
     private void Admit(Socket socket, CancellationToken cancellation)
     {
         socket.NoDelay = true;
-        int remotePort = ((IPEndPoint)socket.RemoteEndPoint!).Port;
-        if (core.Open(EndPoint.Port, remotePort, () => Reset(socket)) is not { } handle)
+        var remotePort = ((IPEndPoint)socket.RemoteEndPoint!).Port;
+        if (_core.Open(EndPoint.Port, remotePort, () => Reset(socket)) is not { } handle)
         {
             Reset(socket);
             return;
         }
 
         var serving = ServeAsync(socket, handle, cancellation);
-        lock (gate)
+        lock (_gate)
         {
-            clients.RemoveWhere(c => c.IsCompleted);
-            clients.Add(serving);
+            _clients.RemoveWhere(c => c.IsCompleted);
+            _clients.Add(serving);
         }
     }
 
@@ -99,7 +99,7 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
     {
         var sending = SendAsync(socket, handle, cancellation);
         await ReceiveAsync(socket, handle, cancellation).ConfigureAwait(false);
-        core.Detach(handle);
+        _core.Detach(handle);
         await sending.ConfigureAwait(false);
         socket.Dispose();
     }
@@ -111,7 +111,7 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
         {
             while (!handle.IsClosed && await socket.ReceiveAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var length)
             {
-                core.Receive(handle, buffer.AsSpan(0, length));
+                _core.Receive(handle, buffer.AsSpan(0, length));
             }
         }
         catch (SocketException)
@@ -135,7 +135,7 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
         {
             while (await handle.Output.ReadAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var length)
             {
-                for (int sent = 0; sent < length;)
+                for (var sent = 0; sent < length;)
                 {
                     sent += await socket.SendAsync(buffer.AsMemory(sent, length - sent), cancellation).ConfigureAwait(false);
                 }

@@ -7,21 +7,21 @@ namespace Engraver.Simulator;
 public sealed class MotionRecord
 {
     private const int ChunkSize = 1 << 15;
-    private readonly Lock gate = new();
-    private readonly Lock csvGate = new();
-    private readonly List<MotionSample[]> chunks = [];
-    private int count;
-    private TextWriter? csv;
-    private int written;
+    private readonly Lock _gate = new();
+    private readonly Lock _csvGate = new();
+    private readonly List<MotionSample[]> _chunks = [];
+    private int _count;
+    private TextWriter? _csv;
+    private int _written;
 
     /// <summary>Rows so far.</summary>
     public int Count
     {
         get
         {
-            lock (gate)
+            lock (_gate)
             {
-                return count;
+                return _count;
             }
         }
     }
@@ -30,11 +30,11 @@ public sealed class MotionRecord
     {
         get
         {
-            lock (gate)
+            lock (_gate)
             {
                 ArgumentOutOfRangeException.ThrowIfNegative(index);
-                ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(index, count);
-                return chunks[index / ChunkSize][index % ChunkSize];
+                ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(index, _count);
+                return _chunks[index / ChunkSize][index % ChunkSize];
             }
         }
     }
@@ -42,9 +42,9 @@ public sealed class MotionRecord
     /// <summary>A copy of all rows, oldest first.</summary>
     public IReadOnlyList<MotionSample> Snapshot()
     {
-        lock (gate)
+        lock (_gate)
         {
-            return Copy(0, count);
+            return Copy(0, _count);
         }
     }
 
@@ -52,10 +52,10 @@ public sealed class MotionRecord
     public void AttachCsv(TextWriter writer)
     {
         ArgumentNullException.ThrowIfNull(writer);
-        lock (csvGate)
+        lock (_csvGate)
         {
-            csv = writer;
-            written = 0;
+            _csv = writer;
+            _written = 0;
             WriteHeader(writer);
         }
 
@@ -65,22 +65,19 @@ public sealed class MotionRecord
     /// <summary>Brings the attached file up to date, through to the operating system.</summary>
     public void FlushCsv()
     {
-        lock (csvGate)
+        lock (_csvGate)
         {
-            if (csv is null || written == Count)
-            {
-                return;
-            }
+            if (_csv is null || _written == Count) return;
 
             MotionSample[] rows;
-            lock (gate)
+            lock (_gate)
             {
-                rows = Copy(written, count - written);
+                rows = Copy(_written, _count - _written);
             }
 
-            WriteRows(csv, rows);
-            csv.Flush();
-            written += rows.Length;
+            WriteRows(_csv, rows);
+            _csv.Flush();
+            _written += rows.Length;
         }
     }
 
@@ -95,15 +92,12 @@ public sealed class MotionRecord
 
     internal void Append(in MotionSample sample)
     {
-        lock (gate)
+        lock (_gate)
         {
-            if (count == chunks.Count * ChunkSize)
-            {
-                chunks.Add(new MotionSample[ChunkSize]);
-            }
+            if (_count == _chunks.Count * ChunkSize) _chunks.Add(new MotionSample[ChunkSize]);
 
-            chunks[count / ChunkSize][count % ChunkSize] = sample;
-            count++;
+            _chunks[_count / ChunkSize][_count % ChunkSize] = sample;
+            _count++;
         }
     }
 
@@ -112,13 +106,13 @@ public sealed class MotionRecord
     private static void WriteRows(TextWriter writer, IReadOnlyList<MotionSample> rows)
     {
         Span<char> line = stackalloc char[96];
-        for (int i = 0; i < rows.Count; i++)
+        for (var i = 0; i < rows.Count; i++)
         {
             var row = rows[i];
-            bool fits = line.TryWrite(
+            var fits = line.TryWrite(
                 CultureInfo.InvariantCulture,
                 $"{row.Sample / 1000}.{row.Sample % 1000:000},{row.A},{row.B},{row.C},{row.D},{row.Outputs}\n",
-                out int length);
+                out var length);
             System.Diagnostics.Debug.Assert(fits, "five integers and a time always fit");
             writer.Write(line[..length]);
         }
@@ -127,11 +121,11 @@ public sealed class MotionRecord
     private MotionSample[] Copy(int first, int length)
     {
         var rows = new MotionSample[length];
-        for (int done = 0; done < length;)
+        for (var done = 0; done < length;)
         {
-            int index = first + done;
-            int part = Math.Min(length - done, ChunkSize - (index % ChunkSize));
-            Array.Copy(chunks[index / ChunkSize], index % ChunkSize, rows, done, part);
+            var index = first + done;
+            var part = Math.Min(length - done, ChunkSize - (index % ChunkSize));
+            Array.Copy(_chunks[index / ChunkSize], index % ChunkSize, rows, done, part);
             done += part;
         }
 

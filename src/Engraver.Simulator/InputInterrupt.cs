@@ -1,0 +1,34 @@
+namespace Engraver.Simulator;
+
+/// <summary>II (galil-dmc.md D): when a watched input has its level, #ININT runs in thread 0; RI arms it again.</summary>
+internal sealed class InputInterrupt
+{
+    private byte _inputs;
+    private byte _levels;
+
+    /// <summary>TB, bit 3.</summary>
+    public bool IsArmed { get; private set; }
+
+    /// <summary>TB, bit 2: #ININT runs.</summary>
+    public bool IsRunning { get; private set; }
+
+    /// <param name="inputs">Mask of the inputs watched; 0 disables.</param>
+    /// <param name="levels">The level wanted of each, low unless told otherwise.</param>
+    public void Arm(byte inputs, byte levels)
+    {
+        _inputs = inputs;
+        _levels = levels;
+        IsRunning = false;
+        IsArmed = inputs != 0;
+    }
+
+    /// <summary>RI.</summary>
+    public void Rearm()
+    {
+        if (IsRunning) Arm(_inputs, _levels);
+    }
+
+    public bool IsDue(byte inputs) => IsArmed && (~(inputs ^ _levels) & _inputs) != 0;
+
+    public void Taken() => (IsArmed, IsRunning) = (false, true);
+}

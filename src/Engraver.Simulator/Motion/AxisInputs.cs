@@ -1,0 +1,42 @@
+namespace Engraver.Simulator.Motion;
+
+/// <summary>Limit switches, home switch and index of one axis (galil-dmc.md C.1, C.2). A switch is pressed by hand, by the axis standing on it, or both.</summary>
+internal sealed class AxisInputs(InputPolarity polarity, AxisSwitches? switches)
+{
+    private const int UsualPeriod = 4000;
+    private double _place;
+
+    /// <summary>The forward limit input was grounded by hand.</summary>
+    public bool ForwardGrounded { get; set; }
+
+    public bool ReverseGrounded { get; set; }
+
+    public bool HomeGrounded { get; set; }
+
+    /// <summary>The limit forbids motion: <c>_LF</c> is 0.</summary>
+    public bool ForwardHit => IsGrounded(ForwardGrounded, switches?.ForwardLimitAt is { } at && _place >= at, switches?.ForwardLimitAt) != polarity.LimitsActiveHigh;
+
+    public bool ReverseHit => IsGrounded(ReverseGrounded, switches?.ReverseLimitAt is { } at && _place <= at, switches?.ReverseLimitAt) != polarity.LimitsActiveHigh;
+
+    /// <summary>What <c>_HM</c> reads (C.2, table).</summary>
+    public bool Home => IsGrounded(HomeGrounded, switches?.HomeAt is { } at && _place >= at, switches?.HomeAt) == polarity.HomeReversed;
+
+    /// <summary>The index pulse passed in the last sample, as a distance from the present place; null when it did not.</summary>
+    public double? IndexPassed { get; private set; }
+
+    /// <summary>The motor stands here now, in counts from its place at power up.</summary>
+    public void MoveTo(double place)
+    {
+        IndexPassed = null;
+        if (place == _place) return;
+        double at = switches?.IndexAt ?? 0;
+        double period = switches?.IndexPeriod ?? UsualPeriod;
+        var upper = Math.Max(place, _place);
+        var pulse = at + (Math.Floor((upper - at) / period) * period);
+        IndexPassed = pulse > Math.Min(place, _place) ? pulse - place : null;
+        _place = place;
+    }
+
+    private bool IsGrounded(bool byHand, bool pressed, int? fitted) =>
+        byHand || (fitted is not null && pressed != (switches?.AreNormallyClosed ?? false));
+}
