@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Dxf;
 
 /// <summary>Writes a drawing of lines, arcs and circles as DXF AC1015 (AutoCAD 2000) in millimetres, with every table, block and object that a strict reader asks for.</summary>
-/// <remarks>Order and direction are kept: a clockwise arc stands under the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and every entity carries extended data
-/// of <see cref="Application"/>: its role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
+/// <remarks>Order and direction are kept: a clockwise arc stands under the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
+/// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
 public static class DxfWriter
 {
     /// <summary>Name under which the extended data is registered.</summary>
@@ -52,7 +52,7 @@ public static class DxfWriter
         foreach (var entity in sheet.Entities)
         {
             DxfSegmentWriter.Write(tags, entity.Segment, entity.Layer);
-            tags.Text(1001, Application).Text(1000, entity.Role).Integer(1071, entity.Sequence).Integer(1071, entity.Stroke);
+            if (entity.Role is { } role) tags.Text(1001, Application).Text(1000, role).Integer(1071, entity.Sequence).Integer(1071, entity.Stroke);
         }
     }
 }
