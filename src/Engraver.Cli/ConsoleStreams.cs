@@ -3,11 +3,19 @@ using System.Text;
 namespace Engraver.Cli;
 
 /// <summary>Where a run of the program writes: results to <see cref="Out"/> (UTF-8, LF), everything a person reads beside them to <see cref="Error"/>.</summary>
-public sealed class ConsoleStreams(Stream output, TextWriter error) : IDisposable
+/// <param name="output">Standard output.</param>
+/// <param name="error">Standard error.</param>
+/// <param name="input">Standard input; null: nobody types.</param>
+public sealed class ConsoleStreams(Stream output, TextWriter error, TextReader? input = null) : IDisposable
 {
     public TextWriter Out { get; } = new StreamWriter(output, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), bufferSize: 65536) { NewLine = "\n" };
 
     public TextWriter Error { get; } = error;
+
+    public TextReader In { get; } = input ?? TextReader.Null;
+
+    /// <summary>True when a person sits at both ends: keys are read one by one and replies are coloured.</summary>
+    public bool Interactive { get; init; }
 
     public void Dispose() => Out.Dispose();
 }

@@ -16,9 +16,12 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(TableVerb.Build(host));
         root.Subcommands.Add(SequenceVerb.Build(host));
         root.Subcommands.Add(PlotVerb.Build(host));
+        root.Subcommands.Add(PlanVerb.Build(host));
         root.Subcommands.Add(PostVerb.Build(host));
         root.Subcommands.Add(RunVerb.Build(host));
+        root.Subcommands.Add(TerminalVerb.Build(host));
         root.Subcommands.Add(SimulateVerb.Build(host));
+        root.Subcommands.Add(BenchVerb.Build(host));
         return root;
     }
 }

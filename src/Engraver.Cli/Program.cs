@@ -1,3 +1,4 @@
 using Engraver.Cli;
 
-return await EngraverProgram.RunAsync(args, new ConsoleStreams(Console.OpenStandardOutput(), Console.Error)).ConfigureAwait(false);
+var streams = new ConsoleStreams(Console.OpenStandardOutput(), Console.Error, new StreamReader(Console.OpenStandardInput())) { Interactive = !Console.IsInputRedirected && !Console.IsOutputRedirected };
+return await EngraverProgram.RunAsync(args, streams).ConfigureAwait(false);

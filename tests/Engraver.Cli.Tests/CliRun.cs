@@ -9,12 +9,17 @@ internal sealed record CliRun(int ExitCode, string Out, string Error)
 
     /// <param name="stop">Cancelling it is the operator's Ctrl-C.</param>
     /// <param name="args">The words after <c>engraver</c>.</param>
-    public static async Task<CliRun> Of(CancellationToken stop, params string[] args)
+    public static Task<CliRun> Of(CancellationToken stop, params string[] args) => Typing(TextReader.Null, stop, args);
+
+    /// <summary>A run with a pipe for standard input.</summary>
+    public static Task<CliRun> Typing(string input, params string[] args) => Typing(new StringReader(input), CancellationToken.None, args);
+
+    public static async Task<CliRun> Typing(TextReader input, CancellationToken stop, params string[] args)
     {
         using var output = new MemoryStream();
         await using var error = new StringWriter();
         int code;
-        using (var streams = new ConsoleStreams(output, error))
+        using (var streams = new ConsoleStreams(output, error, input))
         {
             code = await EngraverProgram.RunAsync(args, streams, stop);
         }

@@ -1,5 +1,6 @@
 using Engraver.Samples.Dxf;
 using Engraver.Samples.Geometry;
+using Engraver.Workbench.Benchmarks;
 
 namespace Engraver.Samples.Drawings;
 

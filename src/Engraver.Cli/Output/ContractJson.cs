@@ -8,6 +8,7 @@ namespace Engraver.Cli.Output;
 [JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, NewLine = "\n", GenerationMode = JsonSourceGenerationMode.Metadata)]
 [JsonSerializable(typeof(InfoJson))]
 [JsonSerializable(typeof(SequenceJson))]
+[JsonSerializable(typeof(PlanJson))]
 [JsonSerializable(typeof(RunJson))]
 internal sealed partial class ContractJson : JsonSerializerContext
 {

@@ -108,7 +108,7 @@ internal sealed class RunVerb
         }
     }
 
-    private static ControllerAddress? ParseAddress(ArgumentResult result)
+    internal static ControllerAddress? ParseAddress(ArgumentResult result)
     {
         var word = result.Tokens[0].Value;
         if (!ControllerAddress.TryParse(word, out var address))

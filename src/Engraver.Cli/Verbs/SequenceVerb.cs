@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Diagnostics;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.Documents;
 
@@ -14,9 +15,11 @@ internal static class SequenceVerb
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
+        var output = new Option<string?>("-o", "--output") { HelpName = "CLDATA.dxf", Description = "Also write the sequenced and oriented drawing as DXF." };
         var command = new Command("sequence", "Chains the drawing into contours, orders them, and names every discontinuity.");
         drawing.AddTo(command);
         command.Options.Add(json);
+        command.Options.Add(output);
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
@@ -24,6 +27,7 @@ internal static class SequenceVerb
             var options = JobPreparation.SequencingFor(read, settings);
             var (chained, chainSeconds) = Timed(() => Sequencer.Chain(JobPreparation.Analyse(read, settings), read, options));
             var (result, orderSeconds) = Timed(() => Sequencer.Order(chained, options));
+            if (parsed.GetValue(output) is { } place) host.Write(place, writer => ClData.Write(JobPreparation.PathOf(result, settings), writer));
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);
             else SequenceReport.Text(host.Out, result);

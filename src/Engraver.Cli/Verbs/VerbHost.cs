@@ -13,6 +13,11 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global)
 
     public TextWriter Error => streams.Error;
 
+    public TextReader In => streams.In;
+
+    /// <summary>True when a person types and watches.</summary>
+    public bool Interactive => streams.Interactive;
+
     public bool Quiet(ParseResult parsed) => global.Quiet(parsed);
 
     /// <summary>Prints what was found (warnings and errors; with --verbose also infos, with --quiet only errors).</summary>

@@ -37,6 +37,9 @@ public static class JobPreparation
         Enter = Entering(drawing, settings.Enter),
     };
 
+    /// <summary>The machine-neutral path from where the tool stands.</summary>
+    public static Toolpath PathOf(SequencingResult sequence, DrawingSettings settings) => ToolpathPlanner.Plan(sequence, settings.Start);
+
     /// <summary>All stages.</summary>
     /// <param name="style">Continuous for the stream and the posted sequences, calls for the paper's way.</param>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
@@ -44,7 +47,7 @@ public static class JobPreparation
     {
         var analysed = Analyse(drawing, settings);
         var sequence = Sequence(drawing, analysed, settings);
-        var toolpath = ToolpathPlanner.Plan(sequence, settings.Start);
+        var toolpath = PathOf(sequence, settings);
         var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
         return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion);
     }

@@ -1,10 +1,10 @@
-namespace Engraver.Samples;
+namespace Engraver.Workbench.Benchmarks;
 
 /// <summary>Random-looking numbers that are the same on every platform and runtime for the same seed (SplitMix64, Steele, Lea and Flood 2014).</summary>
 /// <remarks><see cref="Random"/> does not promise its sequence across versions of the runtime, and the samples must not change with it.</remarks>
 internal sealed class SeededSequence(ulong seed)
 {
-    private ulong state = seed;
+    private ulong _state = seed;
 
     /// <summary>From 0 up to, but not including, <paramref name="limit"/>.</summary>
     public int Below(int limit) => (int)(NextBits() % (ulong)limit);
@@ -26,8 +26,8 @@ internal sealed class SeededSequence(ulong seed)
 
     private ulong NextBits()
     {
-        state += 0x9E3779B97F4A7C15;
-        var mixed = state;
+        _state += 0x9E3779B97F4A7C15;
+        var mixed = _state;
         mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9;
         mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
         return mixed ^ (mixed >> 31);

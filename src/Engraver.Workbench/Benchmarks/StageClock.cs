@@ -1,4 +1,4 @@
-namespace Engraver.Benchmarks;
+namespace Engraver.Workbench.Benchmarks;
 
 /// <summary>Measures one stage: processor time of the process (not of the wall), bytes allocated and bytes kept.</summary>
 internal static class StageClock

@@ -1,40 +1,48 @@
 using System.Globalization;
+using System.Text;
 using Engraver.Core.Dxf;
-using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
-using Engraver.Samples;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Settings;
 
-namespace Engraver.Benchmarks;
+namespace Engraver.Workbench.Benchmarks;
 
 /// <summary>The stages of the main job on a seeded drawing of shuffled, randomly reversed lines that form closed polygons.</summary>
-internal static class StageBenchmark
+public static class StageBenchmark
 {
     private const int Repetitions = 5;
+    private const ulong Seed = 1;
     private static readonly DrawingSettings s_settings = new();
 
     /// <summary>Runs everything once on a small drawing, so that the first row does not pay for the just-in-time compiler.</summary>
     public static Task WarmUpAsync(CancellationToken stop) => RunAsync(500, stop);
 
-    public static async Task<IReadOnlyList<StageFigure>> RunAsync(int entities, CancellationToken stop)
+    /// <summary>One row for each stage.</summary>
+    /// <param name="entities">Lines in the drawing, at least 1.</param>
+    /// <exception cref="OperationCanceledException">Stopped by the operator.</exception>
+    public static Task<IReadOnlyList<StageFigure>> RunAsync(int entities, CancellationToken stop) => MeasureAsync(entities, Drawing(entities), stop);
+
+    /// <summary>The seeded drawing as DXF with six decimals, as drawings from CAD have them.</summary>
+    private static byte[] Drawing(int entities)
     {
-        var file = Path.Combine(Path.GetTempPath(), string.Create(CultureInfo.InvariantCulture, $"engraver-bench-{Environment.ProcessId}-{entities}.dxf"));
-        try
+        var sheet = SeededPolygons.Lines(entities, shuffled: true, Seed)
+            .Select(line => new DxfSheetEntity(Segment.FromLine(Place(line.FromX, line.FromY), Place(line.ToX, line.ToY)), SeededPolygons.Layers[line.Layer], null, 0, 0));
+        using var bytes = new MemoryStream();
+        using (var writer = new StreamWriter(bytes, Encoding.ASCII, leaveOpen: true))
         {
-            BenchmarkRequest.From(["--lines", entities.ToString(CultureInfo.InvariantCulture), file, "--shuffle"])!.Write();
-            return await MeasureAsync(entities, await File.ReadAllBytesAsync(file, stop).ConfigureAwait(false), stop).ConfigureAwait(false);
+            DxfWriter.Write(new DxfSheet([.. SeededPolygons.Layers.Select((name, i) => new DxfSheetLayer(name, i + 1))], [.. sheet]), writer);
         }
-        finally
-        {
-            File.Delete(file);
-        }
+
+        return bytes.ToArray();
     }
+
+    private static Point2D Place(double x, double y) => new(Math.Round(x, 6), Math.Round(y, 6));
 
     private static async Task<IReadOnlyList<StageFigure>> MeasureAsync(int entities, byte[] bytes, CancellationToken stop)
     {

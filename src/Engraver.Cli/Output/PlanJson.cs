@@ -1,0 +1,18 @@
+namespace Engraver.Cli.Output;
+
+/// <summary>What <c>engraver plan --json</c> prints; names, units and meanings are the runner's contract. Null: nothing that this machine can cut.</summary>
+/// <param name="CutLength">Drawn length to be cut, mm.</param>
+/// <param name="Travel">Between strokes, mm.</param>
+/// <param name="PeakSpeed">While cutting, mm/s along the path.</param>
+/// <param name="PeakAxisAcceleration">While cutting, mm/s2 of one axis.</param>
+/// <param name="Cost">No machine profile knows a price yet: always null.</param>
+internal sealed record PlanJson(
+    PlanJson.PlanSecondsJson? Seconds,
+    double CutLength,
+    double Travel,
+    double? PeakSpeed,
+    double? PeakAxisAcceleration,
+    double? Cost)
+{
+    internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell);
+}

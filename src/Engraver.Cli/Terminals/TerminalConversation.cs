@@ -1,0 +1,74 @@
+using Engraver.Workbench.Terminals;
+
+namespace Engraver.Cli.Terminals;
+
+/// <summary>A terminal with somebody at it: lines from a pipe one after the other, or keys from a person.</summary>
+internal sealed class TerminalConversation(MachineTerminal terminal, TerminalScreen screen, TimeProvider time)
+{
+    /// <summary>Between two looks at the keyboard, and at what programs print meanwhile.</summary>
+    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(50);
+
+    /// <summary>Done, or the code of the first line that was refused (by the controller) or withheld (by us).</summary>
+    public int Code { get; private set; } = ExitCode.Done;
+
+    /// <summary>Answers every line up to the end or <c>quit</c>; what programs print at the end is shown too.</summary>
+    public async Task RunAsync(TextReader lines, CancellationToken stop)
+    {
+        while (await NextAsync(lines, stop).ConfigureAwait(false) is { } line && TerminalLine.Read(line) is not TerminalLine.Quit) await AnswerAsync(line, stop).ConfigureAwait(false);
+        foreach (var message in await terminal.PollAsync(stop).ConfigureAwait(false)) screen.Show(message);
+    }
+
+    /// <summary>The same with a line editor. What was refused is no failure of the program: the operator has seen it.</summary>
+    public async Task RunKeysAsync(CancellationToken stop)
+    {
+        while (await TypeAsync(stop).ConfigureAwait(false) is var line && TerminalLine.Read(line) is not TerminalLine.Quit) await AnswerAsync(line, stop).ConfigureAwait(false);
+        Code = ExitCode.Done;
+    }
+
+    /// <summary>Reading from a console cannot be cancelled, so the operator's stop does not wait for it.</summary>
+    private static Task<string?> NextAsync(TextReader lines, CancellationToken stop) => Task.Run(lines.ReadLine, stop).WaitAsync(stop);
+
+    private async Task AnswerAsync(string line, CancellationToken stop)
+    {
+        foreach (var answer in await terminal.AnswerAsync(line, stop).ConfigureAwait(false))
+        {
+            screen.Show(answer);
+            if (Code == ExitCode.Done) Code = CodeOf(answer.Kind);
+        }
+    }
+
+    private static int CodeOf(TerminalAnswerKind kind) => kind switch
+    {
+        TerminalAnswerKind.Refusal => ExitCode.Refused,
+        TerminalAnswerKind.Withheld => ExitCode.Usage,
+        _ => ExitCode.Done,
+    };
+
+    private async Task<string> TypeAsync(CancellationToken stop)
+    {
+        var editor = new LineEditor(terminal.History);
+        screen.ShowInput("", 0);
+        while (true)
+        {
+            await AwaitKeyAsync(editor, stop).ConfigureAwait(false);
+            if (editor.Press(Console.ReadKey(intercept: true))) break;
+            screen.ShowInput(editor.Text, editor.Cursor);
+        }
+
+        screen.EndInput();
+        return editor.Text;
+    }
+
+    private async Task AwaitKeyAsync(LineEditor editor, CancellationToken stop)
+    {
+        while (!Console.KeyAvailable)
+        {
+            await Task.Delay(s_look, time, stop).ConfigureAwait(false);
+            var messages = await terminal.PollAsync(stop).ConfigureAwait(false);
+            if (messages.Count == 0) continue;
+            screen.HideInput();
+            foreach (var message in messages) screen.Show(message);
+            screen.ShowInput(editor.Text, editor.Cursor);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+using System.CommandLine;
+using Engraver.Cli.Terminals;
+using Engraver.Galil.Links;
+using Engraver.Galil.Profiles;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Terminals;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver terminal</c>: a conversation with a controller, typed or piped.</summary>
+internal static class TerminalVerb
+{
+    private static readonly TimeSpan s_poll = TimeSpan.FromMilliseconds(20);
+
+    public static Command Build(VerbHost host)
+    {
+        var connect = new Option<ControllerAddress?>("--connect") { Required = true, HelpName = "URL", Description = "Where the controller is; as for run.", CustomParser = RunVerb.ParseAddress };
+        var command = new Command("terminal", "Talks to a controller line by line: type help, or pipe commands in, one a line.") { connect };
+        command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(connect)!, stop));
+        return command;
+    }
+
+    private static async Task<int> RunAsync(VerbHost host, ControllerAddress address, CancellationToken stop)
+    {
+        await using var connection = MachineConnection.To(address, TimeProvider.System);
+        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, stop).ConfigureAwait(false);
+        var screen = new TerminalScreen(host.Out, host.Interactive && Environment.GetEnvironmentVariable("NO_COLOR") is null or "");
+        var conversation = new TerminalConversation(terminal, screen, TimeProvider.System);
+        try
+        {
+            if (host.Interactive) screen.Show(new TerminalAnswer(TerminalAnswerKind.Help, $"{terminal.Session.Identity.Model} at {connection.Description}; type help, or quit."));
+            await (host.Interactive ? conversation.RunKeysAsync(stop) : conversation.RunAsync(host.In, stop)).ConfigureAwait(false);
+            return conversation.Code;
+        }
+        catch (OperationCanceledException) when (stop.IsCancellationRequested)
+        {
+            await terminal.StopAsync(MachineProfile.Default.ToolOutput, s_poll).ConfigureAwait(false);
+            throw;
+        }
+    }
+}

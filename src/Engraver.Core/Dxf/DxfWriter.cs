@@ -1,0 +1,58 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Writes a drawing of lines, arcs and circles as DXF AC1015 (AutoCAD 2000) in millimetres, with every table, block and object that a strict reader asks for.</summary>
+/// <remarks>Order and direction are kept: a clockwise arc stands under the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
+/// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
+public static class DxfWriter
+{
+    /// <summary>Name under which the extended data is registered.</summary>
+    public const string Application = "CNCENGRAVER";
+
+    private const int Millimetres = 4;
+
+    /// <summary>The same sheet gives the same text. LF line ends, ASCII.</summary>
+    public static void Write(DxfSheet sheet, TextWriter output)
+    {
+        var tags = new DxfTagWriter(output, DxfHandles.FirstFree);
+        tags.Section("HEADER", header => Header(header, sheet));
+        tags.Section("CLASSES", _ => { });
+        tags.Section("TABLES", tables => new DxfTableWriter(tables).Write(sheet.Layers));
+        tags.Section("BLOCKS", Blocks);
+        new DxfTagWriter(output, DxfHandles.FirstEntity).Section("ENTITIES", entities => Entities(entities, sheet));
+        tags.Section("OBJECTS", DxfObjectWriter.Write);
+        tags.Text(0, "EOF");
+    }
+
+    private static void Header(DxfTagWriter tags, DxfSheet sheet)
+    {
+        var box = sheet.Bounds.IsEmpty ? Bounds2D.Of(default, default) : sheet.Bounds;
+        tags.Text(9, "$ACADVER").Text(1, "AC1015");
+        tags.Text(9, "$DWGCODEPAGE").Text(3, "ANSI_1252");
+        tags.Text(9, "$INSUNITS").Integer(70, Millimetres);
+        tags.Text(9, "$MEASUREMENT").Integer(70, 1);
+        tags.Text(9, "$EXTMIN").Point(10, new Point2D(box.MinX, box.MinY));
+        tags.Text(9, "$EXTMAX").Point(10, new Point2D(box.MaxX, box.MaxY));
+        tags.Text(9, "$HANDSEED").Handle(5, DxfHandles.FirstEntity + sheet.Entities.Count);
+    }
+
+    private static void Blocks(DxfTagWriter tags)
+    {
+        foreach (var (name, owner) in new[] { ("*Model_Space", DxfHandles.ModelSpace), ("*Paper_Space", DxfHandles.PaperSpace) })
+        {
+            tags.Begin("BLOCK", owner).Class("AcDbEntity").Text(8, "0").Class("AcDbBlockBegin")
+                .Text(2, name).Integer(70, 0).Point(10, default).Text(3, name).Text(1, "");
+            tags.Begin("ENDBLK", owner).Class("AcDbEntity").Text(8, "0").Class("AcDbBlockEnd");
+        }
+    }
+
+    private static void Entities(DxfTagWriter tags, DxfSheet sheet)
+    {
+        foreach (var entity in sheet.Entities)
+        {
+            DxfSegmentWriter.Write(tags, entity.Segment, entity.Layer);
+            if (entity.Role is { } role) tags.Text(1001, Application).Text(1000, role).Integer(1071, entity.Sequence).Integer(1071, entity.Stroke);
+        }
+    }
+}

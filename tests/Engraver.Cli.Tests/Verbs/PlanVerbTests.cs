@@ -1,0 +1,65 @@
+namespace Engraver.Cli.Tests.Verbs;
+
+public class PlanVerbTests
+{
+    public static TheoryData<string> Samples => new(SampleDrawing.Names);
+
+    [Theory]
+    [MemberData(nameof(Samples))]
+    public async Task The_planned_time_is_within_two_percent_of_the_simulated_run(string name)
+    {
+        using var folder = new TemporaryFolder();
+        var plan = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf(name), "--json"));
+        var run = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf(name), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
+        var (planned, simulated) = (plan.GetProperty("seconds").GetProperty("total").GetDouble(), run.GetProperty("seconds").GetDouble());
+
+        Assert.InRange(planned, 0.98 * simulated, 1.02 * simulated);
+        Assert.Equal(planned, run.GetProperty("plannedSeconds").GetDouble(), precision: 9);
+    }
+
+    [Theory]
+    [MemberData(nameof(Samples))]
+    public async Task So_is_the_time_planned_for_the_papers_calls(string name)
+    {
+        using var folder = new TemporaryFolder();
+        var run = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf(name), "--connect", "sim:", "--mode", "calls", "--json", "--journal", folder.PathOf("run.jsonl")));
+        var simulated = run.GetProperty("seconds").GetDouble();
+
+        Assert.InRange(run.GetProperty("plannedSeconds").GetDouble(), 0.98 * simulated, 1.02 * simulated);
+    }
+
+    [Fact]
+    public async Task The_object_has_every_field_of_the_contract_and_its_seconds_add_up()
+    {
+        var plan = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf("paper-001"), "--json"));
+        var seconds = plan.GetProperty("seconds");
+
+        Assert.Equal(["seconds", "cutLength", "travel", "peakSpeed", "peakAxisAcceleration", "cost"], plan.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(["total", "cutting", "rapid", "dwell"], seconds.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(seconds.GetProperty("total").GetDouble(), seconds.GetProperty("cutting").GetDouble() + seconds.GetProperty("rapid").GetDouble() + seconds.GetProperty("dwell").GetDouble(), precision: 12);
+        Assert.Equal(300.0 + (50.0 * Math.PI), plan.GetProperty("cutLength").GetDouble(), precision: 9);
+        Assert.Equal(20.0, plan.GetProperty("peakSpeed").GetDouble(), precision: 6);
+    }
+
+    [Fact]
+    public async Task The_machine_profile_decides_how_long_it_takes()
+    {
+        using var folder = new TemporaryFolder();
+        var slow = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf("paper-001"), "--json", "--machine", folder.WithFile("slow.json", """{ "feedMmPerMinute": 600 }""")));
+        var usual = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf("paper-001"), "--json"));
+
+        Assert.Equal(10.0, slow.GetProperty("peakSpeed").GetDouble(), precision: 6);
+        Assert.InRange(Cutting(slow), 1.9 * Cutting(usual), 2.0 * Cutting(usual));
+
+        static double Cutting(System.Text.Json.JsonElement plan) => plan.GetProperty("seconds").GetProperty("cutting").GetDouble();
+    }
+
+    [Fact]
+    public async Task A_drawing_that_cannot_be_read_is_told_and_takes_no_time()
+    {
+        var run = await CliRun.Of("plan", "missing.dxf", "--json");
+
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        Assert.Equal(0.0, JsonText.Of(run).GetProperty("seconds").GetProperty("total").GetDouble());
+    }
+}

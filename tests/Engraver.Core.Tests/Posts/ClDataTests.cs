@@ -1,0 +1,124 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
+using Engraver.Core.Geometry;
+using Engraver.Core.Posts;
+using Engraver.Core.Toolpaths;
+using FsCheck;
+using FsCheck.Fluent;
+
+namespace Engraver.Core.Tests.Posts;
+
+public class ClDataTests
+{
+    private const double Ulps = 1e-9;
+
+    private static readonly Gen<double> Place = Gen.Choose(-50_000_000, 50_000_000).Select(n => n / 1e5);
+
+    private static readonly Gen<Point2D> Point = Place.Two().Select(n => new Point2D(n.Item1, n.Item2));
+
+    private static readonly Gen<Segment> AnySegment = Gen.OneOf(
+        Point.Two().Select(ends => Segment.FromLine(ends.Item1, ends.Item2 + new Vector2D(0.125, 0.0))),
+        Point.SelectMany(centre => Angles(0, 359_999_999).SelectMany(start => Angles(1, 359_999_999).SelectMany(sweep => Gen.Elements(-1.0, 1.0).Select(sense => Arc(centre.X, centre.Y, start, sense * sweep))))),
+        Point.SelectMany(centre => Gen.Elements(0.0, 90.0, 180.0, 33.3).SelectMany(start => Gen.Elements(-360.0, 360.0).Select(sweep => Arc(centre.X, centre.Y, start, sweep)))));
+
+    [Fact]
+    public void Every_path_reads_back_with_its_order_directions_ends_and_lengths() =>
+        Prop.ForAll(Arb.From(Gen.NonEmptyListOf(AnySegment)), segments =>
+        {
+            var found = CutParts(Read(ClDataText(segments))).ToList();
+            Assert.Equal(segments.Count, found.Count);
+            for (var i = 0; i < found.Count; i++) AssertSame(segments[i], found[i]);
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void A_circle_keeps_where_it_starts_and_which_way_round_it_goes()
+    {
+        foreach (var (start, sweep) in new[] { (0.0, 360.0), (180.0, 360.0), (0.0, -360.0), (180.0, -360.0), (90.0, -360.0) })
+        {
+            var circle = Arc(3.0, 4.0, start, sweep);
+            AssertSame(circle, CutParts(Read(ClDataText([circle]))).Single());
+        }
+    }
+
+    [Fact]
+    public void Rapids_stand_between_the_strokes_on_a_layer_that_is_not_cut()
+    {
+        var drawing = Read(ClDataText([Arc(0.0, 0.0, 0.0, 90.0), Segment.FromLine(new Point2D(7.0, 7.0), new Point2D(8.0, 7.0))]));
+
+        Assert.Equal(["RAPID", "CUT_OPEN", "RAPID", "CUT_OPEN"], Enumerable.Range(0, drawing.Entities.Count).Select(i => drawing.Layers[drawing.Entities[i].Layer].Name));
+        Assert.False(drawing.Layers.Single(layer => layer.Name == ClData.RapidLayer).CutByDefault);
+        Assert.True(drawing.Layers.Single(layer => layer.Name == ClData.OpenLayer).CutByDefault);
+        Assert.Empty(drawing.Diagnostics);
+    }
+
+    [Fact]
+    public void The_drawing_says_that_it_is_in_millimetres_and_carries_sequence_and_stroke_numbers()
+    {
+        var text = ClDataText([Arc(0.0, 0.0, 0.0, 90.0), Segment.FromLine(new Point2D(7.0, 7.0), new Point2D(8.0, 7.0))]);
+
+        Assert.Equal(("mm", "INSUNITS", "AC1015"), (Read(text).Unit.Name, Read(text).Unit.Source, Read(text).DxfVersion));
+        Assert.Contains("1001\nCNCENGRAVER\n1000\nrapid\n1071\n0\n1071\n1\n", text, StringComparison.Ordinal);
+        Assert.Contains("1001\nCNCENGRAVER\n1000\ncut\n1071\n2\n1071\n2\n", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Handles_are_unique_and_below_the_seed()
+    {
+        var lines = ClDataText([.. Enumerable.Range(0, 300).Select(i => Segment.FromLine(new Point2D(i, 0.0), new Point2D(i, 1.0)))]).Split('\n');
+        var pairs = Enumerable.Range(0, lines.Length / 2).Select(i => (Code: lines[2 * i], Value: lines[(2 * i) + 1])).ToList();
+        var seed = pairs.FindIndex(pair => pair.Value == "$HANDSEED");
+        var handles = pairs.Skip(seed + 2).Where(pair => pair.Code is "5" or "105").Select(pair => int.Parse(pair.Value, NumberStyles.HexNumber, CultureInfo.InvariantCulture)).ToList();
+
+        Assert.Equal(handles.Count, handles.Distinct().Count());
+        Assert.All(handles, handle => Assert.InRange(handle, 1, int.Parse(pairs[seed + 1].Value, NumberStyles.HexNumber, CultureInfo.InvariantCulture) - 1));
+    }
+
+    [Fact]
+    public void An_arc_too_small_for_an_angle_is_written_as_a_line_and_not_lost()
+    {
+        var speck = Arc(0.0, 0.0, 10.0, 1e-10);
+
+        Assert.Equal(SegmentKind.Line, CutParts(Read(ClDataText([speck]))).Single().Kind);
+    }
+
+    [Fact]
+    public void An_empty_path_is_an_empty_drawing()
+    {
+        var drawing = Read(ClDataText([]));
+
+        Assert.Equal(0, drawing.Entities.Count);
+        Assert.False(drawing.HasErrors);
+    }
+
+    private static Gen<double> Angles(int least, int most) => Gen.Choose(least, most).Select(n => n / 1e6);
+
+    private static Segment Arc(double x, double y, double start, double sweep) =>
+        Segment.FromArc(new ArcSegment(new Point2D(x, y), 1.0 + Math.Abs(x), Angle.FromDegrees(start), Angle.FromDegrees(sweep)));
+
+    /// <summary>Each segment a stroke of its own.</summary>
+    private static string ClDataText(IReadOnlyList<Segment> segments)
+    {
+        using var text = new StringWriter();
+        ClData.Write(new Toolpath(new Point2D(-1.0, -1.0), [.. segments.Select((segment, i) => new ToolpathStroke(i, false, [new ToolpathMove(segment, i)]))]), text);
+        return text.ToString();
+    }
+
+    private static Drawing Read(string text) => DxfReader.Read(Encoding.ASCII.GetBytes(text), "cl.dxf", new DxfReadOptions(), CancellationToken.None);
+
+    private static IEnumerable<Segment> CutParts(Drawing drawing) => Enumerable.Range(0, drawing.Parts.Count)
+        .Where(i => drawing.Layers[drawing.Entities[drawing.Parts[i].Entity].Layer].Name != ClData.RapidLayer)
+        .Select(i => drawing.Parts[i].InPlan());
+
+    private static void AssertSame(Segment expected, Segment found)
+    {
+        Assert.Equal(expected.Kind, found.Kind);
+        Assert.Equal(0.0, expected.Start.DistanceTo(found.Start), Ulps);
+        Assert.Equal(0.0, expected.End.DistanceTo(found.End), Ulps);
+        Assert.Equal(expected.Length, found.Length, Ulps);
+        if (expected.Kind != SegmentKind.Line) Assert.Equal(Math.Sign(expected.Arc.Sweep.Degrees), Math.Sign(found.Arc.Sweep.Degrees));
+        var (box, other) = (expected.Bounds, found.Bounds);
+        Assert.Equal(0.0, Math.Abs(box.MinX - other.MinX) + Math.Abs(box.MaxX - other.MaxX) + Math.Abs(box.MinY - other.MinY) + Math.Abs(box.MaxY - other.MaxY), 4.0 * Ulps);
+    }
+}

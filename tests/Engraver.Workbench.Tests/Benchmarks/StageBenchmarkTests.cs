@@ -1,0 +1,18 @@
+using Engraver.Workbench.Benchmarks;
+
+namespace Engraver.Workbench.Tests.Benchmarks;
+
+public class StageBenchmarkTests
+{
+    [Fact]
+    public async Task Every_stage_has_its_row_and_the_simulated_cut_misses_nothing()
+    {
+        var rows = await StageBenchmark.RunAsync(100, CancellationToken.None);
+
+        Assert.Equal(["read", "table and analysis", "chain", "order", "generate", "simulate and judge"], rows.Select(row => row.Stage));
+        Assert.All(rows, row => Assert.Equal(100, row.Entities));
+        Assert.Equal("100 rows", rows[1].Note);
+        Assert.EndsWith("missing 0 mm", rows[^1].Note, StringComparison.Ordinal);
+        Assert.Matches(@"^\| 100 \| read \| [0-9.]+ \| [0-9]+ \| [0-9]+ \| 0\.0 MB \|$", rows[0].ToMarkdown());
+    }
+}
