@@ -19,6 +19,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(PostVerb.Build(host));
         root.Subcommands.Add(RunVerb.Build(host));
         root.Subcommands.Add(SimulateVerb.Build(host));
+        root.Subcommands.Add(ScriptVerb.Build(host));
         return root;
     }
 }

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
-using Engraver.Galil.Programs;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Verbs;
@@ -12,7 +11,7 @@ internal static class PostVerb
     {
         var drawing = new DrawingOptions();
         var target = new Option<string>("--target") { Required = true, Description = "galil: continuous vector sequences; galil-calls: the paper's calls of #LINEAR and #CIRC." };
-        target.AcceptOnlyFromAmong("galil", "galil-calls");
+        target.AcceptOnlyFromAmong([.. PostedProgram.Targets]);
         var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = "File to write (default: standard output)." };
         var command = new Command("post", "Writes the job as a program for the controller.");
         drawing.AddTo(command);
@@ -22,17 +21,9 @@ internal static class PostVerb
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings.Unit, stop);
-            var calls = parsed.GetValue(target) == "galil-calls";
-            var job = JobPreparation.Prepare(read, settings, calls ? MotionStyle.Calls : MotionStyle.Continuous);
-            var diagnostics = job.Diagnostics.ToList();
-            if (job.Motion.Program is { } program)
-            {
-                var post = calls ? DmcPost.Calls(program, DmcPostOptions.Default, read.SourceOf) : DmcPost.Sequences(program, DmcPostOptions.Default, read.SourceOf);
-                diagnostics.AddRange(post.Diagnostics);
-                host.Write(parsed.GetValue(output), writer => writer.Write(post.Text));
-            }
-
-            return Task.FromResult(host.Report(parsed, read.FileName, diagnostics));
+            var posted = PostedProgram.Of(read, settings, parsed.GetRequiredValue(target));
+            if (posted.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
+            return Task.FromResult(host.Report(parsed, read.FileName, posted.Diagnostics));
         });
         return command;
     }

@@ -4,6 +4,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Verbs;
 
@@ -26,7 +27,7 @@ internal static class SequenceVerb
             var (result, orderSeconds) = Timed(() => Sequencer.Order(chained, options));
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);
-            else SequenceReport.Text(host.Out, result);
+            else SequenceText.Write(host.Out, result);
             return Task.FromResult(host.Report(parsed, read.FileName, [.. read.Diagnostics, .. result.Diagnostics]));
         });
         return command;
