@@ -6,7 +6,7 @@ using Engraver.Workbench.Machines;
 namespace Engraver.Workbench.Commands;
 
 /// <summary>What the command line is to AutoCAD: takes one input at a time, runs commands on the document and the machine, and always says what it waits for.</summary>
-/// <remarks>One caller at a time, except that while a job runs commands that are heard then (CNCSTOP, CNCSTATUS) and <see cref="Cancel"/> may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
+/// <remarks>One caller at a time, except that while a job runs commands that are heard then (CNCSTOP, CNCSTATUS) and <see cref="CancelAsync"/> may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
 public sealed class CommandSession : IAsyncDisposable
 {
     private readonly Stack<CommandFrame> _frames = new();
@@ -59,12 +59,16 @@ public sealed class CommandSession : IAsyncDisposable
         return result;
     }
 
-    /// <summary>Esc: ends what runs (a job stops the machine first) and clears the selection.</summary>
-    public void Cancel()
+    /// <summary>Esc: ends what asks and clears the selection. A command at work is told to end (a job stops the machine first); who fed it hears how.</summary>
+    public async Task CancelAsync()
     {
-        var wasBusy = IsBusy;
-        EndAll();
-        if (wasBusy) return;
+        if (IsBusy)
+        {
+            CancelFrames();
+            return;
+        }
+
+        await EndAllAsync().ConfigureAwait(false);
         Say(MessageKind.Note, "*Cancel*");
         if (Document.Current.Selection.Count > 0) Document.Select([], Document.Current.Previous);
     }
@@ -87,7 +91,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        EndAll();
+        await EndAllAsync().ConfigureAwait(false);
         await Machine.DisposeAsync().ConfigureAwait(false);
     }
 
@@ -166,11 +170,17 @@ public sealed class CommandSession : IAsyncDisposable
         return new FeedResult.Asking();
     }
 
-    private void EndAll()
+    private async Task EndAllAsync()
+    {
+        CancelFrames();
+        await Task.WhenAll(_frames.Select(frame => frame.Ended)).ConfigureAwait(false);
+        RemoveEnded();
+    }
+
+    private void CancelFrames()
     {
         _scripts.Clear();
         foreach (var frame in _frames.ToArray()) frame.Cancel();
-        RemoveEnded();
     }
 
     private void RemoveEnded()
@@ -192,7 +202,7 @@ public sealed class CommandSession : IAsyncDisposable
         {
             result = cancellation.IsCancellationRequested ? new FeedResult.Cancelled() : await FeedOneAsync(next.Token.Text, cancellation).ConfigureAwait(false);
             if (result is FeedResult.Asking or FeedResult.Done) continue;
-            EndAll();
+            await EndAllAsync().ConfigureAwait(false);
             return result switch
             {
                 FeedResult.Failed failed => failed with { Sentence = next.Place(failed.Sentence) },

@@ -97,7 +97,7 @@ public class CommandGrammarTests
         Assert.Equal(4, talk.State.Selection.Count);
         var drawing = talk.State.Drawing;
         await talk.TypeAsync("MOVE", "0,0", "'ID");
-        talk.Session.Cancel();
+        await talk.Session.CancelAsync();
 
         Assert.Equal(PromptView.Idle, talk.Session.Prompt);
         Assert.Same(drawing, talk.State.Drawing);
