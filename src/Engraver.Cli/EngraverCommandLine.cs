@@ -22,6 +22,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(TerminalVerb.Build(host));
         root.Subcommands.Add(SimulateVerb.Build(host));
         root.Subcommands.Add(BenchVerb.Build(host));
+        root.Subcommands.Add(ScriptVerb.Build(host));
         return root;
     }
 }

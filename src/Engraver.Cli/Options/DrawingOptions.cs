@@ -34,7 +34,7 @@ internal sealed class DrawingOptions
 
     public string File(ParseResult parsed) => parsed.GetRequiredValue(_file);
 
-    /// <exception cref="UsageException">The machine profile cannot be used.</exception>
+    /// <exception cref="SettingException">The machine profile cannot be used.</exception>
     public DrawingSettings Settings(ParseResult parsed) => new()
     {
         Unit = parsed.GetValue(_units) switch { "mm" => new LengthUnit(4, "mm", "option", 1.0), "inch" => new LengthUnit(1, "in", "option", 25.4), _ => null },
@@ -69,7 +69,7 @@ internal sealed class DrawingOptions
 
     private MachineProfile Machine(ParseResult parsed)
     {
-        var profile = parsed.GetValue(_machine) is { } path ? MachineOption.Load(path) : MachineProfile.Default;
+        var profile = parsed.GetValue(_machine) is { } path ? MachineProfileSource.Load(path) : MachineProfile.Default;
         return parsed.GetValue(_feed) is { } feed ? profile with { FeedMmPerMinute = feed } : profile;
     }
 }

@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Output;
 
@@ -8,11 +9,6 @@ internal static class DiagnosticPrinter
     /// <summary>Prints those of at least the given severity, worst first, otherwise in the order found.</summary>
     public static void Print(TextWriter error, string file, IEnumerable<Diagnostic> diagnostics, Severity least)
     {
-        foreach (var diagnostic in diagnostics.Where(d => d.Severity >= least).OrderByDescending(d => d.Severity))
-        {
-            var place = diagnostic.Source.Line > 0 ? FormattableString.Invariant($"{file}({diagnostic.Source.Line})") : file;
-            var handle = diagnostic.Source.Handle is { } name ? $" [handle {name}]" : "";
-            error.WriteLine($"{place}: {DiagnosticTable.SeverityWord(diagnostic.Severity)} {diagnostic.Id}: {diagnostic.Message}{handle}");
-        }
+        foreach (var diagnostic in diagnostics.Where(d => d.Severity >= least).OrderByDescending(d => d.Severity)) error.WriteLine(DiagnosticLine.Of(file, diagnostic));
     }
 }

@@ -3,6 +3,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Drawings;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Verbs;
 
@@ -21,7 +22,7 @@ internal static class InfoVerb
             var read = DrawingFile.Open(drawing.File(parsed), drawing.Settings(parsed).Unit, stop);
             var summary = DrawingSummary.Of(read);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary), ContractJson.Default.InfoJson);
-            else InfoReport.Text(host.Out, read, summary);
+            else DrawingText.Write(host.Out, read, summary);
             return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
         });
         return command;

@@ -1,10 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
-using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
-using Engraver.Core.Toolpaths;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -25,19 +22,10 @@ internal static class PlotVerb
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings.Unit, stop);
-            var plot = Model(read, settings, parsed.GetValue(what) == "drawing");
+            var plot = DrawingPlot.Of(read, settings, parsed.GetValue(what) == "drawing");
             host.Write(parsed.GetValue(output), writer => SvgPlotWriter.Write(plot, writer));
             return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
         });
         return command;
-    }
-
-    private static PlotModel Model(Drawing read, DrawingSettings settings, bool asDrawn)
-    {
-        var title = Path.GetFileName(read.FileName);
-        var analysed = JobPreparation.Analyse(read, settings);
-        return asDrawn
-            ? PlotModel.OfDrawing(analysed, title)
-            : PlotModel.OfPath(ToolpathPlanner.Plan(JobPreparation.Sequence(read, analysed, settings), settings.Start), title);
     }
 }

@@ -1,21 +1,17 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
-using Engraver.Core.Drawings;
-using Engraver.Core.Posts;
-using Engraver.Galil.Programs;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver post</c>: a self-contained DMC program, or CL data.</summary>
+/// <summary><c>engraver post</c>: a self-contained DMC program, or the sequenced drawing.</summary>
 internal static class PostVerb
 {
     public static Command Build(VerbHost host)
     {
         var drawing = new DrawingOptions();
         var target = new Option<string>("--target") { Required = true, Description = "galil: continuous vector sequences; galil-calls: the paper's calls of #LINEAR and #CIRC; cldata: the sequenced drawing as DXF." };
-        target.AcceptOnlyFromAmong("galil", "galil-calls", "cldata");
+        target.AcceptOnlyFromAmong([.. PostedProgram.Targets]);
         var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = "File to write (default: standard output)." };
         var command = new Command("post", "Writes the job as a program for the controller.");
         drawing.AddTo(command);
@@ -25,26 +21,10 @@ internal static class PostVerb
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings.Unit, stop);
-            if (parsed.GetValue(target) == "cldata") return Task.FromResult(WriteClData(host, parsed, read, settings, parsed.GetValue(output)));
-            var calls = parsed.GetValue(target) == "galil-calls";
-            var job = JobPreparation.Prepare(read, settings, calls ? MotionStyle.Calls : MotionStyle.Continuous);
-            var diagnostics = job.Diagnostics.ToList();
-            if (job.Motion.Program is { } program)
-            {
-                var post = calls ? DmcPost.Calls(program, DmcPostOptions.Default, read.SourceOf) : DmcPost.Sequences(program, DmcPostOptions.Default, read.SourceOf);
-                diagnostics.AddRange(post.Diagnostics);
-                host.Write(parsed.GetValue(output), writer => writer.Write(post.Text));
-            }
-
-            return Task.FromResult(host.Report(parsed, read.FileName, diagnostics));
+            var posted = PostedProgram.Of(read, settings, parsed.GetRequiredValue(target));
+            if (posted.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
+            return Task.FromResult(host.Report(parsed, read.FileName, posted.Diagnostics));
         });
         return command;
-    }
-
-    private static int WriteClData(VerbHost host, ParseResult parsed, Drawing read, DrawingSettings settings, string? output)
-    {
-        var sequence = JobPreparation.Sequence(read, JobPreparation.Analyse(read, settings), settings);
-        host.Write(output, writer => ClData.Write(JobPreparation.PathOf(sequence, settings), writer));
-        return host.Report(parsed, read.FileName, [.. read.Diagnostics, .. sequence.Diagnostics]);
     }
 }

@@ -7,6 +7,7 @@ using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Verbs;
 
@@ -44,7 +45,7 @@ internal sealed class RunVerb
         var settings = _drawing.Settings(parsed);
         var mode = parsed.GetValue(_mode) == "calls" ? JobMode.Calls : JobMode.Stream;
         var read = DrawingFile.Open(_drawing.File(parsed), settings.Unit, stop);
-        var job = JobPreparation.Prepare(read, settings, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous);
+        var job = JobPreparation.Prepare(read, settings, MachineRunOptions.StyleOf(mode));
         var code = _host.Report(parsed, read.FileName, job.Diagnostics);
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
         {
@@ -75,7 +76,7 @@ internal sealed class RunVerb
     private int Finish(ParseResult parsed, PreparedJob job, MachineRunReport report, string journal)
     {
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal), ContractJson.Default.RunJson);
-        else _host.Out.WriteLine(RunReport.Sentence(job, report));
+        else _host.Out.WriteLine(RunText.Sentence(job, report));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
         foreach (var left in report.Result.NotRestored) _host.Error.WriteLine($"engraver: not restored: {left}");
         return report.Result.Outcome switch

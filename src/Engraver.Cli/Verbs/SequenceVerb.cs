@@ -5,6 +5,7 @@ using Engraver.Cli.Output;
 using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Verbs;
 
@@ -30,7 +31,7 @@ internal static class SequenceVerb
             if (parsed.GetValue(output) is { } place) host.Write(place, writer => ClData.Write(JobPreparation.PathOf(result, settings), writer));
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);
-            else SequenceReport.Text(host.Out, result);
+            else SequenceText.Write(host.Out, result);
             return Task.FromResult(host.Report(parsed, read.FileName, [.. read.Diagnostics, .. result.Diagnostics]));
         });
         return command;

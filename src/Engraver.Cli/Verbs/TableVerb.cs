@@ -12,7 +12,7 @@ internal static class TableVerb
     {
         var drawing = new DrawingOptions();
         var format = new Option<string>("--format") { Description = "How the table is written.", DefaultValueFactory = _ => "text" };
-        format.AcceptOnlyFromAmong("text", "csv", "json");
+        format.AcceptOnlyFromAmong([.. EntityTableFormat.Names]);
         var asDrawn = new Option<bool>("--as-drawn") { Description = "Analysed, but in file order and not sequenced (slot 13 is 0)." };
         var command = new Command("table", "Prints the fixed-slot entity table, one row for each directed segment.");
         drawing.AddTo(command);
@@ -24,19 +24,9 @@ internal static class TableVerb
             var read = DrawingFile.Open(drawing.File(parsed), settings.Unit, stop);
             var analysed = JobPreparation.Analyse(read, settings);
             var table = parsed.GetValue(asDrawn) ? analysed : JobPreparation.Sequence(read, analysed, settings).Table;
-            Write(parsed.GetRequiredValue(format), table, host.Out);
+            EntityTableFormat.Write(parsed.GetRequiredValue(format), table, host.Out);
             return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
         });
         return command;
-    }
-
-    private static void Write(string format, EntityTable table, TextWriter output)
-    {
-        switch (format)
-        {
-            case "csv": EntityTableCsv.Write(table, output); break;
-            case "json": EntityTableJson.Write(table, output); break;
-            default: EntityTableText.Write(table, output); break;
-        }
     }
 }

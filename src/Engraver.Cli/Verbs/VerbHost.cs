@@ -20,6 +20,8 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global)
 
     public bool Quiet(ParseResult parsed) => global.Quiet(parsed);
 
+    public bool Verbose(ParseResult parsed) => global.Verbose(parsed);
+
     /// <summary>Prints what was found (warnings and errors; with --verbose also infos, with --quiet only errors).</summary>
     /// <returns>The exit code that the findings ask for.</returns>
     public int Report(ParseResult parsed, string file, IReadOnlyCollection<Diagnostic> diagnostics)

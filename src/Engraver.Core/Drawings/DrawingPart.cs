@@ -43,4 +43,18 @@ public struct DrawingPart
     public readonly Segment InPlan() => Kind == SegmentKind.Line
         ? Segment.FromLine(new Point2D(A, B), new Point2D(D, E))
         : Segment.FromArc(new ArcSegment(new Point2D(A, B), D, Angle.FromDegrees(E), Angle.FromDegrees(F)));
+
+    /// <summary>The part seen through a similarity of the plan; heights scale with it, so a curve keeps its slope.</summary>
+    public readonly DrawingPart Transformed(Transform2D map)
+    {
+        if (Kind != SegmentKind.Line) return Arc(Entity, map.Apply(InPlan().Arc), C * map.Scale);
+        var start = map.Apply(new Point2D(A, B));
+        var end = map.Apply(new Point2D(D, E));
+        return Line(Entity, start.X, start.Y, C * map.Scale, end.X, end.Y, F * map.Scale);
+    }
+
+    /// <summary>The same points in the opposite direction.</summary>
+    public readonly DrawingPart Reversed() => Kind == SegmentKind.Line
+        ? Line(Entity, D, E, F, A, B, C)
+        : Arc(Entity, InPlan().Arc.Reversed(), C);
 }

@@ -29,4 +29,29 @@ public sealed class GrowingColumn<T>
         _chunks[Count >> ChunkShift][Count & (ChunkSize - 1)] = value;
         return Count++;
     }
+
+    /// <summary>A column with some rows changed and others added; this one stays as it is. Chunks that nobody touches are shared, so a small edit of a large drawing is cheap.</summary>
+    public GrowingColumn<T> With(IEnumerable<(int Index, T Value)> changes, IEnumerable<T> added)
+    {
+        ArgumentNullException.ThrowIfNull(changes);
+        ArgumentNullException.ThrowIfNull(added);
+        var edited = new GrowingColumn<T> { Count = Count };
+        edited._chunks.AddRange(_chunks);
+        var owned = new HashSet<int>();
+        foreach (var (index, value) in changes)
+        {
+            if ((uint)index >= (uint)Count) throw new ArgumentOutOfRangeException(nameof(changes));
+            edited.Own(index >> ChunkShift, owned);
+            edited[index] = value;
+        }
+
+        if (_chunks.Count > 0) edited.Own(_chunks.Count - 1, owned);
+        foreach (var value in added) edited.Add(value);
+        return edited;
+    }
+
+    private void Own(int chunk, HashSet<int> owned)
+    {
+        if (owned.Add(chunk)) _chunks[chunk] = [.. _chunks[chunk]];
+    }
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines;
 
@@ -6,10 +7,12 @@ namespace Engraver.Workbench.Machines;
 public static class JournalFolder
 {
     /// <summary>A path for the journal of a run that starts now; the folder is made.</summary>
-    public static string NewJournal(string drawing, TimeProvider time)
+    public static string NewJournal(string drawing, TimeProvider time) => NewJournal(drawing, null, time);
+
+    /// <summary>The same in a folder of the caller's; null for the usual one.</summary>
+    public static string NewJournal(string drawing, string? folder, TimeProvider time)
     {
-        var data = Environment.GetFolderPath(Environment.SpecialFolder.LocalApplicationData, Environment.SpecialFolderOption.DoNotVerify);
-        var folder = Path.Combine(data.Length > 0 ? data : Path.GetTempPath(), "CncEngraver", "journals");
+        folder ??= Path.Combine(UserFiles.Folder, "journals");
         Directory.CreateDirectory(folder);
         var name = string.Create(CultureInfo.InvariantCulture, $"{Path.GetFileNameWithoutExtension(drawing)}-{time.GetUtcNow():yyyyMMdd-HHmmss-fff}-{Environment.ProcessId}.jsonl");
         return Path.Combine(folder, name);

@@ -4,6 +4,7 @@ using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
+using Engraver.Simulator;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines;
@@ -24,6 +25,17 @@ public static class MachineRun
         PreparedJob job, MotionProgram program, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         await using var connection = MachineConnection.To(options.Address, time);
+        return await RunAsync(job, program, connection, options, time, progress, stop).ConfigureAwait(false);
+    }
+
+    /// <summary>The same on a machine that stays connected afterwards.</summary>
+    /// <param name="connection">Where to; the address of the options is not looked at.</param>
+    /// <exception cref="Galil.Protocol.ControllerException">The link never came up.</exception>
+    /// <exception cref="IOException">The journal or the trace cannot be written.</exception>
+    public static async Task<MachineRunReport> RunAsync(
+        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
+    {
+        var samplesBefore = connection.Simulator?.Record.Count ?? 0;
         await using var traceFile = options.TracePath is { } path ? new StreamWriter(path) : null;
         var sessionOptions = new SessionOptions { Trace = traceFile is null ? null : new WireTrace(traceFile, time) };
         var jobOptions = new JobOptions
@@ -35,14 +47,17 @@ public static class MachineRun
         };
         await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
-        return new MachineRunReport(result, Judge(job, program, result, connection, options.DryRun), session.Identity.Model, MotionTime.Estimate(program));
+        return new MachineRunReport(result, Judge(job, program, result, connection, samplesBefore, options.DryRun), session.Identity.Model, MotionTime.Estimate(program));
     }
 
-    private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, MachineConnection connection, bool dryRun)
+    private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, MachineConnection connection, int samplesBefore, bool dryRun)
     {
         if (dryRun || result.FrameOrigin is not { } origin) return RunJudgement.Unknown;
         return connection.Simulator is { } simulator
-            ? RunJudge.ByRecord(job, simulator.Record.Snapshot(), origin.X, origin.Y)
+            ? RunJudge.ByRecord(job, Since(simulator.Record.Snapshot(), samplesBefore), origin.X, origin.Y)
             : RunJudge.ByPolling(job, program, result);
     }
+
+    /// <summary>What earlier jobs on the same simulated controller cut does not count for this one.</summary>
+    private static IReadOnlyList<MotionSample> Since(IReadOnlyList<MotionSample> record, int samplesBefore) => samplesBefore == 0 ? record : [.. record.Skip(samplesBefore)];
 }

@@ -1,5 +1,6 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
 
 namespace Engraver.Workbench.Machines;
 
@@ -14,4 +15,7 @@ public sealed record MachineRunOptions(ControllerAddress Address, JobMode Mode)
 
     /// <summary>Every motion, but the tool stays off.</summary>
     public bool DryRun { get; init; }
+
+    /// <summary>The style in which a job must be prepared for a mode.</summary>
+    public static MotionStyle StyleOf(JobMode mode) => mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous;
 }

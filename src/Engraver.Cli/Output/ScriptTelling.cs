@@ -1,0 +1,24 @@
+using Engraver.Workbench.Commands;
+
+namespace Engraver.Cli.Output;
+
+/// <summary>Sends what commands say where the runner's contract wants it: results to standard output, everything else to standard error.</summary>
+internal sealed class ScriptTelling(TextWriter results, TextWriter others, bool quiet, bool verbose)
+{
+    /// <summary>True when a finding of severity error was said.</summary>
+    public bool SawError { get; private set; }
+
+    public void Say(object? sender, CommandMessage message)
+    {
+        SawError |= message.Kind == MessageKind.Error;
+        if (message.Kind == MessageKind.Result) results.WriteLine(message.Text);
+        else if (IsWanted(message.Kind)) others.WriteLine(message.Text);
+    }
+
+    private bool IsWanted(MessageKind kind) => kind switch
+    {
+        MessageKind.Error => true,
+        MessageKind.Echo => verbose,
+        _ => !quiet,
+    };
+}

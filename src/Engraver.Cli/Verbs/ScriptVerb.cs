@@ -1,0 +1,70 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Engraver.Cli.Output;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver script</c>: the commands of the desktop without a desktop, from a file.</summary>
+internal sealed class ScriptVerb
+{
+    private readonly VerbHost _host;
+    private readonly Argument<string> _file = new("FILE.scr") { Description = "Commands as they are typed: a space or a line's end is Enter, a blank line is Enter alone, ; begins a comment line." };
+
+    private ScriptVerb(VerbHost host) => _host = host;
+
+    public static Command Build(VerbHost host)
+    {
+        var verb = new ScriptVerb(host);
+        var command = new Command("script", "Runs a script of commands (AutoCAD's .scr rules); a command that fails ends it.");
+        command.Arguments.Add(verb._file);
+        command.SetAction(verb.RunAsync);
+        return command;
+    }
+
+    private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
+    {
+        var telling = new ScriptTelling(_host.Out, _host.Error, _host.Quiet(parsed), _host.Verbose(parsed));
+        await using var session = NewSession();
+        session.Said += telling.Say;
+        await session.FeedAsync("SCRIPT", stop).ConfigureAwait(false);
+        var result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
+        return result switch
+        {
+            FeedResult.Done => telling.SawError ? ExitCode.DrawingError : ExitCode.Done,
+            FeedResult.Asking => Unfinished(session, parsed.GetRequiredValue(_file)),
+            FeedResult.Failed failed => Code(failed.Why),
+            FeedResult.Cancelled => throw new OperationCanceledException(stop),
+            _ => ExitCode.Usage,
+        };
+    }
+
+    /// <exception cref="UsageException">The operator's alias file cannot be read.</exception>
+    private static CommandSession NewSession()
+    {
+        try
+        {
+            return new CommandSession(new CommandEnvironment { AliasFile = UserFiles.Aliases }, CommandCatalog.Built());
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            throw new UsageException($"{UserFiles.Aliases} cannot be read: {unreadable.Message}", unreadable);
+        }
+    }
+
+    private int Unfinished(CommandSession session, string file)
+    {
+        _host.Error.WriteLine($"engraver: {file}: the script ends while {session.Prompt.Command} still asks: {session.Prompt.Text}");
+        return ExitCode.Usage;
+    }
+
+    private static int Code(CommandFailure why) => why switch
+    {
+        CommandFailure.Drawing => ExitCode.DrawingError,
+        CommandFailure.Refused => ExitCode.Refused,
+        CommandFailure.LinkLost => ExitCode.LinkLost,
+        CommandFailure.Stopped => ExitCode.StoppedByOperator,
+        _ => ExitCode.Usage,
+    };
+}

@@ -1,0 +1,92 @@
+using Engraver.Core.Dxf;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Drawings;
+
+/// <summary>Changes to a drawing. Each gives a new drawing and leaves the old one as it is; the balance and the findings of the import stay, because they tell of the file.</summary>
+/// <remarks>Entities are named by their index in <see cref="Drawing.Entities"/>; an index given twice counts once.</remarks>
+public static class DrawingEdit
+{
+    /// <summary>The drawing without some entities. Those that stay keep their order and get new indices.</summary>
+    public static Drawing Erase(Drawing drawing, IEnumerable<int> entities)
+    {
+        var erased = entities.ToHashSet();
+        var kept = new GrowingColumn<DrawingEntity>();
+        var parts = new GrowingColumn<DrawingPart>();
+        for (var index = 0; index < drawing.Entities.Count; index++)
+        {
+            if (erased.Contains(index)) continue;
+            var entity = drawing.Entities[index];
+            AppendParts(drawing, entity, kept.Count, parts);
+            entity.FirstPart = parts.Count - entity.PartCount;
+            kept.Add(entity);
+        }
+
+        return drawing with { Entities = kept, Parts = parts };
+    }
+
+    /// <summary>Moves, turns, scales or mirrors some entities.</summary>
+    /// <returns>False when a coordinate would leave the range of a drawing or a radius would vanish; then nothing is changed.</returns>
+    public static bool TryTransform(Drawing drawing, IEnumerable<int> entities, Transform2D map, out Drawing edited)
+    {
+        var changes = entities.Distinct().SelectMany(index => Parts(drawing, index)).Select(part => (part, drawing.Parts[part].Transformed(map))).ToList();
+        edited = drawing;
+        if (!changes.TrueForAll(change => InRange(change.Item2))) return false;
+        edited = drawing with { Parts = drawing.Parts.With(changes, []) };
+        return true;
+    }
+
+    /// <summary>Adds a transformed copy of some entities behind the last one, in their order, with handles of their own (after the highest of the drawing).</summary>
+    /// <returns>False as for <see cref="TryTransform"/>.</returns>
+    public static bool TryCopy(Drawing drawing, IEnumerable<int> entities, Transform2D map, out Drawing edited)
+    {
+        var copies = new List<DrawingEntity>();
+        var parts = new List<DrawingPart>();
+        var handle = HighestHandle(drawing);
+        foreach (var index in entities.Distinct())
+        {
+            var entity = drawing.Entities[index];
+            foreach (var part in Parts(drawing, index)) parts.Add(drawing.Parts[part].Transformed(map) with { Entity = drawing.Entities.Count + copies.Count });
+            entity.FirstPart = drawing.Parts.Count + parts.Count - entity.PartCount;
+            entity.Handle = ++handle;
+            copies.Add(entity);
+        }
+
+        edited = drawing;
+        if (!parts.TrueForAll(part => InRange(part))) return false;
+        edited = drawing with { Entities = drawing.Entities.With([], copies), Parts = drawing.Parts.With([], parts) };
+        return true;
+    }
+
+    /// <summary>Turns the direction of some entities round; a polyline then begins at its last vertex.</summary>
+    public static Drawing Reverse(Drawing drawing, IEnumerable<int> entities)
+    {
+        var changes = new List<(int, DrawingPart)>();
+        foreach (var index in entities.Distinct())
+        {
+            var parts = Parts(drawing, index);
+            changes.AddRange(parts.Zip(parts.Reverse(), (to, from) => (to, drawing.Parts[from].Reversed())));
+        }
+
+        return drawing with { Parts = drawing.Parts.With(changes, []) };
+    }
+
+    private static IEnumerable<int> Parts(Drawing drawing, int index) => Enumerable.Range(drawing.Entities[index].FirstPart, drawing.Entities[index].PartCount);
+
+    private static void AppendParts(Drawing drawing, in DrawingEntity entity, int newIndex, GrowingColumn<DrawingPart> parts)
+    {
+        for (var part = entity.FirstPart; part < entity.FirstPart + entity.PartCount; part++) parts.Add(drawing.Parts[part] with { Entity = newIndex });
+    }
+
+    private static ulong HighestHandle(Drawing drawing)
+    {
+        var highest = 0UL;
+        for (var index = 0; index < drawing.Entities.Count; index++) highest = Math.Max(highest, drawing.Entities[index].Handle);
+        return highest;
+    }
+
+    private static bool InRange(in DrawingPart part) =>
+        Fits(part.A) && Fits(part.B) && Fits(part.C) && Fits(part.D) && Fits(part.E) && Fits(part.F) && (part.Kind == SegmentKind.Line || part.D > 0.0);
+
+    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= DxfNumber.Largest;
+}

@@ -1,0 +1,12 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.CommandLanguage;
+
+/// <summary>Asks for one of the options and nothing else.</summary>
+public sealed record ChoicePrompt(string Instruction) : ValuePrompt<string>(Instruction)
+{
+    public override bool OnlyOptions => true;
+
+    public override Reading<string> Read(string typed, Point2D lastPoint) =>
+        new Reading<string>.Wrong($"'{typed}' is none of the options {string.Join(", ", Options.Select(option => option.Name))}.");
+}

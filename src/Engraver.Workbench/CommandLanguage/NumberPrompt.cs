@@ -1,0 +1,30 @@
+using System.Globalization;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.CommandLanguage;
+
+/// <summary>Asks for a number between two limits (both allowed).</summary>
+public sealed record NumberPrompt(string Instruction) : ValuePrompt<double>(Instruction)
+{
+    public double Least { get; init; } = double.MinValue;
+
+    public double Most { get; init; } = double.MaxValue;
+
+    public bool Whole { get; init; }
+
+    public override Reading<double> Read(string typed, Point2D lastPoint)
+    {
+        if (!TryNumber(typed, out var value) || (Whole && value != Math.Floor(value))) return new Reading<double>.Wrong($"'{typed}' is no {(Whole ? "whole " : "")}number; type one with a decimal point.");
+        return value >= Least && value <= Most ? new Reading<double>.Value(value) : new Reading<double>.Wrong($"{typed} is not allowed here: {Limits}.");
+    }
+
+    private string Limits => Most == double.MaxValue
+        ? string.Create(CultureInfo.InvariantCulture, $"it must be {Least:R} or more")
+        : string.Create(CultureInfo.InvariantCulture, $"it must be from {Least:R} to {Most:R}");
+
+    /// <summary>A finite number, spelled with a point whatever the culture.</summary>
+    public static bool TryNumber(string typed, out double value) =>
+        double.TryParse(typed, NumberStyles.Float & ~NumberStyles.AllowLeadingWhite & ~NumberStyles.AllowTrailingWhite, CultureInfo.InvariantCulture, out value) && double.IsFinite(value);
+
+    public static string Show(double value) => value.ToString("0.##########", CultureInfo.InvariantCulture);
+}

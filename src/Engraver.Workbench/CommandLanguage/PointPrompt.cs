@@ -1,0 +1,32 @@
+using System.Globalization;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.CommandLanguage;
+
+/// <summary>Asks for a point in drawing units: <c>x,y</c>, <c>#x,y</c>, <c>@dx,dy</c>, <c>dist&lt;angle</c>, <c>@dist&lt;angle</c>, <c>@</c> (the last point). Angles in degrees, counter-clockwise from +X.</summary>
+public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Instruction)
+{
+    public override Reading<Point2D> Read(string typed, Point2D lastPoint)
+    {
+        ArgumentNullException.ThrowIfNull(typed);
+        var relative = typed[0] == '@';
+        var body = typed[0] is '@' or '#' ? typed[1..] : typed;
+        if (relative && body.Length == 0) return new Reading<Point2D>.Value(lastPoint);
+        if (Coordinates(body) is not { } vector) return new Reading<Point2D>.Wrong($"'{typed}' is no point; type x,y or @dx,dy or @distance<angle.");
+        var point = relative ? lastPoint + vector : Point2D.Origin + vector;
+        return point.IsFinite ? new Reading<Point2D>.Value(point) : new Reading<Point2D>.Wrong("That point is out of range.");
+    }
+
+    private static Vector2D? Coordinates(string body)
+    {
+        var cartesian = body.Split(',');
+        if (cartesian.Length == 2 && NumberPrompt.TryNumber(cartesian[0], out var x) && NumberPrompt.TryNumber(cartesian[1], out var y)) return new Vector2D(x, y);
+        var polar = body.Split('<');
+        return polar.Length == 2 && NumberPrompt.TryNumber(polar[0], out var distance) && NumberPrompt.TryNumber(polar[1], out var degrees)
+            ? Vector2D.FromPolar(distance, Angle.FromDegrees(degrees))
+            : null;
+    }
+
+    /// <summary>A point as it is shown and as it can be typed again.</summary>
+    public static string Show(Point2D point) => string.Create(CultureInfo.InvariantCulture, $"{point.X:0.######},{point.Y:0.######}");
+}

@@ -1,0 +1,35 @@
+using System.Text;
+
+namespace Engraver.Workbench.CommandLanguage;
+
+/// <summary>What a command asks for: instruction, options, default. Shown as <c>Instruction or [Option/oPtion] &lt;default&gt;:</c> (hmi-conventions.md section 4).</summary>
+/// <param name="Instruction">What to do, without a colon.</param>
+public abstract record Prompt(string Instruction)
+{
+    /// <summary>What may be typed instead of a value.</summary>
+    public IReadOnlyList<Keyword> Options { get; init; } = [];
+
+    /// <summary>What Enter alone means, as it is shown; null when there is no default.</summary>
+    public string? Default { get; init; }
+
+    /// <summary>True when Enter alone is an answer of its own (it ends a list).</summary>
+    public bool EnterEnds { get; init; }
+
+    /// <summary>True when spaces belong to the answer (a file name): a command window then takes Enter alone as the end.</summary>
+    public virtual bool TakesSpaces => false;
+
+    /// <summary>True when nothing but an option is an answer.</summary>
+    public virtual bool OnlyOptions => false;
+
+    /// <summary>The prompt as it stands in the command window.</summary>
+    public string Text
+    {
+        get
+        {
+            var text = new StringBuilder(Instruction);
+            if (Options.Count > 0) text.Append(OnlyOptions ? " [" : " or [").AppendJoin('/', Options.Select(option => option.Name)).Append(']');
+            if (Default is { } standard) text.Append(" <").Append(standard).Append('>');
+            return text.Append(':').ToString();
+        }
+    }
+}

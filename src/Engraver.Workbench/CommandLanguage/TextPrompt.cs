@@ -1,0 +1,11 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.CommandLanguage;
+
+/// <summary>Asks for a word or a file name. Where spaces end an answer (a script), double quotes hold it together.</summary>
+public sealed record TextPrompt(string Instruction) : ValuePrompt<string>(Instruction)
+{
+    public override bool TakesSpaces => true;
+
+    public override Reading<string> Read(string typed, Point2D lastPoint) => new Reading<string>.Value(typed);
+}

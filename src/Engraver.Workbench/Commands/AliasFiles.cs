@@ -1,0 +1,25 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>The built-in aliases and the operator's own over them.</summary>
+internal static class AliasFiles
+{
+    private const int ShortestForMotion = 3;
+
+    /// <param name="userFile">Null or a file that is not there: the built-in ones alone.</param>
+    public static AliasTable Read(string? userFile, CommandCatalog catalog)
+    {
+        var table = AliasTable.Empty.With(BuiltIn(), IsAllowed);
+        return userFile is not null && File.Exists(userFile) ? table.With(File.ReadAllText(userFile), IsAllowed) : table;
+
+        bool IsAllowed(string alias, string command) => alias.Length >= ShortestForMotion || catalog.Find(command) is not { Info.StartsMotion: true };
+    }
+
+    private static string BuiltIn()
+    {
+        using var stream = typeof(AliasFiles).Assembly.GetManifestResourceStream("engraver.pgp") ?? throw new InvalidOperationException("The built-in aliases are missing from the assembly.");
+        using var reader = new StreamReader(stream);
+        return reader.ReadToEnd();
+    }
+}

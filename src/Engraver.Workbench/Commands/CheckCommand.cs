@@ -1,0 +1,23 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Programs;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>CHECK: The drawing doctor: everything that is wrong or doubtful between the drawing and its motion; fails when something is an error.</summary>
+internal sealed class CheckCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("CHECK", CommandGroup.Ask, "The drawing doctor: everything that is wrong or doubtful between the drawing and its motion; fails when something is an error.");
+
+    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var job = JobPreparation.Prepare(drawing, context.Document.Current.Settings, MotionStyle.Continuous);
+        Findings.Say(context, drawing.FileName, job.Diagnostics, Severity.Info);
+        var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
+        var warnings = job.Diagnostics.Count(found => found.Severity == Severity.Warning);
+        context.Say(FormattableString.Invariant($"{errors} errors, {warnings} warnings."), MessageKind.Result);
+        if (errors > 0) throw new CommandException(CommandFailure.Drawing, FormattableString.Invariant($"The drawing has {errors} errors."));
+        return Task.CompletedTask;
+    }
+}

@@ -1,0 +1,26 @@
+using Engraver.Galil.Links;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>CNCCONNECT: Connects to a controller: tcp://HOST:PORT, or sim: for the simulated one.</summary>
+internal sealed class CncConnectCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("CNCCONNECT", CommandGroup.Machine, "Connects to a controller: tcp://HOST:PORT, or sim: for the simulated one.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var typed = await context.ValueAsync(new TextPrompt("Enter address of the controller") { Default = context.Remembered("CNCCONNECT", "sim:") }).ConfigureAwait(false);
+        if (!ControllerAddress.TryParse(typed, out var address)) throw new CommandException(CommandFailure.Usage, $"'{typed}' is no controller address; write tcp://HOST:PORT or sim:.");
+        try
+        {
+            var identity = await context.Machine.ConnectAsync(address, cancellation).ConfigureAwait(false);
+            context.Remember("CNCCONNECT", typed);
+            context.Say($"Connected to {identity.Model} at {context.Machine.Description}.");
+        }
+        catch (NotSupportedException unbuilt)
+        {
+            throw new CommandException(CommandFailure.Usage, unbuilt.Message);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+using Engraver.Galil.Jobs;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>CNCRUN: Runs the drawing on the connected controller; asks before anything moves.</summary>
+internal sealed class CncRunCommand : ICommand
+{
+    private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List(["Yes", "No", "Dryrun", .. Enum.GetNames<JobMode>()]);
+
+    public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine, "Runs the drawing on the connected controller; asks before anything moves.") { StartsMotion = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
+        _ = context.Drawing;
+        var (mode, dryRun) = (JobMode.Stream, false);
+        while (true)
+        {
+            var job = await JobStart.PrepareAsync(context, mode).ConfigureAwait(false);
+            var answer = await context.ChoiceAsync($"Start {(dryRun ? "with the tool off" : "cutting")} on {machine} in mode {mode}?", s_answers, "No").ConfigureAwait(false);
+            if (answer == "No") return;
+            if (answer == "Dryrun") dryRun = true;
+            else if (Enum.TryParse<JobMode>(answer, out var chosen)) mode = chosen;
+            else
+            {
+                var report = await context.Machine.RunAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, mode, dryRun), cancellation).ConfigureAwait(false);
+                JobStart.Conclude(context, job, report);
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,27 @@
+namespace Engraver.Workbench.Commands;
+
+/// <summary>The commands there are. What is not built is not in it.</summary>
+public sealed class CommandCatalog
+{
+    private readonly Dictionary<string, ICommand> _commands;
+
+    public CommandCatalog(IEnumerable<ICommand> commands) => _commands = commands.ToDictionary(command => command.Info.Name, StringComparer.OrdinalIgnoreCase);
+
+    /// <summary>By group, then by name.</summary>
+    public IEnumerable<CommandInfo> All => _commands.Values.Select(command => command.Info).OrderBy(info => info.Group).ThenBy(info => info.Name, StringComparer.Ordinal);
+
+    /// <summary>The command of a whole name, any case; null when there is none.</summary>
+    public ICommand? Find(string name) => _commands.GetValueOrDefault(name);
+
+    /// <summary>Everything that is built.</summary>
+    public static CommandCatalog Built() => new(
+    [
+        new OpenCommand(), new CloseCommand(), new ScriptCommand(), new UndoCommand(), new UCommand(), new RedoCommand(), new HelpCommand(), new ReinitCommand(),
+        new SelectCommand(), new ListCommand(), new PropertiesCommand(), new DistCommand(), new IdCommand(), new LayerCommand(), new CheckCommand(), new TableCommand(),
+        new EraseCommand(), new MoveCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new ReverseCommand(),
+        new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
+        new PostCommand(), new PlotCommand(),
+        new CncConnectCommand(), new CncDisconnectCommand(), new CncRunCommand(), new CncSimCommand(), new CncStopCommand(), new CncStatusCommand(), new CncProfileCommand(),
+        .. SettingCommand.All,
+    ]);
+}

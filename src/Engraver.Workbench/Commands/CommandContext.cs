@@ -1,0 +1,86 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>What a running command has around it: the document, the machine, and the operator to ask and to tell.</summary>
+public sealed class CommandContext
+{
+    private readonly CommandSession _session;
+    private readonly CommandFrame _frame;
+
+    internal CommandContext(CommandSession session, CommandFrame frame) => (_session, _frame) = (session, frame);
+
+    public DocumentSession Document => _session.Document;
+
+    public MachineSession Machine => _session.Machine;
+
+    public CommandCatalog Catalog => _session.Catalog;
+
+    public AliasTable Aliases => _session.Aliases;
+
+    public TimeProvider Time => _session.Environment.Time;
+
+    /// <summary>The open drawing.</summary>
+    /// <exception cref="CommandException">None is open.</exception>
+    public Drawing Drawing => Document.Current.Drawing ?? throw new CommandException(CommandFailure.Usage, "No drawing is open; OPEN one first.");
+
+    /// <summary>What <c>@</c> is relative to, drawing units.</summary>
+    public Point2D LastPoint => _session.LastPoint;
+
+    /// <summary>Asks the operator.</summary>
+    /// <exception cref="OperationCanceledException">Esc.</exception>
+    public async Task<Answer<T>> AskAsync<T>(ValuePrompt<T> prompt)
+    {
+        var answer = await _frame.AskAsync(prompt).ConfigureAwait(false);
+        if (answer is Answer<Point2D>.Value point) _session.LastPoint = point.Of;
+        return answer;
+    }
+
+    /// <summary>Asks for a value; the prompt must have neither options nor an end.</summary>
+    public async Task<T> ValueAsync<T>(ValuePrompt<T> prompt) => ((Answer<T>.Value)await AskAsync(prompt).ConfigureAwait(false)).Of;
+
+    /// <summary>Asks for one of several options.</summary>
+    public async Task<string> ChoiceAsync(string instruction, IReadOnlyList<Keyword> options, string? standard) =>
+        ((Answer<string>.Chosen)await AskAsync(new ChoicePrompt(instruction) { Options = options, Default = standard }).ConfigureAwait(false)).Option;
+
+    /// <summary>Asks a question whose Enter means no.</summary>
+    public async Task<bool> ConfirmAsync(string question) => await ChoiceAsync(question, Keyword.List("Yes", "No"), "No").ConfigureAwait(false) == "Yes";
+
+    public void Say(string text, MessageKind kind = MessageKind.Note) => _session.Say(kind, text);
+
+    /// <summary>Says a result of several lines, as a stage writes it.</summary>
+    public void SayResult(Action<TextWriter> write)
+    {
+        using var text = new StringWriter { NewLine = "\n" };
+        write(text);
+        Say(text.ToString().TrimEnd('\n'), MessageKind.Result);
+    }
+
+    /// <summary>Takes a document step under the command's own name.</summary>
+    public void Take(DocumentState next) => Document.Take(_frame.Info.Name, next);
+
+    /// <summary>The value that was used last at a prompt of this name, or a first one.</summary>
+    public string Remembered(string prompt, string first) => _session.Memory.GetValueOrDefault(prompt, first);
+
+    public void Remember(string prompt, string value) => _session.Memory[prompt] = value;
+
+    /// <summary>A file to read: in the working folder, else beside the script that runs.</summary>
+    public string FileToRead(string name) => _session.FileToRead(name);
+
+    /// <summary>A file to write, in the working folder.</summary>
+    public string FileToWrite(string name) => Path.Combine(_session.Environment.Folder, name);
+
+    /// <summary>The inputs of a script come next.</summary>
+    /// <exception cref="CommandException">Scripts call each other too deep.</exception>
+    public void QueueScript(string path, string text) => _session.QueueScript(path, text);
+
+    /// <summary>A path for the journal of a run that starts now.</summary>
+    internal string NewRunJournal(string drawing) => JournalFolder.NewJournal(drawing, _session.Environment.RunJournalFolder, Time);
+
+    /// <summary>Reads the alias files anew.</summary>
+    public AliasTable ReloadAliases() => _session.ReloadAliases();
+}

@@ -1,0 +1,19 @@
+namespace Engraver.Workbench.Commands;
+
+/// <summary>What the commands stand on, so that a test can give them other ground.</summary>
+public sealed record CommandEnvironment
+{
+    public TimeProvider Time { get; init; } = TimeProvider.System;
+
+    /// <summary>File names that are not rooted are looked for and written here.</summary>
+    public string Folder { get; init; } = Directory.GetCurrentDirectory();
+
+    /// <summary>The operator's own aliases, over the built-in ones; the file need not exist. Null: none.</summary>
+    public string? AliasFile { get; init; }
+
+    /// <summary>Where every input is written, one on a line: a script that does the same again. Null: nowhere.</summary>
+    public TextWriter? Journal { get; init; }
+
+    /// <summary>Where run journals go when no file is named; null: the operator's data folder.</summary>
+    public string? RunJournalFolder { get; init; }
+}

@@ -1,0 +1,24 @@
+namespace Engraver.Workbench.Commands;
+
+/// <summary>A command cannot go on. The message is the sentence for the operator; nothing of the document has changed.</summary>
+public sealed class CommandException : Exception
+{
+    public CommandException()
+    {
+    }
+
+    public CommandException(string message)
+        : base(message)
+    {
+    }
+
+    public CommandException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+
+    public CommandException(CommandFailure failure, string message)
+        : base(message) => Failure = failure;
+
+    public CommandFailure Failure { get; } = CommandFailure.Usage;
+}

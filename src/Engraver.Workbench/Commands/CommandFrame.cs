@@ -1,0 +1,90 @@
+using Engraver.Galil.Protocol;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>One running command: it either asks, or is at work, or has ended.</summary>
+internal sealed class CommandFrame : IDisposable
+{
+    private readonly CancellationTokenSource _cancel = new();
+    private TaskCompletionSource _asks = new();
+
+    public CommandFrame(CommandInfo info) => Info = info;
+
+    public CommandInfo Info { get; }
+
+    /// <summary>What it waits for; null while it is at work.</summary>
+    public PendingAsk? Pending { get; private set; }
+
+    /// <summary>How it ended; runs until then.</summary>
+    public Task<FeedResult> Ended { get; private set; } = Task.FromResult<FeedResult>(new FeedResult.Done());
+
+    public void Start(ICommand command, CommandContext context) => Ended = RunAsync(command, context);
+
+    /// <summary>Called by the command: waits for the operator.</summary>
+    public async Task<Answer<T>> AskAsync<T>(ValuePrompt<T> prompt)
+    {
+        var pending = new PendingValue<T>(prompt);
+        Pending = pending;
+        _asks.TrySetResult();
+        return await pending.Answer.ConfigureAwait(false);
+    }
+
+    /// <summary>Hands an input to the command that waits.</summary>
+    /// <returns>Null when it was an answer, otherwise what is wanted instead.</returns>
+    public string? Answer(string typed, Core.Geometry.Point2D lastPoint)
+    {
+        var pending = Pending ?? throw new InvalidOperationException("The command does not ask.");
+        (Pending, _asks) = (null, new TaskCompletionSource());
+        if (pending.TryAnswer(typed, lastPoint) is not { } wanted) return null;
+        Pending = pending;
+        _asks.TrySetResult();
+        return wanted;
+    }
+
+    /// <summary>Waits until the command asks or has ended.</summary>
+    public async Task<FeedResult> SettledAsync(CancellationToken cancellation)
+    {
+        await using var stop = cancellation.Register(Cancel).ConfigureAwait(false);
+        await Task.WhenAny(_asks.Task, Ended).ConfigureAwait(false);
+        return Ended.IsCompleted ? await Ended.ConfigureAwait(false) : new FeedResult.Asking();
+    }
+
+    public void Cancel()
+    {
+        _cancel.Cancel();
+        Pending?.Cancel();
+    }
+
+    public void Dispose() => _cancel.Dispose();
+
+    private async Task<FeedResult> RunAsync(ICommand command, CommandContext context)
+    {
+        try
+        {
+            await command.RunAsync(context, _cancel.Token).ConfigureAwait(false);
+            return new FeedResult.Done();
+        }
+        catch (CommandException failed)
+        {
+            return new FeedResult.Failed(failed.Failure, failed.Message);
+        }
+        catch (SettingException unfit)
+        {
+            return new FeedResult.Failed(CommandFailure.Usage, unfit.Message);
+        }
+        catch (ControllerException link)
+        {
+            return new FeedResult.Failed(CommandFailure.LinkLost, link.Message);
+        }
+        catch (Exception file) when (file is IOException or UnauthorizedAccessException)
+        {
+            return new FeedResult.Failed(CommandFailure.Usage, file.Message);
+        }
+        catch (OperationCanceledException)
+        {
+            return new FeedResult.Cancelled();
+        }
+    }
+}

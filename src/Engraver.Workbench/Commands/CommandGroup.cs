@@ -1,0 +1,13 @@
+namespace Engraver.Workbench.Commands;
+
+/// <summary>What a command is for; the order is that of the help.</summary>
+public enum CommandGroup
+{
+    File,
+    Ask,
+    Drawing,
+    Sequence,
+    Output,
+    Machine,
+    Setting,
+}

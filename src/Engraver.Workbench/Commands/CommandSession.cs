@@ -1,0 +1,216 @@
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>What the command line is to AutoCAD: takes one input at a time, runs commands on the document and the machine, and always says what it waits for.</summary>
+/// <remarks>One caller at a time, except that while a job runs commands that are heard then (CNCSTOP, CNCSTATUS) and <see cref="CancelAsync"/> may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
+public sealed class CommandSession : IAsyncDisposable
+{
+    private readonly Stack<CommandFrame> _frames = new();
+    private readonly ScriptQueue _scripts = new();
+    private ICommand? _last;
+
+    public CommandSession(CommandEnvironment environment, CommandCatalog catalog)
+    {
+        Environment = environment;
+        Catalog = catalog;
+        Machine = new MachineSession(environment.Time);
+        Aliases = ReloadAliases();
+    }
+
+    /// <summary>Raised for every line of the history, on the thread of the command.</summary>
+    public event EventHandler<CommandMessage>? Said;
+
+    public DocumentSession Document { get; } = new();
+
+    public MachineSession Machine { get; }
+
+    public CommandCatalog Catalog { get; }
+
+    public AliasTable Aliases { get; private set; }
+
+    /// <summary>True while a command is at work and asks nothing.</summary>
+    public bool IsBusy => _frames.TryPeek(out var frame) && frame.Pending is null;
+
+    /// <summary>What is waited for now.</summary>
+    public PromptView Prompt => _frames.TryPeek(out var frame) && frame.Pending is { } asks
+        ? new PromptView(frame.Info.Name, Before() + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.WantsPoint)
+        : PromptView.Idle;
+
+    internal CommandEnvironment Environment { get; }
+
+    internal Point2D LastPoint { get; set; }
+
+    internal Dictionary<string, string> Memory { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>Takes one input, as typed up to Enter (or Space, where the prompt does not take spaces). Empty is Enter alone: the default, the end of a list, or the last command again.</summary>
+    /// <param name="cancellation">The operator's stop: a job under way is ended, with the machine standing, before this returns.</param>
+    public async Task<FeedResult> FeedAsync(string input, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(input);
+        Environment.Journal?.WriteLine(ScriptText.Write(input.Trim()));
+        var result = await FeedOneAsync(input.Trim(), cancellation).ConfigureAwait(false);
+        if (_scripts.IsRunnable && !IsBusy) result = await RunScriptsAsync(cancellation).ConfigureAwait(false);
+        if (result is FeedResult.Failed failed) Say(MessageKind.Error, failed.Sentence);
+        if (result is FeedResult.NotUnderstood unclear) Say(MessageKind.Error, unclear.Sentence);
+        return result;
+    }
+
+    /// <summary>Esc: ends what asks and clears the selection. A command at work is told to end (a job stops the machine first); who fed it hears how.</summary>
+    public async Task CancelAsync()
+    {
+        if (IsBusy)
+        {
+            CancelFrames();
+            return;
+        }
+
+        await EndAllAsync().ConfigureAwait(false);
+        Say(MessageKind.Note, "*Cancel*");
+        if (Document.Current.Selection.Count > 0) Document.Select([], Document.Current.Previous);
+    }
+
+    /// <summary>Commands whose name or alias begins with what is typed; an alias that is meant exactly comes first.</summary>
+    public IReadOnlyList<CommandSuggestion> Suggest(string typed)
+    {
+        ArgumentNullException.ThrowIfNull(typed);
+        var name = CommandWord.Bare(typed);
+        if (name.Length == 0) return [];
+        var aliases = Aliases.Commands
+            .Where(pair => pair.Key.StartsWith(name, StringComparison.OrdinalIgnoreCase))
+            .OrderBy(pair => pair.Key.Length).ThenBy(pair => pair.Key, StringComparer.Ordinal)
+            .Select(pair => (Alias: pair.Key, Command: Catalog.Find(pair.Value)))
+            .Where(pair => pair.Command is not null)
+            .Select(pair => new CommandSuggestion(pair.Alias, pair.Command!.Info));
+        var names = Catalog.All.Where(info => info.Name.StartsWith(name, StringComparison.OrdinalIgnoreCase)).Select(info => new CommandSuggestion(null, info));
+        return [.. aliases, .. names];
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        await EndAllAsync().ConfigureAwait(false);
+        await Machine.DisposeAsync().ConfigureAwait(false);
+    }
+
+    internal void Say(MessageKind kind, string text) => Said?.Invoke(this, new CommandMessage(kind, text));
+
+    internal void QueueScript(string path, string text) => _scripts.Add(path, text);
+
+    internal string FileToRead(string name)
+    {
+        var here = Path.Combine(Environment.Folder, name);
+        if (File.Exists(here) || _scripts.Folder is not { } folder) return here;
+        var beside = Path.Combine(folder, name);
+        return File.Exists(beside) ? beside : here;
+    }
+
+    internal AliasTable ReloadAliases() => Aliases = AliasFiles.Read(Environment.AliasFile, Catalog);
+
+    private string Before() => _frames.Count > 1 ? new string('>', 2 * (_frames.Count - 1)) : "";
+
+    private async Task<FeedResult> FeedOneAsync(string input, CancellationToken cancellation)
+    {
+        if (IsBusy) return await HearAsync(input, cancellation).ConfigureAwait(false);
+        Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
+        if (!_frames.TryPeek(out var frame)) return await BeginAsync(input, cancellation).ConfigureAwait(false);
+        if (input.StartsWith('\'')) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
+        return frame.Answer(input, LastPoint) is { } wanted ? new FeedResult.NotUnderstood(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
+    }
+
+    /// <summary>While a command is at work.</summary>
+    private async Task<FeedResult> HearAsync(string input, CancellationToken cancellation)
+    {
+        if (Find(input) is not { Info.HeardDuringJob: true } command) return new FeedResult.NotUnderstood("A command is at work; only CNCSTOP, CNCSTATUS and Esc are heard.");
+        using var frame = new CommandFrame(command.Info);
+        frame.Start(command, new CommandContext(this, frame));
+        return await frame.Ended.WaitAsync(cancellation).ConfigureAwait(false);
+    }
+
+    private async Task<FeedResult> BeginAsync(string input, CancellationToken cancellation)
+    {
+        if (input.Length == 0) return await RepeatAsync(cancellation).ConfigureAwait(false);
+        if (Find(input) is not { } command) return new FeedResult.NotUnderstood($"Unknown command '{input}'; HELP lists what there is.");
+        _last = command;
+        return await StartAsync(command, cancellation).ConfigureAwait(false);
+    }
+
+    private async Task<FeedResult> RepeatAsync(CancellationToken cancellation)
+    {
+        if (_last is not { } command) return new FeedResult.Done();
+        if (!command.Info.StartsMotion) return await StartAsync(command, cancellation).ConfigureAwait(false);
+        Say(MessageKind.Note, $"{command.Info.Name} starts motion and is not repeated by Enter; type it.");
+        return new FeedResult.Done();
+    }
+
+    private async Task<FeedResult> BeginInsideAsync(CommandFrame outer, string input, CancellationToken cancellation)
+    {
+        if (Find(input) is not { } command) return new FeedResult.NotUnderstood($"Unknown command '{input}'; HELP lists what there is.");
+        if (!command.Info.Transparent || _frames.Count > 1) return new FeedResult.NotUnderstood($"{command.Info.Name} cannot be used inside {outer.Info.Name}; end that first.");
+        return await StartAsync(command, cancellation).ConfigureAwait(false);
+    }
+
+    private async Task<FeedResult> StartAsync(ICommand command, CancellationToken cancellation)
+    {
+        var frame = new CommandFrame(command.Info);
+        _frames.Push(frame);
+        frame.Start(command, new CommandContext(this, frame));
+        return await SettleAsync(frame, cancellation).ConfigureAwait(false);
+    }
+
+    private async Task<FeedResult> SettleAsync(CommandFrame frame, CancellationToken cancellation)
+    {
+        var result = await frame.SettledAsync(cancellation).ConfigureAwait(false);
+        if (result is FeedResult.Asking) return result;
+        RemoveEnded();
+        if (result is not FeedResult.Done || !_frames.TryPeek(out var outer)) return result;
+        Say(MessageKind.Note, $"Resuming {outer.Info.Name} command.");
+        return new FeedResult.Asking();
+    }
+
+    private async Task EndAllAsync()
+    {
+        CancelFrames();
+        await Task.WhenAll(_frames.Select(frame => frame.Ended)).ConfigureAwait(false);
+        RemoveEnded();
+    }
+
+    private void CancelFrames()
+    {
+        _scripts.Clear();
+        foreach (var frame in _frames.ToArray()) frame.Cancel();
+    }
+
+    private void RemoveEnded()
+    {
+        while (_frames.TryPeek(out var frame) && frame.Ended.IsCompleted) _frames.Pop().Dispose();
+    }
+
+    private ICommand? Find(string input)
+    {
+        var name = CommandWord.Bare(input);
+        return Catalog.Find(name) ?? (Aliases.CommandOf(name) is { } meant ? Catalog.Find(meant) : null);
+    }
+
+    /// <summary>Feeds what is queued, until a command fails or the inputs are used up.</summary>
+    private async Task<FeedResult> RunScriptsAsync(CancellationToken cancellation)
+    {
+        FeedResult result = new FeedResult.Done();
+        while (_scripts.Next() is { } next)
+        {
+            result = cancellation.IsCancellationRequested ? new FeedResult.Cancelled() : await FeedOneAsync(next.Token.Text, cancellation).ConfigureAwait(false);
+            if (result is FeedResult.Asking or FeedResult.Done) continue;
+            await EndAllAsync().ConfigureAwait(false);
+            return result switch
+            {
+                FeedResult.Failed failed => failed with { Sentence = next.Place(failed.Sentence) },
+                FeedResult.NotUnderstood unclear => new FeedResult.Failed(CommandFailure.Usage, next.Place(unclear.Sentence)),
+                _ => result,
+            };
+        }
+
+        return result;
+    }
+}

@@ -1,0 +1,16 @@
+using Engraver.Core.Drawings;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>ERASE: Removes objects from the drawing.</summary>
+internal sealed class EraseCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("ERASE", CommandGroup.Drawing, "Removes objects from the drawing.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        DrawingChange.Take(context, DrawingEdit.Erase(drawing, selected), []);
+    }
+}

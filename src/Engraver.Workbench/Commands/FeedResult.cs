@@ -1,0 +1,24 @@
+namespace Engraver.Workbench.Commands;
+
+/// <summary>What one input led to.</summary>
+public abstract record FeedResult
+{
+    private FeedResult()
+    {
+    }
+
+    /// <summary>The command wants more: see the current prompt.</summary>
+    public sealed record Asking : FeedResult;
+
+    /// <summary>The command is through (or there was nothing to do).</summary>
+    public sealed record Done : FeedResult;
+
+    /// <summary>Esc, or the operator's stop.</summary>
+    public sealed record Cancelled : FeedResult;
+
+    /// <summary>The input was not understood; command and prompt stand as before.</summary>
+    public sealed record NotUnderstood(string Sentence) : FeedResult;
+
+    /// <summary>The command ended without doing what it should.</summary>
+    public sealed record Failed(CommandFailure Why, string Sentence) : FeedResult;
+}

@@ -1,0 +1,54 @@
+using Engraver.Core.Drawings;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>LAYER: Switches layers on, off, frozen, thawed or plotted; only visible, thawed, plottable layers are cut.</summary>
+internal sealed class LayerCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("LAYER", CommandGroup.Ask, "Switches layers on, off, frozen, thawed or plotted; only visible, thawed, plottable layers are cut.");
+
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("?", "ON", "OFF", "Freeze", "Thaw", "Plot", "Noplot");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var layers = context.Drawing.Layers.ToArray();
+        while (await context.AskAsync(new ChoicePrompt("Enter an option") { Options = s_options, EnterEnds = true }).ConfigureAwait(false) is Answer<string>.Chosen { Option: var option })
+        {
+            if (option == "?") context.SayResult(output => Write(layers, output));
+            else await SwitchAsync(context, layers, option).ConfigureAwait(false);
+        }
+
+        if (layers.SequenceEqual(context.Drawing.Layers)) return;
+        var state = context.Document.Current;
+        context.Take(state with { Drawing = context.Drawing with { Layers = layers } });
+    }
+
+    private static async Task SwitchAsync(CommandContext context, Layer[] layers, string option)
+    {
+        var names = (await context.ValueAsync(new TextPrompt("Enter layer names separated by commas, * for all")).ConfigureAwait(false)).Split(',', StringSplitOptions.TrimEntries);
+        var unknown = names.Where(name => name != "*" && !layers.Any(layer => Is(layer, name))).ToList();
+        if (unknown.Count > 0) throw new CommandException(CommandFailure.Usage, $"The drawing has no layer {string.Join(", ", unknown.Select(name => $"'{name}'"))}; LAYER ? lists what it has.");
+        for (var index = 0; index < layers.Length; index++)
+        {
+            if (names.Any(name => name == "*" || Is(layers[index], name))) layers[index] = Switched(layers[index], option);
+        }
+    }
+
+    private static bool Is(Layer layer, string name) => layer.Name.Equals(name, StringComparison.OrdinalIgnoreCase);
+
+    private static Layer Switched(Layer layer, string option) => option switch
+    {
+        "ON" => layer with { On = true },
+        "OFF" => layer with { On = false },
+        "Freeze" => layer with { Frozen = true },
+        "Thaw" => layer with { Frozen = false },
+        "Plot" => layer with { Plot = true },
+        _ => layer with { Plot = false },
+    };
+
+    private static void Write(IEnumerable<Layer> layers, TextWriter output)
+    {
+        foreach (var layer in layers) output.WriteLine($"{(layer.CutByDefault ? "cut    " : "not cut")}  {(layer.On ? "on " : "off")}  {(layer.Frozen ? "frozen" : "thawed")}  {(layer.Plot ? "plotted    " : "not plotted")}  {layer.Name}");
+    }
+}

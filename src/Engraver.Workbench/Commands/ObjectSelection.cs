@@ -1,0 +1,111 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>"Select objects:" as AutoCAD asks it, verb first or noun first. Coordinates are drawing units.</summary>
+internal static class ObjectSelection
+{
+    /// <summary>A pick takes the nearest object within this part of the drawing's size.</summary>
+    private const double PickboxShare = 0.01;
+
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Window", "Crossing", "ALL", "Last", "Previous", "Handle", "LAyer", "Remove", "Add", "Undo");
+
+    /// <summary>What was selected before the command, or what is selected now.</summary>
+    /// <exception cref="CommandException">Nothing is open, or nothing was selected.</exception>
+    public static async Task<IReadOnlyList<int>> TakeAsync(CommandContext context)
+    {
+        _ = context.Drawing;
+        var before = context.Document.Current.Selection;
+        if (before.Count == 0) return await PickAsync(context).ConfigureAwait(false);
+        context.Say(FormattableString.Invariant($"{before.Count} found"));
+        return before;
+    }
+
+    /// <summary>Asks until Enter.</summary>
+    /// <exception cref="CommandException">Nothing is open, or nothing was selected.</exception>
+    public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context)
+    {
+        var drawing = context.Drawing;
+        var picking = new Picking();
+        var prompt = new PointPrompt("Select objects") { Options = s_options, EnterEnds = true };
+        while (await context.AskAsync(prompt).ConfigureAwait(false) is var answer and not Answer<Point2D>.Ended)
+        {
+            switch (answer)
+            {
+                case Answer<Point2D>.Chosen { Option: "Remove" }: picking.Adding = false; break;
+                case Answer<Point2D>.Chosen { Option: "Add" }: picking.Adding = true; break;
+                case Answer<Point2D>.Chosen { Option: "Undo" }: picking.Undo(); break;
+                case Answer<Point2D>.Chosen { Option: var option }: context.Say(picking.Take(await ByOptionAsync(context, drawing, option).ConfigureAwait(false))); break;
+                case Answer<Point2D>.Value { Of: var point }: context.Say(picking.Take(await ByPointAsync(context, drawing, point).ConfigureAwait(false))); break;
+            }
+        }
+
+        return picking.Selected.Count > 0 ? picking.Selected : throw new CommandException(CommandFailure.Usage, "Nothing was selected.");
+    }
+
+    /// <summary>The visible object under a point; null when there is none.</summary>
+    public static int? At(Drawing drawing, Point2D point)
+    {
+        var box = DrawingPick.BoundsOf(drawing, DrawingPick.Visible(drawing));
+        return DrawingPick.Nearest(drawing, point, PickboxShare * Math.Max(box.Width, box.Height));
+    }
+
+    private static async Task<IReadOnlyList<int>> ByOptionAsync(CommandContext context, Drawing drawing, string option) => option switch
+    {
+        "Window" => [.. DrawingPick.Inside(drawing, await BoxAsync(context).ConfigureAwait(false))],
+        "Crossing" => [.. DrawingPick.Touching(drawing, await BoxAsync(context).ConfigureAwait(false))],
+        "ALL" => [.. DrawingPick.Visible(drawing)],
+        "Last" => [.. DrawingPick.Visible(drawing).TakeLast(1)],
+        "Previous" => context.Document.Current.Previous,
+        "Handle" => ByHandle(drawing, await context.ValueAsync(new TextPrompt("Enter handle")).ConfigureAwait(false)),
+        _ => ByLayer(drawing, await context.ValueAsync(new TextPrompt("Enter layer name")).ConfigureAwait(false)),
+    };
+
+    /// <summary>On an object: that one. On empty space: a box, to the right a window, to the left a crossing.</summary>
+    private static async Task<IReadOnlyList<int>> ByPointAsync(CommandContext context, Drawing drawing, Point2D point)
+    {
+        if (At(drawing, point) is { } entity) return [entity];
+        var corner = await context.ValueAsync(new PointPrompt("Specify opposite corner")).ConfigureAwait(false);
+        var box = Bounds2D.Of(point, corner);
+        return [.. corner.X >= point.X ? DrawingPick.Inside(drawing, box) : DrawingPick.Touching(drawing, box)];
+    }
+
+    private static async Task<Bounds2D> BoxAsync(CommandContext context)
+    {
+        var first = await context.ValueAsync(new PointPrompt("Specify first corner")).ConfigureAwait(false);
+        return Bounds2D.Of(first, await context.ValueAsync(new PointPrompt("Specify opposite corner")).ConfigureAwait(false));
+    }
+
+    private static IReadOnlyList<int> ByHandle(Drawing drawing, string handle) => [.. DrawingPick.Visible(drawing).Where(entity => IsHandle(drawing, entity, handle))];
+
+    private static bool IsHandle(Drawing drawing, int entity, string handle) => string.Equals(drawing.SourceOf(entity).Handle, handle.TrimStart('0'), StringComparison.OrdinalIgnoreCase);
+
+    private static IReadOnlyList<int> ByLayer(Drawing drawing, string name) =>
+        [.. DrawingPick.Visible(drawing).Where(entity => drawing.Layers[drawing.Entities[entity].Layer].Name.Equals(name, StringComparison.OrdinalIgnoreCase))];
+
+    /// <summary>What has been picked so far.</summary>
+    private sealed class Picking
+    {
+        private readonly Stack<IReadOnlyList<int>> _before = new();
+
+        public bool Adding { get; set; } = true;
+
+        public IReadOnlyList<int> Selected { get; private set; } = [];
+
+        /// <returns>AutoCAD's line: how many were found, how many of them again, how many there are now.</returns>
+        public string Take(IReadOnlyList<int> found)
+        {
+            _before.Push(Selected);
+            var known = Selected.ToHashSet();
+            var again = found.Count(known.Contains);
+            var hit = found.ToHashSet();
+            Selected = Adding ? [.. Selected, .. found.Where(entity => !known.Contains(entity))] : [.. Selected.Where(entity => !hit.Contains(entity))];
+            var what = Adding ? (again > 0 ? $", {again} duplicate" : "") : $", {again} removed";
+            return FormattableString.Invariant($"{found.Count} found{what}, {Selected.Count} total");
+        }
+
+        public void Undo() => Selected = _before.TryPop(out var earlier) ? earlier : Selected;
+    }
+}

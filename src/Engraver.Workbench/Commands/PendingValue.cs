@@ -1,0 +1,37 @@
+using System.Diagnostics;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>A command that waits for a value of a kind. Answering runs the command on the caller's thread to its next question.</summary>
+internal sealed class PendingValue<T>(ValuePrompt<T> prompt) : PendingAsk(prompt)
+{
+    private readonly TaskCompletionSource<Answer<T>> _answer = new();
+
+    public Task<Answer<T>> Answer => _answer.Task;
+
+    public override bool WantsPoint => typeof(T) == typeof(Point2D);
+
+    public override string? TryAnswer(string typed, Point2D lastPoint)
+    {
+        if (typed.Length == 0 && Prompt.Default is null && Prompt.EnterEnds) return Take(new Answer<T>.Ended());
+        var input = typed.Length == 0 ? Prompt.Default : typed;
+        if (input is null) return $"An answer is needed: {Prompt.Text}";
+        if (Keyword.Find(Prompt.Options, input) is { } option) return Take(new Answer<T>.Chosen(option.Name));
+        return prompt.Read(input, lastPoint) switch
+        {
+            Reading<T>.Value value => Take(new Answer<T>.Value(value.Of)),
+            Reading<T>.Wrong wrong => wrong.Sentence,
+            _ => throw new UnreachableException(),
+        };
+    }
+
+    public override void Cancel() => _answer.TrySetCanceled();
+
+    private string? Take(Answer<T> answer)
+    {
+        _answer.SetResult(answer);
+        return null;
+    }
+}

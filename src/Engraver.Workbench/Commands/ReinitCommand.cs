@@ -1,0 +1,15 @@
+namespace Engraver.Workbench.Commands;
+
+/// <summary>REINIT: Reads the alias files anew.</summary>
+internal sealed class ReinitCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("REINIT", CommandGroup.File, "Reads the alias files anew.");
+
+    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var aliases = context.ReloadAliases();
+        foreach (var finding in aliases.Findings) context.Say(finding, MessageKind.Warning);
+        context.Say(FormattableString.Invariant($"{aliases.Commands.Count} aliases."));
+        return Task.CompletedTask;
+    }
+}

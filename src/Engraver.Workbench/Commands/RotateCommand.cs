@@ -1,0 +1,24 @@
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>ROTATE: Turns objects about a point, counter-clockwise.</summary>
+internal sealed class RotateCommand : ICommand
+{
+    private const double Largest = 1e6;
+
+    public CommandInfo Info { get; } = new("ROTATE", CommandGroup.Drawing, "Turns objects about a point, counter-clockwise.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var basePoint = await context.ValueAsync(new PointPrompt("Specify base point")).ConfigureAwait(false);
+        var amount = await AmountPrompts.AskAsync(context, Number("Specify rotation angle", context.Remembered("ROTATE", "0")), Number("Specify the reference angle", "0"), Number("Specify the new angle", null)).ConfigureAwait(false);
+        var degrees = amount.Value - (amount.Reference ?? 0.0);
+        if (amount.Reference is null) context.Remember("ROTATE", NumberPrompt.Show(degrees));
+        DrawingChange.Transform(context, selected, Transform2D.Rotate(basePoint, Angle.FromDegrees(degrees)), amount.Copy);
+    }
+
+    private static NumberPrompt Number(string instruction, string? standard) => new(instruction) { Default = standard, Least = -Largest, Most = Largest };
+}

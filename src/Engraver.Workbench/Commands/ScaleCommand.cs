@@ -1,0 +1,25 @@
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>SCALE: Enlarges or shrinks objects from a point.</summary>
+internal sealed class ScaleCommand : ICommand
+{
+    private const double Smallest = 1e-6;
+    private const double Largest = 1e6;
+
+    public CommandInfo Info { get; } = new("SCALE", CommandGroup.Drawing, "Enlarges or shrinks objects from a point.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var basePoint = await context.ValueAsync(new PointPrompt("Specify base point")).ConfigureAwait(false);
+        var amount = await AmountPrompts.AskAsync(context, Number("Specify scale factor", context.Remembered("SCALE", "1")), Number("Specify reference length", "1"), Number("Specify new length", null)).ConfigureAwait(false);
+        var factor = amount.Value / (amount.Reference ?? 1.0);
+        if (amount.Reference is null) context.Remember("SCALE", NumberPrompt.Show(factor));
+        DrawingChange.Transform(context, selected, Transform2D.ScaleFrom(basePoint, factor), amount.Copy);
+    }
+
+    private static NumberPrompt Number(string instruction, string? standard) => new(instruction) { Default = standard, Least = Smallest, Most = Largest };
+}

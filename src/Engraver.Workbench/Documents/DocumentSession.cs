@@ -1,0 +1,58 @@
+namespace Engraver.Workbench.Documents;
+
+/// <summary>What the operator has loaded, and every step that led there. One of the two places that change over time; the states themselves never do.</summary>
+/// <remarks>Selecting is no step: it goes with the state in which it was made. Not safe for several threads.</remarks>
+public sealed class DocumentSession
+{
+    private readonly Stack<Step> _undo = new();
+    private readonly Stack<Step> _redo = new();
+
+    /// <summary>Raised after the current state has become another one.</summary>
+    public event EventHandler? Changed;
+
+    public DocumentState Current { get; private set; } = DocumentState.Nothing;
+
+    /// <summary>Names of the steps that can be undone, the last one first.</summary>
+    public IEnumerable<string> UndoNames => _undo.Select(step => step.Name);
+
+    /// <summary>Names of the steps that can be redone, the next one first.</summary>
+    public IEnumerable<string> RedoNames => _redo.Select(step => step.Name);
+
+    /// <summary>Takes a step. What had been undone before it can no longer be redone.</summary>
+    /// <param name="name">The command that takes it.</param>
+    public void Take(string name, DocumentState next)
+    {
+        ArgumentNullException.ThrowIfNull(next);
+        if (next == Current) return;
+        _undo.Push(new Step(name, Current));
+        _redo.Clear();
+        Become(next);
+    }
+
+    /// <summary>Sets what is selected, without a step.</summary>
+    public void Select(IReadOnlyList<int> selection, IReadOnlyList<int> previous) => Become(Current with { Selection = selection, Previous = previous });
+
+    /// <summary>Back to the state before the last step.</summary>
+    /// <returns>The name of the step, null when there was none.</returns>
+    public string? Undo() => Swap(_undo, _redo);
+
+    /// <summary>Takes the step again that was undone last.</summary>
+    /// <returns>The name of the step, null when there was none.</returns>
+    public string? Redo() => Swap(_redo, _undo);
+
+    private string? Swap(Stack<Step> from, Stack<Step> to)
+    {
+        if (!from.TryPop(out var step)) return null;
+        to.Push(step with { State = Current });
+        Become(step.State);
+        return step.Name;
+    }
+
+    private void Become(DocumentState next)
+    {
+        Current = next;
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
+
+    private readonly record struct Step(string Name, DocumentState State);
+}

@@ -1,0 +1,21 @@
+using Engraver.Core.Drawings;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>Everything the operator has before them at one moment: the drawing with its edits, the settings, what is selected. Immutable, so going back to it is exact.</summary>
+public sealed record DocumentState
+{
+    public static DocumentState Nothing { get; } = new();
+
+    /// <summary>Null when no drawing is open.</summary>
+    public Drawing? Drawing { get; init; }
+
+    public DrawingSettings Settings { get; init; } = new();
+
+    /// <summary>Indices into the drawing's entities, each once, in the order in which they were picked.</summary>
+    public IReadOnlyList<int> Selection { get; init; } = [];
+
+    /// <summary>What the last command worked on ("Previous").</summary>
+    public IReadOnlyList<int> Previous { get; init; } = [];
+}

@@ -1,0 +1,43 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Posts;
+using Engraver.Galil.Programs;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>A drawing as a program in one of the formats of the runner's contract.</summary>
+/// <param name="Text">Null when there is nothing that the machine can cut.</param>
+/// <param name="Diagnostics">Of every stage on the way.</param>
+public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagnostics)
+{
+    public const string Galil = "galil";
+
+    public const string GalilCalls = "galil-calls";
+
+    /// <summary>The sequenced, oriented drawing as DXF.</summary>
+    public const string CutterLocation = "cldata";
+
+    /// <summary>The targets there are.</summary>
+    public static IReadOnlyList<string> Targets { get; } = [Galil, GalilCalls, CutterLocation];
+
+    /// <param name="target">One of <see cref="Targets"/>.</param>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    public static PostedProgram Of(Drawing drawing, DrawingSettings settings, string target)
+    {
+        if (target == CutterLocation) return ClDataOf(drawing, settings);
+        var calls = target == GalilCalls;
+        var job = JobPreparation.Prepare(drawing, settings, calls ? MotionStyle.Calls : MotionStyle.Continuous);
+        if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics);
+        var post = calls ? DmcPost.Calls(program, DmcPostOptions.Default, drawing.SourceOf) : DmcPost.Sequences(program, DmcPostOptions.Default, drawing.SourceOf);
+        return new PostedProgram(post.Text, [.. job.Diagnostics, .. post.Diagnostics]);
+    }
+
+    private static PostedProgram ClDataOf(Drawing drawing, DrawingSettings settings)
+    {
+        var sequence = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings);
+        using var text = new StringWriter { NewLine = "\n" };
+        ClData.Write(JobPreparation.PathOf(sequence, settings), text);
+        return new PostedProgram(text.ToString(), [.. drawing.Diagnostics, .. sequence.Diagnostics]);
+    }
+}

@@ -1,0 +1,14 @@
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Workbench.Reports;
+
+/// <summary>A diagnostic for people: <c>FILE(LINE): Severity ID: sentence</c>.</summary>
+public static class DiagnosticLine
+{
+    public static string Of(string file, Diagnostic diagnostic)
+    {
+        var place = diagnostic.Source.Line > 0 ? FormattableString.Invariant($"{file}({diagnostic.Source.Line})") : file;
+        var handle = diagnostic.Source.Handle is { } name ? $" [handle {name}]" : "";
+        return $"{place}: {DiagnosticTable.SeverityWord(diagnostic.Severity)} {diagnostic.Id}: {diagnostic.Message}{handle}";
+    }
+}

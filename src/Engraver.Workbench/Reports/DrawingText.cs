@@ -1,0 +1,42 @@
+using System.Globalization;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Reports;
+
+/// <summary>What is in a drawing, for people.</summary>
+public static class DrawingText
+{
+    public static void Write(TextWriter output, Drawing drawing, DrawingSummary summary)
+    {
+        var balance = drawing.Balance;
+        output.WriteLine(Invariant($"{drawing.FileName}: {Version(drawing)}, {drawing.Bytes} bytes, {Unit(drawing.Unit)}"));
+        output.WriteLine(Invariant($"{balance.Read} entities read = {balance.Cut} cut + {balance.Construction} construction + {balance.Refused.Count} refused ({Counts(balance.EntityCounts)})"));
+        if (summary.Leaf.Count > 0) output.WriteLine(Invariant($"curves, blocks expanded: {Counts(summary.Leaf.ToDictionary(pair => pair.Key.ToDxfName(), pair => pair.Value))}; length {summary.Length.Total:0.######} {drawing.Unit.Name}"));
+        output.WriteLine(Size(summary.Bounds, drawing.Unit));
+        foreach (var (layer, index) in drawing.Layers.Select((layer, index) => (layer, index)))
+        {
+            var switches = $"{(layer.On ? "" : ", off")}{(layer.Frozen ? ", frozen" : "")}{(layer.Plot ? "" : ", not plotted")}";
+            output.WriteLine(Invariant($"  layer {layer.Name}: {Records(balance, index)} entities{switches}"));
+        }
+
+        foreach (var refused in balance.Refused.Concat(balance.RefusedInBlocks))
+        {
+            output.WriteLine(Invariant($"  not read: {refused.Type}{(refused.Handle is { } handle ? $" {handle}" : "")} at line {refused.Line}: {refused.Reason} ({refused.DiagnosticId})"));
+        }
+    }
+
+    private static int Records(DrawingBalance balance, int layer) => layer < balance.RecordsPerLayer.Count ? balance.RecordsPerLayer[layer] : 0;
+
+    private static string Version(Drawing drawing) => drawing.DxfVersion.Length == 0 ? $"{drawing.Encoding} DXF" : $"{drawing.Encoding} DXF {drawing.DxfVersion}";
+
+    private static string Unit(LengthUnit unit) => Invariant($"unit {unit.Name} ({unit.Source}{(unit.ToMillimetres == 1.0 ? "" : Invariant($", {unit.ToMillimetres:0.######} mm"))})");
+
+    private static string Size(Bounds2D? bounds, LengthUnit unit) => bounds is { } box
+        ? Invariant($"size {box.Width:0.######} x {box.Height:0.######} {unit.Name}, from {box.MinX:0.######},{box.MinY:0.######} to {box.MaxX:0.######},{box.MaxY:0.######}")
+        : "no curve";
+
+    private static string Counts(IReadOnlyDictionary<string, int> counts) => string.Join(", ", counts.OrderByDescending(pair => pair.Value).Select(pair => Invariant($"{pair.Value} {pair.Key}")));
+
+    private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,38 @@
+using System.Globalization;
+using Engraver.Galil.Jobs;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Workbench.Reports;
+
+/// <summary>How a run is told to people.</summary>
+public static class RunText
+{
+    public static string Sentence(PreparedJob job, MachineRunReport report)
+    {
+        var result = report.Result;
+        var planned = job.Motion.Program?.SegmentCount ?? 0;
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"{Word(result.Outcome)}: {result.SegmentsExecuted} of {planned} segments cut in {result.Seconds:0.0} s of machine time; {Verdict(report.Judgement)}.");
+    }
+
+    private static string Verdict(RunJudgement judgement)
+    {
+        if (judgement.MaxDeviationMm is not { } deviation) return "nothing is known about the cut";
+        var who = judgement.Source == "record" ? "the simulated motors were" : "the polled positions were";
+        var missing = judgement.MissingLengthMm is > 0.0 and var length
+            ? string.Create(CultureInfo.InvariantCulture, $"{length:0.###} mm of the drawing are MISSING")
+            : "nothing of it is missing";
+        return string.Create(CultureInfo.InvariantCulture, $"{who} at worst {deviation:0.0000} mm from the drawing and {missing}");
+    }
+
+    /// <summary>The outcome in the words of the runner's contract.</summary>
+    public static string Word(JobOutcome outcome) => outcome switch
+    {
+        JobOutcome.Complete => "complete",
+        JobOutcome.Stopped => "stopped",
+        JobOutcome.Refused => "refused",
+        _ => "linkLost",
+    };
+}

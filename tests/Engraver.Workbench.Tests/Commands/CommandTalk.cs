@@ -1,0 +1,54 @@
+using Engraver.TestKit;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>An operator at the command window, in a folder that is gone afterwards.</summary>
+internal sealed class CommandTalk : IAsyncDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-commands-");
+    private readonly List<CommandMessage> _said = [];
+
+    public CommandTalk()
+    {
+        Session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName, Journal = Journal, AliasFile = PathOf("my.pgp") }, CommandCatalog.Built());
+        Session.Said += (_, message) => _said.Add(message);
+    }
+
+    public StringWriter Journal { get; } = new() { NewLine = "\n" };
+
+    public CommandSession Session { get; }
+
+    public DocumentState State => Session.Document.Current;
+
+    /// <summary>Everything said, echoes left out.</summary>
+    public string Said => string.Join('\n', _said.Where(message => message.Kind != MessageKind.Echo).Select(message => message.Text));
+
+    public string PathOf(string name) => Path.Combine(_folder.FullName, name);
+
+    public static string Sample(string name) => Path.Combine(RepositoryFolder.Samples, name);
+
+    /// <summary>A talk with a drawing of one line (A1), one arc (A2), one circle (A3) and a square (A4), already open.</summary>
+    public static CommandTalk WithDrawing()
+    {
+        var talk = new CommandTalk();
+        var drawing = new DrawingBuilder().Line(0, 0, 10, 0).Arc(5, 5, 4, 350, 100).Circle(20, 5, 3).Square(30, 0, 8).Build();
+        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing });
+        return talk;
+    }
+
+    /// <summary>Feeds the inputs and answers what the last one led to.</summary>
+    public async Task<FeedResult> TypeAsync(params string[] inputs)
+    {
+        FeedResult result = new FeedResult.Done();
+        foreach (var input in inputs) result = await Session.FeedAsync(input, CancellationToken.None);
+        return result;
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        await Session.DisposeAsync();
+        _folder.Delete(recursive: true);
+    }
+}
