@@ -17,6 +17,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(SequenceVerb.Build(host));
         root.Subcommands.Add(PlotVerb.Build(host));
         root.Subcommands.Add(PostVerb.Build(host));
+        root.Subcommands.Add(VerifyVerb.Build(host));
         root.Subcommands.Add(RunVerb.Build(host));
         root.Subcommands.Add(SimulateVerb.Build(host));
         return root;
