@@ -18,6 +18,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(PlotVerb.Build(host));
         root.Subcommands.Add(PlanVerb.Build(host));
         root.Subcommands.Add(PostVerb.Build(host));
+        root.Subcommands.Add(VerifyVerb.Build(host));
         root.Subcommands.Add(RunVerb.Build(host));
         root.Subcommands.Add(TerminalVerb.Build(host));
         root.Subcommands.Add(SimulateVerb.Build(host));

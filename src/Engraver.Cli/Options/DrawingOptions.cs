@@ -29,6 +29,12 @@ internal sealed class DrawingOptions
     public void AddTo(Command command)
     {
         command.Arguments.Add(_file);
+        AddOptionsTo(command);
+    }
+
+    /// <summary>For a verb whose drawing is named by an option of its own.</summary>
+    public void AddOptionsTo(Command command)
+    {
         foreach (var option in (Option[])[_layers, _skip, _units, _join, _maxError, _start, _enter, _order, _keepDuplicates, _machine, _feed]) command.Options.Add(option);
     }
 

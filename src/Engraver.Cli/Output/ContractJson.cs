@@ -10,6 +10,7 @@ namespace Engraver.Cli.Output;
 [JsonSerializable(typeof(SequenceJson))]
 [JsonSerializable(typeof(PlanJson))]
 [JsonSerializable(typeof(RunJson))]
+[JsonSerializable(typeof(VerifyJson))]
 internal sealed partial class ContractJson : JsonSerializerContext
 {
     public static void Write<T>(TextWriter output, T value, JsonTypeInfo<T> type) => output.WriteLine(JsonSerializer.Serialize(value, type));

@@ -17,7 +17,7 @@ internal sealed class RunVerb
     private readonly VerbHost _host;
     private readonly DrawingOptions _drawing = new();
     private readonly Option<ControllerAddress?> _connect = new("--connect") { Required = true, HelpName = "URL", Description = "tcp://HOST:PORT, serial://DEVICE?baud=19200, or sim: for the simulated controller (sim:?speed=1 in real time).", CustomParser = ParseAddress };
-    private readonly Option<string> _mode = new("--mode") { Description = "stream: vector sequences fed live; calls: the paper's #LINEAR and #CIRC.", DefaultValueFactory = _ => "stream" };
+    private readonly Option<string> _mode = new("--mode") { Description = "stream: vector sequences fed live; calls: the paper's #LINEAR and #CIRC; program: the job downloaded and run in the controller, chunk by chunk.", DefaultValueFactory = _ => "stream" };
     private readonly Option<bool> _json = JsonOption.New();
     private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = "Where progress is journalled (default: the user's data folder)." };
     private readonly Option<bool> _dryRun = new("--dry-run") { Description = "Every motion, but the tool stays off." };
@@ -27,7 +27,7 @@ internal sealed class RunVerb
     private RunVerb(VerbHost host)
     {
         _host = host;
-        _mode.AcceptOnlyFromAmong("stream", "calls");
+        _mode.AcceptOnlyFromAmong("stream", "calls", "program");
     }
 
     public static Command Build(VerbHost host)
@@ -43,7 +43,7 @@ internal sealed class RunVerb
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var settings = _drawing.Settings(parsed);
-        var mode = parsed.GetValue(_mode) == "calls" ? JobMode.Calls : JobMode.Stream;
+        var mode = Mode(parsed.GetValue(_mode));
         var read = DrawingFile.Open(_drawing.File(parsed), settings.Unit, stop);
         var job = JobPreparation.Prepare(read, settings, MachineRunOptions.StyleOf(mode));
         var code = _host.Report(parsed, read.FileName, job.Diagnostics);
@@ -55,6 +55,8 @@ internal sealed class RunVerb
         if (program.SegmentCount == 0) return NotStarted(parsed, job, "no curve on the selected layers");
         return await RunOnMachineAsync(parsed, job, program, mode, stop).ConfigureAwait(false);
     }
+
+    private static JobMode Mode(string? word) => word switch { "calls" => JobMode.Calls, "program" => JobMode.Program, _ => JobMode.Stream };
 
     private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, MotionProgram program, JobMode mode, CancellationToken stop)
     {
@@ -75,6 +77,7 @@ internal sealed class RunVerb
 
     private int Finish(ParseResult parsed, PreparedJob job, MachineRunReport report, string journal)
     {
+        _host.Report(parsed, job.Drawing.FileName, report.Result.Diagnostics);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal), ContractJson.Default.RunJson);
         else _host.Out.WriteLine(RunText.Sentence(job, report));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");

@@ -11,11 +11,14 @@ public sealed record TraceTolerances
     /// <summary>How far the drawing's curves themselves may be approximated.</summary>
     public double MaxError { get; init; } = 0.001;
 
+    /// <summary>How far a cutting sample may lie off the drawing.</summary>
+    public double Deviation => (2.5 * Count) + MaxError;
+
     /// <summary>By how much a chord between two samples may cut a corner: chord squared / (8 x radius), here 20 mm/s at 1 ms on a radius of 0.1 mm.</summary>
     public double ChordSagitta { get; init; } = 0.0005;
 
     /// <summary>A place of the drawing counts as cut when the trace passes this near.</summary>
-    public double Coverage => (2.5 * Count) + MaxError + ChordSagitta;
+    public double Coverage => Deviation + ChordSagitta;
 
     /// <summary>The drawing is walked in steps no longer than this.</summary>
     public double LargestStep { get; init; } = 0.05;

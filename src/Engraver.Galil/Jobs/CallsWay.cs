@@ -6,7 +6,7 @@ namespace Engraver.Galil.Jobs;
 
 /// <summary>The paper's method made right (paper 001; galil-dmc.md F.0, EX11): #LINEAR and #CIRC in the controller are called for each segment with assigned variables,
 /// relative to where the machine really stands; a full stop after each. Progress is <c>seq</c>, for <c>done</c> alone races (F.3).</summary>
-internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : IJobWay
+internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : ISequenceWay
 {
     /// <summary>The server clears go and the arguments when it starts, and then sets the machine up: an empty call that comes back says that it has done both.</summary>
     public async ValueTask<JobStep> StartAsync()

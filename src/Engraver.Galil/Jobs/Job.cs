@@ -30,8 +30,14 @@ internal sealed class Job
         _ledger = new JobLedger(program);
         _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), stop);
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
-        _way = options.Mode == JobMode.Calls ? new CallsWay(_machine, _ledger) : new StreamWay(_machine, _ledger);
         _memory = new ProgramMemory(session);
+        _way = options.Mode switch
+        {
+            JobMode.Stream => new StrokeByStroke(program, _machine, _ledger, _log, new StreamWay(_machine, _ledger)),
+            JobMode.Calls => new StrokeByStroke(program, _machine, _ledger, _log, new CallsWay(_machine, _ledger)),
+            JobMode.Program => new ProgramWay(program, _machine, _ledger, _log, _memory, options),
+            _ => throw new ArgumentOutOfRangeException(nameof(options)),
+        };
         _stopper = new OperatorStop(session, program.Profile.ToolOutput, OwnThreads);
     }
 
@@ -53,6 +59,8 @@ internal sealed class Job
         return Journalled(Result(end, standstill, notRestored));
     }
 
+    private static JobStep Stopped => new(JobOutcome.Stopped, "Stopped by the operator.", null);
+
     private JobResult Journalled(JobResult result)
     {
         try
@@ -71,11 +79,14 @@ internal sealed class Job
     {
         try
         {
-            return await BusyStepAsync().ConfigureAwait(false) is { Ends: true } busy ? busy : await RunFreeMachineAsync().ConfigureAwait(false);
+            var step = await BusyStepAsync().ConfigureAwait(false) is { Ends: true } busy ? busy : await RunFreeMachineAsync().ConfigureAwait(false);
+
+            // A motion that ended early or a halted thread is what the stop has done.
+            return step.Outcome == JobOutcome.Refused && _stop.IsCancellationRequested ? Stopped : step;
         }
         catch (OperationCanceledException) when (_stop.IsCancellationRequested)
         {
-            return new JobStep(JobOutcome.Stopped, "Stopped by the operator.", null);
+            return Stopped;
         }
         catch (ControllerException failure)
         {
@@ -117,28 +128,9 @@ internal sealed class Job
         return JobStep.Done;
     }
 
-    private async Task<JobStep> CutAsync()
-    {
-        for (var stroke = 0; stroke < _program.Strokes.Count; stroke++)
-        {
-            _ledger.Stroke = stroke;
-            if (await CutAsync(_program.Strokes[stroke]).ConfigureAwait(false) is { Ends: true } end) return end;
-        }
-
-        return new JobStep(JobOutcome.Complete, JobMachine.Text($"Done: {_ledger.Executed} segments."), null);
-    }
-
-    private async Task<JobStep> CutAsync(MotionStroke stroke)
-    {
-        if (await RapidMove.ToAsync(_machine, stroke.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
-        for (var i = 0; i < stroke.Sequences.Count; i++)
-        {
-            if (await _way.CutAsync(stroke.Sequences[i]).ConfigureAwait(false) is { Ends: true } end) return end;
-            _log.SequenceDone(i);
-        }
-
-        return await _machine.ToolOffAsync().ConfigureAwait(false);
-    }
+    private async Task<JobStep> CutAsync() => await _way.CutAsync().ConfigureAwait(false) is { Ends: true } end
+        ? end
+        : new JobStep(JobOutcome.Complete, JobMachine.Text($"Done: {_ledger.Executed} segments."), null);
 
     /// <summary>Tool off, stop, our threads halted, rest; after a complete job only the threads have anything to stop. Over a lost link it is tried all the same, for the other handle may stand.</summary>
     private async Task<(JobStep Step, StandstillReport? Standstill)> BringToRestAsync(JobStep step)
@@ -147,7 +139,7 @@ internal sealed class Job
         try
         {
             var standstill = await _stopper.FinishAsync(_options.PollInterval, CancellationToken.None).ConfigureAwait(false);
-            if (step.Ends) _way.StoppedAt(standstill.SegmentCounter);
+            if (step.Ends) await _way.StoppedAsync(standstill.SegmentCounter).ConfigureAwait(false);
             return (step, standstill);
         }
         catch (ControllerException failure)
@@ -188,6 +180,7 @@ internal sealed class Job
         ExecutedEntityIndices = _ledger.Entities,
         ExecutedByStroke = _ledger.ExecutedByStroke,
         LengthByStroke = _ledger.LengthByStroke,
+        Diagnostics = _ledger.Diagnostics,
         NotRestored = notRestored,
     };
 }

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Jobs;
@@ -16,6 +17,9 @@ internal sealed class JobLedger(MotionProgram program)
     /// <summary>Place of the stroke under way in the motion program.</summary>
     public int Stroke { get; set; }
 
+    /// <summary>Place of the sequence under way in its stroke.</summary>
+    public int Sequence { get; set; }
+
     public int Sent { get; set; }
 
     public int Executed { get; private set; }
@@ -23,6 +27,9 @@ internal sealed class JobLedger(MotionProgram program)
     public int Underruns { get; set; }
 
     public int Rejected { get; set; }
+
+    /// <summary>What had to be done to the job to run it: strokes that the memory cut.</summary>
+    public List<Diagnostic> Diagnostics { get; } = [];
 
     public IReadOnlyList<TracePoint> Trace => _trace;
 

@@ -11,7 +11,6 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
 
     private double _reported = double.NegativeInfinity;
     private double _journalled;
-    private int _sequence;
 
     public void Begin(JobOptions options, string controller)
     {
@@ -28,11 +27,8 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         Report();
     }
 
-    public void SequenceDone(int sequence)
-    {
-        WriteProgress();
-        _sequence = sequence + 1;
-    }
+    /// <summary>The sequence under way is done.</summary>
+    public void SequenceDone() => WriteProgress();
 
     public void End(JobResult result)
     {
@@ -45,9 +41,9 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         _journalled = machine.Seconds;
         var at = machine.State.Position;
         var entity = ledger.Entities.Count == 0 ? -1 : ledger.Entities[^1];
-        journal.Write(new JournalProgress(ledger.Stroke, _sequence, entity, ledger.Executed, at.X, at.Y, machine.Seconds));
+        journal.Write(new JournalProgress(ledger.Stroke, ledger.Sequence, entity, ledger.Executed, at.X, at.Y, machine.Seconds));
     }
 
     private void Report() => progress?.Report(new JobProgress(
-        ledger.Stroke, ledger.Sent, ledger.Executed, ledger.SegmentCount, machine.Here.X, machine.Here.Y, machine.ToolOn, machine.Seconds));
+        ledger.Stroke, ledger.Sent, ledger.Executed, ledger.SegmentCount, machine.Here.X, machine.Here.Y, machine.IsToolOn, machine.Seconds));
 }

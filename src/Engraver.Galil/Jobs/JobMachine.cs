@@ -57,10 +57,20 @@ internal sealed class JobMachine
     /// <summary>Where the machine stands, job frame.</summary>
     public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
 
+    /// <summary>Switched on by our own command.</summary>
     public bool ToolOn { get; private set; }
 
     /// <summary>The serial line that the job goes over; null for none.</summary>
     public SerialLine? Line => _session.Line;
+
+    /// <summary>Whether the tool output is on, as the controller said last; whoever switched it. A dry run has no tool.</summary>
+    public bool IsToolOn => !_options.DryRun && Known is { } state && (state.Outputs & (1 << (Profile.ToolOutput - 1))) != 0;
+
+    /// <summary>What to add to the report of a refused line of the program in the controller, by its line number.</summary>
+    public Func<int, string> PlaceInProgram { get; set; } = _ => "";
+
+    /// <summary>The operator's stop.</summary>
+    public CancellationToken Stop => _stop;
 
     /// <summary>Wall time since the last poll.</summary>
     public TimeSpan SincePoll => _session.Time.GetElapsedTime(_polledAt);
@@ -135,7 +145,7 @@ internal sealed class JobMachine
     {
         _polledAt = _session.Time.GetTimestamp();
         _startTime ??= State.Time;
-        _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, ToolOn));
+        _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, IsToolOn));
         _polled();
         if (State.Tripped || State.ProgramError != 0 || !State.ProgramRuns) return await ProgramEndedAsync().ConfigureAwait(false);
         return await BeatAsync().ConfigureAwait(false);
@@ -145,6 +155,10 @@ internal sealed class JobMachine
 
     private async ValueTask<JobStep> BeatAsync() =>
         _heartbeat.IsDueAfterCommand() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
+
+    /// <summary>Asks for one number over the handle of the stop, also after the operator's stop; null when the controller does not know it.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async ValueTask<double?> AskAtRestAsync(string operand) => (await _session.StopHandle.ReadAsync(operand, CancellationToken.None).ConfigureAwait(false)).OrNothing;
 
     /// <summary>Asks for one number until it is as wanted, and polls in between.</summary>
     public async ValueTask<JobStep> AwaitAsync(string operand, Func<double, bool> wanted)
@@ -194,9 +208,11 @@ internal sealed class JobMachine
         if (State.Tripped)
             return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.");
         if (State.ProgramError == 0) return JobStep.Broken("Somebody halted the program in the controller that watches over this job; nobody else may use the controller while a job runs.");
+        if (State.ProgramError == WatchedJob.Strayed)
+            return JobStep.Broken(Text($"The motion ended at {State.Position.X},{State.Position.Y} before its end ({StopCodes.Text(State.StopCode)}); find out what stopped it."));
         var (line, _) = await AskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false);
         var code = (TcCode)State.ProgramError;
-        return Refuse(new Rejected(code, TcCodes.Text(code), Text($"line {line:0} of the downloaded program")), "");
+        return Refuse(new Rejected(code, TcCodes.Text(code), Text($"line {line:0} of the downloaded program")), PlaceInProgram((int)line));
     }
 
     private async ValueTask<JobStep> SwitchToolAsync(bool on)

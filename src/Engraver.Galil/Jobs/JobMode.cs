@@ -8,4 +8,7 @@ public enum JobMode
 
     /// <summary>The paper's way: a program in the controller is called for each entity with assigned variables; progress by seq.</summary>
     Calls,
+
+    /// <summary>The job itself as programs in the controller, one chunk after the other; progress by seq and _CS.</summary>
+    Program,
 }

@@ -1,3 +1,5 @@
+using Engraver.Core.Diagnostics;
+
 namespace Engraver.Galil.Jobs;
 
 public sealed record JobOptions
@@ -9,6 +11,9 @@ public sealed record JobOptions
 
     /// <summary>Name of the drawing for the journal.</summary>
     public string DrawingName { get; init; } = "";
+
+    /// <summary>Where a drawing entity stands in its file, for diagnostics; null where nobody knows.</summary>
+    public Func<int, SourceRef>? SourceOf { get; init; }
 
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 
@@ -45,6 +46,9 @@ public sealed record JobResult
 
     /// <summary>Cut length of each stroke in counts, whole segments only.</summary>
     public required IReadOnlyList<double> LengthByStroke { get; init; }
+
+    /// <summary>What had to be done to the job to run it this way: strokes cut by the controller's memory.</summary>
+    public IReadOnlyList<Diagnostic> Diagnostics { get; init; } = [];
 
     /// <summary>What could not be left as it was found, a sentence each.</summary>
     public IReadOnlyList<string> NotRestored { get; init; } = [];

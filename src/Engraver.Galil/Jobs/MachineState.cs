@@ -7,26 +7,27 @@ namespace Engraver.Galil.Jobs;
 /// <param name="SequenceRunning">_BGS.</param>
 /// <param name="AxesRunning">_BGA or _BGB.</param>
 /// <param name="Counter">_CSS: segments of the sequence that are done.</param>
-/// <param name="Calls">seq: calls that are done.</param>
+/// <param name="Calls">seq: calls that are done; in a watched job see <see cref="WatchedJob"/>.</param>
 /// <param name="PathSpeed">_VMS, counts/s.</param>
 /// <param name="Position">_RPA and _RPB, the controller's frame.</param>
 /// <param name="Time">TIME, samples.</param>
 /// <param name="StopCode">_SCA.</param>
 /// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
-/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none.</param>
+/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="WatchedJob.Strayed"/> for a motion that ended early.</param>
 /// <param name="Tripped">wtrip: the watchdog has stopped the machine.</param>
+/// <param name="Outputs">_OP0: outputs 1 to 8, bit 0 is output 1.</param>
 internal readonly record struct MachineState(
-    bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, int ProgramError, bool Tripped)
+    bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, int ProgramError, bool Tripped, int Outputs)
 {
     /// <summary>What is asked, in the order of the parameters; within the 80 characters of a line.</summary>
     public const string Operands =
-        $"_BGS,_BGA,_BGB,_CSS,{Variables.Sequence},_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,{Variables.ErrorCode},{Variables.WatchdogTripped}";
+        $"_BGS,_BGA,_BGB,_CSS,{Variables.Sequence},_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,{Variables.ErrorCode},{Variables.WatchdogTripped},_OP0";
 
     /// <summary>On a serial line the questions go in two parts, so that the heartbeat fits between them: first what a program does ...</summary>
     public const string ProgramOperands = $"_BGA,_BGB,{Variables.Sequence},_XQ0,{Variables.ErrorCode}";
 
     /// <summary>... then, and more often, what the path does. Asked last: where the axes stood before, the position is final.</summary>
-    public const string MotionOperands = $"_BGS,_CSS,_VMS,_RPA,_RPB,TIME,_SCA,{Variables.WatchdogTripped}";
+    public const string MotionOperands = $"_BGS,_CSS,_VMS,_RPA,_RPB,TIME,_SCA,{Variables.WatchdogTripped},_OP0";
 
     public bool Stands => !SequenceRunning && !AxesRunning;
 
@@ -47,8 +48,9 @@ internal readonly record struct MachineState(
         Time = (long)v[5],
         StopCode = (int)v[6],
         Tripped = v[7] != 0,
+        Outputs = (int)v[8],
     };
 
     public static MachineState Of(IReadOnlyList<double> v) => new(
-        v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, (int)v[11], v[12] != 0);
+        v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, (int)v[11], v[12] != 0, (int)v[13]);
 }

@@ -15,18 +15,22 @@ internal static class ResidentServer
     public static string DefineVariables { get; } =
         $"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0";
 
+    /// <summary>Ends both threads of a job.</summary>
+    public static IReadOnlyList<string> HaltCommands { get; } = [JobMachine.Text($"HX{MainThread}"), JobMachine.Text($"HX{WatchdogThread}")];
+
     public static string GoCommand { get; } = $"{Variables.Go}=1";
 
     public static ResidentProgram Program(JobMode mode, MachineProfile profile) => mode switch
     {
         JobMode.Stream => ForStream(profile),
         JobMode.Calls => ForCalls(profile),
+        JobMode.Program => ForStream(profile), // keeps watch until the first chunk is loaded
         _ => throw new ArgumentOutOfRangeException(nameof(mode)),
     };
 
-    /// <summary>True for a resident program of a job with this profile, of either mode.</summary>
+    /// <summary>True for a resident program of a job with this profile, of any mode.</summary>
     public static bool IsOurs(string program, MachineProfile profile) =>
-        ProgramText.AreSame(program, ForStream(profile).Text) || ProgramText.AreSame(program, ForCalls(profile).Text);
+        ProgramText.AreSame(program, ForStream(profile).Text) || ProgramText.AreSame(program, ForCalls(profile).Text) || WatchedJob.IsChunk(program, profile);
 
     public static string StartCommand(ResidentProgram program) => JobMachine.Text($"XQ {program.EntryLabel},{MainThread}");
 

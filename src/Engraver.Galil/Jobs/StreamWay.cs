@@ -3,7 +3,7 @@ using Engraver.Galil.Programs;
 namespace Engraver.Galil.Jobs;
 
 /// <summary>Continuous vector sequences, fed live (galil-dmc.md F.1 method 1). A sequence that ran dry is closed at its standstill and what is left becomes a new one.</summary>
-internal sealed class StreamWay(JobMachine machine, JobLedger ledger) : IJobWay
+internal sealed class StreamWay(JobMachine machine, JobLedger ledger) : ISequenceWay
 {
     private SequenceFeed? _feed;
 

@@ -7,30 +7,40 @@ namespace Engraver.Galil.Programs;
 /// <summary>Packs strokes into programs that fit the controller's memory, whole strokes where possible.</summary>
 internal sealed class ChunkPacker
 {
+    /// <summary>Fewer lines of job than this would cut every stroke to pieces.</summary>
+    private const int LeastRoom = 16;
+
     private readonly PostForm _form;
     private readonly DmcPostOptions _options;
     private readonly Func<int, SourceRef>? _sourceOf;
     private readonly int _room;
-    private readonly List<List<string>> _chunks = [[]];
+    private readonly List<(List<string> Lines, List<MotionStroke> Parts)> _chunks = [([], [])];
     private readonly List<Diagnostic> _diagnostics = [];
 
     private ChunkPacker(PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
-        const int CommentLine = 1;
         _form = form;
         _options = options;
         _sourceOf = sourceOf;
-        _room = options.MemoryLines - form.Opening(0).Count - form.Closing.Count - CommentLine;
+        _room = options.MemoryLines - FixedLines(form);
     }
 
-    /// <summary>The job's text. The memory must have room for the subprograms and a few lines of job.</summary>
-    public static DmcPostText Pack(IEnumerable<MotionStroke> strokes, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    /// <summary>The job as chunks. The memory must have room for the subprograms and a few lines of job (<see cref="FewestLines"/>).</summary>
+    public static PackedJob Pack(IEnumerable<MotionStroke> strokes, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
-        const int LeastRoom = 16;
         var packer = new ChunkPacker(form, options, sourceOf);
         ArgumentOutOfRangeException.ThrowIfLessThan(packer._room, LeastRoom, nameof(options));
         foreach (var stroke in strokes) packer.Add(stroke);
         return packer.Finish();
+    }
+
+    /// <summary>The smallest memory that a job of this form can be packed for, lines.</summary>
+    public static int FewestLines(PostForm form) => FixedLines(form) + LeastRoom;
+
+    private static int FixedLines(PostForm form)
+    {
+        const int CommentLine = 1;
+        return form.Opening(0).Count + form.Closing.Count + CommentLine;
     }
 
     private void Add(MotionStroke stroke)
@@ -40,11 +50,11 @@ internal sealed class ChunkPacker
         while (!FitsAChunk(rest, out lines))
         {
             (var first, rest) = LargestPart(rest);
-            Put(_form.Stroke(first));
+            Put(_form.Stroke(first), first);
             Report(rest);
         }
 
-        Put(lines);
+        Put(lines, rest);
     }
 
     private bool FitsAChunk(MotionStroke part, out IReadOnlyList<string> lines)
@@ -67,10 +77,11 @@ internal sealed class ChunkPacker
         }
     }
 
-    private void Put(IReadOnlyList<string> lines)
+    private void Put(IReadOnlyList<string> lines, MotionStroke part)
     {
-        if (_chunks[^1].Count + lines.Count > _room) _chunks.Add([]);
-        _chunks[^1].AddRange(lines);
+        if (_chunks[^1].Lines.Count + lines.Count > _room) _chunks.Add(([], []));
+        _chunks[^1].Lines.AddRange(lines);
+        _chunks[^1].Parts.Add(part);
     }
 
     private void Report(MotionStroke rest)
@@ -80,20 +91,20 @@ internal sealed class ChunkPacker
             _sourceOf?.Invoke(entity) ?? default, Text(rest.Index), Text(_options.MemoryLines), Text(rest.Start.X), Text(rest.Start.Y)));
     }
 
-    private DmcPostText Finish()
+    private PackedJob Finish()
     {
         var done = 0;
-        var texts = new List<string>();
-        foreach (var chunk in _chunks)
+        var chunks = new List<ProgramChunk>();
+        foreach (var (job, parts) in _chunks)
         {
             var text = new StringBuilder();
-            if (_chunks.Count > 1) text.Append(CultureInfo.InvariantCulture, $"'CHUNK {texts.Count + 1} OF {_chunks.Count}\n");
-            foreach (var line in _form.Opening(done).Concat(chunk).Concat(_form.Closing)) text.Append(line).Append('\n');
-            texts.Add(text.ToString());
-            done += chunk.Count;
+            if (_chunks.Count > 1) text.Append(CultureInfo.InvariantCulture, $"'CHUNK {chunks.Count + 1} OF {_chunks.Count}\n");
+            foreach (var line in _form.Opening(done).Concat(job).Concat(_form.Closing)) text.Append(line).Append('\n');
+            chunks.Add(new ProgramChunk(text.ToString(), parts));
+            done += job.Count;
         }
 
-        return new DmcPostText(texts, _diagnostics);
+        return new PackedJob(chunks, _diagnostics);
     }
 
     private static int SegmentsOf(MotionStroke stroke) => stroke.Sequences.Sum(sequence => sequence.Segments.Count);

@@ -17,16 +17,24 @@ public static class DmcPost
         if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
         var frame = new ControllerFrame(program.Start, options.ControllerAtStart);
         var form = new PostForm(done => CallsOpening(program, done), stroke => CallsStroke(stroke, frame), CallsClosing(program));
-        return ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
+        return Posted(program, form, options, sourceOf);
     }
 
     /// <summary>Continuous vector sequences (galil-dmc.md F.1 method 2): the machine stops only where the motion program does.</summary>
     public static DmcPostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         var frame = new ControllerFrame(program.Start, options.ControllerAtStart);
-        var writer = new SequenceWriter(program.Profile, frame);
+        var spelling = new SequenceSpelling(
+            string.Empty, "AMS", place => Text($"PAA={place.X};PAB={place.Y};BGAB;AMAB"), [ToolOn(program.Profile), Settle(program.Profile)]);
+        var writer = new SequenceWriter(program.Profile, frame, spelling);
         var form = new PostForm(_ => Opening(program, string.Empty), writer.Stroke, SequencesClosing(program));
-        return ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
+        return Posted(program, form, options, sourceOf);
+    }
+
+    private static DmcPostText Posted(MotionProgram program, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    {
+        var packed = ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
+        return new DmcPostText([.. packed.Chunks.Select(chunk => chunk.Text)], packed.Diagnostics);
     }
 
     private static IReadOnlyList<string> Opening(MotionProgram program, string variables)
@@ -69,7 +77,7 @@ public static class DmcPost
         ];
     }
 
-    private static IReadOnlyList<string> SequencesClosing(MotionProgram program) => [.. End(program), .. SequenceWriter.RoomLines, .. CommandErrorEndsTheJob(program)];
+    private static IReadOnlyList<string> SequencesClosing(MotionProgram program) => [.. End(program), .. SequenceWriter.RoomLines(string.Empty), .. CommandErrorEndsTheJob(program)];
 
     private static IReadOnlyList<string> End(MotionProgram program) => new ProgramLines().Line(ToolOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
 

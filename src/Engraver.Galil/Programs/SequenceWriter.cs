@@ -4,7 +4,7 @@ using static Engraver.Galil.Programs.Subprograms;
 namespace Engraver.Galil.Programs;
 
 /// <summary>Spells the strokes of a motion program as vector sequences, several segments a line.</summary>
-internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame frame)
+internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame frame, SequenceSpelling spelling)
 {
     /// <summary>Buffered before the machine starts; the rest follows while it moves.</summary>
     private const int SentBeforeStart = 480;
@@ -13,20 +13,20 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
     private const int RoomWaitedFor = 50;
 
     /// <summary>Waits until the buffer has room (never tests for equality: what an empty buffer reads differs between manuals, galil-dmc.md 0.3).</summary>
-    public static IReadOnlyList<string> RoomLines { get; } = ["#ROOM", Text($"JP#ROOM,_LMS<{RoomWaitedFor}"), "EN"];
+    /// <param name="check">Statement before each look, or empty.</param>
+    public static IReadOnlyList<string> RoomLines(string check) => new ProgramLines().Line("#ROOM").Line(check).Line(Text($"JP#ROOM,_LMS<{RoomWaitedFor}")).Line("EN").Lines;
 
     /// <summary>Rapid, sequences, tool off. The tool goes on when the first sequence is in the buffer, so that it does not burn a spot meanwhile.</summary>
     public IReadOnlyList<string> Stroke(MotionStroke stroke)
     {
-        var (x, y) = frame.Of(stroke.Start);
-        var lines = new ProgramLines().Line(Text($"PAA={x}"), Text($"PAB={y}"), "BGAB", "AMAB");
-        for (var i = 0; i < stroke.Sequences.Count; i++) Sequence(lines, stroke.Sequences[i], i == 0 ? [ToolOn(profile), Settle(profile)] : []);
+        var lines = new ProgramLines().Line(spelling.Rapid(frame.Of(stroke.Start)));
+        for (var i = 0; i < stroke.Sequences.Count; i++) Sequence(lines, stroke.Sequences[i], i == 0 ? spelling.ToolOn : []);
         return lines.Line(ToolOff(profile), Settle(profile)).Lines;
     }
 
-    private static void Sequence(ProgramLines lines, VectorSequence sequence, string[] toolOn)
+    private void Sequence(ProgramLines lines, VectorSequence sequence, IReadOnlyList<string> toolOn)
     {
-        lines.Line("VMAB", Text($"VS {sequence.Speed}"));
+        lines.Line(spelling.Open, "VMAB", Text($"VS {sequence.Speed}"));
         var (sent, sinceRoom, started) = (0, 0, false);
         foreach (var group in Groups(sequence))
         {
@@ -46,7 +46,7 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
             (sent, sinceRoom) = (sent + group.Count, sinceRoom + group.Count);
         }
 
-        string[] ending = started ? ["VE", "AMS"] : ["VE", .. toolOn, "BGS", "AMS"];
+        string[] ending = started ? ["VE", spelling.AwaitEnd] : ["VE", .. toolOn, "BGS", spelling.AwaitEnd];
         lines.Line(ending);
     }
 

@@ -99,10 +99,13 @@ public sealed class CommandChannel : IAsyncDisposable
             var cutShort = await WriteAsync(text, isDownload, shape, recordLength, timeout, cancellation).ConfigureAwait(false);
             var data = "";
             var refused = -1;
-            for (var part = 0; part < parts; part++)
+            for (var part = 0; part < parts;)
             {
                 var frame = await ReadFrameAsync(text).ConfigureAwait(false);
                 if (!frame.Accepted && refused < 0) refused = part;
+
+                // The ? of a bad program line comes before the two prompts of the end mark (galil-dmc.md A.6).
+                if (frame.Accepted || !isDownload) part++;
                 if (frame.Data.Length > 0) data = data.Length == 0 ? frame.Data : data + frame.Data;
             }
 

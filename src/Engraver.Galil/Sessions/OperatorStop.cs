@@ -6,6 +6,7 @@ namespace Engraver.Galil.Sessions;
 /// <summary>Tool off and machine at rest, in the complete order of galil-dmc.md F.4: CB, STS, ST AB, HX of our threads, wait for every _BG, CSS.</summary>
 /// <remarks>Two passes. <see cref="Begin"/> goes at once over the stop handle, while the feeder may still have a command on its way; when the feeder is silent,
 /// <see cref="FinishAsync"/> says it again, so that a BGS that arrived in between starts nothing.</remarks>
+/// <param name="ownThreads">Ours; first the one that commands motion.</param>
 public sealed class OperatorStop(ControllerSession session, int toolOutput, IReadOnlyList<int> ownThreads)
 {
     private const string Operands = "_BGS,_BGA,_BGB,_CSS,_RPA,_RPB,TIME";
@@ -15,8 +16,8 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 
     private Task _begun = Task.CompletedTask;
 
-    /// <summary>Switches the tool off and stops the plane and the axes at once. Returns without waiting; failures are told by <see cref="FinishAsync"/>.</summary>
-    public void Begin() => _begun = BrakeAsync();
+    /// <summary>Switches the tool off, stops the plane and the axes and halts the thread that commands motion, at once; the watchdog lives on until the machine stands. Returns without waiting; failures are told by <see cref="FinishAsync"/>.</summary>
+    public void Begin() => _begun = HaltAsync(ownThreads.Take(1));
 
     /// <summary>Brakes again, halts our threads and waits until the machine stands, however long it brakes. Then the segment buffer is emptied.</summary>
     /// <returns>Where the machine stands, and _CSS before the buffer was emptied.</returns>
@@ -37,14 +38,19 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 
     private async Task<StandstillReport> StopAsync(TimeSpan pollInterval, CancellationToken cancellation)
     {
-        await BrakeAsync().ConfigureAwait(false);
-        foreach (var thread in ownThreads) await SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}")).ConfigureAwait(false);
-
-        // A program of ours may have begun a motion or switched the tool between the stop and its halt.
-        await BrakeAsync().ConfigureAwait(false);
+        await HaltAsync(ownThreads).ConfigureAwait(false);
         var report = await WaitForRestAsync(pollInterval, cancellation).ConfigureAwait(false);
         await SendAsync("CSS").ConfigureAwait(false);
         return report;
+    }
+
+    private async Task HaltAsync(IEnumerable<int> threads)
+    {
+        await BrakeAsync().ConfigureAwait(false);
+        foreach (var thread in threads) await SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}")).ConfigureAwait(false);
+
+        // A program of ours may have begun a motion or switched the tool between the stop and its halt.
+        await BrakeAsync().ConfigureAwait(false);
     }
 
     private async Task BrakeAsync()

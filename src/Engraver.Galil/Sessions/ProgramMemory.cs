@@ -23,6 +23,11 @@ public sealed class ProgramMemory(ControllerSession session)
         return await ReplaceAsync(program, cancellation).ConfigureAwait(false);
     }
 
+    /// <summary>Replaces the borrowed memory's content by another program of ours. No thread may run.</summary>
+    /// <returns>The refusal, or null when the program stands in the memory.</returns>
+    /// <exception cref="ProtocolViolationException">The memory holds something else than what was sent.</exception>
+    public Task<Rejected?> SwapAsync(string program, CancellationToken cancellation) => ReplaceAsync(program, cancellation);
+
     /// <summary>Writes back what was found; an empty memory is an empty download. No thread may run. Does nothing when nothing was borrowed.</summary>
     public async Task<Rejected?> GiveBackAsync(CancellationToken cancellation)
     {

@@ -44,6 +44,7 @@ public static class MachineRun
             JournalPath = options.JournalPath,
             DrawingName = job.Drawing.FileName,
             DryRun = options.DryRun,
+            SourceOf = job.Drawing.SourceOf,
         };
         await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);

@@ -15,6 +15,15 @@ public static class RunJudge
     /// <param name="frameY">The same, axis B.</param>
     public static RunJudgement ByRecord(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY)
     {
+        var found = Compare(job, record, frameX, frameY);
+        return new RunJudgement(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record");
+    }
+
+    /// <summary>Holds a record against the drawing, both ways.</summary>
+    /// <param name="frameX">Counts of the controller at the drawing's zero, axis A.</param>
+    /// <param name="frameY">The same, axis B.</param>
+    public static TraceVerdict Compare(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY)
+    {
         var profile = job.Settings.Machine;
         var toolBit = 1 << (profile.ToolOutput - 1);
         var trace = new TraceSample[record.Count];
@@ -24,8 +33,7 @@ public static class RunJudge
             trace[i] = Sample(profile, sample.Seconds, sample.A - frameX, sample.B - frameY, (sample.Outputs & toolBit) != 0);
         }
 
-        var found = TraceComparison.Compare(job.Analysed.ToSegments(), trace, Tolerances(job));
-        return new RunJudgement(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record");
+        return TraceComparison.Compare(job.Analysed.ToSegments(), trace, Tolerances(job));
     }
 
     /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed.</summary>
@@ -40,7 +48,8 @@ public static class RunJudge
         return new RunJudgement(found.MaxDeviation, missing, "polled");
     }
 
-    private static TraceTolerances Tolerances(PreparedJob job) => TraceTolerances.Default with
+    /// <summary>What a faithful run of the job may differ by.</summary>
+    public static TraceTolerances Tolerances(PreparedJob job) => TraceTolerances.Default with
     {
         Count = 1.0 / Math.Min(Math.Abs(job.Settings.Machine.CountsPerMillimetreX), Math.Abs(job.Settings.Machine.CountsPerMillimetreY)),
         MaxError = job.Settings.MaxErrorMm,

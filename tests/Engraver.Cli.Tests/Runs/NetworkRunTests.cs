@@ -25,6 +25,7 @@ public class NetworkRunTests
     [Theory]
     [InlineData("stream")]
     [InlineData("calls")]
+    [InlineData("program")]
     public async Task Two_processes_run_the_job_over_TCP_and_the_record_shows_it(string mode)
     {
         using var folder = new TemporaryFolder();
@@ -90,6 +91,7 @@ public class NetworkRunTests
     [Theory]
     [InlineData("stream")]
     [InlineData("calls")]
+    [InlineData("program")]
     public async Task A_link_cut_in_the_middle_is_exit_4_with_the_last_known_position_and_the_machine_stops_itself(string mode)
     {
         using var folder = new TemporaryFolder();
@@ -111,6 +113,7 @@ public class NetworkRunTests
     [Theory]
     [InlineData("stream")]
     [InlineData("calls")]
+    [InlineData("program")]
     public async Task A_killed_host_leaves_the_output_off_and_the_machine_at_rest_within_a_second_and_a_half(string mode)
     {
         using var folder = new TemporaryFolder();
@@ -128,6 +131,7 @@ public class NetworkRunTests
     [Theory]
     [InlineData("stream", PosixSignal.SIGINT)]
     [InlineData("calls", PosixSignal.SIGTERM)]
+    [InlineData("program", PosixSignal.SIGINT)]
     public async Task A_signal_stops_the_machine_first_and_then_the_program_with_exit_5(string mode, PosixSignal signal)
     {
         using var folder = new TemporaryFolder();

@@ -1,6 +1,6 @@
 namespace Engraver.Cli.Tests.Runs;
 
-/// <summary>The main job on every sample, both ways, judged by every motor sample of the simulated controller.</summary>
+/// <summary>The main job on every sample, every way, judged by every motor sample of the simulated controller.</summary>
 public class SampleRunTests
 {
     /// <summary>2.5 counts at 1000 counts/mm and the default curve tolerance, millimetres.</summary>
@@ -15,6 +15,7 @@ public class SampleRunTests
             {
                 runs.Add(name, "stream");
                 runs.Add(name, "calls");
+                runs.Add(name, "program");
             }
 
             return runs;

@@ -87,7 +87,7 @@ public class BadInputTests
     [InlineData("run", "FILE")]
     [InlineData("run", "FILE", "--connect", "usb:1")]
     [InlineData("run", "FILE", "--connect", "serial:///dev/ttyS0?baud=19201")]
-    [InlineData("run", "FILE", "--connect", "sim:", "--mode", "program")]
+    [InlineData("run", "FILE", "--connect", "sim:", "--mode", "parallel")]
     [InlineData("run", "FILE", "--connect", "sim:", "--machine", "nowhere.json")]
     [InlineData("simulate", "--tcp", "99999")]
     [InlineData("simulate", "--speed", "fast")]

@@ -6,7 +6,7 @@ namespace Engraver.Galil.Tests.Jobs;
 
 public class JobRunnerTests
 {
-    public static TheoryData<JobMode> Modes => [JobMode.Stream, JobMode.Calls];
+    public static TheoryData<JobMode> Modes => [JobMode.Stream, JobMode.Calls, JobMode.Program];
 
     [Theory]
     [MemberData(nameof(Modes))]

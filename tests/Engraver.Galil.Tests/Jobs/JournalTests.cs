@@ -8,6 +8,7 @@ public class JournalTests
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
     public async Task The_journal_has_a_header_a_line_for_each_sequence_and_an_end(JobMode mode)
     {
         var lines = await JournalOfAsync(MotionPrograms.TwoStrokes, SimulatedBench.Job with { Mode = mode, DrawingName = "two.dxf" });

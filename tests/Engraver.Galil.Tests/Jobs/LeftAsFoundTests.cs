@@ -11,6 +11,7 @@ public class LeftAsFoundTests
     {
         { JobMode.Stream, "complete" }, { JobMode.Calls, "complete" }, { JobMode.Stream, "stopped" },
         { JobMode.Calls, "stopped" }, { JobMode.Stream, "refused" }, { JobMode.Calls, "refused" },
+        { JobMode.Program, "complete" }, { JobMode.Program, "stopped" }, { JobMode.Program, "refused" },
     };
 
     [Theory]

@@ -14,6 +14,10 @@ public class LostLinkTests
     [InlineData(JobMode.Stream, "arcs")]
     [InlineData(JobMode.Calls, "arcs")]
     [InlineData(JobMode.Stream, "short")]
+    [InlineData(JobMode.Program, "line")]
+    [InlineData(JobMode.Program, "rapid")]
+    [InlineData(JobMode.Program, "arcs")]
+    [InlineData(JobMode.Program, "short")]
     public async Task A_cut_link_ends_within_a_second_and_a_half_with_the_tool_off_at_rest(JobMode mode, string place)
     {
         await using var bench = new SimulatedBench();
@@ -80,6 +84,7 @@ public class LostLinkTests
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
     public async Task A_host_that_was_held_up_finds_that_the_watchdog_has_stopped_the_machine(JobMode mode)
     {
         await using var bench = new SimulatedBench();

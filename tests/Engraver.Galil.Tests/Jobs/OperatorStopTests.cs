@@ -17,6 +17,10 @@ public class OperatorStopTests
         { JobMode.Stream, "arcs" },
         { JobMode.Calls, "arcs" },
         { JobMode.Stream, "short" },
+        { JobMode.Program, "line" },
+        { JobMode.Program, "rapid" },
+        { JobMode.Program, "arcs" },
+        { JobMode.Program, "short" },
     };
 
     [Theory]
@@ -44,13 +48,15 @@ public class OperatorStopTests
         Assert.Equal(0, bench.Controller.Status.RunningThreads);
     }
 
-    [Fact]
-    public async Task The_segments_done_before_the_stop_are_counted_by_the_controller()
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Program)]
+    public async Task The_segments_done_before_the_stop_are_counted_by_the_controller(JobMode mode)
     {
         await using var bench = new SimulatedBench();
         using var stop = new CancellationTokenSource();
 
-        var result = await bench.RunAsync(MotionPrograms.ShortLines(1600), SimulatedBench.Job, new CancelWhen(progress => progress.X > 30000, stop.Cancel), stop.Token);
+        var result = await bench.RunAsync(MotionPrograms.ShortLines(1600), SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 30000, stop.Cancel), stop.Token);
 
         Assert.InRange(result.SegmentsExecuted, (bench.Last.A / 60) - 1, (bench.Last.A / 60) + 1);
         Assert.Equal(result.SegmentsExecuted, result.ExecutedEntityIndices.Count);
@@ -79,8 +85,10 @@ public class OperatorStopTests
         Assert.All(bench.Controller.Record.Snapshot(), sample => Assert.Equal((0, 0), (sample.A, sample.B)));
     }
 
-    [Fact]
-    public async Task Stop_goes_over_its_own_handle_while_the_feeder_waits_for_a_reply()
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Program)]
+    public async Task Stop_goes_over_its_own_handle_while_the_feeder_waits_for_a_reply(JobMode mode)
     {
         await using var bench = new SimulatedBench();
         var time = new ManualTimeProvider();
@@ -88,7 +96,7 @@ public class OperatorStopTests
         await using var session = await bench.OpenAsync(time, links.Add);
         using var stop = new CancellationTokenSource();
         var running = JobRunner.RunAsync(
-            MotionPrograms.LongLine(200000), session, SimulatedBench.Job, new CancelWhen(progress => progress.X > 50000, links[0].Withhold), stop.Token);
+            MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 50000, links[0].Withhold), stop.Token);
         await links[0].SomebodyWaits;
 
         await stop.CancelAsync();

@@ -22,6 +22,7 @@ public class RefusalTests
     [Theory]
     [InlineData(JobMode.Stream)]
     [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
     public async Task A_limit_switch_in_the_middle_of_a_cut_ends_the_job_and_is_named(JobMode mode)
     {
         await using var bench = new SimulatedBench();

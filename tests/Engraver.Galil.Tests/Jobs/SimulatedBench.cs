@@ -14,7 +14,8 @@ internal sealed class SimulatedBench : IAsyncDisposable
     /// <summary>The simulator's time is the commands it receives: no pause between polls.</summary>
     public static readonly JobOptions Job = new() { PollInterval = TimeSpan.Zero };
 
-    public SimulatedBench(FaultPlan? faults = null) => Controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults });
+    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000) =>
+        Controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines });
 
     public SimulatedController Controller { get; }
 

@@ -1,0 +1,49 @@
+using System.CommandLine;
+using Engraver.Cli.Options;
+using Engraver.Cli.Output;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Verification;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver verify</c>: reads a posted program back, runs it in a simulated controller and compares it with the drawing.</summary>
+internal sealed class VerifyVerb
+{
+    private readonly VerbHost _host;
+    private readonly Argument<string> _program = new("PROGRAM") { Description = "The program as it was posted, all chunks." };
+    private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = "The drawing it was made from (DXF)." };
+    private readonly Option<string> _target = new("--target") { Description = "Language of the program.", DefaultValueFactory = _ => "galil" };
+    private readonly Option<bool> _json = JsonOption.New();
+    private readonly DrawingOptions _drawing = new();
+
+    private VerifyVerb(VerbHost host)
+    {
+        _host = host;
+        _target.AcceptOnlyFromAmong("galil");
+    }
+
+    public static Command Build(VerbHost host)
+    {
+        var verb = new VerifyVerb(host);
+        var command = new Command("verify", "Replays a posted program and compares what it cuts with the drawing, both ways.");
+        command.Arguments.Add(verb._program);
+        foreach (var option in (Option[])[verb._against, verb._target, verb._json]) command.Options.Add(option);
+        verb._drawing.AddOptionsTo(command);
+        command.SetAction(verb.RunAsync);
+        return command;
+    }
+
+    private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
+    {
+        var settings = _drawing.Settings(parsed);
+        var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings.Unit, stop);
+        var program = EmittedProgramFile.Open(parsed.GetRequiredValue(_program));
+        var report = await ProgramVerification.VerifyAsync(program, drawing, settings, stop).ConfigureAwait(false);
+        var json = VerifyJson.From(report);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, json, ContractJson.Default.VerifyJson);
+        else _host.Out.WriteLine(json.ToSentence());
+        _host.Report(parsed, drawing.FileName, drawing.Diagnostics);
+        _host.Report(parsed, parsed.GetRequiredValue(_program), report.Diagnostics);
+        return report.Ok ? ExitCode.Done : ExitCode.DrawingError;
+    }
+}

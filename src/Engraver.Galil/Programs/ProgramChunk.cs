@@ -1,0 +1,10 @@
+namespace Engraver.Galil.Programs;
+
+/// <summary>One program of a job that does not fit the controller's memory at once.</summary>
+/// <param name="Text">Complete with its subprograms; ends with a line end (LF).</param>
+/// <param name="Parts">The strokes it cuts, in order; a stroke longer than the memory comes in several parts, each in a chunk of its own.</param>
+internal sealed record ProgramChunk(string Text, IReadOnlyList<MotionStroke> Parts)
+{
+    /// <summary>Every segment in the order of cutting, which is the order of the VP and CR commands in the text.</summary>
+    public IEnumerable<VectorSegment> Segments => Parts.SelectMany(part => part.Sequences).SelectMany(sequence => sequence.Segments);
+}

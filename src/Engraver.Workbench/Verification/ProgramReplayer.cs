@@ -1,0 +1,70 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+using Engraver.Simulator;
+
+namespace Engraver.Workbench.Verification;
+
+/// <summary>Runs a posted program in a simulated controller of its own, in virtual time: the interpreter and the motion that judge the program share no code with what wrote it.</summary>
+public static class ProgramReplayer
+{
+    /// <summary>A program in which nothing moves for so long is not coming to its end, seconds of controller time.</summary>
+    private const int LongestRest = 60;
+
+    private static readonly TimeSpan s_slice = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan s_replyTimeout = TimeSpan.FromSeconds(60);
+
+    /// <summary>Loads each chunk, starts it at #JOB and waits for its end; stops at the first that fails.</summary>
+    /// <param name="program">Without diagnostics.</param>
+    /// <param name="longest">How much controller time the whole program may take.</param>
+    public static async Task<ProgramReplay> RunAsync(EmittedProgram program, TimeSpan longest, CancellationToken cancellation)
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime() });
+        await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), "the simulated controller"), "A", s_replyTimeout, TimeProvider.System, trace: null);
+        foreach (var chunk in program.Chunks)
+        {
+            if (await RunAsync(chunk, controller, channel, longest, cancellation).ConfigureAwait(false) is { } failure) return new ProgramReplay(controller.Record.Snapshot(), [failure]);
+        }
+
+        return new ProgramReplay(controller.Record.Snapshot(), []);
+    }
+
+    private static async Task<Diagnostic?> RunAsync(EmittedChunk chunk, SimulatedController controller, CommandChannel channel, TimeSpan longest, CancellationToken cancellation)
+    {
+        var start = new SourceRef(chunk.FirstLine);
+        if (await channel.DownloadAsync(chunk.Text, cancellation).ConfigureAwait(false) is Rejected unloaded) return VerificationRules.NotLoaded.At(start, Number((int)unloaded.Code), unloaded.Text);
+        if (await channel.SendAsync("XQ#JOB", cancellation).ConfigureAwait(false) is Rejected unstarted) return VerificationRules.NotLoaded.At(start, Number((int)unstarted.Code), unstarted.Text);
+        var endless = AdvanceToEnd(controller, longest, cancellation);
+        var error = await ErrorAsync(chunk, channel, cancellation).ConfigureAwait(false);
+        return error ?? (endless is null ? null : VerificationRules.Endless.At(start, endless));
+    }
+
+    /// <returns>Null at the end of the program, otherwise why it is not expected any more.</returns>
+    private static string? AdvanceToEnd(SimulatedController controller, TimeSpan longest, CancellationToken cancellation)
+    {
+        var resting = TimeSpan.Zero;
+        while (true)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            var rows = controller.Record.Count;
+            if (controller.AdvanceUntil(status => status.IsIdle, s_slice)) return null;
+            resting = controller.Record.Count == rows ? resting + s_slice : TimeSpan.Zero;
+            if (resting.TotalSeconds >= LongestRest) return string.Create(CultureInfo.InvariantCulture, $"nothing has moved for {LongestRest} s of machine time");
+            if (controller.Status.Sample > longest.TotalMilliseconds) return string.Create(CultureInfo.InvariantCulture, $"it still moves after {longest.TotalSeconds:0} s of machine time, which is far more than the drawing needs");
+        }
+    }
+
+    /// <summary>_ED1 is -1 while no line was refused; _ED counts lines from 0.</summary>
+    private static async Task<Diagnostic?> ErrorAsync(EmittedChunk chunk, CommandChannel channel, CancellationToken cancellation)
+    {
+        var reading = await channel.ReadAsync("_ED,_ED1,_TC", cancellation).ConfigureAwait(false);
+        var (line, thread, code) = ((int)reading.Values[0], (int)reading.Values[1], (TcCode)reading.Values[2]);
+        if (thread < 0) return null;
+        var text = line < chunk.Lines.Count ? chunk.Lines[line] : "(behind the last line)";
+        return VerificationRules.LineRefused.At(new SourceRef(chunk.FirstLine + Math.Min(line, chunk.Lines.Count - 1)), text, Number((int)code), TcCodes.Text(code));
+    }
+
+    private static string Number(int value) => value.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,52 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Verification;
+using Engraver.Galil.Programs;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Verification;
+
+/// <summary>Reads a posted program back and holds what it does against a drawing, both ways.</summary>
+public static class ProgramVerification
+{
+    /// <summary>A program may take this much longer than the slowest way of cutting the drawing, and this many seconds on top.</summary>
+    private const double Patience = 4.0;
+    private const double PatienceSeconds = 60.0;
+
+    /// <summary>Runs the program and compares.</summary>
+    /// <param name="settings">As the program was posted: layers, units, start and machine decide what is compared with what.</param>
+    /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
+    public static async Task<VerificationReport> VerifyAsync(EmittedProgram program, Drawing drawing, DrawingSettings settings, CancellationToken cancellation)
+    {
+        var job = JobPreparation.Prepare(drawing, settings, MotionStyle.Calls);
+        var replay = program.Diagnostics.Count > 0
+            ? new ProgramReplay([], program.Diagnostics)
+            : await ProgramReplayer.RunAsync(program, Longest(job), cancellation).ConfigureAwait(false);
+        var start = settings.Machine.Scale.ToCounts(settings.Start);
+        var found = RunJudge.Compare(job, replay.Record, -(long)start.X, -(long)start.Y);
+        return Report(found, RunJudge.Tolerances(job).Deviation, replay.Diagnostics, drawing.HasErrors);
+    }
+
+    private static TimeSpan Longest(PreparedJob job) =>
+        TimeSpan.FromSeconds(PatienceSeconds + (job.Motion.Program is { } motion ? Patience * MotionTime.Estimate(motion) : 0.0));
+
+    private static VerificationReport Report(TraceVerdict found, double tolerance, IReadOnlyList<Diagnostic> failures, bool drawingHasErrors)
+    {
+        var findings = failures.Count > 0 ? failures : [.. Differences(found, tolerance)];
+        var deviation = found.CuttingSamples == 0 || !double.IsFinite(found.MaxDeviation) ? (double?)null : found.MaxDeviation;
+        var ok = findings.Count == 0 && found.ExtraLength == 0.0 && !drawingHasErrors;
+        return new VerificationReport(deviation, tolerance, found.MissingLength, found.ExtraLength, ok, findings);
+    }
+
+    private static IEnumerable<Diagnostic> Differences(TraceVerdict found, double tolerance)
+    {
+        if (found.MaxDeviation > tolerance && found.DeviationAt is { } worst)
+            yield return VerificationRules.CutBesideDrawing.At(default, Text(found.MaxDeviation), Text(worst.XMm), Text(worst.YMm), Text(tolerance));
+        if (found.MissingAt is { } missing) yield return VerificationRules.NotCut.At(default, Text(found.MissingLength), Text(missing.X), Text(missing.Y));
+    }
+
+    private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,65 @@
+namespace Engraver.Cli.Tests.Verbs;
+
+public class VerifyVerbTests
+{
+    [Theory]
+    [InlineData("galil")]
+    [InlineData("galil-calls")]
+    public async Task What_post_writes_verify_finds_ok(string target)
+    {
+        using var folder = new TemporaryFolder();
+        await CliRun.Of("post", SampleDrawing.PathOf("nameplate"), "--target", target, "--start", "5,5", "-o", folder.PathOf("job.dmc"));
+        var run = await CliRun.Of("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--start", "5,5", "--json");
+        var report = JsonText.Of(run);
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal(["maxDeviation", "tolerance", "missingLength", "extraLength", "ok"], report.EnumerateObject().Select(field => field.Name));
+        Assert.True(report.GetProperty("ok").GetBoolean());
+        Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, report.GetProperty("tolerance").GetDouble());
+    }
+
+    [Fact]
+    public async Task Another_layer_selection_than_that_of_the_post_is_exit_1_and_says_what_is_missing()
+    {
+        using var folder = new TemporaryFolder();
+        await CliRun.Of("post", SampleDrawing.PathOf("nameplate"), "--target", "galil", "--skip-layers", "Rahmen", "-o", folder.PathOf("job.dmc"));
+        var run = await CliRun.Of("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--target", "galil");
+
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        Assert.StartsWith("NOT OK: ", run.Out, StringComparison.Ordinal);
+        Assert.Contains("error VER0009", run.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("", "VER0001")]
+    [InlineData("G0 X1\n", "VER0002")]
+    [InlineData("#JOB\nJP#JOB\n", "VER0007")]
+    public async Task A_file_that_is_no_program_is_exit_1_with_one_sentence_and_the_object(string text, string id)
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of("verify", folder.WithFile("job.dmc", text), "--against", SampleDrawing.PathOf("paper-001"), "--json");
+
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        Assert.False(JsonText.Of(run).GetProperty("ok").GetBoolean());
+        Assert.Contains($": error {id}", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_missing_program_and_a_missing_drawing_are_each_named()
+    {
+        using var folder = new TemporaryFolder();
+        var program = await CliRun.Of("verify", folder.PathOf("nowhere.dmc"), "--against", SampleDrawing.PathOf("paper-001"));
+        var drawing = await CliRun.Of("verify", folder.WithFile("job.dmc", "#JOB\nEN\n"), "--against", folder.PathOf("nowhere.dxf"), "--json");
+
+        Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError), (program.ExitCode, drawing.ExitCode));
+        Assert.Contains("nowhere.dmc: error DOC0001", program.Error, StringComparison.Ordinal);
+        Assert.Contains("nowhere.dxf: error DOC0001", drawing.Error, StringComparison.Ordinal);
+        Assert.False(JsonText.Of(drawing).GetProperty("ok").GetBoolean());
+    }
+
+    [Theory]
+    [InlineData("verify")]
+    [InlineData("verify", "job.dmc")]
+    [InlineData("verify", "job.dmc", "--against", "drawing.dxf", "--target", "agie")]
+    public async Task What_is_not_built_or_not_given_is_a_usage_error(params string[] words) => Assert.Equal(ExitCode.Usage, (await CliRun.Of(words)).ExitCode);
+}

@@ -1,0 +1,189 @@
+using System.Text.RegularExpressions;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Galil.Programs;
+using Engraver.TestKit;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Verification;
+
+namespace Engraver.Workbench.Tests.Verification;
+
+/// <summary>A faithful program is found ok, and every way of spoiling one is found not to be.</summary>
+public class ProgramVerificationTests
+{
+    public static TheoryData<string, MotionStyle> Posts
+    {
+        get
+        {
+            var posts = new TheoryData<string, MotionStyle>();
+            foreach (var path in Directory.GetFiles(RepositoryFolder.Samples, "*.dxf"))
+            {
+                posts.Add(Path.GetFileNameWithoutExtension(path), MotionStyle.Continuous);
+                posts.Add(Path.GetFileNameWithoutExtension(path), MotionStyle.Calls);
+            }
+
+            return posts;
+        }
+    }
+
+    public static TheoryData<MotionStyle> Styles => [MotionStyle.Continuous, MotionStyle.Calls];
+
+    [Theory]
+    [MemberData(nameof(Posts))]
+    public async Task Every_samples_post_cuts_the_drawing_and_nothing_else(string sample, MotionStyle style)
+    {
+        var report = await VerifyAsync(sample, Post(sample, style));
+
+        Assert.Empty(report.Diagnostics);
+        Assert.True(report.Ok);
+        Assert.InRange(report.MaxDeviationMm!.Value, 0.0, 0.0035);
+        Assert.Equal((0.0035, 0.0, 0.0), (report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm));
+    }
+
+    [Theory]
+    [MemberData(nameof(Styles))]
+    public async Task All_chunks_are_run_one_after_the_other(MotionStyle style)
+    {
+        var text = Post("nameplate", style, memoryLines: 130);
+        var report = await VerifyAsync("nameplate", text);
+
+        Assert.Contains("'CHUNK 2 OF ", text, StringComparison.Ordinal);
+        Assert.True(report.Ok);
+    }
+
+    [Fact]
+    public async Task The_start_point_and_the_machine_of_the_post_are_those_of_the_verification()
+    {
+        var settings = new DrawingSettings { Start = new Point2D(7.5, -3), Machine = new() { CountsPerMillimetreX = -400, CountsPerMillimetreY = 400, ToolOutput = 3 } };
+        var text = Post("paper-001", MotionStyle.Continuous, settings: settings);
+
+        Assert.True((await VerifyAsync("paper-001", text, settings)).Ok);
+        Assert.False((await VerifyAsync("paper-001", text, settings with { Start = default })).Ok);
+        Assert.False((await VerifyAsync("paper-001", text)).Ok);
+    }
+
+    [Theory]
+    [InlineData(MotionStyle.Continuous, "VP 0,100000;", "VP 6,100000;")]
+    [InlineData(MotionStyle.Calls, "x=0;y=100000;JS#LINEAR", "x=6;y=100000;JS#LINEAR")]
+    public async Task One_coordinate_changed_by_six_counts_is_noticed(MotionStyle style, string good, string bad)
+    {
+        var report = await VerifyAsync("paper-001", Replaced(Post("paper-001", style), good, bad));
+
+        Assert.False(report.Ok);
+        Assert.Contains(report.Diagnostics, finding => finding.Id == "VER0008");
+        Assert.InRange(report.MaxDeviationMm!.Value, 0.005, 0.013);
+        Assert.True(report.ExtraLengthMm > 1.0);
+    }
+
+    [Fact]
+    public async Task A_deleted_stroke_is_missing_with_its_length()
+    {
+        var job = Prepare("nameplate", MotionStyle.Continuous, new DrawingSettings());
+        var last = job.Motion.Program!.Strokes[^1];
+        var shorter = job.Motion.Program with { Strokes = [.. job.Motion.Program.Strokes.SkipLast(1)] };
+        var report = await VerifyAsync("nameplate", DmcPost.Sequences(shorter, DmcPostOptions.Default).Text);
+
+        var length = last.Sequences.Sum(sequence => sequence.Length) / 1000.0;
+        Assert.False(report.Ok);
+        Assert.Equal("VER0009", Assert.Single(report.Diagnostics).Id);
+        Assert.InRange(report.MissingLengthMm, 0.95 * length, 1.05 * length);
+    }
+
+    [Theory]
+    [InlineData(MotionStyle.Continuous, "SB1;")]
+    [InlineData(MotionStyle.Calls, "JS#TOOLON\n")]
+    public async Task A_tool_that_is_not_switched_on_cuts_nothing(MotionStyle style, string toolOn)
+    {
+        var report = await VerifyAsync("paper-001", Replaced(Post("paper-001", style), toolOn, ""));
+
+        Assert.False(report.Ok);
+        Assert.Null(report.MaxDeviationMm);
+        Assert.True(report.MissingLengthMm > 400.0);
+    }
+
+    [Theory]
+    [InlineData(MotionStyle.Continuous, "\nCB1;WT 100\n")]
+    [InlineData(MotionStyle.Calls, "JS#TOOLOFF\n")]
+    public async Task A_tool_that_stays_on_in_a_rapid_is_noticed(MotionStyle style, string toolOff)
+    {
+        var report = await VerifyAsync("nameplate", Replaced(Post("nameplate", style), toolOff, "\n"));
+
+        Assert.False(report.Ok);
+        Assert.True(report.ExtraLengthMm > 1.0);
+    }
+
+    [Theory]
+    [InlineData("", "VER0001", 0)]
+    [InlineData("\n \n", "VER0001", 0)]
+    [InlineData("%\nG0 X1 Y2\nM30\n", "VER0002", 1)]
+    [InlineData("#JOB\nFROBNICATE 3\nEN\n", "VER0006", 2)]
+    [InlineData("'a comment\n#JOB\nSHAB\n\nVP 1,1\nEN\n", "VER0006", 5)]
+    [InlineData("#JOB\nJP#JOB\nEN\n", "VER0007", 1)]
+    [InlineData("#JOB\nAI -1\nEN\n", "VER0007", 1)]
+    [InlineData("#JOB\nSHAB\nJGA=1000\nBGA\nEN\n", "VER0007", 1)]
+    [InlineData("#JOB\nSB1\nCB1\nJP#JOB\nEN\n", "VER0007", 1)]
+    [InlineData("#JOB\nSHAB\nVMAB\nVP 1000,0\nBGS\nEN\n", "VER0007", 1)]
+    [InlineData("#JOB\n#JOB\nEN\n", "VER0005", 1)]
+    [InlineData("#JOB\nMG \"a\\b\"\nEN\n", "VER0004", 2)]
+    [InlineData("'CHUNK 1 OF 2\n#JOB\nEN\n", "VER0003", 3)]
+    [InlineData("'CHUNK 2 OF 2\n#JOB\nEN\n", "VER0003", 1)]
+    [InlineData("#JOB\nEN\n'CHUNK 1 OF 1\n#JOB\nEN\n", "VER0003", 3)]
+    [InlineData("'CHUNK 1 OF 2\n#JOB\nEN\n'CHUNK 2 OF 2\nEN\n", "VER0002", 4)]
+    public async Task A_program_that_cannot_run_to_its_end_is_one_finding_at_its_line(string text, string id, long line)
+    {
+        var report = await VerifyAsync("paper-001", text);
+
+        Assert.False(report.Ok);
+        var finding = Assert.Single(report.Diagnostics);
+        Assert.Equal((id, line), (finding.Id, finding.Source.Line));
+    }
+
+    [Fact]
+    public async Task Lines_and_programs_that_are_too_long_are_named()
+    {
+        var line = await VerifyAsync("paper-001", $"#JOB\nMG \"{new string('x', 90)}\"\nEN\n");
+        var program = await VerifyAsync("paper-001", "#JOB\n" + string.Concat(Enumerable.Repeat("NO\n", 1200)));
+
+        Assert.Equal(("VER0004", 2), (line.Diagnostics[0].Id, line.Diagnostics[0].Source.Line));
+        Assert.Equal("VER0005", program.Diagnostics[0].Id);
+    }
+
+    [Fact]
+    public async Task A_job_that_cuts_round_and_round_is_given_up()
+    {
+        var report = await VerifyAsync("paper-001", Replaced(Post("paper-001", MotionStyle.Continuous), "MG \"DONE\"", "JP#JOB"));
+
+        Assert.Equal("VER0007", Assert.Single(report.Diagnostics).Id);
+    }
+
+    [Fact]
+    public async Task A_drawing_that_cannot_be_read_is_never_ok()
+    {
+        var drawing = DrawingFile.Open("nowhere.dxf", unit: null, CancellationToken.None);
+        var report = await ProgramVerification.VerifyAsync(EmittedProgram.Parse(Post("paper-001", MotionStyle.Calls)), drawing, new DrawingSettings(), CancellationToken.None);
+
+        Assert.False(report.Ok);
+        Assert.Null(report.MaxDeviationMm);
+    }
+
+    private static string Replaced(string text, string good, string bad)
+    {
+        Assert.Contains(good, text, StringComparison.Ordinal);
+        return new Regex(Regex.Escape(good)).Replace(text, bad, 1);
+    }
+
+    private static Task<VerificationReport> VerifyAsync(string sample, string text, DrawingSettings? settings = null) =>
+        ProgramVerification.VerifyAsync(EmittedProgram.Parse(text), Open(sample), settings ?? new DrawingSettings(), CancellationToken.None);
+
+    private static string Post(string sample, MotionStyle style, int memoryLines = 1000, DrawingSettings? settings = null)
+    {
+        var program = Prepare(sample, style, settings ?? new DrawingSettings()).Motion.Program!;
+        var options = DmcPostOptions.Default with { MemoryLines = memoryLines };
+        return style == MotionStyle.Calls ? DmcPost.Calls(program, options).Text : DmcPost.Sequences(program, options).Text;
+    }
+
+    private static PreparedJob Prepare(string sample, MotionStyle style, DrawingSettings settings) => JobPreparation.Prepare(Open(sample), settings, style);
+
+    private static Drawing Open(string sample) => DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), unit: null, CancellationToken.None);
+}
