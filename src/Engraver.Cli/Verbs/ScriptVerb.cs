@@ -28,8 +28,8 @@ internal sealed class ScriptVerb
         var telling = new ScriptTelling(_host.Out, _host.Error, _host.Quiet(parsed), _host.Verbose(parsed));
         await using var session = NewSession();
         session.Said += telling.Say;
-        await session.FeedAsync("SCRIPT", stop).ConfigureAwait(false);
-        var result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
+        var result = await session.FeedAsync("SCRIPT", stop).ConfigureAwait(false);
+        if (result is FeedResult.Asking) result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
         return result switch
         {
             FeedResult.Done => telling.SawError ? ExitCode.DrawingError : ExitCode.Done,

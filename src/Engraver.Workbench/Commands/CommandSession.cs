@@ -97,7 +97,12 @@ public sealed class CommandSession : IAsyncDisposable
 
     internal void Say(MessageKind kind, string text) => Said?.Invoke(this, new CommandMessage(kind, text));
 
-    internal void QueueScript(string path, string text) => _scripts.Add(path, text);
+    /// <summary>A blank line at the script's beginning must not start it again.</summary>
+    internal void QueueScript(string path, string text)
+    {
+        _scripts.Add(path, text);
+        _last = null;
+    }
 
     internal string FileToRead(string name)
     {
