@@ -1,7 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
+using Engraver.Cli.Output;
 using Engraver.Core.Drawings;
-using Engraver.Core.Posts;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
@@ -44,7 +44,7 @@ internal static class PostVerb
     private static int WriteClData(VerbHost host, ParseResult parsed, Drawing read, DrawingSettings settings, string? output)
     {
         var sequence = JobPreparation.Sequence(read, JobPreparation.Analyse(read, settings), settings);
-        host.Write(output, writer => ClData.Write(JobPreparation.PathOf(sequence, settings), writer));
+        ClDataOutput.Write(host, output, read, sequence, settings);
         return host.Report(parsed, read.FileName, [.. read.Diagnostics, .. sequence.Diagnostics]);
     }
 }
