@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.Diagnostics;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
-using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
@@ -28,7 +27,7 @@ internal static class SequenceVerb
             var options = JobPreparation.SequencingFor(read, settings);
             var (chained, chainSeconds) = Timed(() => Sequencer.Chain(JobPreparation.Analyse(read, settings), read, options));
             var (result, orderSeconds) = Timed(() => Sequencer.Order(chained, options));
-            if (parsed.GetValue(output) is { } place) host.Write(place, writer => ClData.Write(JobPreparation.PathOf(result, settings), writer));
+            if (parsed.GetValue(output) is { } place) ClDataOutput.Write(host, place, read, result, settings);
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);
             else SequenceText.Write(host.Out, result);

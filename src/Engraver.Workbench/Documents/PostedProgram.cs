@@ -36,6 +36,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     private static PostedProgram ClDataOf(Drawing drawing, DrawingSettings settings)
     {
         var sequence = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings);
+        if (drawing is { HasErrors: true, Entities.Count: 0 }) return new PostedProgram(null, drawing.Diagnostics); // an earlier result is not replaced by nothing
         using var text = new StringWriter { NewLine = "\n" };
         ClData.Write(JobPreparation.PathOf(sequence, settings), text);
         return new PostedProgram(text.ToString(), [.. drawing.Diagnostics, .. sequence.Diagnostics]);
