@@ -149,7 +149,7 @@ public class ProgramWayTests
     [Fact]
     public async Task A_stop_while_the_tool_settles_keeps_the_cut_from_beginning()
     {
-        await using var bench = new SimulatedBench();
+        await using var bench = new SimulatedBench(clock: new ManualTimeProvider());
         using var stop = new CancellationTokenSource();
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), Job, new CancelWhen(progress => progress.ToolOn, stop.Cancel), stop.Token);
 
@@ -160,7 +160,7 @@ public class ProgramWayTests
     [Fact]
     public async Task A_stop_reaches_the_program_even_while_the_host_waits_for_a_reply()
     {
-        await using var bench = new SimulatedBench();
+        await using var bench = new SimulatedBench(clock: new ManualTimeProvider());
         var time = new ManualTimeProvider();
         var links = new List<Links.WithheldLink>();
         await using var session = await bench.OpenAsync(time, links.Add);
