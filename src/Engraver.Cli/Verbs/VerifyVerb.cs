@@ -37,7 +37,7 @@ internal sealed class VerifyVerb
     {
         var settings = _drawing.Settings(parsed);
         var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings.Unit, stop);
-        var program = EmittedProgramFile.Open(parsed.GetRequiredValue(_program));
+        var program = ReadBackFile.Open(parsed.GetRequiredValue(_program));
         var report = await ProgramVerification.VerifyAsync(program, drawing, settings, stop).ConfigureAwait(false);
         var json = VerifyJson.From(report);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, json, ContractJson.Default.VerifyJson);

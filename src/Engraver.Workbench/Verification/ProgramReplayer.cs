@@ -19,7 +19,7 @@ public static class ProgramReplayer
     /// <summary>Loads each chunk, starts it at #JOB and waits for its end; stops at the first that fails.</summary>
     /// <param name="program">Without diagnostics.</param>
     /// <param name="longest">How much controller time the whole program may take.</param>
-    public static async Task<ProgramReplay> RunAsync(EmittedProgram program, TimeSpan longest, CancellationToken cancellation)
+    public static async Task<ProgramReplay> RunAsync(ReadBackProgram program, TimeSpan longest, CancellationToken cancellation)
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime() });
         await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), "the simulated controller"), "A", s_replyTimeout, TimeProvider.System, trace: null);
@@ -31,7 +31,7 @@ public static class ProgramReplayer
         return new ProgramReplay(controller.Record.Snapshot(), []);
     }
 
-    private static async Task<Diagnostic?> RunAsync(EmittedChunk chunk, SimulatedController controller, CommandChannel channel, TimeSpan longest, CancellationToken cancellation)
+    private static async Task<Diagnostic?> RunAsync(ReadBackChunk chunk, SimulatedController controller, CommandChannel channel, TimeSpan longest, CancellationToken cancellation)
     {
         var start = new SourceRef(chunk.FirstLine);
         if (await channel.DownloadAsync(chunk.Text, cancellation).ConfigureAwait(false) is Rejected unloaded) return VerificationRules.NotLoaded.At(start, Number((int)unloaded.Code), unloaded.Text);
@@ -57,7 +57,7 @@ public static class ProgramReplayer
     }
 
     /// <summary>_ED1 is -1 while no line was refused; _ED counts lines from 0.</summary>
-    private static async Task<Diagnostic?> ErrorAsync(EmittedChunk chunk, CommandChannel channel, CancellationToken cancellation)
+    private static async Task<Diagnostic?> ErrorAsync(ReadBackChunk chunk, CommandChannel channel, CancellationToken cancellation)
     {
         var reading = await channel.ReadAsync("_ED,_ED1,_TC", cancellation).ConfigureAwait(false);
         var (line, thread, code) = ((int)reading.Values[0], (int)reading.Values[1], (TcCode)reading.Values[2]);

@@ -19,7 +19,7 @@ public static class ProgramVerification
     /// <summary>Runs the program and compares.</summary>
     /// <param name="settings">As the program was posted: layers, units, start and machine decide what is compared with what.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
-    public static async Task<VerificationReport> VerifyAsync(EmittedProgram program, Drawing drawing, DrawingSettings settings, CancellationToken cancellation)
+    public static async Task<VerificationReport> VerifyAsync(ReadBackProgram program, Drawing drawing, DrawingSettings settings, CancellationToken cancellation)
     {
         var job = JobPreparation.Prepare(drawing, settings, MotionStyle.Calls);
         var replay = program.Diagnostics.Count > 0

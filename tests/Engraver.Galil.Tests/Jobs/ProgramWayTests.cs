@@ -3,6 +3,7 @@ using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Tests.Programs;
+using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -148,11 +149,35 @@ public class ProgramWayTests
     [Fact]
     public async Task A_stop_while_the_tool_settles_keeps_the_cut_from_beginning()
     {
-        await using var bench = new SimulatedBench();
+        await using var bench = new SimulatedBench(clock: new ManualTimeProvider());
         using var stop = new CancellationTokenSource();
         var result = await bench.RunAsync(MotionPrograms.LongLine(200000), Job, new CancelWhen(progress => progress.ToolOn, stop.Cancel), stop.Token);
 
         Assert.Equal((JobOutcome.Stopped, 0), (result.Outcome, result.SegmentsExecuted));
+        Assert.Equal((1000, 0, 0), (bench.Last.A, bench.Last.B, bench.Last.Outputs));
+    }
+
+    [Fact]
+    public async Task A_stop_reaches_the_program_even_while_the_host_waits_for_a_reply()
+    {
+        await using var bench = new SimulatedBench(clock: new ManualTimeProvider());
+        var time = new ManualTimeProvider();
+        var links = new List<Links.WithheldLink>();
+        await using var session = await bench.OpenAsync(time, links.Add);
+        using var stop = new CancellationTokenSource();
+        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, Job, new CancelWhen(progress => progress.ToolOn, links[0].Withhold), stop.Token);
+        await links[0].SomebodyWaits;
+
+        await stop.CancelAsync();
+        var atOnce = bench.Controller.Status.Outputs;
+        bench.Controller.Advance(TimeSpan.FromSeconds(0.5)); // longer than the tool settles: the program would have begun the cut
+        while (!running.IsCompleted)
+        {
+            time.Advance(TimeSpan.FromSeconds(1));
+            await Task.Yield();
+        }
+
+        Assert.Equal(0, atOnce);
         Assert.Equal((1000, 0, 0), (bench.Last.A, bench.Last.B, bench.Last.Outputs));
     }
 

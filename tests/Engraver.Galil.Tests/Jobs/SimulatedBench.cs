@@ -14,8 +14,9 @@ internal sealed class SimulatedBench : IAsyncDisposable
     /// <summary>The simulator's time is the commands it receives: no pause between polls.</summary>
     public static readonly JobOptions Job = new() { PollInterval = TimeSpan.Zero };
 
-    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000) =>
-        Controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines });
+    /// <param name="clock">The controller's wall clock: where one stands, silence of the host lets no time pass, however long this computer is held up.</param>
+    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null) => Controller = new SimulatedController(
+        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System });
 
     public SimulatedController Controller { get; }
 

@@ -161,7 +161,7 @@ public class ProgramVerificationTests
     public async Task A_drawing_that_cannot_be_read_is_never_ok()
     {
         var drawing = DrawingFile.Open("nowhere.dxf", unit: null, CancellationToken.None);
-        var report = await ProgramVerification.VerifyAsync(EmittedProgram.Parse(Post("paper-001", MotionStyle.Calls)), drawing, new DrawingSettings(), CancellationToken.None);
+        var report = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Post("paper-001", MotionStyle.Calls)), drawing, new DrawingSettings(), CancellationToken.None);
 
         Assert.False(report.Ok);
         Assert.Null(report.MaxDeviationMm);
@@ -174,7 +174,7 @@ public class ProgramVerificationTests
     }
 
     private static Task<VerificationReport> VerifyAsync(string sample, string text, DrawingSettings? settings = null) =>
-        ProgramVerification.VerifyAsync(EmittedProgram.Parse(text), Open(sample), settings ?? new DrawingSettings(), CancellationToken.None);
+        ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), Open(sample), settings ?? new DrawingSettings(), CancellationToken.None);
 
     private static string Post(string sample, MotionStyle style, int memoryLines = 1000, DrawingSettings? settings = null)
     {

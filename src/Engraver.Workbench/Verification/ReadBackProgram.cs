@@ -8,29 +8,29 @@ namespace Engraver.Workbench.Verification;
 /// <summary>A posted file taken apart into the programs that are to be loaded and run one after the other (docs of <c>engraver post</c>: comment lines <c>'CHUNK 2 OF 3</c>).</summary>
 /// <param name="Chunks">In order; not to be run when there are diagnostics.</param>
 /// <param name="Diagnostics">Why the file cannot be run.</param>
-public sealed partial record EmittedProgram(IReadOnlyList<EmittedChunk> Chunks, IReadOnlyList<Diagnostic> Diagnostics)
+public sealed partial record ReadBackProgram(IReadOnlyList<ReadBackChunk> Chunks, IReadOnlyList<Diagnostic> Diagnostics)
 {
     private const string Entry = "#JOB";
 
     /// <summary>Any text: what is no program gives diagnostics.</summary>
-    public static EmittedProgram Parse(string text)
+    public static ReadBackProgram Parse(string text)
     {
         var lines = text.ReplaceLineEndings("\n").TrimEnd('\n', ' ').Split('\n');
-        if (lines.All(string.IsNullOrWhiteSpace)) return new EmittedProgram([], [VerificationRules.ProgramEmpty.At(default)]);
+        if (lines.All(string.IsNullOrWhiteSpace)) return new ReadBackProgram([], [VerificationRules.ProgramEmpty.At(default)]);
         var findings = new List<Diagnostic>();
         CheckChunkMarks(lines, findings);
         CheckLines(lines, findings);
         var chunks = Split(lines);
         findings.AddRange(chunks.Where(chunk => !chunk.Lines.Any(IsEntry)).Select(chunk => VerificationRules.NoJobLabel.At(new SourceRef(chunk.FirstLine))));
-        return new EmittedProgram(chunks, findings);
+        return new ReadBackProgram(chunks, findings);
     }
 
     private static bool IsEntry(string line) => line.Split(';')[0].Trim() == Entry;
 
-    private static List<EmittedChunk> Split(string[] lines)
+    private static List<ReadBackChunk> Split(string[] lines)
     {
         var starts = Enumerable.Range(0, lines.Length).Where(i => i == 0 || ChunkMark().IsMatch(lines[i])).ToList();
-        return [.. starts.Select((start, i) => new EmittedChunk(start + 1, lines[start..(i + 1 < starts.Count ? starts[i + 1] : lines.Length)]))];
+        return [.. starts.Select((start, i) => new ReadBackChunk(start + 1, lines[start..(i + 1 < starts.Count ? starts[i + 1] : lines.Length)]))];
     }
 
     /// <summary>Marks count up from 1 to the number they name, the first one before everything else.</summary>

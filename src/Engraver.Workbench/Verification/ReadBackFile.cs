@@ -3,17 +3,17 @@ using Engraver.Core.Diagnostics;
 namespace Engraver.Workbench.Verification;
 
 /// <summary>A posted program from a file. Whatever stands there, the answer is a program; what is wrong with it is among its diagnostics.</summary>
-public static class EmittedProgramFile
+public static class ReadBackFile
 {
-    public static EmittedProgram Open(string path)
+    public static ReadBackProgram Open(string path)
     {
         try
         {
-            return EmittedProgram.Parse(File.ReadAllText(path));
+            return ReadBackProgram.Parse(File.ReadAllText(path));
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return new EmittedProgram([], [DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.'))]);
+            return new ReadBackProgram([], [DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.'))]);
         }
     }
 }
