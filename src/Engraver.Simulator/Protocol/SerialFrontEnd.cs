@@ -6,7 +6,7 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
     /// <summary>Bytes that go over the wire before they are looked at: little, so that a long download is not one leap.</summary>
     private const int Portion = 32;
 
-    /// <summary>How long to wait before a host that does not read is tried again.</summary>
+    /// <summary>How long to wait before a host that does not read is tried again: by the computer's clock, for it is the operating system that is waited for.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(5);
 
     private readonly ControllerCore _core;
@@ -108,7 +108,7 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
                 for (var sent = 0; sent < count;)
                 {
                     sent += _terminal.Write(buffer.AsSpan(sent, count - sent));
-                    if (sent < count) await Task.Delay(Patience, _options.Time, cancellation).ConfigureAwait(false);
+                    if (sent < count) await Task.Delay(Patience, TimeProvider.System, cancellation).ConfigureAwait(false);
                 }
             }
         }

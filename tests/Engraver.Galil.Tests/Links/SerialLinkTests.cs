@@ -117,8 +117,7 @@ public class SerialLinkTests
     public async Task What_an_earlier_host_left_unread_is_dropped()
     {
         using var cable = new PseudoTerminalPair();
-        await using (cable.Open()) cable.Say("STALE");
-
+        cable.Say("STALE\r");
         await using var link = cable.Open();
         cable.Say("NEW");
 

@@ -1,5 +1,7 @@
 using System.Text;
+using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Jobs;
 using Engraver.Galil.Tests.Links;
 
@@ -44,9 +46,7 @@ public class SerialSessionTests
     public async Task What_a_dead_host_left_half_said_is_ended(string left)
     {
         await using var bench = new SimulatedBench();
-        await using (var port = bench.Controller.OpenSerialConnection(19200)) Exchange(port, left);
-
-        await using var session = await bench.OpenSerialAsync(19200);
+        await using var session = await OpenAfterAsync(bench, left);
 
         Assert.Equal("DMC2143 Rev 1.0o", session.Identity.Model);
     }
@@ -55,9 +55,7 @@ public class SerialSessionTests
     public async Task A_motion_that_a_dead_host_left_half_said_is_not_begun()
     {
         await using var bench = new SimulatedBench();
-        await using (var port = bench.Controller.OpenSerialConnection(19200)) Exchange(port, "SHA;PRA=5000\rBGA");
-
-        await using var session = await bench.OpenSerialAsync(19200);
+        await using var session = await OpenAfterAsync(bench, "SHA;PRA=5000\rBGA");
 
         Assert.False(bench.Controller.Status.IsMoving);
     }
@@ -109,6 +107,16 @@ public class SerialSessionTests
         var failure = await Assert.ThrowsAsync<ControllerTimeoutException>(() => greeting);
         Assert.Contains("baud rate", failure.Message, StringComparison.Ordinal);
         Assert.Contains("flow=none", failure.Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>A new host on the cable of one that said something and died.</summary>
+    private static Task<ControllerSession> OpenAfterAsync(SimulatedBench bench, string left)
+    {
+        var port = bench.Controller.OpenSerialConnection(19200);
+        Exchange(port, left);
+        return ControllerSession.OpenAsync(
+            _ => Task.FromResult<IControllerLink>(new StreamLink(port, "serial memory") { Line = new SerialLine(19200) }),
+            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(1) }, TimeProvider.System, CancellationToken.None);
     }
 
     private static string Exchange(Stream port, string text)
