@@ -1,20 +1,18 @@
-using Engraver.Simulator.Language;
 using Engraver.Simulator.Protocol;
 
 namespace Engraver.Simulator;
 
 /// <summary>Brings commands, wall time and controller time together under one lock.</summary>
-internal sealed class ControllerCore : ICommandSink, IDisposable
+internal sealed class ControllerCore : IDisposable
 {
     private readonly Lock _gate = new();
     private readonly SimulatorOptions _options;
     private readonly ITimer _timer;
     private readonly long _started;
     private readonly SilenceWatch _silence;
-    private readonly DelayedReplies _replies;
+    private readonly CommandDesk _desk;
     private readonly List<StatusWaiter> _waiters = [];
     private TimeSpan _paced;
-    private long _commands;
 
     public ControllerCore(SimulatorOptions options)
     {
@@ -22,8 +20,8 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         Machine = new Machine(options);
         _started = options.Time.GetTimestamp();
         _silence = new SilenceWatch(Machine, options.Time);
-        _replies = new DelayedReplies(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
-        var period = _options.IsVirtual ? SilenceWatch.Short : TimeSpan.FromMilliseconds(2);
+        _desk = new CommandDesk(Machine, options);
+        var period = options.IsVirtual ? SilenceWatch.Short : TimeSpan.FromMilliseconds(2);
         _timer = options.Time.CreateTimer(_ => Tick(), null, period, period);
     }
 
@@ -50,7 +48,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         {
             Pace();
             _silence.Heard();
-            return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, this) { Disconnect = disconnect, Datagrams = datagrams });
+            return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, _desk) { Disconnect = disconnect, Datagrams = datagrams });
         }
     }
 
@@ -61,7 +59,7 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         {
             Pace();
             _silence.Heard();
-            return Machine.Serial.Plug(baud, new Handle(SerialPort.HandleIndex, 0, 0, this) { Disconnect = disconnect });
+            return Machine.Serial.Plug(baud, new Handle(SerialPort.HandleIndex, 0, 0, _desk) { Disconnect = disconnect });
         }
     }
 
@@ -162,135 +160,12 @@ internal sealed class ControllerCore : ICommandSink, IDisposable
         FlushRecord();
     }
 
-    ReadOnlySpan<char> ICommandSink.Execute(Handle handle, ReadOnlySpan<char> text)
-    {
-        _commands++;
-        if (_options.Faults is { } faults)
-        {
-            if (faults.FreezeAfterCommands is { } limit && _commands > limit) return null;
-
-            if (faults.RefusalOf(_commands) is { } code)
-            {
-                Machine.LastError = code;
-                return "?";
-            }
-        }
-
-        return Executed(handle, text);
-    }
-
-    string? ICommandSink.Refuse(Handle handle, int code)
-    {
-        _commands++;
-        Machine.LastError = code;
-        return IsFrozen ? null : "?";
-    }
-
-    bool ICommandSink.StoreLine(string line)
-    {
-        try
-        {
-            Machine.Program.Append(line);
-            return true;
-        }
-        catch (CommandRefusedException refusal)
-        {
-            Machine.LastError = refusal.Code;
-            return false;
-        }
-    }
-
-    string? ICommandSink.EndDownload(bool failed)
-    {
-        if (failed)
-        {
-            Machine.Program.Truncate(0); // half a program must not run
-        }
-
-        return IsFrozen ? null : "::";
-    }
-
-    string? ICommandSink.StoreArray(Handle handle, Action store)
-    {
-        try
-        {
-            store();
-            return IsFrozen ? null : ":";
-        }
-        catch (CommandRefusedException refusal)
-        {
-            Machine.LastError = refusal.Code;
-            return IsFrozen ? null : "?";
-        }
-    }
-
-    void ICommandSink.Arrived(Handle handle, byte value)
-    {
-        if (!handle.IsSerial)
-        {
-            return;
-        }
-
-        if (_options.IsVirtual)
-        {
-            Machine.Advance(Machine.Serial.ByteTime);
-        }
-
-        if (Machine.Serial.Echo)
-        {
-            handle.Send([value]);
-        }
-    }
-
-    void ICommandSink.Answered(Handle handle, int replyLength)
-    {
-        if (_options.IsVirtual) Machine.Advance(handle.IsSerial ? Machine.Serial.ByteTime * replyLength : _options.CommandCost);
-
-        if (_options.Faults is not { } faults) return;
-        foreach (var drop in faults.Drops)
-        {
-            if (drop.Handle == handle.Index && handle.Commands == drop.AfterCommands) handle.Cut();
-        }
-    }
-
-    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes) => _replies.Send(handle, bytes);
-
-    void ICommandSink.Closed(Handle handle)
-    {
-        if (handle.IsSerial)
-        {
-            Machine.Serial.Client = null;
-        }
-        else
-        {
-            Machine.Handles.Remove(handle);
-        }
-    }
-
-    private bool IsFrozen => _options.Faults?.FreezeAfterCommands is { } limit && _commands > limit;
-
-    private ReadOnlySpan<char> Executed(Handle handle, ReadOnlySpan<char> text)
-    {
-        var context = handle.Context.Restart();
-        try
-        {
-            Machine.Interpreter.Execute(text, context);
-            var silent = handle.IsReceivingText;
-            return silent ? default : context.Output.Append(':').Text;
-        }
-        catch (CommandRefusedException refusal)
-        {
-            Machine.LastError = refusal.Code;
-            return "?";
-        }
-    }
-
     private void Tick()
     {
         lock (_gate)
         {
             Pace();
-            _replies.Release();
+            _desk.ReleaseReplies();
             if (_options.IsVirtual) _silence.Look();
 
             Notify();

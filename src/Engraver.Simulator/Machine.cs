@@ -108,17 +108,8 @@ internal sealed class Machine
     /// <summary>Nothing moves and no thread runs, so that only a command can change anything.</summary>
     public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn;
 
-    /// <summary>The variable axes ~a to ~h: 0 to 7 axes, 8 and 9 the planes, 10 and 11 the virtual axes (galil-dmc.md E).</summary>
-    public int[] VariableAxes { get; } = new int[8];
-
-    public FixedPoint VariableAxis(char name) => FixedPoint.FromInteger(VariableAxes[PlaceOf(name)]);
-
-    public char LetterOfVariableAxis(char name) => "ABCDEFGHSTNM"[VariableAxes[PlaceOf(name)]];
-
-    public void SetVariableAxis(char name, int axis) =>
-        VariableAxes[PlaceOf(name)] = axis is >= 0 and <= 11 ? axis : throw new CommandRefusedException(Tc.OutOfRange);
-
-    private static int PlaceOf(char name) => name is >= 'a' and <= 'h' ? name - 'a' : throw new CommandRefusedException(Tc.OperandError);
+    /// <summary>~a to ~h.</summary>
+    public VariableAxes VariableAxes { get; } = new();
 
     public string Print(FixedPoint value) => ValueFormat.Print(value);
 

@@ -58,9 +58,7 @@ internal static class LinkCommands
         var port = reader.TakeCharacter();
         reader.ExpectEnd();
         if (port == 'I')
-        {
             port = reader.Context.Handle is { } handle ? (handle.IsSerial ? 'S' : (char)('A' + handle.Index)) : throw new CommandRefusedException(Tc.NotInProgram);
-        }
 
         var known = port == 'S' || (port >= 'A' && port < 'A' + reader.Machine.Handles.Capacity);
         reader.Machine.Messages.Port = known ? port : throw new CommandRefusedException(Tc.OperandError);

@@ -39,8 +39,8 @@ internal static class Assignments
     {
         var name = reader.TakeCharacter();
         reader.Take('=', Tc.Unrecognized);
-        if (reader.IsAtEnd || reader.TryTake('?')) reader.Context.WriteLine(reader.Machine.Print(reader.Machine.VariableAxis(name)));
-        else reader.Machine.SetVariableAxis(name, reader.TakeExpression().Integer);
+        if (reader.IsAtEnd || reader.TryTake('?')) reader.Context.WriteLine(reader.Machine.Print(FixedPoint.FromInteger(reader.Machine.VariableAxes[name])));
+        else reader.Machine.VariableAxes[name] = reader.TakeExpression().Integer;
         reader.ExpectEnd();
     }
 }

@@ -54,7 +54,7 @@ internal static class Expressions
             '+' => TakeOperand(reader),
             '@' => Functions.Evaluate(reader),
             '_' => Operands.Take(reader),
-            '~' => reader.Machine.VariableAxis(reader.TakeCharacter()),
+            '~' => FixedPoint.FromInteger(reader.Machine.VariableAxes[reader.TakeCharacter()]),
             '"' => NumberLiteral.PackText(reader.TakeUntil('"', Tc.BadString)),
             _ => throw new CommandRefusedException(Tc.OperandError),
         };

@@ -130,5 +130,5 @@ internal sealed class StatementReader(Machine machine)
     }
 
     /// <summary>The letter of an axis or plane, also by way of a variable axis <c>~a</c> to <c>~h</c> (E: 0-7 axes, 8 and 9 planes, 10 and 11 virtual axes).</summary>
-    public char TakeLetter() => TryTake('~') ? machine.LetterOfVariableAxis(TakeCharacter()) : TakeCharacter();
+    public char TakeLetter() => TryTake('~') ? machine.VariableAxes.LetterOf(TakeCharacter()) : TakeCharacter();
 }

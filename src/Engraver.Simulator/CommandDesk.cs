@@ -1,0 +1,119 @@
+using Engraver.Simulator.Language;
+using Engraver.Simulator.Protocol;
+
+namespace Engraver.Simulator;
+
+/// <summary>Executes what hosts send and answers it, with the troubles of the fault plan. All members are called under the controller's lock.</summary>
+internal sealed class CommandDesk(Machine machine, SimulatorOptions options) : ICommandSink
+{
+    private readonly DelayedReplies _replies = new(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
+    private long _commands;
+
+    /// <summary>Lets go the late replies that are due.</summary>
+    public void ReleaseReplies() => _replies.Release();
+
+    ReadOnlySpan<char> ICommandSink.Execute(Handle handle, ReadOnlySpan<char> text)
+    {
+        _commands++;
+        if (options.Faults is { } faults)
+        {
+            if (IsFrozen) return default;
+            if (faults.RefusalOf(_commands) is { } code)
+            {
+                machine.LastError = code;
+                return "?";
+            }
+        }
+
+        return Executed(handle, text);
+    }
+
+    string? ICommandSink.Refuse(Handle handle, int code)
+    {
+        _commands++;
+        machine.LastError = code;
+        return IsFrozen ? null : "?";
+    }
+
+    bool ICommandSink.StoreLine(string line)
+    {
+        try
+        {
+            machine.Program.Append(line);
+            return true;
+        }
+        catch (CommandRefusedException refusal)
+        {
+            machine.LastError = refusal.Code;
+            return false;
+        }
+    }
+
+    string? ICommandSink.EndDownload(bool failed)
+    {
+        if (failed)
+        {
+            machine.Program.Truncate(0); // half a program must not run
+        }
+
+        return IsFrozen ? null : "::";
+    }
+
+    string? ICommandSink.StoreArray(Handle handle, Action store)
+    {
+        try
+        {
+            store();
+            return IsFrozen ? null : ":";
+        }
+        catch (CommandRefusedException refusal)
+        {
+            machine.LastError = refusal.Code;
+            return IsFrozen ? null : "?";
+        }
+    }
+
+    void ICommandSink.Arrived(Handle handle, byte value)
+    {
+        if (!handle.IsSerial) return;
+        if (options.IsVirtual) machine.Advance(machine.Serial.ByteTime);
+        if (machine.Serial.Echo) handle.Send([value]);
+    }
+
+    void ICommandSink.Answered(Handle handle, int replyLength)
+    {
+        if (options.IsVirtual) machine.Advance(handle.IsSerial ? machine.Serial.ByteTime * replyLength : options.CommandCost);
+
+        if (options.Faults is not { } faults) return;
+        foreach (var drop in faults.Drops)
+        {
+            if (drop.Handle == handle.Index && handle.Commands == drop.AfterCommands) handle.Cut();
+        }
+    }
+
+    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes) => _replies.Send(handle, bytes);
+
+    void ICommandSink.Closed(Handle handle)
+    {
+        if (handle.IsSerial) machine.Serial.Client = null;
+        else machine.Handles.Remove(handle);
+    }
+
+    private bool IsFrozen => options.Faults?.FreezeAfterCommands is { } limit && _commands > limit;
+
+    private ReadOnlySpan<char> Executed(Handle handle, ReadOnlySpan<char> text)
+    {
+        var context = handle.Context.Restart();
+        try
+        {
+            machine.Interpreter.Execute(text, context);
+            var silent = handle.IsReceivingText;
+            return silent ? default : context.Output.Append(':').Text;
+        }
+        catch (CommandRefusedException refusal)
+        {
+            machine.LastError = refusal.Code;
+            return "?";
+        }
+    }
+}
