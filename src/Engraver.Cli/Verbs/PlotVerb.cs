@@ -38,6 +38,6 @@ internal static class PlotVerb
         var analysed = JobPreparation.Analyse(read, settings);
         return asDrawn
             ? PlotModel.OfDrawing(analysed, title)
-            : PlotModel.OfPath(ToolpathPlanner.Plan(JobPreparation.Sequence(read, analysed, settings), settings.Start), title);
+            : PlotModel.OfPath(ToolpathPlanner.Plan(JobPreparation.Sequence(read, analysed, settings), settings.Start, settings.MaxErrorMm), title);
     }
 }

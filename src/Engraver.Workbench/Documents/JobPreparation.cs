@@ -44,7 +44,7 @@ public static class JobPreparation
     {
         var analysed = Analyse(drawing, settings);
         var sequence = Sequence(drawing, analysed, settings);
-        var toolpath = ToolpathPlanner.Plan(sequence, settings.Start);
+        var toolpath = ToolpathPlanner.Plan(sequence, settings.Start, settings.MaxErrorMm);
         var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
         return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion);
     }
