@@ -9,6 +9,7 @@ public sealed class DrawingBuilder
     private readonly List<Layer> _layers = [new Layer("0", On: true, Frozen: false, Plot: true)];
     private readonly GrowingColumn<DrawingEntity> _entities = new();
     private readonly GrowingColumn<DrawingPart> _parts = new();
+    private readonly List<RationalCurve> _curves = [];
     private int _layer;
     private bool _hidden;
 
@@ -60,6 +61,15 @@ public sealed class DrawingBuilder
         return this;
     }
 
+    /// <summary>An ellipse or spline as a curve of its own.</summary>
+    public DrawingBuilder Free(RationalCurve curve)
+    {
+        var entity = Add(curve.Kind == SegmentKind.Ellipse ? CurveType.Ellipse : CurveType.Spline, 1, curve.IsClosed);
+        _curves.Add(curve);
+        _parts.Add(DrawingPart.FreeCurve(entity, curve.Kind, _curves.Count - 1));
+        return this;
+    }
+
     /// <summary>A closed polyline through the corners of an axis-parallel square, counter-clockwise from the lower left.</summary>
     public DrawingBuilder Square(double x, double y, double side) => Curve(
         CurveType.LwPolyline,
@@ -72,7 +82,7 @@ public sealed class DrawingBuilder
     {
         var counts = new Dictionary<string, int>();
         var balance = new DrawingBalance(counts, _entities.Count, 0, [], [], new Dictionary<string, int>(), 0);
-        return new Drawing("by hand", 0, "AC1015", "ascii", Unit, _layers, _entities, _parts, balance, []);
+        return new Drawing("by hand", 0, "AC1015", "ascii", Unit, _layers, _entities, _parts, balance, []) { Curves = _curves };
     }
 
     private static Segment ArcOf(double x, double y, double radius, double start, double sweep) =>

@@ -40,14 +40,8 @@ public static class DxfRules
     public static readonly DiagnosticRule TypeNotRead = new("DXF0012", Severity.Warning,
         "{type} at {place} was left out: this type is not read.", "Explode it to lines and arcs in the CAD program if it has to be cut.");
 
-    public static readonly DiagnosticRule CurveNotRead = new("DXF0013", Severity.Error,
-        "{type} at {place} was left out: this curve is not read yet.", "Convert it to a polyline in the CAD program.");
-
-    public static readonly DiagnosticRule TiltedCurve = new("DXF0014", Severity.Error,
-        "{type} at {place} was left out: it is tilted against the drawing plane, which makes it an ellipse.", "Flatten it in the CAD program, or convert it to a polyline.");
-
-    public static readonly DiagnosticRule UnequalScale = new("DXF0015", Severity.Error,
-        "{type} at {place} was left out: an INSERT scales it differently in x and y, which makes it an ellipse.", "Explode the block and convert the curve to a polyline.");
+    public static readonly DiagnosticRule TiltedCurve = new("DXF0014", Severity.Warning,
+        "{type} at {place} is tilted against the drawing plane; its plan view is cut.", "Flatten it in the CAD program if its true shape has to be cut.");
 
     public static readonly DiagnosticRule MeshLeftOut = new("DXF0016", Severity.Warning,
         "{type} at {place} was left out: it is a mesh, not a curve.", "Explode it if its edges have to be cut.");
@@ -64,6 +58,9 @@ public static class DxfRules
     public static readonly DiagnosticRule NestedTooDeep = new("DXF0020", Severity.Error,
         "{type} at {place} was left out: block '{name}' is nested too deep.", "Explode the inner blocks.");
 
+    public static readonly DiagnosticRule SplineWithoutKnots = new("DXF0021", Severity.Warning,
+        "{type} at {place} has no usable knots for its {points}; uniform knots were used.", "Open and save the spline in the CAD program, or explode it to a polyline.");
+
     public static readonly DiagnosticRule PolylineWithoutEnd = new("DXF0022", Severity.Warning,
         "{type} at {place} has no SEQEND; its vertices were used.", "Compare the polyline with the original drawing.");
 
@@ -78,6 +75,9 @@ public static class DxfRules
 
     public static readonly DiagnosticRule NothingInserted = new("DXF0026", Severity.Warning,
         "{type} at {place} was left out: of its block '{name}' no curve could be taken.", "See what is reported of the block's entities.");
+
+    public static readonly DiagnosticRule SplineWeights = new("DXF0027", Severity.Warning,
+        "{type} at {place} has {weights}, or weights that are not above zero; all were taken as 1.", "Compare the spline with the original drawing.");
 
     public static readonly DiagnosticRule ForeignText = new("DXF0028", Severity.Warning,
         "Some names are not valid in the encoding that the file declares ({encoding}); another one was tried.", "Check the layer names.");
@@ -97,17 +97,25 @@ public static class DxfRules
     public static readonly DiagnosticRule OutOfRange = new("DXF0033", Severity.Error,
         "{type} at {place} was left out: its coordinates are too large to be used.", "Check the scale of the INSERT that brings it.");
 
+    public static readonly DiagnosticRule SplineUnusable = new("DXF0034", Severity.Error,
+        "{type} at {place} was left out: it has {points}, which makes no curve.", "Draw the spline again, or convert it to a polyline in the CAD program.");
+
     public static readonly DiagnosticRule BlockTwice = new("DXF0035", Severity.Warning,
         "{type} at {place} defines block '{name}' again; the first definition was used.", "Rename one of the two blocks.");
 
     public static readonly DiagnosticRule UnknownCodePage = new("DXF0036", Severity.Info,
         "The code page '{name}' is not known; names were read as Windows-1252 or UTF-8.", "Check the layer names.");
 
-    /// <summary>Every rule, by id.</summary>
+    public static readonly DiagnosticRule SplineFromFitPoints = new("DXF0041", Severity.Info,
+        "{type} at {place} has no control points; a cubic spline through its {count} fit points was used (chord lengths, its end tangents where it gives any).",
+        "Compare its course with the CAD program's.");
+
+    /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: those curves are taken.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         EmptyFile, NotDxf, UnitsAssumed, DwgFile, Truncated, DamagedRecord, BadValue, MissingValue, RepeatedValue, NoLength, NegativeRadius, TypeNotRead,
-        CurveNotRead, TiltedCurve, UnequalScale, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, NestedTooDeep, PolylineWithoutEnd, PartAlone,
-        WidthIgnored, NoExtrusion, NothingInserted, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, BlockTwice, UnknownCodePage,
+        TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, NestedTooDeep, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
+        WidthIgnored, NoExtrusion, NothingInserted, SplineWeights, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, SplineUnusable, BlockTwice, UnknownCodePage,
+        SplineFromFitPoints,
     ];
 }

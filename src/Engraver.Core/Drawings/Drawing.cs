@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
@@ -16,6 +17,9 @@ public sealed record Drawing(
     DrawingBalance Balance,
     IReadOnlyList<Diagnostic> Diagnostics)
 {
+    /// <summary>Side column of the parts that are ellipses or splines: the exact curves, drawing units.</summary>
+    public IReadOnlyList<RationalCurve> Curves { get; init; } = [];
+
     /// <summary>True when a diagnostic of severity error stands against the drawing (exit code 1; a job does not start without consent).</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 
@@ -32,6 +36,12 @@ public sealed record Drawing(
         ref var entity = ref Entities[entityIndex];
         return new SourceRef(entity.SourceLine, entity.Handle == 0 ? null : entity.Handle.ToString("X", CultureInfo.InvariantCulture));
     }
+
+    /// <summary>A part in plan (z dropped), drawing units.</summary>
+    public Segment SegmentOf(in DrawingPart part) => part.IsFreeCurve ? Segment.FromCurve(Curves[part.CurveIndex]) : part.InPlan();
+
+    /// <summary>Length of a part along the curve in space, drawing units.</summary>
+    public double SpaceLengthOf(in DrawingPart part) => part.IsFreeCurve ? Curves[part.CurveIndex].SpaceLength : part.SpaceLength;
 
     /// <summary>The first curve with a handle (hexadecimal, any case, leading zeros allowed); null when there is none.</summary>
     public int? IndexOfHandle(string handle)

@@ -2,8 +2,9 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>One line, arc or circle of a curve, in drawing units and world coordinates (OCS applied).</summary>
-/// <remarks>Line: A,B,C = start x,y,z; D,E,F = end x,y,z. Arc and circle: A,B,C = centre x,y,z; D = radius; E = start angle and F = signed sweep, degrees, as seen from +z.</remarks>
+/// <summary>One line, arc, circle, ellipse or spline of a drawing, in drawing units and world coordinates (OCS applied).</summary>
+/// <remarks>Line: A,B,C = start x,y,z; D,E,F = end x,y,z. Arc and circle: A,B,C = centre x,y,z; D = radius; E = start angle and F = signed sweep, degrees, as seen from +z.
+/// Ellipse and spline: A = index into <see cref="Drawing.Curves"/>, the rest 0.</remarks>
 public struct DrawingPart
 {
     public double A;
@@ -18,7 +19,13 @@ public struct DrawingPart
 
     public SegmentKind Kind;
 
-    /// <summary>Length along the curve in space, drawing units.</summary>
+    /// <summary>True for an ellipse or spline, whose geometry stands in <see cref="Drawing.Curves"/>.</summary>
+    public readonly bool IsFreeCurve => Kind is SegmentKind.Ellipse or SegmentKind.Spline;
+
+    /// <summary>Where an ellipse or spline stands in <see cref="Drawing.Curves"/>.</summary>
+    public readonly int CurveIndex => (int)A;
+
+    /// <summary>Length along a line, arc or circle in space, drawing units (for every part: <see cref="Drawing.SpaceLengthOf"/>).</summary>
     public readonly double SpaceLength => Kind == SegmentKind.Line
         ? Math.Sqrt(((D - A) * (D - A)) + ((E - B) * (E - B)) + ((F - C) * (F - C)))
         : D * Math.Abs(Angle.FromDegrees(F).Radians);
@@ -39,7 +46,10 @@ public struct DrawingPart
         F = arc.Sweep.Degrees,
     };
 
-    /// <summary>The plan view (z dropped), drawing units.</summary>
+    /// <summary>An ellipse or spline that stands in the column of curves.</summary>
+    public static DrawingPart FreeCurve(int entity, SegmentKind kind, int curveIndex) => new() { Kind = kind, Entity = entity, A = curveIndex };
+
+    /// <summary>A line, arc or circle in plan (z dropped), drawing units (for every part: <see cref="Drawing.SegmentOf"/>).</summary>
     public readonly Segment InPlan() => Kind == SegmentKind.Line
         ? Segment.FromLine(new Point2D(A, B), new Point2D(D, E))
         : Segment.FromArc(new ArcSegment(new Point2D(A, B), D, Angle.FromDegrees(E), Angle.FromDegrees(F)));

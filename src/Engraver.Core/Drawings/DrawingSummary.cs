@@ -6,13 +6,13 @@ namespace Engraver.Core.Drawings;
 /// <param name="Leaf">Curves after expansion by the type they were written as; types that do not occur are missing. A curve without length counts.</param>
 /// <param name="Primitives">Lines, arcs and so on, parts of polylines included.</param>
 /// <param name="Length">Lengths by kind; a whole-turn ARC counts as arc, whatever a block's scale makes of a curve.</param>
-/// <param name="Bounds">Tight box in plan (true extremes of arcs), null when no curve has an extent.</param>
+/// <param name="Bounds">Tight box in plan (true extremes of every curve), null when no curve has an extent.</param>
 public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, PrimitiveCounts Primitives, CurveLengths Length, Bounds2D? Bounds)
 {
     public static DrawingSummary Of(Drawing drawing)
     {
         var tally = new Tally();
-        for (var i = 0; i < drawing.Entities.Count; i++) tally.Add(ref drawing.Entities[i], drawing.Parts);
+        for (var i = 0; i < drawing.Entities.Count; i++) tally.Add(ref drawing.Entities[i], drawing);
         return tally.ToSummary(drawing.Balance.Points);
     }
 
@@ -25,17 +25,17 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
         private double _planLength;
         private Bounds2D _bounds = Bounds2D.Empty;
 
-        public void Add(ref DrawingEntity entity, GrowingColumn<DrawingPart> parts)
+        public void Add(ref DrawingEntity entity, Drawing drawing)
         {
             _curves[(int)entity.Type]++;
             var isPolyline = entity.Type is CurveType.LwPolyline or CurveType.Polyline;
             for (var i = entity.FirstPart; i < entity.FirstPart + entity.PartCount; i++)
             {
-                ref var part = ref parts[i];
+                ref var part = ref drawing.Parts[i];
                 var kind = !isPolyline ? entity.Type : part.Kind == SegmentKind.Line ? CurveType.Line : CurveType.Arc;
                 if (isPolyline) _polylineParts[(int)kind]++;
-                var inPlan = part.InPlan();
-                _lengths[(int)kind] += part.SpaceLength;
+                var inPlan = drawing.SegmentOf(part);
+                _lengths[(int)kind] += drawing.SpaceLengthOf(part);
                 _planLength += inPlan.Length;
                 _bounds = _bounds.Union(inPlan.Bounds);
             }

@@ -1,3 +1,5 @@
+using Engraver.Core.Geometry;
+
 namespace Engraver.Core.Dxf;
 
 /// <summary>A block definition: a run of the block columns, the inserts between its curves, and what cannot be taken.</summary>
@@ -11,6 +13,9 @@ internal sealed class Block(string name, Vector3D basePoint, int firstCurve)
 
     /// <summary>One past the last curve.</summary>
     public int EndCurve { get; set; } = firstCurve;
+
+    /// <summary>What its splines cost an expansion beyond one step each: they may have a million spans.</summary>
+    public long ExtraSteps { get; set; }
 
     public List<NestedInsert> Inserts { get; } = [];
 

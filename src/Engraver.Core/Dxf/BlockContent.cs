@@ -9,8 +9,9 @@ internal sealed class BlockContent(Block block, CurveColumns columns) : IContent
 
     public void AddCurve(EntityRecord record, CurveShape shape)
     {
-        columns.Add(shape.ToEntity(record), shape.Parts);
+        columns.Add(shape.ToEntity(record), shape.Parts, shape.Curves);
         block.EndCurve = columns.Count;
+        foreach (var curve in shape.Curves) block.ExtraSteps += (long)curve.Spans.Length * (curve.Spans[0].Degree + 1) / 2;
         block.Troubles.AddRange(shape.Oddities);
     }
 

@@ -19,6 +19,8 @@ internal sealed class BlockExpander(
     private readonly HashSet<Block> _reported = [];
     private readonly HashSet<int> _lostCurves = [];
     private readonly List<DrawingPart> _parts = [];
+    private readonly List<RationalCurve> _curves = [];
+    private readonly HashSet<int> _tilted = [];
     private long _steps;
 
     /// <summary>Expands an insert of model space. Returns why nothing or not everything came of it, null when all went well.</summary>
@@ -84,33 +86,41 @@ internal sealed class BlockExpander(
     {
         var entity = blockCurves.Entities[index];
         _parts.Clear();
+        _curves.Clear();
         for (var i = entity.FirstPart; i < entity.FirstPart + entity.PartCount; i++)
         {
-            var outcome = PlacedPart.Try(blockCurves.Parts[i], at, out var part);
-            if (outcome != PlacementOutcome.Exact)
-            {
-                Lose(index, outcome);
-                return;
-            }
-
+            var outcome = PlacedPart.Try(blockCurves.Parts[i], blockCurves.Curves, at, _curves, out var part);
+            if (outcome != PlacementOutcome.Exact) Tell(index, outcome);
+            if (outcome == PlacementOutcome.OutOfRange) return;
             if (entity.Type == CurveType.Line || !IsPoint(part)) _parts.Add(part);
         }
 
         entity.Layer = Effective(entity.Layer, layer);
         entity.Hidden |= hidden;
-        drawing.Add(entity, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_parts));
+        drawing.Add(entity, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_parts), _curves);
     }
 
     /// <summary>A scale of zero can leave nothing of a part.</summary>
-    private static bool IsPoint(in DrawingPart part) =>
-        part.Kind == SegmentKind.Line ? part.A == part.D && part.B == part.E && part.C == part.F : part.D == 0.0;
+    private bool IsPoint(in DrawingPart part) => part.IsFreeCurve ? IsPoint(_curves[part.CurveIndex]) : part.Kind == SegmentKind.Line ? part.A == part.D && part.B == part.E && part.C == part.F : part.D == 0.0;
+
+    private static bool IsPoint(RationalCurve curve)
+    {
+        foreach (var span in curve.Spans)
+        {
+            if (!span.IsPoint) return false;
+        }
+
+        return true;
+    }
 
     private int Effective(int layer, int layerOfInsert) => layer == layers.Zero ? layerOfInsert : layer;
 
-    private void Lose(int index, PlacementOutcome outcome)
+    /// <summary>Reports a block's curve once, however often it is placed.</summary>
+    private void Tell(int index, PlacementOutcome outcome)
     {
-        if (!_lostCurves.Add(index)) return;
+        var refused = outcome == PlacementOutcome.OutOfRange;
+        if (!(refused ? _lostCurves : _tilted).Add(index)) return;
         ref var entity = ref blockCurves.Entities[index];
-        balance.AddInBlock(new Trouble(PlacedPart.RuleFor(outcome), entity.Type.ToDxfName(), entity.Handle, (int)entity.SourceLine, "", Refused: true));
+        balance.AddInBlock(new Trouble(PlacedPart.RuleFor(outcome), entity.Type.ToDxfName(), entity.Handle, (int)entity.SourceLine, "", refused));
     }
 }

@@ -51,7 +51,7 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, Block> blocks)
     private BlockWeight Total(Block block)
     {
         long curves = block.EndCurve - block.FirstCurve;
-        var steps = curves + block.Inserts.Count;
+        var steps = BlockWeight.Sum(curves + block.Inserts.Count, block.ExtraSteps);
         var depth = 1;
         var loses = block.Troubles.Exists(trouble => trouble.Refused);
         var annotations = new Dictionary<string, long>(block.Annotations, StringComparer.Ordinal);

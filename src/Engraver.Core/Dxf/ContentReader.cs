@@ -28,6 +28,12 @@ internal sealed class ContentReader(RecordReader records)
             case RecordKind.Circle:
                 _mapper.Circle(_record);
                 break;
+            case RecordKind.Ellipse:
+                _mapper.Ellipse(_record);
+                break;
+            case RecordKind.Spline:
+                _mapper.Spline(_record);
+                break;
             case RecordKind.LwPolyline:
                 _mapper.LwPolyline(_record, records.Truncated);
                 break;
@@ -60,9 +66,6 @@ internal sealed class ContentReader(RecordReader records)
         {
             switch (_record.Kind)
             {
-                case RecordKind.Ellipse or RecordKind.Spline:
-                    _record.Refuse(DxfRules.CurveNotRead, _record.Line, "");
-                    break;
                 case RecordKind.Vertex or RecordKind.SequenceEnd:
                     _record.Refuse(DxfRules.PartAlone, _record.Line, "");
                     break;

@@ -9,10 +9,11 @@ namespace Engraver.Core.Dxf;
 /// <summary>Turns a record into the curve it draws, in world coordinates (inside a block: the block's). A record that cannot be taken gets a fault.</summary>
 internal sealed class CurveMapper
 {
-    /// <summary>Degrees: angles that differ by whole turns within this are a whole turn, or none when they are equal (corpus convention).</summary>
-    private const double WholeTurnTolerance = 1e-9;
+    /// <summary>Slope under which an ellipse passes for a level one.</summary>
+    private const double LevelSlope = 1e-6;
 
     private readonly List<PolylineVertex> _vertices = [];
+    private readonly SplineMapper _splines = new();
 
     public CurveShape Shape { get; } = new();
 
@@ -40,10 +41,33 @@ internal sealed class CurveMapper
     {
         Shape.Begin(CurveType.Arc);
         var start = record.Required(50);
-        var sweep = Sweep(start, record.Required(51));
+        var sweep = WholeTurns.Sweep(start, record.Required(51), 360.0);
         Shape.Closed = sweep == 360.0;
         AddArc(record, start, sweep);
         ToWorld(record);
+        Finish(record);
+    }
+
+    public void Ellipse(EntityRecord record)
+    {
+        Shape.Begin(CurveType.Ellipse);
+        var (centre, major, ratio) = (record.Point(10), record.Point(11), record.Required(40));
+        var normal = record.Extrusion();
+        if (normal == default) Note(record, DxfRules.NoExtrusion, "");
+        var up = normal == default ? new Vector3D(0.0, 0.0, 1.0) : normal * (1.0 / normal.Length);
+        var start = record.Number(41, 0.0);
+        var sweep = WholeTurns.Sweep(start, record.Number(42, Math.Tau), Math.Tau);
+        var ellipse = new EllipseArc(centre, major, up.Cross(major) * ratio, Angle.FromRadians(start), sweep == Math.Tau ? Angle.FullTurn : Angle.FromRadians(sweep));
+        Shape.Closed = ellipse.IsFullTurn;
+        if (sweep != 0.0 && (major.X != 0.0 || major.Y != 0.0 || major.Z != 0.0)) Shape.Add(ellipse);
+        if (IsTilted(up)) Note(record, DxfRules.TiltedCurve, "");
+        Finish(record);
+    }
+
+    public void Spline(EntityRecord record)
+    {
+        Shape.Begin(CurveType.Spline);
+        _splines.Map(record, Shape);
         Finish(record);
     }
 
@@ -91,15 +115,7 @@ internal sealed class CurveMapper
         Finish(record);
     }
 
-    /// <summary>Counter-clockwise from start to end, degrees in [0, 360]: equal angles give 0, whole turns 360.</summary>
-    private static double Sweep(double start, double end)
-    {
-        var difference = end - start;
-        if (Math.Abs(difference) <= WholeTurnTolerance) return 0.0;
-        var sweep = difference % 360.0;
-        if (sweep < 0.0) sweep += 360.0;
-        return sweep <= WholeTurnTolerance || sweep >= 360.0 - WholeTurnTolerance ? 360.0 : sweep;
-    }
+    private static bool IsTilted(Vector3D up) => Math.Abs(up.X) > LevelSlope || Math.Abs(up.Y) > LevelSlope;
 
     private void AddArc(EntityRecord record, double start, double sweep)
     {
@@ -150,11 +166,14 @@ internal sealed class CurveMapper
 
         var system = Placement.OfExtrusion(direction);
         if (system.IsIdentity) return;
+        var worst = PlacementOutcome.Exact;
         foreach (ref var part in Shape.MutableParts)
         {
-            var outcome = PlacedPart.Try(part, system, out part);
-            if (outcome != PlacementOutcome.Exact) record.Refuse(PlacedPart.RuleFor(outcome), record.Line, "");
+            worst = (PlacementOutcome)Math.Max((int)worst, (int)PlacedPart.Try(part, [], system, Shape.Curves, out part));
         }
+
+        if (worst == PlacementOutcome.OutOfRange) record.Refuse(DxfRules.OutOfRange, record.Line, "");
+        else if (worst == PlacementOutcome.Tilted) Note(record, DxfRules.TiltedCurve, "");
     }
 
     private void Finish(EntityRecord record)

@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
@@ -16,6 +17,9 @@ internal sealed class CurveShape
     public List<Trouble> Oddities { get; } = [];
 
     public ReadOnlySpan<DrawingPart> Parts => _parts.AsSpan(0, _count);
+
+    /// <summary>The parts that are ellipses or splines refer to these.</summary>
+    public List<RationalCurve> Curves { get; } = [];
 
     public Span<DrawingPart> MutableParts => _parts.AsSpan(0, _count);
 
@@ -35,6 +39,7 @@ internal sealed class CurveShape
         Type = type;
         Closed = false;
         _count = 0;
+        Curves.Clear();
         Oddities.Clear();
     }
 
@@ -42,5 +47,18 @@ internal sealed class CurveShape
     {
         if (_count == _parts.Length) Array.Resize(ref _parts, _count * 2);
         _parts[_count++] = part;
+    }
+
+    /// <summary>Adds an ellipse: as arc or circle where it is one in plan, which every machine cuts exactly.</summary>
+    public void Add(in EllipseArc ellipse)
+    {
+        if (ellipse.IsCircular) Add(DrawingPart.Arc(0, ellipse.ToArc(), ellipse.Centre.Z));
+        else Add(ellipse.ToCurve());
+    }
+
+    public void Add(RationalCurve curve)
+    {
+        Curves.Add(curve);
+        Add(DrawingPart.FreeCurve(0, curve.Kind, Curves.Count - 1));
     }
 }

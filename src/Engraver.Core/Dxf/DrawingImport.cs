@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
@@ -62,7 +63,10 @@ internal sealed class DrawingImport
         var unit = Unit();
         if (_text.MetForeignBytes) _log.Add(DxfRules.ForeignText, 0, _header.CodePage ?? "UTF-8");
         var layers = _layers.ToLayers();
-        return new Drawing(fileName, bytes, _header.Version, _tags.IsBinary ? "binary" : "ascii", unit, layers, _curves.Entities, _curves.Parts, _balance.ToBalance(layers.Count), _log.ToList());
+        return new Drawing(fileName, bytes, _header.Version, _tags.IsBinary ? "binary" : "ascii", unit, layers, _curves.Entities, _curves.Parts, _balance.ToBalance(layers.Count), _log.ToList())
+        {
+            Curves = _curves.Curves,
+        };
     }
 
     private void ReadSection()

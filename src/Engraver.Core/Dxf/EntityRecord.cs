@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
@@ -10,12 +11,12 @@ internal sealed class EntityRecord
 
     /// <summary>Codes whose first value is kept: points, sizes, angles, scales, flags, counts, extrusion.</summary>
     private static readonly int[] KeptCodes =
-        [10, 11, 20, 21, 30, 31, 38, 40, 41, 42, 43, 44, 45, 50, 51, 60, 62, 66, 67, 70, 71, 90, 210, 220, 230, 290];
+        [10, 11, 12, 13, 20, 21, 22, 23, 30, 31, 32, 33, 38, 40, 41, 42, 43, 44, 45, 50, 51, 60, 62, 66, 67, 70, 71, 90, 210, 220, 230, 290];
 
     private static readonly sbyte[] Slots = BuildSlots();
 
     private readonly double[] _values = new double[KeptCodes.Length];
-    private uint _seen;
+    private ulong _seen;
 
     public RecordKind Kind { get; private set; }
 
@@ -67,7 +68,7 @@ internal sealed class EntityRecord
     public void Set(int code, double value)
     {
         var slot = Slots[code];
-        var bit = 1u << slot;
+        var bit = 1ul << slot;
         if ((_seen & bit) != 0)
         {
             RepeatedCode = code;
@@ -78,7 +79,7 @@ internal sealed class EntityRecord
         _values[slot] = value;
     }
 
-    public bool Has(int code) => (_seen & (1u << Slots[code])) != 0;
+    public bool Has(int code) => (_seen & (1ul << Slots[code])) != 0;
 
     /// <summary>The value of a code that may be missing.</summary>
     public double Number(int code, double otherwise) => Has(code) ? _values[Slots[code]] : otherwise;

@@ -7,7 +7,7 @@ internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, B
 
     public void AddCurve(EntityRecord record, CurveShape shape)
     {
-        columns.Add(shape.ToEntity(record), shape.Parts);
+        columns.Add(shape.ToEntity(record), shape.Parts, shape.Curves);
         balance.AddCut(record);
         foreach (var oddity in shape.Oddities) log.Add(oddity);
     }

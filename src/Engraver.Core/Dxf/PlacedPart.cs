@@ -5,24 +5,27 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>What a placement makes of a line, an arc or a circle, and whether that still is one.</summary>
+/// <summary>What a placement makes of a part: a line stays a line, an arc stays one or becomes an ellipse, ellipses and splines stay what they are.</summary>
 internal static class PlacedPart
 {
     /// <summary>Slope under which a tilted circle passes for a flat one: its plan is then an ellipse whose axes differ by less than 1e-12 of the radius.</summary>
     private const double FlatSlope = 1e-6;
 
-    /// <summary>Relative difference of two scales under which an arc stays an arc; rounding in deeply nested inserts stays far below.</summary>
-    private const double EqualScale = 1e-9;
-
-    public static PlacementOutcome Try(in DrawingPart part, in Placement placement, out DrawingPart placed) => part.Kind == SegmentKind.Line
-        ? TryLine(part, placement, out placed)
-        : TryArc(part, placement, out placed);
+    /// <param name="part">The part before; an ellipse or spline refers to <paramref name="curves"/>.</param>
+    /// <param name="curves">Side column of the part.</param>
+    /// <param name="placement">Where it goes.</param>
+    /// <param name="placedCurves">Receives the curve when the placed part is an ellipse or spline, which then refers to it.</param>
+    /// <param name="placed">The part after.</param>
+    public static PlacementOutcome Try(in DrawingPart part, List<RationalCurve> curves, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
+    {
+        if (part.Kind == SegmentKind.Line) return TryLine(part, placement, out placed);
+        return part.IsFreeCurve ? TryCurve(part, curves[part.CurveIndex], placement, placedCurves, out placed) : TryArc(part, placement, placedCurves, out placed);
+    }
 
     /// <summary>The finding that belongs to an outcome other than <see cref="PlacementOutcome.Exact"/>.</summary>
     public static DiagnosticRule RuleFor(PlacementOutcome outcome) => outcome switch
     {
         PlacementOutcome.Tilted => DxfRules.TiltedCurve,
-        PlacementOutcome.UnequallyScaled => DxfRules.UnequalScale,
         PlacementOutcome.OutOfRange => DxfRules.OutOfRange,
         _ => throw new UnreachableException(),
     };
@@ -36,28 +39,65 @@ internal static class PlacedPart
     }
 
     /// <summary>An arc stays an arc when x and y axis stay level, square and equally long; a mirror turns its sense round.</summary>
-    private static PlacementOutcome TryArc(in DrawingPart part, in Placement placement, out DrawingPart placed)
+    private static PlacementOutcome TryArc(in DrawingPart part, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
     {
         placed = part;
-        var x = placement.XAxis;
-        var y = placement.YAxis;
-        var scale = x.Length;
-        if (Math.Abs(x.Z) > FlatSlope * scale || Math.Abs(y.Z) > FlatSlope * y.Length) return PlacementOutcome.Tilted;
-        if (Math.Abs(scale - y.Length) > EqualScale * scale || Math.Abs(x.Dot(y)) > EqualScale * scale * scale) return PlacementOutcome.UnequallyScaled;
-        var centre = placement.Apply(new Vector3D(part.A, part.B, part.C));
-        var radius = part.D * scale;
-        if (!InRange(centre) || !(radius <= DxfNumber.Largest)) return PlacementOutcome.OutOfRange;
-        placed.A = centre.X;
-        placed.B = centre.Y;
-        placed.C = centre.Z;
-        placed.D = radius;
-        var turn = Angle.Direction(x.X, x.Y).Degrees;
-        var mirrored = (x.X * y.Y) - (x.Y * y.X) < 0.0;
-        placed.E = Angle.FromDegrees(mirrored ? turn - part.E : turn + part.E).Positive().Degrees;
-        placed.F = mirrored ? -part.F : part.F;
-        return PlacementOutcome.Exact;
+        var ellipse = new EllipseArc(
+            placement.Apply(new Vector3D(part.A, part.B, part.C)), placement.XAxis * part.D, placement.YAxis * part.D, Angle.FromDegrees(part.E), Angle.FromDegrees(part.F));
+        if (!InRange(ellipse.Centre) || !InRange(ellipse.First) || !InRange(ellipse.Second)) return PlacementOutcome.OutOfRange;
+        var unit = ellipse with { First = placement.XAxis, Second = placement.YAxis };
+        if (unit.IsCircular)
+        {
+            var arc = unit.ToArc();
+            placed = DrawingPart.Arc(part.Entity, arc with { Radius = part.D * arc.Radius }, ellipse.Centre.Z);
+            return PlacementOutcome.Exact;
+        }
+
+        placedCurves.Add(ellipse.ToCurve());
+        placed = DrawingPart.FreeCurve(part.Entity, SegmentKind.Ellipse, placedCurves.Count - 1);
+        return IsLevel(placement) ? PlacementOutcome.Exact : PlacementOutcome.Tilted;
     }
+
+    private static PlacementOutcome TryCurve(in DrawingPart part, RationalCurve curve, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
+    {
+        placed = DrawingPart.FreeCurve(part.Entity, part.Kind, placedCurves.Count);
+        var spans = new BezierSpan[curve.Spans.Length];
+        for (var i = 0; i < spans.Length; i++)
+        {
+            spans[i] = Placed(curve.Spans[i], placement);
+            if (!InRange(spans[i])) return PlacementOutcome.OutOfRange;
+        }
+
+        placedCurves.Add(curve.With(spans));
+        return IsLevel(placement) ? PlacementOutcome.Exact : PlacementOutcome.Tilted;
+    }
+
+    /// <summary>An affine map of homogeneous points: displacements grow with the weight.</summary>
+    private static BezierSpan Placed(BezierSpan span, in Placement placement)
+    {
+        var points = span.Homogeneous.ToArray();
+        for (var i = 0; i < points.Length; i += BezierSpan.Stride)
+        {
+            var place = placement.ApplyToDirection(new Vector3D(points[i], points[i + 1], points[i + 2])) + (placement.Origin * points[i + 3]);
+            (points[i], points[i + 1], points[i + 2]) = (place.X, place.Y, place.Z);
+        }
+
+        return new BezierSpan(points);
+    }
+
+    private static bool IsLevel(in Placement placement) =>
+        Math.Abs(placement.XAxis.Z) <= FlatSlope * placement.XAxis.Length && Math.Abs(placement.YAxis.Z) <= FlatSlope * placement.YAxis.Length;
 
     private static bool InRange(Vector3D point) =>
         Math.Abs(point.X) <= DxfNumber.Largest && Math.Abs(point.Y) <= DxfNumber.Largest && Math.Abs(point.Z) <= DxfNumber.Largest;
+
+    private static bool InRange(BezierSpan span)
+    {
+        foreach (var value in span.Homogeneous)
+        {
+            if (!(Math.Abs(value) <= DxfNumber.Largest)) return false;
+        }
+
+        return true;
+    }
 }

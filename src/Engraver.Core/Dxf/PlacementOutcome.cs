@@ -1,15 +1,13 @@
 namespace Engraver.Core.Dxf;
 
-/// <summary>Whether a placed part still is a line, an arc or a circle.</summary>
+/// <summary>What became of a placed part.</summary>
 internal enum PlacementOutcome
 {
+    /// <summary>It is where it belongs, the same in space (a circle may have become an ellipse).</summary>
     Exact,
 
-    /// <summary>A circle or arc that does not lie level is an ellipse in plan.</summary>
+    /// <summary>It is where it belongs but does not lie level: the plan view is cut.</summary>
     Tilted,
-
-    /// <summary>A circle or arc under different scales in x and y is an ellipse.</summary>
-    UnequallyScaled,
 
     /// <summary>A coordinate is no longer a usable number.</summary>
     OutOfRange,

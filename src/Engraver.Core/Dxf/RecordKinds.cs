@@ -19,7 +19,7 @@ internal static class RecordKinds
 
     /// <summary>True when the record's numbers matter; of the others only visibility and space are read, so that junk in a dimension harms nothing.</summary>
     public static bool HasNumbers(RecordKind kind) => kind is not (RecordKind.Unknown or RecordKind.Construction or RecordKind.Text or RecordKind.Point
-        or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.Ellipse or RecordKind.Spline);
+        or RecordKind.Attribute or RecordKind.SequenceEnd);
 
     private static FrozenDictionary<string, RecordKind> Build()
     {

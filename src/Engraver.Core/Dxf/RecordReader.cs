@@ -123,13 +123,13 @@ internal sealed class RecordReader
 
     private void AcceptNumber(EntityRecord record, int code)
     {
-        var isVertex = record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 30 or 40 or 41 or 42;
+        var repeats = (record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 30 or 40 or 41 or 42) || (record.Kind == RecordKind.Spline && code is 10 or 20 or 30 or 11 or 21 or 31 or 40 or 41);
         if (!EntityRecord.Keeps(code) || !(RecordKinds.HasNumbers(record.Kind) || code is 60 or 67)) return;
         if (!_tags.TryNumber(out var value))
         {
             record.Refuse(DxfRules.BadValue, _tags.ValueLine, string.Create(CultureInfo.InvariantCulture, $"group {code} is '{ShownText()}'"));
         }
-        else if (isVertex)
+        else if (repeats)
         {
             record.Sequence.Add(new CodedNumber(code, value));
         }

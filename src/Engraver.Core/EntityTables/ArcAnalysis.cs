@@ -5,7 +5,7 @@ namespace Engraver.Core.EntityTables;
 /// <summary>The paper's "DXF analysis": end points and rotation angle of arcs, start point of circles (paper 001, section 4.2).</summary>
 public static class ArcAnalysis
 {
-    /// <summary>A new table with slots 1 to 6 and 15 filled for arcs and circles; circles start at their right quadrant point until sequencing decides. Lines pass unchanged.</summary>
+    /// <summary>A new table with slots 1 to 6 and 15 filled for arcs and circles; circles start at their right quadrant point until sequencing decides. Lines, ellipses and splines pass unchanged.</summary>
     public static EntityTable Analyse(EntityTable table)
     {
         var analysed = new EntityTable();
@@ -13,7 +13,7 @@ public static class ArcAnalysis
         {
             var slots = table.CopySlots(row);
             Complete(ref slots);
-            analysed.Append(slots, table.EntityIndexOf(row));
+            analysed.Append(slots, table.EntityIndexOf(row), table.CurveOf(row));
         }
 
         return analysed;
@@ -33,7 +33,7 @@ public static class ArcAnalysis
             case SegmentKind.Arc:
                 CompleteArc(ref slots);
                 break;
-            case SegmentKind.Line:
+            case SegmentKind.Line or SegmentKind.Ellipse or SegmentKind.Spline:
             default:
                 break;
         }

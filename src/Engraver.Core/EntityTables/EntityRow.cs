@@ -5,10 +5,11 @@ namespace Engraver.Core.EntityTables;
 /// <summary>Readonly view of one row: one directed segment in millimetres. Valid as long as its table.</summary>
 public readonly ref struct EntityRow
 {
-    internal EntityRow(ReadOnlySpan<double> slots, int entityIndex)
+    internal EntityRow(ReadOnlySpan<double> slots, int entityIndex, RationalCurve? curve)
     {
         Slots = slots;
         EntityIndex = entityIndex;
+        Curve = curve;
     }
 
     /// <summary>The 16 slots as they stand, see <see cref="EntitySlot"/>.</summary>
@@ -16,6 +17,9 @@ public readonly ref struct EntityRow
 
     /// <summary>The drawing entity the row came from.</summary>
     public int EntityIndex { get; }
+
+    /// <summary>The exact curve of kind 4 or 5 in the row's direction; null for the others.</summary>
+    public RationalCurve? Curve { get; }
 
     public double this[int slot] => Slots[slot];
 
@@ -40,7 +44,11 @@ public readonly ref struct EntityRow
     public double SweepDegrees => Slots[EntitySlot.Sweep];
 
     /// <summary>The directed segment of an analysed row, in plan. Its ends are exactly those of slots 1, 2 and 4, 5.</summary>
-    public Segment ToSegment() => Kind == SegmentKind.Line
-        ? Segment.FromLine(StartPoint, EndPoint)
-        : Segment.FromArc(new ArcSegment(Centre, Radius, StartAngle, Angle.FromDegrees(SweepDegrees)), StartPoint, EndPoint);
+    public Segment ToSegment()
+    {
+        if (Kind == SegmentKind.Line) return Segment.FromLine(StartPoint, EndPoint);
+        return Curve is null
+            ? Segment.FromArc(new ArcSegment(Centre, Radius, StartAngle, Angle.FromDegrees(SweepDegrees)), StartPoint, EndPoint)
+            : Segment.FromCurve(Curve);
+    }
 }

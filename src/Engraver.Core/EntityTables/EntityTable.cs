@@ -4,11 +4,12 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.EntityTables;
 
 /// <summary>The paper's fixed-slot table: any number of rows of 16 doubles in millimetres, one row per directed segment. Immutable outside this folder's stages.</summary>
-/// <remarks>Paper 001 prints an array of 100 x 20; the reading is 16 slots and no limit. Rows live in chunks, 128 bytes each plus 4 for the entity index.</remarks>
+/// <remarks>Paper 001 prints an array of 100 x 20; the reading is 16 slots and no limit. Rows live in chunks, 128 bytes each plus 4 for the entity index; ellipses and splines (kinds 4 and 5) stand in a side column.</remarks>
 public sealed class EntityTable
 {
     private readonly GrowingColumn<EntitySlots> _slots = new();
     private readonly GrowingColumn<int> _entities = new();
+    private readonly Dictionary<int, RationalCurve> _curves = [];
 
     internal EntityTable()
     {
@@ -18,10 +19,16 @@ public sealed class EntityTable
 
     public int Count => _slots.Count;
 
-    public EntityRow this[int row] => new(_slots[row], _entities[row]);
+    public EntityRow this[int row] => new(_slots[row], _entities[row], CurveOf(row));
 
     /// <summary>The drawing entity of a row, without touching its slots.</summary>
     public int EntityIndexOf(int row) => _entities[row];
+
+    /// <summary>True when a row is an ellipse or a spline.</summary>
+    public bool HasFreeCurves => _curves.Count > 0;
+
+    /// <summary>The exact curve of a row of kind 4 or 5 in millimetres and in the row's direction; null for the others.</summary>
+    public RationalCurve? CurveOf(int row) => _curves.Count > 0 && _curves.TryGetValue(row, out var curve) ? curve : null;
 
     /// <summary>Every row as a segment; the table must have been analysed.</summary>
     public Segment[] ToSegments()
@@ -33,8 +40,9 @@ public sealed class EntityTable
 
     internal EntitySlots CopySlots(int row) => _slots[row];
 
-    internal void Append(in EntitySlots slots, int entityIndex)
+    internal void Append(in EntitySlots slots, int entityIndex, RationalCurve? curve)
     {
+        if (curve is not null) _curves.Add(_slots.Count, curve);
         _slots.Add(slots);
         _entities.Add(entityIndex);
     }
@@ -43,7 +51,7 @@ public sealed class EntityTable
     internal EntityTable Picking(ReadOnlySpan<int> rows)
     {
         var picked = new EntityTable();
-        foreach (var row in rows) picked.Append(_slots[row], _entities[row]);
+        foreach (var row in rows) picked.Append(_slots[row], _entities[row], CurveOf(row));
         return picked;
     }
 }

@@ -7,8 +7,8 @@ namespace Engraver.Core.EntityTables;
 public static class EntityTableBuilder
 {
     /// <summary>One row per directed segment of the selected layers, in file order and as drawn; polylines are taken apart (paper 001, section 3.3).</summary>
-    /// <returns>Lines complete; arcs and circles with slots 7 to 12 only (analysis fills the rest). Slot 15 is already set for parts that have no drawn angles
-    /// of their own to compute it from (polyline bulges, approximated curves) and for parts drawn clockwise (mirrored blocks).</returns>
+    /// <returns>Lines, ellipses and splines complete; arcs and circles with slots 7 to 12 only (analysis fills the rest). Slot 15 is already set for parts that have no drawn angles
+    /// of their own to compute it from (polyline bulges, ellipses that are circles) and for parts drawn clockwise (mirrored blocks).</returns>
     public static EntityTable Build(Drawing drawing, LayerSelection selection)
     {
         var taken = selection.Taken(drawing.Layers);
@@ -28,9 +28,26 @@ public static class EntityTableBuilder
         ref var entity = ref drawing.Entities[entityIndex];
         for (var part = entity.FirstPart; part < entity.FirstPart + entity.PartCount; part++)
         {
-            var slots = SlotsOf(drawing.Parts[part], drawing.Unit.ToMillimetres, hasDrawnAngles: entity.Type is CurveType.Arc or CurveType.Circle);
-            table.Append(slots, entityIndex);
+            ref var drawn = ref drawing.Parts[part];
+            if (drawn.IsFreeCurve)
+            {
+                var curve = drawing.Curves[drawn.CurveIndex].Scaled(drawing.Unit.ToMillimetres);
+                table.Append(SlotsOf(curve), entityIndex, curve);
+                continue;
+            }
+
+            var slots = SlotsOf(drawn, drawing.Unit.ToMillimetres, hasDrawnAngles: entity.Type is CurveType.Arc or CurveType.Circle);
+            table.Append(slots, entityIndex, null);
         }
+    }
+
+    private static EntitySlots SlotsOf(RationalCurve curve)
+    {
+        var slots = default(EntitySlots);
+        slots[EntitySlot.Kind] = (int)curve.Kind;
+        slots.SetStart(curve.Start, curve.StartZ);
+        slots.SetEnd(curve.End, curve.EndZ);
+        return slots;
     }
 
     private static EntitySlots SlotsOf(in DrawingPart part, double toMillimetres, bool hasDrawnAngles)

@@ -1,19 +1,19 @@
-using System.Diagnostics;
-
 namespace Engraver.Core.Geometry;
 
-/// <summary>A line, an arc or a whole circle with a direction: what contours and toolpaths are made of.</summary>
+/// <summary>A line, an arc, a whole circle, an ellipse or a spline with a direction: what contours are made of (toolpaths: lines, arcs and circles only).</summary>
 /// <remarks><see cref="Start"/> and <see cref="End"/> are stored, not computed, so that chained ends can be compared exactly; a circle starts and ends at its start angle.</remarks>
 public readonly record struct Segment
 {
     private readonly ArcSegment _arc;
+    private readonly RationalCurve? _curve;
 
-    private Segment(SegmentKind kind, Point2D start, Point2D end, ArcSegment arc)
+    private Segment(SegmentKind kind, Point2D start, Point2D end, ArcSegment arc, RationalCurve? curve = null)
     {
         Kind = kind;
         Start = start;
         End = end;
         _arc = arc;
+        _curve = curve;
     }
 
     public SegmentKind Kind { get; }
@@ -22,20 +22,29 @@ public readonly record struct Segment
 
     public Point2D End { get; }
 
+    /// <summary>True for an ellipse or spline: <see cref="Curve"/> is there, and the toolpath will hold arcs and lines in its place.</summary>
+    public bool IsFreeCurve => _curve is not null;
+
+    /// <summary>True for a circle, or an ellipse or spline that ends where it starts: a closed contour by itself.</summary>
+    public bool IsClosed => Kind == SegmentKind.Circle || (_curve is not null && Start == End);
+
     /// <summary>The arc or circle itself. Only for <see cref="SegmentKind.Arc"/> and <see cref="SegmentKind.Circle"/>.</summary>
-    public ArcSegment Arc => Kind == SegmentKind.Line ? throw new InvalidOperationException("A line has no arc.") : _arc;
+    public ArcSegment Arc => Kind is SegmentKind.Arc or SegmentKind.Circle ? _arc : throw new InvalidOperationException($"A {Kind} has no arc.");
+
+    /// <summary>The exact curve, in the direction of travel. Only where <see cref="IsFreeCurve"/> holds.</summary>
+    public RationalCurve Curve => _curve ?? throw new InvalidOperationException($"A {Kind} has no curve of its own.");
 
     public LineSegment Line => new(Start, End);
 
-    public double Length => Kind == SegmentKind.Line ? Line.Length : _arc.Length;
+    public double Length => Kind == SegmentKind.Line ? Line.Length : _curve?.PlanLength ?? _arc.Length;
 
-    public Bounds2D Bounds => Kind == SegmentKind.Line ? Line.Bounds : _arc.Bounds;
+    public Bounds2D Bounds => Kind == SegmentKind.Line ? Line.Bounds : _curve?.Bounds ?? _arc.Bounds;
 
     /// <summary>Direction of travel at the start (length 1; zero for a line without length).</summary>
-    public Vector2D StartTangent => Kind == SegmentKind.Line ? UnitChord() : _arc.TangentAt(0.0);
+    public Vector2D StartTangent => TangentAt(0.0);
 
     /// <summary>Direction of travel at the end (length 1; zero for a line without length).</summary>
-    public Vector2D EndTangent => Kind == SegmentKind.Line ? UnitChord() : _arc.TangentAt(1.0);
+    public Vector2D EndTangent => TangentAt(1.0);
 
     public static Segment FromLine(Point2D start, Point2D end) => new(SegmentKind.Line, start, end, default);
 
@@ -47,16 +56,22 @@ public readonly record struct Segment
     /// <summary>An arc whose ends are known more exactly than its angles give them (both must lie on the circle to rounding).</summary>
     public static Segment FromArc(ArcSegment arc, Point2D start, Point2D end) => new(arc.IsFullTurn ? SegmentKind.Circle : SegmentKind.Arc, start, end, arc);
 
-    public Segment Reversed() => Kind switch
+    /// <summary>An ellipse or spline as a segment of its own.</summary>
+    public static Segment FromCurve(RationalCurve curve) => new(curve.Kind, curve.Start, curve.End, default, curve);
+
+    public Segment Reversed()
     {
-        SegmentKind.Line => new Segment(Kind, End, Start, default),
-        SegmentKind.Arc or SegmentKind.Circle => new Segment(Kind, End, Start, _arc.Reversed()),
-        _ => throw new UnreachableException(),
-    };
+        if (Kind == SegmentKind.Line) return new Segment(Kind, End, Start, default);
+        return _curve is null ? new Segment(Kind, End, Start, _arc.Reversed()) : FromCurve(_curve.Reversed());
+    }
 
-    public Point2D PointAt(double fraction) => Kind == SegmentKind.Line ? Line.PointAt(fraction) : _arc.PointAt(fraction);
+    /// <summary>The place at a fraction of a line's length, an arc's sweep, a curve's parameter.</summary>
+    public Point2D PointAt(double fraction) => Kind == SegmentKind.Line ? Line.PointAt(fraction) : _curve?.PointAt(fraction) ?? _arc.PointAt(fraction);
 
-    public double DistanceTo(Point2D place) => Kind == SegmentKind.Line ? Line.DistanceTo(place) : _arc.DistanceTo(place);
+    /// <summary>Direction of travel (length 1; zero for a line without length) at a fraction as in <see cref="PointAt"/>.</summary>
+    public Vector2D TangentAt(double fraction) => Kind == SegmentKind.Line ? UnitChord() : _curve?.TangentAt(fraction) ?? _arc.TangentAt(fraction);
+
+    public double DistanceTo(Point2D place) => Kind == SegmentKind.Line ? Line.DistanceTo(place) : _curve?.DistanceTo(place) ?? _arc.DistanceTo(place);
 
     private Vector2D UnitChord()
     {

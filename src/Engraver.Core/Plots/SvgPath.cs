@@ -7,12 +7,15 @@ namespace Engraver.Core.Plots;
 /// <summary>Spells segments as the d attribute of an SVG path; arcs stay arcs.</summary>
 internal static class SvgPath
 {
+    /// <summary>Picture units by which a drawn curve may be off.</summary>
+    private const double CurveNearness = 0.05;
+
     /// <summary>Segments that join become one pen stroke; a jump starts a new one.</summary>
     public static string Of(IReadOnlyList<Segment> segments, PlotFrame frame)
     {
         var path = new StringBuilder();
         string? pen = null;
-        foreach (var segment in segments)
+        foreach (var segment in segments.SelectMany(segment => Drawable(segment, frame)))
         {
             var start = Pair(frame.Place(segment.Start));
             if (start != pen) path.Append('M').Append(start);
@@ -23,6 +26,10 @@ internal static class SvgPath
 
         return path.ToString();
     }
+
+    /// <summary>SVG has no splines of ours: they are drawn as arcs, nearer than the eye can see.</summary>
+    private static IReadOnlyList<Segment> Drawable(Segment segment, PlotFrame frame) =>
+        segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, CurveNearness / frame.Scale) : [segment];
 
     public static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
 

@@ -83,7 +83,7 @@ public static class SvgPlotWriter
     {
         if (stroke.Length * frame.Scale < 3.0 * ArrowLength) return;
         var segment = stroke.Segments.Count > 1 ? stroke.Segments.MaxBy(part => part.Length) : stroke.Segments[0];
-        var travel = PlotFrame.Turn(segment.Kind == SegmentKind.Line ? segment.StartTangent : segment.Arc.TangentAt(0.5));
+        var travel = PlotFrame.Turn(segment.TangentAt(0.5));
         var side = new Vector2D(-travel.Y, travel.X) * (ArrowLength * 0.38);
         var tip = frame.Place(segment.PointAt(0.5)) + (travel * (ArrowLength / 2.0));
         var back = tip - (travel * ArrowLength);

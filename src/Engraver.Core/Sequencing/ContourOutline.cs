@@ -8,6 +8,9 @@ internal sealed class ContourOutline
     /// <summary>Where on a segment a witness stands: away from ends, middles and quadrant points, where contours like to touch.</summary>
     private const double WitnessFraction = 0.3819660112501051;
 
+    /// <summary>Of a curve's size: how far its arcs may lie off it.</summary>
+    private const double CurveNearness = 1e-4;
+
     private readonly Segment[] _segments;
     private readonly float _boxSize;
     private readonly double _area;
@@ -35,8 +38,17 @@ internal sealed class ContourOutline
             segments[i] = piece.Reversed ? rows[piece.Row].Reversed() : rows[piece.Row];
         }
 
-        return new ContourOutline(segments, contour.Closed);
+        return new ContourOutline(contour.Closed ? ArcsFor(segments) : segments, contour.Closed);
     }
+
+    /// <summary>Ellipses and splines as arcs, near enough to say what lies inside what.</summary>
+    private static Segment[] ArcsFor(Segment[] segments)
+    {
+        if (!Array.Exists(segments, segment => segment.IsFreeCurve)) return segments;
+        return [.. segments.SelectMany(segment => segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, Nearness(segment.Bounds)) : [segment])];
+    }
+
+    private static double Nearness(Bounds2D box) => Math.Max(CurveNearness * (box.Width + box.Height), double.Epsilon);
 
     /// <summary>One of <paramref name="count"/> places spread over the contour.</summary>
     public Point2D Witness(int index, int count)

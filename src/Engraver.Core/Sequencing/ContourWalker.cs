@@ -26,7 +26,7 @@ internal sealed class ContourWalker
         _ends = new EndGrid(places, joinTolerance);
         for (var row = 0; row < segments.Length; row++)
         {
-            if (segments[row].Kind == SegmentKind.Circle) TakeEnds(row);
+            if (segments[row].IsClosed) TakeEnds(row);
         }
     }
 
@@ -38,13 +38,14 @@ internal sealed class ContourWalker
         var contours = new List<Contour>();
         for (var row = 0; row < _segments.Length; row++)
         {
-            if (!_used[row]) contours.Add(_segments[row].Kind == SegmentKind.Circle ? CircleAt(row) : WalkFrom(row));
+            if (!_used[row]) contours.Add(_segments[row].IsClosed ? Alone(row) : WalkFrom(row));
         }
 
         return contours;
     }
 
-    private Contour CircleAt(int row)
+    /// <summary>A circle, a whole ellipse, a closed spline.</summary>
+    private Contour Alone(int row)
     {
         _used[row] = true;
         return new Contour(new[] { new ContourPiece(row, Reversed: false) }, Closed: true);

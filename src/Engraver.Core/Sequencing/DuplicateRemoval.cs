@@ -5,6 +5,9 @@ namespace Engraver.Core.Sequencing;
 /// <summary>The same line drawn twice is cut once: whole segments that lie on each other, in the same or the opposite direction.</summary>
 public static class DuplicateRemoval
 {
+    /// <summary>Places compared on each span of a curve.</summary>
+    private const int CurvePlaces = 8;
+
     /// <summary>Rows that stay, ascending: of every group of duplicates the lowest row.</summary>
     /// <param name="segments">Rows by index.</param>
     /// <param name="tolerance">Millimetres. Ends and midpoint (circles: centre and left quadrant point) must agree within it, or within a hundredth of the segment's length when
@@ -43,6 +46,21 @@ public static class DuplicateRemoval
         var within = Math.Min(tolerance, 0.01 * a.Length);
         if (middleDistance > within) return false;
         if (a.Kind == SegmentKind.Circle) return a.Arc.Centre.IsNear(b.Arc.Centre, within);
+        if (a.IsFreeCurve) return RunTogether(a, b, within, backwards: false) || RunTogether(a, b, within, backwards: true);
         return (a.Start.IsNear(b.Start, within) && a.End.IsNear(b.End, within)) || (a.Start.IsNear(b.End, within) && a.End.IsNear(b.Start, within));
+    }
+
+    /// <summary>Curves written with the same spans: compared at places all along, since ends and middle do not tell two of them apart.</summary>
+    private static bool RunTogether(Segment a, Segment b, double within, bool backwards)
+    {
+        var places = CurvePlaces * a.Curve.Spans.Length;
+        if (a.Curve.Spans.Length != b.Curve.Spans.Length) return false;
+        for (var i = 0; i <= places; i++)
+        {
+            var fraction = (double)i / places;
+            if (!a.PointAt(fraction).IsNear(b.PointAt(backwards ? 1.0 - fraction : fraction), within)) return false;
+        }
+
+        return true;
     }
 }

@@ -35,6 +35,7 @@ internal static class SequencedTable
         if (piece.Reversed) slots.Reverse();
         if (kind == StrokeEntryKind.LeftQuadrant) slots.StartCircleAt(Angle.FromDegrees(180.0));
         slots[EntitySlot.SequenceNumber] = table.Count + 1;
-        table.Append(slots, from.EntityIndexOf(piece.Row));
+        var curve = from.CurveOf(piece.Row);
+        table.Append(slots, from.EntityIndexOf(piece.Row), piece.Reversed ? curve?.Reversed() : curve);
     }
 }

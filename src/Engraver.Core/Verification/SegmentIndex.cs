@@ -13,6 +13,7 @@ internal sealed class SegmentIndex
     private readonly BoxTree.Measure _measure;
     private int _last;
 
+    /// <param name="segments">Ellipses and splines as their pieces (see <see cref="CurvePieces"/>).</param>
     public SegmentIndex(IReadOnlyList<Segment> segments)
     {
         _segments = segments;
@@ -35,7 +36,7 @@ internal sealed class SegmentIndex
     private void AddPieces(int index, double pieceLength, List<Bounds2D> boxes)
     {
         var segment = _segments[index];
-        var pieces = pieceLength > 0.0 ? Math.Max(1, (int)Math.Ceiling(segment.Length / pieceLength)) : 1;
+        var pieces = pieceLength > 0.0 && !segment.IsFreeCurve ? Math.Max(1, (int)Math.Ceiling(segment.Length / pieceLength)) : 1;
         for (var piece = 0; piece < pieces; piece++)
         {
             boxes.Add(PieceBounds(segment, (double)piece / pieces, (piece + 1.0) / pieces));
@@ -46,6 +47,7 @@ internal sealed class SegmentIndex
     private static Bounds2D PieceBounds(Segment segment, double from, double to)
     {
         if (segment.Kind == SegmentKind.Line) return Bounds2D.Of(segment.PointAt(from), segment.PointAt(to));
+        if (segment.IsFreeCurve) return segment.Bounds;
         var arc = segment.Arc;
         return new ArcSegment(arc.Centre, arc.Radius, arc.Start + (arc.Sweep * from), arc.Sweep * (to - from)).Bounds;
     }

@@ -6,13 +6,14 @@ namespace Engraver.Core.Verification;
 public static class TraceComparison
 {
     /// <summary>Largest distance of a cutting sample from the drawing, and the length of the drawing that no cut came near.</summary>
-    /// <param name="drawing">What was to be cut, millimetres; order and direction do not matter.</param>
+    /// <param name="drawing">What was to be cut, millimetres; order and direction do not matter. Ellipses and splines are exact here, not the arcs that were cut for them.</param>
     /// <param name="trace">In order of time.</param>
     /// <param name="tolerances">What counts as cut, and how finely the drawing is walked.</param>
     public static TraceVerdict Compare(IReadOnlyList<Segment> drawing, IReadOnlyList<TraceSample> trace, TraceTolerances tolerances)
     {
-        var cut = MeasureCut(new SegmentIndex(drawing), trace, tolerances.Coverage);
-        var (missing, missingAt) = MeasureMissing(drawing, new TraceIndex(trace), tolerances);
+        var pieces = CurvePieces.Of(drawing);
+        var cut = MeasureCut(new SegmentIndex(pieces), trace, tolerances.Coverage);
+        var (missing, missingAt) = MeasureMissing(pieces, new TraceIndex(trace), tolerances);
         return cut with { MissingLength = missing, MissingAt = missingAt };
     }
 

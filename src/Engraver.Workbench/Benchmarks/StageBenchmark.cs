@@ -55,7 +55,7 @@ public static class StageBenchmark
             entities, "chain", Repetitions, () => Sequencer.Chain(analysed, drawing, options), found => $"{found.Chain.Contours.Count} contours").ConfigureAwait(false);
         var (order, sequence) = await StageClock.MeasureAsync(
             entities, "order", Repetitions, () => Sequencer.Order(chained, options), found => $"travel {found.Travel / 1000:0.0} m").ConfigureAwait(false);
-        var toolpath = ToolpathPlanner.Plan(sequence, s_settings.Start);
+        var toolpath = ToolpathPlanner.Plan(sequence, s_settings.Start, s_settings.MaxErrorMm);
         var (generate, motion) = await StageClock.MeasureAsync(
             entities, "generate", Repetitions, () => MotionProgramGenerator.Generate(toolpath, s_settings.Machine, s_settings.MaxErrorMm, drawing.SourceOf), made => $"{made.Program!.SegmentCount} segments").ConfigureAwait(false);
         var job = new PreparedJob(drawing, s_settings, analysed, sequence, toolpath, motion);

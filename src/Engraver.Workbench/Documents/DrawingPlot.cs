@@ -1,6 +1,5 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
-using Engraver.Core.Toolpaths;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
@@ -16,6 +15,6 @@ public static class DrawingPlot
         var analysed = JobPreparation.Analyse(drawing, settings);
         return asDrawn
             ? PlotModel.OfDrawing(analysed, title)
-            : PlotModel.OfPath(ToolpathPlanner.Plan(JobPreparation.Sequence(drawing, analysed, settings), settings.Start), title);
+            : PlotModel.OfPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, analysed, settings), settings), title);
     }
 }

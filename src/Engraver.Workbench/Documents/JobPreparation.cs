@@ -38,7 +38,7 @@ public static class JobPreparation
     };
 
     /// <summary>The machine-neutral path from where the tool stands.</summary>
-    public static Toolpath PathOf(SequencingResult sequence, DrawingSettings settings) => ToolpathPlanner.Plan(sequence, settings.Start);
+    public static Toolpath PathOf(SequencingResult sequence, DrawingSettings settings) => ToolpathPlanner.Plan(sequence, settings.Start, settings.MaxErrorMm);
 
     /// <summary>All stages.</summary>
     /// <param name="style">Continuous for the stream and the posted sequences, calls for the paper's way.</param>

@@ -6,6 +6,12 @@ public class SampleRunTests
     /// <summary>2.5 counts at 1000 counts/mm and the default curve tolerance, millimetres.</summary>
     private const double AllowedDeviation = 0.0025 + 0.001;
 
+    /// <summary>An ellipse, an elliptical arc, a cubic spline, a circle in an unequally scaled block.</summary>
+    private const string CurvesDrawing = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n0\nCIRCLE\n10\n0\n20\n0\n40\n2\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n"
+        + "0\nELLIPSE\n10\n0\n20\n0\n11\n8\n21\n2\n40\n0.4\n0\nELLIPSE\n10\n30\n20\n0\n11\n3\n21\n0\n40\n0.5\n41\n0.5\n42\n4\n"
+        + "0\nSPLINE\n71\n3\n40\n0\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n1\n40\n1\n10\n0\n20\n10\n10\n9\n20\n20\n10\n11\n20\n0\n10\n20\n20\n12\n"
+        + "0\nINSERT\n2\nB\n10\n15\n20\n-15\n41\n2\n50\n30\n0\nENDSEC\n0\nEOF\n";
+
     public static TheoryData<string, string> Runs
     {
         get
@@ -36,6 +42,21 @@ public class SampleRunTests
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
         Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
         Assert.Equal(report.GetProperty("segmentsSent").GetInt32(), report.GetProperty("segmentsExecuted").GetInt32());
+        Assert.Equal((0, 0), (report.GetProperty("underruns").GetInt32(), report.GetProperty("rejected").GetInt32()));
+    }
+
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("calls")]
+    public async Task Ellipses_and_splines_are_cut_within_the_curve_tolerance_of_the_exact_curves(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        var file = folder.WithFile("curves.dxf", CurvesDrawing);
+        var report = JsonText.Of(await CliRun.Of("run", file, "--connect", "sim:", "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl")));
+
+        Assert.Equal("complete", report.GetProperty("outcome").GetString());
+        Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
+        Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
         Assert.Equal((0, 0), (report.GetProperty("underruns").GetInt32(), report.GetProperty("rejected").GetInt32()));
     }
 

@@ -55,12 +55,13 @@ public class BlockTests
     }
 
     [Fact]
-    public void Lines_under_unequal_scale_are_exact_and_arcs_are_refused_once()
+    public void Under_unequal_scale_lines_stay_exact_and_arcs_become_ellipses()
     {
         var drawing = Drawing(Block("A", 0, 0, LineAndArc), [(0, "INSERT"), (2, "A"), (10, 0), (20, 0), (41, 2), (42, 3), (70, 4), (44, 50)]);
 
-        Assert.Equal((4, 22.0, 3.0), (drawing.Entities.Count, drawing.Parts[0].D, drawing.Parts[0].E));
-        Assert.Equal("ARC", Assert.Single(drawing.Balance.RefusedInBlocks).Type);
+        Assert.Equal((8, 22.0, 3.0), (drawing.Entities.Count, drawing.Parts[0].D, drawing.Parts[0].E));
+        Assert.Equal(4, Reading.Parts(drawing).Count(part => part.Kind == SegmentKind.Ellipse));
+        Assert.Empty(drawing.Balance.RefusedInBlocks);
         Assert.Equal(1, drawing.Balance.Cut);
     }
 

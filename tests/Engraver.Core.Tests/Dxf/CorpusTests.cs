@@ -10,6 +10,9 @@ public class CorpusTests
 {
     private const double Tolerance = 1e-6;
 
+    /// <summary>Its only spline has five knots where eight belong: the independent reader gives up, we take uniform ones and say so.</summary>
+    private static readonly string[] Repaired = ["c761b39b5f33_rational_spline.dxf"];
+
     [Fact]
     public void No_drawing_of_the_corpus_throws_and_every_balance_sheet_adds_up()
     {
@@ -31,24 +34,17 @@ public class CorpusTests
         {
             if (record.GetProperty("trust").GetString() != "two routes agree" || record.GetProperty("all").ValueKind != JsonValueKind.Object) continue;
             var expected = record.GetProperty("all");
-            if (NeedsEllipsesOrSplines(expected)) continue;
             compared++;
             var name = record.GetProperty("file").GetString()!;
+            if (Repaired.Any(known => name.EndsWith(known, StringComparison.Ordinal))) continue;
             if (Difference(DrawingSummary.Of(Reading.Of(File.ReadAllBytes(Path.Combine(corpus, "files", name)))), expected) is { } difference) wrong.Add($"{name}: {difference}");
         }
 
-        Assert.True(compared > 280, $"only {compared} drawings compared");
+        Assert.True(compared > 350, $"only {compared} drawings compared");
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
     }
 
     private static bool IsDxf(string path) => path.EndsWith(".dxf", StringComparison.OrdinalIgnoreCase);
-
-    private static bool NeedsEllipsesOrSplines(JsonElement expected)
-    {
-        var leaf = expected.GetProperty("leaf");
-        return leaf.TryGetProperty("ELLIPSE", out _) || leaf.TryGetProperty("SPLINE", out _)
-            || expected.GetProperty("noncircular_arcs").GetInt32() > 0 || expected.GetProperty("tilted_arcs").GetInt32() > 0;
-    }
 
     private static string? Difference(DrawingSummary found, JsonElement expected)
     {

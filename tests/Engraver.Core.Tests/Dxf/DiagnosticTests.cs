@@ -9,6 +9,8 @@ public class DiagnosticTests
 {
     private static readonly (int, object)[] Line = [(0, "LINE"), (10, 0), (20, 0), (11, 1), (21, 0)];
 
+    private static readonly (int, object)[] Spline = [(0, "SPLINE"), (71, 3), (10, 0), (20, 0), (10, 1), (20, 2), (10, 3), (20, 2), (10, 4), (20, 0)];
+
     /// <summary>The smallest file that shows each rule.</summary>
     private static readonly Dictionary<string, byte[]> Cases = new()
     {
@@ -24,27 +26,29 @@ public class DiagnosticTests
         ["DXF0010"] = Entities((0, "LINE"), (10, 1), (20, 0), (11, 1), (21, 0)),
         ["DXF0011"] = Entities((0, "CIRCLE"), (10, 1), (20, 0), (40, -1)),
         ["DXF0012"] = Entities((0, "BODY")),
-        ["DXF0013"] = Entities((0, "SPLINE")),
         ["DXF0014"] = Entities((0, "CIRCLE"), (10, 1), (20, 0), (40, 1), (220, 1), (230, 1)),
-        ["DXF0015"] = Inserting([(0, "CIRCLE"), (10, 1), (20, 0), (40, 1)], (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (41, 2)),
         ["DXF0016"] = Entities((0, "POLYLINE"), (70, 64), (0, "VERTEX"), (10, 0), (20, 0), (0, "SEQEND")),
         ["DXF0017"] = Entities((0, "INSERT"), (2, "nowhere"), (10, 0), (20, 0)),
         ["DXF0018"] = Inserting([.. Line, (0, "INSERT"), (2, "B"), (10, 0), (20, 0)], (0, "INSERT"), (2, "B"), (10, 0), (20, 0)),
         ["DXF0019"] = Inserting(Line, (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (70, 32767), (71, 32767)),
         ["DXF0020"] = DeepNest(),
+        ["DXF0021"] = Entities([.. Spline, (40, 0), (40, 0)]),
         ["DXF0022"] = Entities([(0, "POLYLINE"), (0, "VERTEX"), (10, 0), (20, 0), (0, "VERTEX"), (10, 1), (20, 0), .. Line]),
         ["DXF0023"] = Entities((0, "VERTEX"), (10, 0), (20, 0)),
         ["DXF0024"] = Entities((0, "LWPOLYLINE"), (43, 2), (10, 0), (20, 0), (10, 1), (20, 0)),
         ["DXF0025"] = Entities((0, "CIRCLE"), (10, 1), (20, 0), (40, 1), (230, 0)),
-        ["DXF0026"] = Inserting([(0, "SPLINE")], (0, "INSERT"), (2, "B"), (10, 0), (20, 0)),
+        ["DXF0026"] = Inserting([(0, "BODY")], (0, "INSERT"), (2, "B"), (10, 0), (20, 0)),
+        ["DXF0027"] = Entities([.. Spline, (40, 0), (40, 0), (40, 0), (40, 0), (40, 1), (40, 1), (40, 1), (40, 1), (41, 1), (41, 0), (41, 0), (41, 1)]),
         ["DXF0028"] = Foreign(),
         ["DXF0029"] = Entities([.. Enumerable.Repeat<(int, object)>((0, "BODY"), 101)]),
         ["DXF0030"] = Entities((0, "LWPOLYLINE"), (90, 2_000_000_000), (10, 0), (20, 0), (10, 1), (20, 0)),
         ["DXF0031"] = Encoding.ASCII.GetBytes("0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n10\n0\n20\n0\n40\n12"),
         ["DXF0032"] = new DxfText().Add((0, "SECTION"), (2, "ENTITIES")).Add(Line).End().ToAscii(),
         ["DXF0033"] = Inserting([(0, "LINE"), (10, 1e60), (20, 0), (11, 1), (21, 0)], (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (41, 1e60)),
+        ["DXF0034"] = Entities((0, "SPLINE"), (71, 3), (10, 1), (20, 0)),
         ["DXF0035"] = new DxfText().Section("BLOCKS", (0, "BLOCK"), (2, "B"), (0, "ENDBLK"), (0, "BLOCK"), (2, "b"), (0, "ENDBLK")).End().ToAscii(),
         ["DXF0036"] = new DxfText().Section("HEADER", (9, "$DWGCODEPAGE"), (3, "KLINGON")).End().ToAscii(),
+        ["DXF0041"] = Entities((0, "SPLINE"), (71, 3), (11, 1), (21, 0), (11, 2), (21, 2), (11, 5), (21, 0)),
     };
 
     public static TheoryData<string> Ids => [.. DxfRules.All.Select(rule => rule.Id)];

@@ -14,7 +14,7 @@ public class ToolpathPlannerTests
         var drawing = new DrawingBuilder().Line(20, 0, 30, 0).Line(0, 0, 5, 0).Line(5.004, 0, 9, 0).Build();
         var sequenced = Sequencer.Sequence(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, LayerSelection.Default)), drawing, SequencingOptions.Default);
 
-        var path = ToolpathPlanner.Plan(sequenced, new Point2D(-1, 0));
+        var path = ToolpathPlanner.Plan(sequenced, new Point2D(-1, 0), 0.001);
 
         Assert.Equal(new Point2D(-1, 0), path.ToolStart);
         Assert.Equal([1, 2], path.Strokes[0].Moves.Select(move => move.EntityIndex));

@@ -1,7 +1,7 @@
-namespace Engraver.Core.Dxf;
+namespace Engraver.Core.Geometry;
 
 /// <summary>A point or displacement in space, drawing units. The reader needs z for tilted and elevated entities; later stages work in plan.</summary>
-internal readonly record struct Vector3D(double X, double Y, double Z)
+public readonly record struct Vector3D(double X, double Y, double Z)
 {
     public double Length => Math.Sqrt(Dot(this));
 

@@ -1,0 +1,107 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Turns a SPLINE record into its curve. Control points count; a spline of fit points alone is interpolated. What it announces (72, 73, 74) is not believed.</summary>
+internal sealed class SplineMapper
+{
+    private const int DegreeWithoutGroup = 3;
+    private const int ClosedFlag = 1;
+    private readonly List<Vector3D> _controls = [];
+    private readonly List<Vector3D> _fitPoints = [];
+    private readonly List<double> _knots = [];
+    private readonly List<double> _weights = [];
+
+    /// <summary>Adds the curve to the shape, or gives the record a fault.</summary>
+    public void Map(EntityRecord record, CurveShape shape)
+    {
+        Sort(record);
+        var isTorn = _controls.Exists(point => double.IsNaN(point.Y)) || _fitPoints.Exists(point => double.IsNaN(point.Y));
+        if (isTorn) record.Refuse(DxfRules.MissingValue, record.Line, "20 or 21 for one of its points");
+        if (record.Fault is not null) return;
+        var curve = _controls.Count > 0 ? FromControls(record, shape) : FromFitPoints(record, shape);
+        if (curve is null) return;
+        shape.Closed = curve.IsClosed;
+        shape.Add(curve);
+    }
+
+    private static void Note(EntityRecord record, CurveShape shape, DiagnosticRule rule, string detail) =>
+        shape.Oddities.Add(record.Finding(rule, detail, refused: false));
+
+    private static Vector3D? Tangent(EntityRecord record, int code) =>
+        record.Has(code) ? new Vector3D(record.Number(code, 0.0), record.Number(code + 10, 0.0), record.Number(code + 20, 0.0)) : null;
+
+    private static void Place(List<Vector3D> points, int axis, double value)
+    {
+        if (axis == 0) points.Add(new Vector3D(value, double.NaN, 0.0));
+        else if (points.Count > 0) points[^1] = axis == 1 ? points[^1] with { Y = value } : points[^1] with { Z = value };
+    }
+
+    private void Sort(EntityRecord record)
+    {
+        _controls.Clear();
+        _fitPoints.Clear();
+        _knots.Clear();
+        _weights.Clear();
+        foreach (var (code, value) in record.Sequence)
+        {
+            if (code is 10 or 20 or 30) Place(_controls, (code / 10) - 1, value);
+            else if (code is 11 or 21 or 31) Place(_fitPoints, (code / 10) - 1, value);
+            else if (code == 40) _knots.Add(value);
+            else _weights.Add(value);
+        }
+    }
+
+    private RationalCurve? FromControls(EntityRecord record, CurveShape shape)
+    {
+        var degree = record.Has(71) ? record.Flags(71) : DegreeWithoutGroup;
+        if (degree < 1 || degree > NurbsCurve.LargestDegree || _controls.Count <= degree)
+        {
+            record.Refuse(DxfRules.SplineUnusable, record.Line, string.Create(CultureInfo.InvariantCulture, $"degree {degree} with {_controls.Count} control points"));
+            return null;
+        }
+
+        double[] knots = [.. _knots];
+        if (!NurbsCurve.AreUsable(knots, degree, _controls.Count))
+        {
+            Note(record, shape, DxfRules.SplineWithoutKnots, string.Create(CultureInfo.InvariantCulture, $"{_controls.Count} control points of degree {degree}"));
+            knots = NurbsCurve.UniformKnots(degree, _controls.Count);
+        }
+
+        return new NurbsCurve(degree, knots, Homogeneous(record, shape)).ToCurve();
+    }
+
+    /// <summary>Weights that do not fit, or are not all positive, cannot be meant: all are taken as 1 then.</summary>
+    private double[] Homogeneous(EntityRecord record, CurveShape shape)
+    {
+        var weighted = _weights.Count == _controls.Count && _weights.TrueForAll(weight => weight > 0.0);
+        if (!weighted && _weights.Count > 0) Note(record, shape, DxfRules.SplineWeights, string.Create(CultureInfo.InvariantCulture, $"{_weights.Count} weights for {_controls.Count} control points"));
+        var points = new double[_controls.Count * BezierSpan.Stride];
+        for (var i = 0; i < _controls.Count; i++)
+        {
+            var weight = weighted ? _weights[i] : 1.0;
+            var point = _controls[i] * weight;
+            (points[4 * i], points[(4 * i) + 1], points[(4 * i) + 2], points[(4 * i) + 3]) = (point.X, point.Y, point.Z, weight);
+        }
+
+        return points;
+    }
+
+    private RationalCurve? FromFitPoints(EntityRecord record, CurveShape shape)
+    {
+        var closed = (record.Flags(70) & ClosedFlag) != 0;
+        var points = new List<Vector3D>();
+        foreach (var point in _fitPoints)
+        {
+            if (points.Count == 0 || points[^1] != point) points.Add(point);
+        }
+
+        while (closed && points.Count > 1 && points[^1] == points[0]) points.RemoveAt(points.Count - 1);
+        if (_fitPoints.Count < 2) record.Refuse(DxfRules.SplineUnusable, record.Line, string.Create(CultureInfo.InvariantCulture, $"no control points and {_fitPoints.Count} fit points"));
+        if (points.Count < 2) return null;
+        Note(record, shape, DxfRules.SplineFromFitPoints, string.Create(CultureInfo.InvariantCulture, $"{_fitPoints.Count}"));
+        return FitPointSpline.Through(points, Tangent(record, 12), Tangent(record, 13), closed && points.Count > 2);
+    }
+}

@@ -1,0 +1,26 @@
+namespace Engraver.Core.Geometry;
+
+/// <summary>Ellipses and splines as arcs and lines: pairs of arcs whose ends and end directions are the curve's, so that nothing but a corner of the curve becomes a corner of the path.</summary>
+/// <remarks>Each pair is as long as the tolerance allows: found by galloping and bisection from where the last one ended. Since a part of what fits fits too, longest first is also fewest (but for curves that turn the rule round).</remarks>
+public static class BiarcFit
+{
+    /// <summary>Of a curve's size and of its distance from the origin: no tolerance can be finer than this, or a curve of kilometres would become a million arcs.</summary>
+    private const double FinestOfSize = 1e-9;
+
+    private const double FinestOfPlace = 1e-13;
+
+    /// <summary>Arcs and lines that begin and end where the curve does and lie nowhere farther from it than <paramref name="maxError"/> (bounded, not sampled), nor it from them.</summary>
+    /// <param name="curve">The curve.</param>
+    /// <param name="maxError">Above 0; raised to 1e-9 of the curve's size.</param>
+    /// <returns>At least one segment. Within a smooth run neighbours share their tangent; only where a cusp lies inside a span a line shorter than the tolerance bridges it.</returns>
+    public static IReadOnlyList<Segment> Fit(RationalCurve curve, double maxError)
+    {
+        var box = curve.Bounds;
+        var place = Math.Max(Math.Max(Math.Abs(box.MinX), Math.Abs(box.MaxX)), Math.Max(Math.Abs(box.MinY), Math.Abs(box.MaxY)));
+        var tolerance = Math.Max(maxError, Math.Max(FinestOfSize * (box.Width + box.Height), FinestOfPlace * place));
+        var chain = new ArcChain();
+        foreach (var run in SmoothRun.Of(curve)) new BiarcSearch(run, tolerance).AppendTo(chain);
+        var segments = chain.ToSegments();
+        return segments.Count > 0 ? segments : [Segment.FromLine(curve.Start, curve.End)];
+    }
+}

@@ -1,0 +1,120 @@
+namespace Engraver.Core.Geometry;
+
+/// <summary>A non-uniform rational B-spline as written: degree, knots and control points. Its domain is knot[degree] to knot[count], whatever lies outside.</summary>
+public sealed class NurbsCurve
+{
+    private readonly double[] _knots;
+    private readonly double[] _points;
+
+    /// <param name="degree">1 to <see cref="LargestDegree"/>.</param>
+    /// <param name="knots">For which <see cref="AreUsable"/> holds.</param>
+    /// <param name="homogeneous">x w, y w, z w, w for each control point, weights positive.</param>
+    public NurbsCurve(int degree, double[] knots, double[] homogeneous)
+    {
+        if (!AreUsable(knots, degree, homogeneous.Length / BezierSpan.Stride)) throw new ArgumentException("Knots, degree and control points do not fit together.", nameof(knots));
+        Degree = degree;
+        _knots = knots;
+        _points = homogeneous;
+    }
+
+    /// <summary>Beyond it binomial coefficients eat the digits; CAD programs stop at 25 or earlier.</summary>
+    public static int LargestDegree => 25;
+
+    public int Degree { get; }
+
+    public int PointCount => _points.Length / BezierSpan.Stride;
+
+    /// <summary>As many knots as points + degree + 1, never falling, with a domain that has a length.</summary>
+    public static bool AreUsable(ReadOnlySpan<double> knots, int degree, int points)
+    {
+        if (degree < 1 || degree > LargestDegree || points <= degree || knots.Length != points + degree + 1) return false;
+        for (var i = 1; i < knots.Length; i++)
+        {
+            if (!(knots[i] >= knots[i - 1])) return false;
+        }
+
+        return knots[degree] < knots[points] && double.IsFinite(knots[^1] - knots[0]);
+    }
+
+    /// <summary>The knots that stand in for unusable ones: uniform, the curve begins and ends at its outer control points.</summary>
+    public static double[] UniformKnots(int degree, int points)
+    {
+        var knots = new double[points + degree + 1];
+        for (var i = 0; i < knots.Length; i++) knots[i] = Math.Clamp(i - degree, 0, points - degree);
+        return knots;
+    }
+
+    /// <summary>The same curve as Bezier spans, one for each knot interval that has a length; spans that are a point are left out. Null when nothing is left.</summary>
+    public RationalCurve? ToCurve()
+    {
+        var spans = new List<BezierSpan>(PointCount - Degree);
+        for (var i = Degree; i < PointCount; i++)
+        {
+            if (!(_knots[i] < _knots[i + 1])) continue;
+            var span = new BezierSpan(SpanAt(i));
+            if (!span.IsPoint) spans.Add(span);
+        }
+
+        return spans.Count == 0 ? null : new RationalCurve(SegmentKind.Spline, Closed(spans));
+    }
+
+    /// <summary>A curve that closes but for rounding closes exactly.</summary>
+    private static BezierSpan[] Closed(List<BezierSpan> spans)
+    {
+        const double Rounding = 1e-12;
+        BezierSpan[] result = [.. spans];
+        var (start, hull) = (result[0].Start, CurveBounds.Hull(result[0]));
+        var size = hull.Width + hull.Height + Math.Abs(start.X) + Math.Abs(start.Y);
+        if (start.IsNear(result[^1].End, Rounding * size)) RationalCurve.CloseExactly(result);
+        return result;
+    }
+
+    /// <summary>Control points of the interval from knot i to the next: the knots a = u(i) and b = u(i+1) are inserted until they stand degree times (blossoms f(a.., b..)).</summary>
+    private double[] SpanAt(int i)
+    {
+        var (p, a, b) = (Degree, _knots[i], _knots[i + 1]);
+        var work = _points.AsSpan((i - p) * BezierSpan.Stride, (p + 1) * BezierSpan.Stride).ToArray();
+        var tail = new double[work.Length];
+        work.AsSpan(p * BezierSpan.Stride).CopyTo(tail.AsSpan(p * BezierSpan.Stride));
+        for (var level = 1; level <= p; level++)
+        {
+            for (var j = i; j > i - p + level - 1; j--)
+            {
+                var (low, high) = (_knots[j], _knots[j + p - level + 1]);
+                Mix(work, j - i + p - 1, j - i + p, (high - a) / (high - low), j - i + p);
+            }
+
+            work.AsSpan(p * BezierSpan.Stride).CopyTo(tail.AsSpan((p - level) * BezierSpan.Stride));
+        }
+
+        return Forward(tail, i, a, b);
+    }
+
+    /// <summary>From f(a.., u(i+1) .. u(i+m)), m = 0 .. degree, to f(a.., b..). The tail holds them with m falling.</summary>
+    private double[] Forward(double[] tail, int i, double a, double b)
+    {
+        var p = Degree;
+        var points = tail;
+        var span = new double[tail.Length];
+        for (var level = 0; level <= p; level++)
+        {
+            points.AsSpan(0, BezierSpan.Stride).CopyTo(span.AsSpan(level * BezierSpan.Stride));
+            for (var m = 0; m < p - level; m++)
+            {
+                var high = _knots[i + m + 1];
+                Mix(points, m, m + 1, (high - b) / (high - a), m);
+            }
+        }
+
+        return span;
+    }
+
+    private static void Mix(double[] points, int first, int second, double share, int into)
+    {
+        for (var axis = 0; axis < BezierSpan.Stride; axis++)
+        {
+            var (low, high) = (points[(first * BezierSpan.Stride) + axis], points[(second * BezierSpan.Stride) + axis]);
+            points[(into * BezierSpan.Stride) + axis] = share == 0.0 ? high : share == 1.0 ? low : high + (share * (low - high));
+        }
+    }
+}

@@ -1,0 +1,56 @@
+namespace Engraver.Core.Geometry;
+
+/// <summary>Spans of a curve from one corner to the next. Places on it are numbered span + parameter, from 0 to <see cref="End"/>.</summary>
+internal sealed class SmoothRun(ArraySegment<BezierSpan> spans)
+{
+    /// <summary>Sine of the turn above which a joint is a corner: numbers in a file are rounded, and so are tangents of what was drawn smooth.</summary>
+    private const double CornerSine = 1e-3;
+
+    public double End => spans.Count;
+
+    /// <summary>A curve in runs: split where spans do not meet or meet at an angle.</summary>
+    public static IEnumerable<SmoothRun> Of(RationalCurve curve)
+    {
+        var spans = curve.Spans.ToArray();
+        var first = 0;
+        for (var i = 1; i <= spans.Length; i++)
+        {
+            if (i < spans.Length && IsSmooth(spans[i - 1], spans[i])) continue;
+            yield return new SmoothRun(new ArraySegment<BezierSpan>(spans, first, i - first));
+            first = i;
+        }
+    }
+
+    public Point2D PlaceAt(double place)
+    {
+        var span = Math.Min((int)place, spans.Count - 1);
+        return place == span ? spans[span].Start : place >= End ? spans[span].End : spans[span].PointAt(place - span);
+    }
+
+    /// <summary>Direction of travel (length 1); zero at a cusp.</summary>
+    public Vector2D TangentAt(double place)
+    {
+        var span = Math.Min((int)place, spans.Count - 1);
+        if (place == span) return spans[span].StartTangent;
+        if (place >= End) return spans[span].EndTangent;
+        spans[span].Evaluate(place - span, out var derivative);
+        return derivative.Length is var speed && speed > 0.0 ? derivative * (1.0 / speed) : default;
+    }
+
+    /// <summary>What lies between two places, span by span.</summary>
+    public IEnumerable<BezierSpan> Between(double from, double to)
+    {
+        for (var span = (int)from; span < to && span < spans.Count; span++)
+        {
+            yield return spans[span].Part(Math.Max(0.0, from - span), Math.Min(1.0, to - span));
+        }
+    }
+
+    private static bool IsSmooth(BezierSpan before, BezierSpan after)
+    {
+        var (arriving, leaving) = (before.EndTangent, after.StartTangent);
+        var (end, start) = (before.End, after.Start);
+        return end.IsNear(start, 1e-12 * (Math.Abs(start.X) + Math.Abs(start.Y) + before.Start.DistanceTo(end)))
+            && Math.Abs(arriving.Cross(leaving)) <= CornerSine && arriving.Dot(leaving) > 0.0;
+    }
+}
