@@ -1,3 +1,4 @@
+using Engraver.Galil.Jobs;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Reports;
@@ -24,8 +25,8 @@ internal static class RunReport
         journal);
 
     /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
-    public static RunJson NotStarted(PreparedJob job) =>
-        new("refused", 0, 0, 0.0, null, 0, 0, null, null, Scale(job), null, null, "none", null);
+    public static RunJson NotStarted(PreparedJob job, JobOutcome outcome) =>
+        new(RunText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(job), null, null, "none", null);
 
     private static RunJson.ScaleJson Scale(PreparedJob job) => new(job.Settings.Machine.CountsPerMillimetreX, job.Settings.Machine.CountsPerMillimetreY);
 }

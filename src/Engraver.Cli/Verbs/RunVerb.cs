@@ -5,6 +5,7 @@ using Engraver.Cli.Output;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Reports;
@@ -71,7 +72,19 @@ internal sealed class RunVerb
         if (options.TracePath is { } trace) CheckWritable(trace);
         var fit = MachineRun.FitToLink(program, options, job.Drawing);
         _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
-        var report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, progress, stop)).ConfigureAwait(false);
+        MachineRunReport report;
+        try
+        {
+            report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, progress, stop)).ConfigureAwait(false);
+        }
+        catch (Exception ended) when (parsed.GetValue(_json) && (ended is ControllerException || (ended is OperationCanceledException && stop.IsCancellationRequested)))
+        {
+            // The link never came up, or the operator did not wait for it: the one object is printed all the same.
+            ContractJson.Write(_host.Out, RunReport.NotStarted(job, ended is ControllerException ? JobOutcome.LinkLost : JobOutcome.Stopped), ContractJson.Default.RunJson);
+            await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
+            throw;
+        }
+
         return Finish(parsed, job, report, options.JournalPath);
     }
 
@@ -93,7 +106,7 @@ internal sealed class RunVerb
 
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)
     {
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job), ContractJson.Default.RunJson);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job, JobOutcome.Refused), ContractJson.Default.RunJson);
         _host.Error.WriteLine($"engraver: not started: {why}.");
         return ExitCode.DrawingError;
     }

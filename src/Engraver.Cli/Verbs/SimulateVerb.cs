@@ -44,7 +44,7 @@ internal static class SimulateVerb
         var ended = new TaskCompletionSource();
         await using var registration = stop.Register(ended.SetResult).ConfigureAwait(false);
         await ended.Task.ConfigureAwait(false);
-        return ExitCode.Done;
+        return controller.RecordFailure is { } failure ? throw new UsageException($"{record} is incomplete: {failure.Message}", failure) : ExitCode.Done;
     }
 
     /// <exception cref="ControllerLinkException">The port is taken or may not be used.</exception>

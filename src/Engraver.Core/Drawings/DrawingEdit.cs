@@ -85,8 +85,9 @@ public static class DrawingEdit
         return highest;
     }
 
+    /// <summary>Ellipses and splines have no transformation yet: an edit of one is refused, never done wrong.</summary>
     private static bool InRange(in DrawingPart part) =>
-        Fits(part.A) && Fits(part.B) && Fits(part.C) && Fits(part.D) && Fits(part.E) && Fits(part.F) && (part.Kind == SegmentKind.Line || part.D > 0.0);
+        !part.IsFreeCurve && Fits(part.A) && Fits(part.B) && Fits(part.C) && Fits(part.D) && Fits(part.E) && Fits(part.F) && (part.Kind == SegmentKind.Line || part.D > 0.0);
 
     private static bool Fits(double coordinate) => Math.Abs(coordinate) <= DxfNumber.Largest;
 }

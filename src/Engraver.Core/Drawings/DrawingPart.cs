@@ -57,14 +57,15 @@ public struct DrawingPart
     /// <summary>The part seen through a similarity of the plan; heights scale with it, so a curve keeps its slope.</summary>
     public readonly DrawingPart Transformed(Transform2D map)
     {
+        if (IsFreeCurve) return this; // DrawingEdit refuses it
         if (Kind != SegmentKind.Line) return Arc(Entity, map.Apply(InPlan().Arc), C * map.Scale);
         var start = map.Apply(new Point2D(A, B));
         var end = map.Apply(new Point2D(D, E));
         return Line(Entity, start.X, start.Y, C * map.Scale, end.X, end.Y, F * map.Scale);
     }
 
-    /// <summary>The same points in the opposite direction.</summary>
-    public readonly DrawingPart Reversed() => Kind == SegmentKind.Line
-        ? Line(Entity, D, E, F, A, B, C)
+    /// <summary>The same points in the opposite direction; an ellipse or spline keeps its own (sequencing turns it as it must).</summary>
+    public readonly DrawingPart Reversed() => IsFreeCurve ? this
+        : Kind == SegmentKind.Line ? Line(Entity, D, E, F, A, B, C)
         : Arc(Entity, InPlan().Arc.Reversed(), C);
 }

@@ -116,7 +116,7 @@ internal sealed class Job
         if (await _memory.BorrowAsync(resident.Text, copy, found => ResidentServer.IsOurs(found, _program.Profile), _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         string[] settings = ["AC", "DC"];
-        var commands = new List<string> { ResidentServer.DefineVariables };
+        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables }; // whatever somebody left on or selected
         commands.AddRange(_session.Found.MotorsOff.Where("AB".Contains).Select(letter => $"SH{letter}"));
         commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
         commands.Add(ResidentServer.StartCommand(resident));

@@ -6,7 +6,12 @@ namespace Engraver.Galil.Jobs;
 /// <summary>The journal file: one JSON object a line, each flushed to the file before the job goes on, so that a crash leaves every line but the last readable.</summary>
 internal sealed class JobJournal : IDisposable
 {
-    private static readonly JsonSerializerOptions Json = new(JsonSerializerDefaults.Web) { Converters = { new JsonStringEnumConverter(JsonNamingPolicy.CamelCase) } };
+    /// <summary>Generated at build time: reflection on first use would hold up the heartbeat.</summary>
+    private static readonly JsonSerializerOptions Json = new(JsonSerializerDefaults.Web)
+    {
+        Converters = { new JsonStringEnumConverter<JobMode>(JsonNamingPolicy.CamelCase), new JsonStringEnumConverter<JobOutcome>(JsonNamingPolicy.CamelCase) },
+        TypeInfoResolver = JournalJson.Default,
+    };
 
     private readonly StreamWriter? _file;
 

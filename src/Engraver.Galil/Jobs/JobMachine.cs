@@ -16,6 +16,10 @@ internal sealed class JobMachine
     /// <summary>Between two looks at the program in the controller, on a serial line.</summary>
     private const int GlancesBetweenPolls = 8;
 
+    /// <summary>Controller time that ran so much faster than the wall between two polls is no jitter.</summary>
+    private const int ClockSamples = 30;
+    private const double ClockFactor = 3.0;
+
     private readonly ControllerSession _session;
     private readonly JobOptions _options;
     private readonly JobLedger _ledger;
@@ -25,6 +29,8 @@ internal sealed class JobMachine
     private long? _startTime;
     private long _polledAt;
     private int _glances;
+    private long _sampleAtPoll;
+    private bool _clockRunsAhead;
 
     public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, Action polled, CancellationToken stop)
     {
@@ -143,12 +149,22 @@ internal sealed class JobMachine
 
     private async ValueTask<JobStep> PolledAsync()
     {
+        NoteClock();
         _polledAt = _session.Time.GetTimestamp();
+        _heartbeat.Saw(State.Time);
         _startTime ??= State.Time;
         _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, IsToolOn));
         _polled();
         if (State.Tripped || State.ProgramError != 0 || !State.ProgramRuns) return await ProgramEndedAsync().ConfigureAwait(false);
         return await BeatAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>Also in the middle of a job: the comparison at connect is spoiled by a host that was busy just then.</summary>
+    private void NoteClock()
+    {
+        var samples = State.Time - _sampleAtPoll;
+        if (_sampleAtPoll > 0 && samples >= ClockSamples && samples > ClockFactor * SincePoll.TotalMilliseconds) _clockRunsAhead = true;
+        _sampleAtPoll = State.Time;
     }
 
     private bool IsBeatDueBefore(int bytes) => Line is { } line && _heartbeat.IsDueBefore(line.Time(bytes));
@@ -227,7 +243,7 @@ internal sealed class JobMachine
 
     private async ValueTask PauseAsync()
     {
-        if (_options.PollInterval > TimeSpan.Zero) await Task.Delay(_options.PollInterval, _session.Time, _stop).ConfigureAwait(false);
+        if (!_clockRunsAhead && _options.PollInterval > TimeSpan.Zero) await Task.Delay(_options.PollInterval, _session.Time, _stop).ConfigureAwait(false);
     }
 
     private static long SamplesSince(long from, long to) => to >= from ? to - from : to - from + (1L << 31);

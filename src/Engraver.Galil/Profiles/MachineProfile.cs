@@ -39,8 +39,9 @@ public sealed record MachineProfile
     /// <summary>The settle time as WT takes it: an even number of milliseconds, 0 for no wait (galil-dmc.md F.5).</summary>
     public int ToolSettleMilliseconds => 2 * (int)Math.Ceiling(Math.Round(ToolSettleSeconds * 1000.0, 6) / 2.0);
 
-    /// <summary>Vector speed for the feed, even counts/s. 1200 mm/min at 1000 counts/mm is 20000.</summary>
-    public int VectorSpeed => EvenCountsPerSecond(FeedMmPerMinute, Math.Max(Math.Abs(CountsPerMillimetreX), Math.Abs(CountsPerMillimetreY)));
+    /// <summary>Vector speed for the feed, even counts/s. 1200 mm/min at 1000 counts/mm is 20000. With unequal axes the finer one only sets the pace of its own direction,
+    /// so the coarser one decides: no direction is cut faster than the feed.</summary>
+    public int VectorSpeed => EvenCountsPerSecond(FeedMmPerMinute, Math.Min(Math.Abs(CountsPerMillimetreX), Math.Abs(CountsPerMillimetreY)));
 
     public int RapidSpeedX => EvenCountsPerSecond(RapidMmPerMinute, Math.Abs(CountsPerMillimetreX));
 

@@ -25,8 +25,7 @@ public static class WatchdogProgram
             "WT 50",
             $"{Heartbeat}={Heartbeat}-1",
             $"JP#WLOOP,{Heartbeat}>0",
-            Subprograms.Text($"{Subprograms.ToolOff(profile)};HX{ResidentProgram.MainThread};STS;STAB"),
-            $"{ResidentProgram.Variables.WatchdogTripped}=1",
+            Subprograms.Text($"{Subprograms.ToolOff(profile)};{ResidentProgram.Variables.WatchdogTripped}=1;HX{ResidentProgram.MainThread};STS;STAB"),
             "MG \"HOST LOST\"",
             "EN",
         ];
