@@ -29,6 +29,7 @@ internal sealed class ScriptVerb
         await using var session = NewSession();
         session.Said += telling.Say;
         var result = await session.FeedAsync("SCRIPT", stop).ConfigureAwait(false);
+        stop.ThrowIfCancellationRequested();
         if (result is FeedResult.Asking) result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
         return result switch
         {

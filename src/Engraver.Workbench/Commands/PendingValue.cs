@@ -31,7 +31,7 @@ internal sealed class PendingValue<T>(ValuePrompt<T> prompt) : PendingAsk(prompt
 
     private string? Take(Answer<T> answer)
     {
-        _answer.SetResult(answer);
+        _answer.TrySetResult(answer);
         return null;
     }
 }
