@@ -151,6 +151,28 @@ public class NetworkRunTests
         Assert.Equal((last.A, last.B), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
     }
 
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("calls")]
+    public async Task A_tool_that_somebody_left_on_is_off_before_the_first_rapid(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        await using (var other = controller.OpenConnection()) await other.WriteAsync("SB1\r"u8.ToArray());
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.DoesNotContain(controller.Record.Snapshot(), row => (row.Outputs & Tool) != 0 && row.A is > 100 and < 49900);
+    }
+
+    [Fact]
+    public async Task A_link_that_never_came_up_is_one_JSON_object_all_the_same()
+    {
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", $"tcp://127.0.0.1:{await UnusedPortAsync()}", "--json");
+
+        Assert.Equal((ExitCode.LinkLost, "linkLost"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));
+    }
+
     private static async Task<string> AddressAsync(SimulatedController controller)
     {
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
