@@ -54,7 +54,7 @@ public static class CanvasBenchmark
 
     private static Picture Render(CanvasScene scene, CanvasView view)
     {
-        var layer = new PictureLayer(scene.Store, scene.Colours.PaletteFor(CanvasTheme.Dark.Foreground), LinePen.Hairline);
+        var layer = new PrimitiveLayer(scene.Store, scene.Colours.PaletteFor(CanvasTheme.Dark.Foreground), LinePen.Hairline);
         return PictureRenderer.Render([layer], view, Backdrop.For(view, CanvasTheme.Dark, grid: true), CancellationToken.None);
     }
 

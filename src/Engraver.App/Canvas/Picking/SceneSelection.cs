@@ -58,8 +58,6 @@ public static class SceneSelection
     {
         var bounds = store.BoundsOf(primitive);
         if (!PrimitiveStore.Overlap(bounds, box)) return false;
-        if (box.Contains(bounds)) return true;
-        var segment = store.SegmentOf(primitive);
-        return segment.IsFreeCurve ? CurveTouch.Touches(box, segment.Curve) : box.Touches(segment);
+        return box.Contains(bounds) || box.Touches(store.SegmentOf(primitive));
     }
 }

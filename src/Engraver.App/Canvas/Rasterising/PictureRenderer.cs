@@ -7,7 +7,7 @@ internal static class PictureRenderer
 {
     /// <summary>The picture of some layers, the first one lowest.</summary>
     /// <exception cref="OperationCanceledException">Stopped; asked before each tile.</exception>
-    public static Picture Render(IReadOnlyList<PictureLayer> layers, CanvasView view, Backdrop backdrop, CancellationToken stop)
+    public static Picture Render(IReadOnlyList<IPictureLayer> layers, CanvasView view, Backdrop backdrop, CancellationToken stop)
     {
         var picture = new Picture(view);
         var columns = (view.Size.Width + PixelTile.Side - 1) / PixelTile.Side;
@@ -26,13 +26,13 @@ internal static class PictureRenderer
     }
 
     /// <summary>Draws one rectangle of a picture.</summary>
-    internal static void Draw(Picture picture, IReadOnlyList<PictureLayer> layers, Backdrop backdrop, PixelTile tile, int left, int top)
+    internal static void Draw(Picture picture, IReadOnlyList<IPictureLayer> layers, Backdrop backdrop, PixelTile tile, int left, int top)
     {
         tile.MoveTo(left, top, Math.Min(PixelTile.Side, picture.Width - left), Math.Min(PixelTile.Side, picture.Height - top));
         backdrop.Fill(picture, left, top, tile.Width, tile.Height);
         foreach (var layer in layers)
         {
-            LayerPainter.Paint(layer, picture.View, tile);
+            layer.Paint(picture.View, tile);
             tile.Compose(picture.Pixels, picture.Width);
         }
     }
