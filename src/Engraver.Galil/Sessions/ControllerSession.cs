@@ -22,7 +22,8 @@ public sealed class ControllerSession : IAsyncDisposable
 
     public ControllerIdentity Identity { get; }
 
-    public FoundState Found { get; }
+    /// <summary>The controller as it is to be left.</summary>
+    public FoundState Found { get; private set; }
 
     /// <summary>True when the controller's time passes much faster than ours (a simulator at full speed): polls then need no pause.</summary>
     public bool ClockRunsAhead { get; }
@@ -90,6 +91,9 @@ public sealed class ControllerSession : IAsyncDisposable
 
         return null;
     }
+
+    /// <summary>An earlier session changed the controller and could not give it back: it is to be left as that one had found it.</summary>
+    internal void Inherit(FoundState found) => Found = found;
 
     /// <summary>Speeds, accelerations and motors as they were found. To be called at rest.</summary>
     /// <returns>One sentence for each setting that could not be brought back.</returns>
