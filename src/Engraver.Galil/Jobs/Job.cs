@@ -155,6 +155,7 @@ internal sealed class Job
         if (!_touched) return [];
         try
         {
+            await _machine.EndWatchAsync().ConfigureAwait(false);
             var refused = await _memory.GiveBackAsync(CancellationToken.None).ConfigureAwait(false);
             var settings = await _session.RestoreAsync(CancellationToken.None).ConfigureAwait(false);
             if (refused is not null) return [refused.Explain(), .. settings];
@@ -187,7 +188,7 @@ internal sealed class Job
         ExecutedEntityIndices = _ledger.Entities,
         ExecutedByStroke = _ledger.ExecutedByStroke,
         LengthByStroke = _ledger.LengthByStroke,
-        Diagnostics = _ledger.Diagnostics,
+        Diagnostics = [.. _ledger.Diagnostics, .. _ledger.Warnings],
         NotRestored = notRestored,
     };
 }

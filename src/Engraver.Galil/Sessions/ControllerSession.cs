@@ -8,12 +8,15 @@ namespace Engraver.Galil.Sessions;
 public sealed class ControllerSession : IAsyncDisposable
 {
     private readonly CommandChannel _commands;
-    private readonly CommandChannel? _second;
+    private readonly Func<CancellationToken, Task<CommandChannel>> _openSecond;
+    private volatile CommandChannel? _second;
 
-    private ControllerSession(CommandChannel commands, CommandChannel? second, ControllerIdentity identity, FoundState found, bool clockRunsAhead, TimeProvider time)
+    private ControllerSession(
+        CommandChannel commands, CommandChannel? second, Func<CancellationToken, Task<CommandChannel>> openSecond, ControllerIdentity identity, FoundState found, bool clockRunsAhead, TimeProvider time)
     {
         _commands = commands;
         _second = second;
+        _openSecond = openSecond;
         Identity = identity;
         Found = found;
         ClockRunsAhead = clockRunsAhead;
@@ -53,16 +56,17 @@ public sealed class ControllerSession : IAsyncDisposable
         CommandChannel? commands = null;
         CommandChannel? second = null;
         var opened = false;
+        async Task<CommandChannel> Open(string name, CancellationToken giveUp) =>
+            new(await openLink(giveUp).ConfigureAwait(false), name, options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
         try
         {
-            commands = new CommandChannel(await openLink(cancellation).ConfigureAwait(false), "A", options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
+            commands = await Open("A", cancellation).ConfigureAwait(false);
             bool? echo = commands.Line is null ? null : await commands.GreetAsync(cancellation).ConfigureAwait(false);
-            if (options.SecondHandle && commands.Line is null)
-                second = new CommandChannel(await openLink(cancellation).ConfigureAwait(false), "B", options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
+            if (options.SecondHandle && commands.Line is null) second = await Open("B", cancellation).ConfigureAwait(false);
             var identity = await Handshake.IdentifyAsync(commands, cancellation).ConfigureAwait(false);
             var found = await FoundState.ReadAsync(commands, identity.Letters, echo, cancellation).ConfigureAwait(false);
             var runsAhead = await ClockComparison.RunsAheadAsync(commands, time, cancellation).ConfigureAwait(false);
-            var session = new ControllerSession(commands, second, identity, found, runsAhead, time);
+            var session = new ControllerSession(commands, second, giveUp => Open("B", giveUp), identity, found, runsAhead, time);
             await session.AgreeOnWireAsync(cancellation).ConfigureAwait(false);
             opened = true;
             return session;
@@ -71,6 +75,40 @@ public sealed class ControllerSession : IAsyncDisposable
         {
             if (!opened && second is not null) await second.DisposeAsync().ConfigureAwait(false);
             if (!opened && commands is not null) await commands.DisposeAsync().ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>Asks for a sign of life over the second handle, and opens it again when it is lost; meanwhile the stop goes over the first.</summary>
+    /// <returns>Null while all is well, and where there is no second handle.</returns>
+    internal async Task<StopHandleLoss?> CheckStopHandleAsync(CancellationToken cancellation)
+    {
+        if (_second is not { } second) return null;
+        try
+        {
+            await second.SendAsync("", cancellation).ConfigureAwait(false);
+            return null;
+        }
+        catch (ControllerException lost)
+        {
+            await second.DisposeAsync().ConfigureAwait(false);
+            return new StopHandleLoss(lost.Message.TrimEnd('.'), await ReopenAsync(cancellation).ConfigureAwait(false));
+        }
+    }
+
+    /// <returns>Why it could not be opened; null when it stands again.</returns>
+    private async Task<string?> ReopenAsync(CancellationToken cancellation)
+    {
+        try
+        {
+            var second = await _openSecond(cancellation).ConfigureAwait(false);
+            await second.SendAsync("CF I", cancellation).ConfigureAwait(false);
+            _second = second;
+            return null;
+        }
+        catch (Exception failure) when (failure is ControllerException or IOException)
+        {
+            _second = null;
+            return failure.Message.TrimEnd('.');
         }
     }
 

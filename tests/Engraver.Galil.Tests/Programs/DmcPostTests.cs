@@ -216,7 +216,7 @@ public class DmcPostTests
         foreach (var chunk in post.Chunks)
         {
             var statements = Lines(chunk).SelectMany(line => line.Split(';')).ToList();
-            Assert.Equal(($"PAA={x}", $"PAB={y}"), (statements.Single(s => s.StartsWith("PAA=", StringComparison.Ordinal)), statements.Single(s => s.StartsWith("PAB=", StringComparison.Ordinal))));
+            Assert.Equal(($"PAA=ox{x:+0;-0}", $"PAB=oy{y:+0;-0}"), (statements.Single(s => s.StartsWith("PAA=", StringComparison.Ordinal)), statements.Single(s => s.StartsWith("PAB=", StringComparison.Ordinal))));
             var last = statements.Last(s => s.StartsWith("VP ", StringComparison.Ordinal))[3..].Split(',');
             x += int.Parse(last[0], System.Globalization.CultureInfo.InvariantCulture);
             y += int.Parse(last[1], System.Globalization.CultureInfo.InvariantCulture);
