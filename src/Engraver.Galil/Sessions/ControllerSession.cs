@@ -1,4 +1,5 @@
 using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
@@ -62,7 +63,8 @@ public sealed class ControllerSession : IAsyncDisposable
         {
             commands = await Open("A", cancellation).ConfigureAwait(false);
             bool? echo = commands.Line is null ? null : await commands.GreetAsync(cancellation).ConfigureAwait(false);
-            if (options.SecondHandle && commands.Line is null) second = await Open("B", cancellation).ConfigureAwait(false);
+            await SignOfLifeAsync(commands, cancellation).ConfigureAwait(false);
+            if (options.SecondHandle && commands.Line is null) await SignOfLifeAsync(second = await Open("B", cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
             var identity = await Handshake.IdentifyAsync(commands, cancellation).ConfigureAwait(false);
             var found = await FoundState.ReadAsync(commands, identity.Letters, echo, cancellation).ConfigureAwait(false);
             var runsAhead = await ClockComparison.RunsAheadAsync(commands, time, cancellation).ConfigureAwait(false);
@@ -75,6 +77,20 @@ public sealed class ControllerSession : IAsyncDisposable
         {
             if (!opened && second is not null) await second.DisposeAsync().ConfigureAwait(false);
             if (!opened && commands is not null) await commands.DisposeAsync().ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>A controller without a free handle takes a connection and drops it at once (galil-dmc.md A.1): that must not read like a pulled cable.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    private static async Task SignOfLifeAsync(CommandChannel channel, CancellationToken cancellation)
+    {
+        try
+        {
+            await channel.SendAsync("", cancellation).ConfigureAwait(false);
+        }
+        catch (ControllerLinkException dropped)
+        {
+            throw new ControllerLinkException($"{dropped.Message} {TcpLink.HandlesTaken}", dropped);
         }
     }
 
@@ -115,6 +131,8 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <summary>Why no job can start now: a thread of somebody else runs, or something moves. Null when the machine is free.</summary>
     public async Task<string?> BusyReasonAsync(CancellationToken cancellation)
     {
+        if (await IsOurJobRunningAsync(cancellation).ConfigureAwait(false))
+            return "Another run of this program works on the controller now; wait for its end, or stop it where it was started.";
         for (var thread = 0; thread < 8; thread++)
         {
             var line = (await Commands.ReadAsync($"_XQ{thread}", cancellation).ConfigureAwait(false)).OrNothing;
@@ -132,6 +150,11 @@ public sealed class ControllerSession : IAsyncDisposable
 
     /// <summary>An earlier session changed the controller and could not give it back: it is to be left as that one had found it.</summary>
     internal void Inherit(FoundState found) => Found = found;
+
+    /// <summary>Our watchdog runs and somebody winds it up: halting it would leave a machine without a guard.</summary>
+    private async Task<bool> IsOurJobRunningAsync(CancellationToken cancellation) =>
+        (await Commands.ReadAsync($"_XQ{ResidentProgram.WatchdogThread}", cancellation).ConfigureAwait(false)).OrNothing is >= 0
+        && (await Commands.ReadAsync(ResidentProgram.Variables.Heartbeat, cancellation).ConfigureAwait(false)).OrNothing is > 0;
 
     /// <summary>Speeds, accelerations and motors as they were found. To be called at rest.</summary>
     /// <returns>One sentence for each setting that could not be brought back.</returns>

@@ -86,7 +86,17 @@ public sealed class EarlierRunTests : IDisposable
     /// <summary>The host is gone in the middle of the cut; the last thing it wrote is half a line.</summary>
     private static async Task DieAsync(SimulatedBench bench, JobOptions options)
     {
-        await bench.RunAsync(MotionPrograms.LongLine(200000), options, new CancelWhen(progress => progress.X > 50000, bench.Controller.DropConnections));
+        var dead = false;
+        await using (var session = await bench.OpenAsync(opened: _ => { if (dead) throw new IOException("The host is dead."); }))
+        {
+            var die = new CancelWhen(progress => progress.X > 50000, () =>
+            {
+                dead = true;
+                bench.Controller.DropConnections();
+            });
+            await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, options, die, CancellationToken.None);
+        }
+
         bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
         var lines = await File.ReadAllLinesAsync(options.JournalPath!);
         await File.WriteAllTextAsync(options.JournalPath!, string.Join('\n', lines[..^1]) + "\n{\"kind\":\"pro");
