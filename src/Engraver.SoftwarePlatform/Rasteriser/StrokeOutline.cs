@@ -9,7 +9,7 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
     private const double StraightOn = 0.99999;
 
     /// <summary>Largest distance of a round join's or cap's chords from the circle, in device pixels.</summary>
-    private const double ArcTolerance = 0.1;
+    private const double ArcTolerance = 0.03;
 
     private readonly double _half = style.Width / 2;
     private readonly double _arcStep = 2 * Math.Acos(Math.Max(0.5, 1 - ArcTolerance / Math.Max(ArcTolerance * 2, style.Width / 2 * scale)));
