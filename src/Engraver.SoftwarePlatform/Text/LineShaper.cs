@@ -17,6 +17,9 @@ internal sealed class LineShaper(TextShaperOptions options)
     /// <summary>Glyph that the next one may be kerned to; -1 after anything but a letter.</summary>
     private int _previous = -1;
 
+    /// <summary>Where the glyph of <see cref="_previous"/> stands; marks may stand between.</summary>
+    private int _previousPlace;
+
     public IReadOnlyList<GlyphInfo> Glyphs => _glyphs;
 
     public void Shape(ReadOnlySpan<char> text)
@@ -58,22 +61,23 @@ internal sealed class LineShaper(TextShaperOptions options)
     private void AddLetter(Codepoint codepoint, int cluster)
     {
         var glyph = Glyph((int)codepoint.Value);
-        if (_previous >= 0)
-            Kern(_previous, glyph);
         _glyphs.Add(new GlyphInfo(glyph, cluster, Advance(glyph) + options.LetterSpacing));
+        if (_previous >= 0)
+            Kern(glyph);
         _previous = glyph;
+        _previousPlace = _glyphs.Count - 1;
     }
 
-    /// <summary>Pairs are given from left to right; in text that runs to the left the later glyph stands left.</summary>
-    private void Kern(int previous, int glyph)
+    /// <summary>Changes the advance of whichever of the last two letters stands left: in text that runs to the left, the later one.</summary>
+    private void Kern(int glyph)
     {
         var isRightToLeft = (options.BidiLevel & 1) != 0;
-        var units = isRightToLeft ? _kerning?.Between(glyph, previous) : _kerning?.Between(previous, glyph);
-        if (units is not (null or 0))
-        {
-            var last = _glyphs[^1];
-            _glyphs[^1] = new GlyphInfo(last.GlyphIndex, last.GlyphCluster, last.GlyphAdvance + units.Value * _scale, last.GlyphOffset);
-        }
+        var units = isRightToLeft ? _kerning?.Between(glyph, _previous) : _kerning?.Between(_previous, glyph);
+        if (units is null or 0)
+            return;
+        var place = isRightToLeft ? _glyphs.Count - 1 : _previousPlace;
+        var left = _glyphs[place];
+        _glyphs[place] = new GlyphInfo(left.GlyphIndex, left.GlyphCluster, left.GlyphAdvance + units.Value * _scale, left.GlyphOffset);
     }
 
     private ushort Glyph(int character) => _typeface.CharacterToGlyphMap[character];

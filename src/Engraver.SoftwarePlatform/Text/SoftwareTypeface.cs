@@ -10,11 +10,13 @@ namespace Engraver.SoftwarePlatform.Text;
 /// <summary>A face with its outlines, kerning and drawn glyphs.</summary>
 internal sealed class SoftwareTypeface : IPlatformTypeface
 {
+    private const uint CharacterMapTag = 0x636D6170;
+
     /// <summary>Slant of a face that has no italic of its own.</summary>
     private const double ObliqueSlant = 0.25;
 
-    /// <summary>A made bold grows by this part of the size on each side.</summary>
-    private const double BoldGrowth = 1.0 / 48;
+    /// <summary>A made bold grows to the right by this part of the size.</summary>
+    private const double BoldGrowth = 1.0 / 24;
 
     private readonly FontFile _file;
     private readonly Lazy<IGlyphOutlines> _outlines;
@@ -87,7 +89,14 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         return true;
     }
 
-    public bool TryGetTable(OpenTypeTag tag, out ReadOnlyMemory<byte> table) => _file.TryGetTable((uint)tag, out table);
+    public bool TryGetTable(OpenTypeTag tag, out ReadOnlyMemory<byte> table)
+    {
+        if (!_file.TryGetTable((uint)tag, out table))
+            return false;
+        if ((uint)tag == CharacterMapTag)
+            table = CharacterMapUpgrade.Of(table);
+        return true;
+    }
 
     /// <summary>In font units, y up; empty for a glyph that is blank or broken.</summary>
     public VectorPath Outline(int glyph) => _paths.GetOrAdd(glyph, MakeOutline);
@@ -117,13 +126,12 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         }
     }
 
+    /// <summary>The shape and the same a little to the right: both turn the same way, so that together they are filled as one.</summary>
     private VectorPath Bold(VectorPath path)
     {
-        var style = new StrokeStyle(2 * BoldGrowth * UnitsPerEm, Join: PenLineJoin.Miter, MiterLimit: 2);
-        var grown = path.Transformed(Matrix.Identity);
-        grown.FillRule = FillRule.NonZero;
-        grown.Append(Stroker.Stroke(path, style, 32.0 / UnitsPerEm), Matrix.Identity);
-        return grown;
+        var wide = path.Transformed(Matrix.Identity);
+        wide.Append(path, Matrix.CreateTranslation(BoldGrowth * UnitsPerEm, 0));
+        return wide;
     }
 
     /// <summary>What Avalonia's and this reader throw for files that are no proper fonts.</summary>
