@@ -21,6 +21,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     private readonly FontFile _file;
     private readonly Lazy<IGlyphOutlines> _outlines;
     private readonly Lazy<PairKerning> _kerning;
+    private readonly Lazy<MarkPlacement> _marks;
     private readonly ConcurrentDictionary<int, VectorPath> _paths = new();
 
     private SoftwareTypeface(FontFile file, FontSimulations simulations)
@@ -30,6 +31,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         UnitsPerEm = Math.Max(16, (int)file.Table("head").UInt16(18));
         _outlines = new Lazy<IGlyphOutlines>(() => file.Has("glyf") ? new GlyfOutlines(file) : new CffOutlines(file));
         _kerning = new Lazy<PairKerning>(() => PairKerning.Of(file));
+        _marks = new Lazy<MarkPlacement>(() => MarkPlacement.Of(file));
         Masks = new GlyphMasks(this);
         GlyphTypeface = new GlyphTypeface(this);
         FamilyName = GlyphTypeface.FamilyName;
@@ -56,6 +58,8 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     public GlyphMasks Masks { get; }
 
     public PairKerning Kerning => _kerning.Value;
+
+    public MarkPlacement Marks => _marks.Value;
 
     /// <returns>Null for a font that cannot be used: broken, or without outlines.</returns>
     public static SoftwareTypeface? TryCreate(IFontSource source, int face, FontSimulations simulations)
