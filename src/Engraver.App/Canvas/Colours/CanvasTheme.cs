@@ -8,7 +8,7 @@ public sealed record CanvasTheme
     {
         Background = 0xFF212830, Foreground = 0xFFFFFFFF, MinorGrid = 0xFF272F38, MajorGrid = 0xFF313B46, AxisX = 0xFF6B3A3A, AxisY = 0xFF35603C,
         Crosshair = 0xFFFFFFFF, Selected = 0xFF4FA3FF, Hover = 0xFF9CC9FF, Tool = 0xFFFFB000,
-        ClosedContour = 0xFF4CC2FF, OpenContour = 0xFFFF8A5B, Rapid = 0xFF8C96A3, Direction = 0xFFFFD866, Start = 0xFF7CE38B, Machine = 0xFFB59CFF, Finding = 0xFFFF5C8A, Engraved = 0xFF35D07F, Remaining = 0xFF6E7B8A,
+        ClosedContour = 0xFF4CC2FF, InsideContour = 0xFF9AD66B, OpenContour = 0xFFFF8A5B, Rapid = 0xFF8C96A3, Direction = 0xFFFFD866, Start = 0xFF7CE38B, Machine = 0xFFB59CFF, Finding = 0xFFFF5C8A, Engraved = 0xFF35D07F, Remaining = 0xFF6E7B8A,
         SlowCut = 0xFF3B6CFF, FastCut = 0xFFFF4B3B,
     };
 
@@ -16,7 +16,7 @@ public sealed record CanvasTheme
     {
         Background = 0xFFFFFFFF, Foreground = 0xFF000000, MinorGrid = 0xFFF1F3F5, MajorGrid = 0xFFDDE2E7, AxisX = 0xFFE0A0A0, AxisY = 0xFF9CCBA4,
         Crosshair = 0xFF000000, Selected = 0xFF0B63CE, Hover = 0xFF5B9BE6, Tool = 0xFFC77700,
-        ClosedContour = 0xFF0077B6, OpenContour = 0xFFC8501E, Rapid = 0xFF7A8590, Direction = 0xFF9A7400, Start = 0xFF1E8E3E, Machine = 0xFF6A48C9, Finding = 0xFFD6215F, Engraved = 0xFF0B8A4B, Remaining = 0xFFA0A9B4,
+        ClosedContour = 0xFF0077B6, InsideContour = 0xFF4C8A14, OpenContour = 0xFFC8501E, Rapid = 0xFF7A8590, Direction = 0xFF9A7400, Start = 0xFF1E8E3E, Machine = 0xFF6A48C9, Finding = 0xFFD6215F, Engraved = 0xFF0B8A4B, Remaining = 0xFFA0A9B4,
         SlowCut = 0xFF2148C8, FastCut = 0xFFD1261A,
     };
 
@@ -44,6 +44,9 @@ public sealed record CanvasTheme
     public required uint Tool { get; init; }
 
     public required uint ClosedContour { get; init; }
+
+    /// <summary>A closed contour inside another one.</summary>
+    public required uint InsideContour { get; init; }
 
     public required uint OpenContour { get; init; }
 
