@@ -34,6 +34,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         _marks = new Lazy<MarkPlacement>(() => MarkPlacement.Of(file));
         Masks = new GlyphMasks(this);
         GlyphTypeface = new GlyphTypeface(this);
+        TryOut(GlyphTypeface, file);
         FamilyName = GlyphTypeface.FamilyName;
         Weight = GlyphTypeface.Weight;
         Style = GlyphTypeface.Style;
@@ -115,6 +116,15 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
 
     public void Dispose()
     {
+    }
+
+    /// <summary>Avalonia's reader finds out only when it looks a character or a width up that its tables are broken; better now than while text is drawn.</summary>
+    private static void TryOut(GlyphTypeface typeface, FontFile file)
+    {
+        foreach (var character in (ReadOnlySpan<int>)[' ', 'A', 0x4E2D, 0xFFFF, 0x1F600])
+            _ = typeface.CharacterToGlyphMap[character];
+        foreach (var glyph in (ReadOnlySpan<int>)[0, Math.Max(0, file.Table("maxp").UInt16(4) - 1)])
+            _ = typeface.TryGetHorizontalGlyphAdvance((ushort)glyph, out _);
     }
 
     private VectorPath MakeOutline(int glyph)

@@ -153,6 +153,15 @@ public class FontFileTests
     }
 
     [Fact]
+    public void A_font_whose_widths_are_missing_is_not_used()
+    {
+        var hhea = new byte[36];
+        hhea[1] = 1;
+
+        Assert.Null(SoftwareTypeface.TryCreate(new MemoryFontSource(FontBuilder.TrueType("Widthless", 4, 'A').With("hhea", hhea).Build()), 0, FontSimulations.None));
+    }
+
+    [Fact]
     public void A_made_bold_is_heavier_and_a_made_italic_leans()
     {
         var plain = Open(FontBuilder.TrueType("Square", 4, 'A').Build());
