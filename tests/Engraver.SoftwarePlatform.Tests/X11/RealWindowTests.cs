@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
 /// <summary>A real window under a real X server and window manager, driven by another program's hands.</summary>
@@ -73,9 +75,9 @@ public sealed class RealWindowTests : IDisposable
         _server.Run("setxkbmap", "de");
         _server.Click(_window.Entry.X, _window.Entry.Y);
         Told.WaitFor("entry focused");
-        _server.Run("xdotool", "key", "odiaeresis", "ssharp", "y", "dead_acute", "e", "dead_circumflex", "a");
+        _server.Run("xdotool", "key", "odiaeresis", "ssharp", "y", "dead_acute", "e", "dead_grave", "a");
 
-        Told.WaitFor("text ößyéâ");
+        Told.WaitFor("text ößyéà");
     }
 
     [XServerFact]
@@ -140,7 +142,7 @@ public sealed class RealWindowTests : IDisposable
     public void The_window_manager_s_states_come_and_go()
     {
         Told.Ask("state Maximized");
-        Told.WaitFor("size 1278");
+        Told.WaitFor("size 1280 ");
         Told.Ask("state FullScreen");
         Told.WaitFor("size 1280 900");
         Told.Ask("state Normal");
@@ -148,10 +150,31 @@ public sealed class RealWindowTests : IDisposable
     }
 
     [XServerFact]
-    public void The_title_bar_s_close_closes()
+    public void Files_dragged_from_another_program_arrive()
+    {
+        using var other = new OtherProgram(_server);
+        var taken = other.Drop(nint.Parse(_window.Id, CultureInfo.InvariantCulture), _window.Rows.X, _window.Rows.Y, "file:///tmp/gr%C3%B6%C3%9Fe.dxf\r\nfile:///tmp/b.dxf\r\n");
+
+        Assert.Equal("dropped /tmp/größe.dxf|/tmp/b.dxf", Told.WaitFor("dropped"));
+        Assert.True(taken);
+    }
+
+    [XServerFact]
+    public void Closing_is_asked_of_the_window()
+    {
+        using var other = new OtherProgram(_server);
+        other.AskToClose(nint.Parse(_window.Id, CultureInfo.InvariantCulture));
+        Told.WaitFor("closing");
+
+        Assert.Equal(0, Told.WaitForExit());
+    }
+
+    [XServerFact]
+    public void A_window_destroyed_by_another_program_ends_as_if_closed()
     {
         _server.Run("xdotool", "windowclose", _window.Id);
-        Told.WaitForExit();
+
+        Assert.Equal(0, Told.WaitForExit());
     }
 
     [XServerFact]
