@@ -1,9 +1,13 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
 using Engraver.Simulator;
+using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
 using Engraver.Workbench.Tests.Commands;
 
 namespace Engraver.Workbench.Tests.Machines;
@@ -76,8 +80,9 @@ public sealed class MachineJobTests : IDisposable
     {
         await using var machine = new MachineSession(TimeProvider.System);
         await machine.ConnectAsync(ControllerAddress.Parse("sim:?speed=1"), _limit.Token);
-        var running = RunAsync(machine, MachineBench.Job());
-        await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
+        var slow = new DrawingSettings { Machine = MachineProfile.Default with { AccelerationCounts = 10_240 } }; // brakes for a second
+        var running = RunAsync(machine, JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Build(), slow, MotionStyle.Continuous));
+        await SeenAsync(machine, status => status is { State: MachineState.Running, WorkPosition.X: > 5.0 });
         var told = SeenAsync(machine, status => status.State == MachineState.Stopping);
         machine.Stop();
         await told;
