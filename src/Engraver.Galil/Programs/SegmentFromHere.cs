@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 namespace Engraver.Galil.Programs;
 
 /// <summary>A segment that is cut by itself, from where the machine really came to rest: its end stays where it was planned.</summary>
-internal static class SegmentFromHere
+public static class SegmentFromHere
 {
     /// <param name="planned">The segment as it was aimed from <paramref name="start"/>.</param>
     /// <param name="start">Where the machine was to stand.</param>
