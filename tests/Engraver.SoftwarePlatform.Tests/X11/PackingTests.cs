@@ -17,12 +17,12 @@ public sealed class PackingTests
     [Fact]
     public void A_cursor_is_light_where_it_is_light_and_there_where_it_is_opaque()
     {
-        var pixels = Enumerable.Repeat(0xFF000000u, 9).ToArray();
+        var pixels = Enumerable.Repeat(0xFF000000u, 10).ToArray();
         (pixels[0], pixels[8]) = (0xFFFFFFFF, 0x20FFFFFF);
-        var (light, mask) = CursorMasks.Of(new IconPicture(new PixelSize(9, 1), pixels));
+        var (light, mask) = CursorMasks.Of(new IconPicture(new PixelSize(10, 1), pixels));
 
         Assert.Equal([0b0000_0001, 0], light);
-        Assert.Equal([0xFF, 0], mask);
+        Assert.Equal([0xFF, 0b0000_0010], mask);
     }
 
     [Theory]
