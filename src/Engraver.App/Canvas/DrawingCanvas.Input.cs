@@ -106,9 +106,11 @@ public sealed partial class DrawingCanvas
         {
             case CanvasIntent.Pan pan:
                 View?.PanBy(new Vector2D(pan.By.X * UnitsPerPoint, -pan.By.Y * UnitsPerPoint));
+                HoverAgain();
                 break;
             case CanvasIntent.Zoom zoom:
                 View?.ZoomAbout(ToDrawing(zoom.About), zoom.Factor);
+                HoverAgain();
                 break;
             case CanvasIntent.Hover hover:
                 Hover(hover.At);
@@ -146,6 +148,12 @@ public sealed partial class DrawingCanvas
 
         _cursor.Snap = _pointer.AsksForPoint && SnapAt(at) is { } snap ? (ToControl(snap.Place), snap.Kind) : null;
         Commands?.CursorAt(_pointer.AsksForPoint ? Snapped(at) : ToDrawing(at));
+    }
+
+    /// <summary>The drawing moved under the cursor.</summary>
+    private void HoverAgain()
+    {
+        if (_cursor.Place is { } at) Hover(new Point2D(at.X, at.Y));
     }
 
     private void ShowCursor()
