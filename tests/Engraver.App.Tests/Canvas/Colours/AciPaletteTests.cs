@@ -24,7 +24,7 @@ public class AciPaletteTests
     [InlineData(150, 0xFF007FFF)]
     [InlineData(170, 0xFF0000FF)]
     [InlineData(240, 0xFFFF003F)]
-    [InlineData(249, 0xFF26131C)]
+    [InlineData(249, 0xFF261317)]
     [InlineData(250, 0xFF333333)]
     [InlineData(255, 0xFFFFFFFF)]
     public void Indexes_have_the_colours_of_AutoCAD(int index, uint colour) => Assert.Equal(colour, AciPalette.ColourOf(index, 0xFFFFFFFF));

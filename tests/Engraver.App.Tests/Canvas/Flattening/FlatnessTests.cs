@@ -12,6 +12,10 @@ namespace Engraver.App.Tests.Canvas.Flattening;
 public class FlatnessTests
 {
     private const double QuarterPixel = 0.25;
+
+    /// <summary>As a part of the largest coordinate: in finer pixels than these a double cannot hold the drawing itself.</summary>
+    private const double FinestPixel = 1e-13;
+
     private static readonly Gen<double> s_zooms = Gen.Choose(-3, 6).Select(decade => Math.Pow(10.0, decade));
 
     [Fact]
@@ -58,7 +62,8 @@ public class FlatnessTests
     private static bool IsFlat(Segment segment, double zoom, double along)
     {
         var box = segment.Bounds;
-        var view = new CanvasView(segment.PointAt(along), Math.Max(box.Width, box.Height) / 800.0 / zoom, new PixelSize(1600, 1000));
+        var finest = FinestPixel * new[] { box.MinX, box.MinY, box.MaxX, box.MaxY }.Max(Math.Abs);
+        var view = new CanvasView(segment.PointAt(along), Math.Max(finest, Math.Max(box.Width, box.Height) / 800.0 / zoom), new PixelSize(1600, 1000));
         var chords = Flattened(segment, view);
         if (chords.DistanceTo(new Point2D(800.0, 500.0)) >= QuarterPixel) return false;
         var window = new Bounds2D(0.0, 0.0, 1600.0, 1000.0);

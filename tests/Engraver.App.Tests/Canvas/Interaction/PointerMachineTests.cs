@@ -90,6 +90,16 @@ public class PointerMachineTests
     }
 
     [Fact]
+    public void A_double_click_opens_and_leaves_no_box()
+    {
+        Press(s_here, hits: false);
+        _machine.Release(s_here, PointerButton.Left);
+
+        Assert.Equal(new CanvasIntent.Open(s_here), _machine.Press(s_here, PointerButton.Left, false, 2, Never));
+        Assert.Null(_machine.Box);
+    }
+
+    [Fact]
     public void Esc_ends_the_box_first_and_then_the_command()
     {
         Press(s_here, hits: false);

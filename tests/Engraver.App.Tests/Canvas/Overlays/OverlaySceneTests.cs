@@ -64,6 +64,13 @@ public class OverlaySceneTests
     }
 
     [Fact]
+    public void The_finding_under_the_cursor_is_found()
+    {
+        Assert.Equal(new Point2D(7.0, 7.0), s_scene.FindingNear(new Point2D(7.1, 7.0), 0.5));
+        Assert.Null(s_scene.FindingNear(new Point2D(8.0, 7.0), 0.5));
+    }
+
+    [Fact]
     public void Recorded_places_are_joined_while_the_tool_is_on()
     {
         var scene = s_scene.WithRecorded([new(new(0.0, 0.0), 0.0, false), new(new(1.0, 0.0), 0.1, true), new(new(5.0, 5.0), 0.0, false), new(new(6.0, 5.0), 9.0, true)]);
@@ -78,7 +85,7 @@ public class OverlaySceneTests
         SceneMark[] marks = [.. Enumerable.Range(0, 100).Select(i => new SceneMark(new Point2D(i * 0.01, 0.0), MarkKind.Order, new Vector2D(1.0, 0.0), i + 1))];
         var size = new PixelSize(400, 400);
 
-        Assert.InRange(new MarkLayer(marks, new CanvasView(new Point2D(0.5, 0.0), 0.1, size), 0xFFFFFFFF, 1.0).Count, 1, 2);
+        Assert.InRange(new MarkLayer(marks, new CanvasView(new Point2D(0.5, 0.0), 0.1, size), 0xFFFFFFFF, 1.0).Count, 1, 1);
         Assert.Equal(9, new MarkLayer(marks, new CanvasView(new Point2D(0.5, 0.0), 0.0002, size), 0xFFFFFFFF, 1.0).Count);
     }
 

@@ -8,7 +8,7 @@ namespace Engraver.App.Tests.Canvas.Picking;
 public class ObjectSnapTests
 {
     private static readonly CanvasScene s_scene = CanvasScene.Of(new DrawingBuilder()
-        .Line(0.0, 0.0, 100.0, 0.0).Line(30.0, -40.0, 30.0, 40.0).Circle(200.0, 0.0, 50.0).Arc(0.0, 200.0, 40.0, 0.0, 180.0)
+        .Line(0.0, 0.0, 100.0, 0.0).Line(30.0, -40.0, 30.0, 90.0).Circle(200.0, 0.0, 50.0).Arc(0.0, 200.0, 40.0, 0.0, 180.0)
         .Free(FreeCurves.Ellipse(300.0, 300.0, 60.0, 0.5, 0.0, 0.0, 360.0).ToCurve()).Line(100.0, -60.0, 200.0, 40.0).Build());
 
     [Theory]

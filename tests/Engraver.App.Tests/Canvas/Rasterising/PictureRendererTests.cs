@@ -32,7 +32,7 @@ public class PictureRendererTests
 
     [Theory]
     [InlineData(50.0, 50.0, 0.15)]
-    [InlineData(40.0, 60.0, 0.004)]
+    [InlineData(40.0, 60.0, 0.03)]
     public void What_is_culled_is_what_cannot_be_seen(double x, double y, double unitsPerPixel)
     {
         var view = new CanvasView(new Point2D(x, y), unitsPerPixel, new PixelSize(250, 250));
