@@ -9,6 +9,9 @@ namespace Engraver.SoftwarePlatform.Rasteriser;
 /// <param name="opacity">0 to 255.</param>
 internal sealed class ImagePaint(PixelSource source, Matrix toImage, PixelBounds domain, ImageWrap wrapX, ImageWrap wrapY, bool isSmooth, uint opacity) : Paint
 {
+    /// <summary>Without a wrap, a pixel whose centre lies almost half a device pixel outside still gets the border's colour: the edge of the filled shape softens it.</summary>
+    private const double Tolerance = 0.499;
+
     public override bool IsOpaque => source.IsOpaque && opacity == 255 && wrapX != ImageWrap.None && wrapY != ImageWrap.None;
 
     public override void Shade(int x, int y, Span<uint> row)
@@ -16,21 +19,30 @@ internal sealed class ImagePaint(PixelSource source, Matrix toImage, PixelBounds
         var first = new Point(x + 0.5, y + 0.5).Transform(toImage);
         if (isSmooth)
             ShadeSmooth(first.X - 0.5, first.Y - 0.5, row);
-        else if (toImage.M12 == 0 && wrapX == ImageWrap.Clamp)
+        else if (toImage.M12 == 0 && wrapX is ImageWrap.Clamp or ImageWrap.None)
             ShadeNearestRow(first, row);
         else
             ShadeNearest(first, row);
+        if (wrapX == ImageWrap.None || wrapY == ImageWrap.None)
+            ClearOutside(first, row);
         PixelRows.Scale(row, opacity);
+    }
+
+    private void ClearOutside(Point first, Span<uint> row)
+    {
+        var roomX = Tolerance * (Math.Abs(toImage.M11) + Math.Abs(toImage.M21));
+        var roomY = Tolerance * (Math.Abs(toImage.M12) + Math.Abs(toImage.M22));
+        for (var i = 0; i < row.Length; i++)
+        {
+            double u = first.X + i * toImage.M11, v = first.Y + i * toImage.M12;
+            if (u < domain.Left - roomX || u > domain.Right + roomX || v < domain.Top - roomY || v > domain.Bottom + roomY)
+                row[i] = 0;
+        }
     }
 
     private void ShadeNearestRow(Point first, Span<uint> row)
     {
         var y = Wrapped((int)Math.Floor(first.Y), domain.Top, domain.Bottom, wrapY);
-        if (y < 0)
-        {
-            row.Clear();
-            return;
-        }
         var pixels = source.Row(y, 0, source.Width);
         for (var i = 0; i < row.Length; i++)
             row[i] = pixels[Math.Clamp((int)(first.X + i * toImage.M11), domain.Left, domain.Right - 1)] | source.AlphaFill;
@@ -63,14 +75,9 @@ internal sealed class ImagePaint(PixelSource source, Matrix toImage, PixelBounds
         }
     }
 
-    private uint At(int x, int y)
-    {
-        var wrappedX = Wrapped(x, domain.Left, domain.Right, wrapX);
-        var wrappedY = Wrapped(y, domain.Top, domain.Bottom, wrapY);
-        return wrappedX < 0 || wrappedY < 0 ? 0 : source[wrappedX, wrappedY];
-    }
+    private uint At(int x, int y) => source[Wrapped(x, domain.Left, domain.Right, wrapX), Wrapped(y, domain.Top, domain.Bottom, wrapY)];
 
-    /// <summary>The place inside from low to high that stands for a place outside; negative where nothing does.</summary>
+    /// <summary>The place inside from low to high whose pixel is taken for a place outside.</summary>
     private static int Wrapped(int value, int low, int high, ImageWrap wrap)
     {
         if (value >= low && value < high)
@@ -78,15 +85,13 @@ internal sealed class ImagePaint(PixelSource source, Matrix toImage, PixelBounds
         var size = high - low;
         switch (wrap)
         {
-            case ImageWrap.Clamp:
-                return Math.Clamp(value, low, high - 1);
             case ImageWrap.Repeat:
                 return low + Modulo(value - low, size);
             case ImageWrap.Mirror:
                 var folded = Modulo(value - low, 2 * size);
                 return low + (folded < size ? folded : 2 * size - 1 - folded);
             default:
-                return -1;
+                return Math.Clamp(value, low, high - 1);
         }
     }
 

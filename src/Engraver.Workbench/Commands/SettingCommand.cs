@@ -6,7 +6,7 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Commands;
 
 /// <summary>A setting that is typed by its name and asks for a new value, like AutoCAD's system variables. Its default is the value it has.</summary>
-internal sealed class SettingCommand : ICommand
+internal sealed class SettingCommand : ISettingCommand
 {
     private readonly NumberPrompt _limits;
     private readonly Func<DrawingSettings, double> _read;
@@ -36,11 +36,12 @@ internal sealed class SettingCommand : ICommand
     /// <summary>Counts per millimetre by which a feed becomes a vector speed.</summary>
     private static double CoarserAxis(MachineProfile machine) => Math.Min(Math.Abs(machine.CountsPerMillimetreX), Math.Abs(machine.CountsPerMillimetreY));
 
+    public string ValueText(CommandContext context) => NumberPrompt.Show(_read(context.Document.Current.Settings));
+
     /// <exception cref="CommandException">The machine cannot work with that value.</exception>
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var now = NumberPrompt.Show(_read(context.Document.Current.Settings));
-        var value = await context.ValueAsync(_limits with { Default = now }).ConfigureAwait(false);
+        var value = await context.ValueAsync(_limits with { Default = ValueText(context) }).ConfigureAwait(false);
         var state = context.Document.Current;
         var settings = _write(state.Settings, value);
         if (MachineProfileValidation.Check(settings.Machine) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);

@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 namespace Engraver.Workbench.Commands;
 
 /// <summary>A system variable typed by its name: asks for a new value, with the one it has as default.</summary>
-internal sealed class SystemVariableCommand : ICommand
+internal sealed class SystemVariableCommand : ISettingCommand
 {
     private readonly SystemVariable _variable;
 
@@ -18,11 +18,13 @@ internal sealed class SystemVariableCommand : ICommand
 
     public CommandInfo Info { get; }
 
+    public string ValueText(CommandContext context) => NumberPrompt.Show(_variable.Read(context));
+
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var prompt = new NumberPrompt($"Enter new value for {_variable.Name}")
         {
-            Default = NumberPrompt.Show(_variable.Read(context)), Least = _variable.Least, Most = _variable.Most, Whole = _variable.Whole,
+            Default = ValueText(context), Least = _variable.Least, Most = _variable.Most, Whole = _variable.Whole,
         };
         _variable.Write(context, await context.ValueAsync(prompt).ConfigureAwait(false));
     }
