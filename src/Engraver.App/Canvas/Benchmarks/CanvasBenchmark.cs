@@ -41,7 +41,22 @@ public static class CanvasBenchmark
         Timed(output, segments, "moved at once (zoom)", () => Move(picture, all.ZoomedAbout(new Point2D(500.0, 300.0), 1.6), target), _ => "");
         Timed(output, segments, "refined after pan", () => Render(scene, all.PannedBy(new Vector2D(37.0, -20.0))), _ => "");
         foreach (var zoom in new[] { 4.0, 64.0, 1e6 }) Timed(output, segments, $"refined at zoom {zoom:g}", () => Render(scene, all.ZoomedAbout(new Point2D(500.0, 300.0), zoom)), _ => "");
+        MeasurePath(scene, all, output, segments);
         MeasurePicks(drawing, scene, all, output, segments);
+    }
+
+    /// <summary>The drawing with everything selected under a cut path as long as itself, half of it engraved.</summary>
+    private static void MeasurePath(CanvasScene scene, CanvasView view, TextWriter output, int segments)
+    {
+        var (palette, selected) = (scene.Colours.PaletteFor(CanvasTheme.Dark.Foreground), new bool[scene.Drawing.Entities.Count]);
+        Array.Fill(selected, true);
+        IPictureLayer[] layers =
+        [
+            new PrimitiveLayer(scene.Store, palette, LinePen.Hairline),
+            new PrimitiveLayer(scene.Store, [CanvasTheme.Dark.Selected], new LinePen(2.0)) { Only = selected },
+            new PrimitiveLayer(scene.Store, [CanvasTheme.Dark.Engraved, CanvasTheme.Dark.Remaining], new LinePen(2.0)) { Done = selected.Length / 2 },
+        ];
+        Timed(output, segments, "with selection and path", () => PictureRenderer.Render(layers, view, Backdrop.For(view, CanvasTheme.Dark, grid: true), CancellationToken.None), _ => "all selected, as many moves as segments");
     }
 
     private static void MeasurePicks(Drawing drawing, CanvasScene scene, CanvasView view, TextWriter output, int segments)
