@@ -59,7 +59,7 @@ public class PictureRendererTests
         var only = new bool[s_scene.Drawing.Entities.Count];
 
         var none = PictureRenderer.Render([new PrimitiveLayer(s_scene.Store, [0xFF00FF00], LinePen.Hairline) { Only = only }], view, Plain(view), CancellationToken.None);
-        only[0] = true;
+        only[1] = true;
         var one = PictureRenderer.Render([new PrimitiveLayer(s_scene.Store, [0xFF00FF00], LinePen.Hairline) { Only = only }], view, Plain(view), CancellationToken.None);
 
         Assert.All(none.Pixels, pixel => Assert.Equal(CanvasTheme.Dark.Background, pixel));
