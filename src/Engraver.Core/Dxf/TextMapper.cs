@@ -58,7 +58,7 @@ internal sealed class TextMapper(StyleTable styles)
             Row = row,
         };
         var direction = record.Extrusion();
-        return direction == default ? text : PlacedTexts.Placed(text, Placement.OfExtrusion(direction));
+        return direction == default || Placement.OfExtrusion(direction) is { IsIdentity: true } ? text : PlacedTexts.Placed(text, Placement.OfExtrusion(direction));
     }
 
     private PlacedText Common(EntityRecord record)

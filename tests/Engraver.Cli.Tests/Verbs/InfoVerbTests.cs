@@ -8,7 +8,7 @@ public class InfoVerbTests
         var info = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("nameplate"), "--json"));
 
         Assert.Equal(
-            ["file", "bytes", "dxfVersion", "encoding", "units", "entities", "balance", "primitives", "leaf", "text", "length", "bounds", "layers", "diagnostics"],
+            ["file", "bytes", "dxfVersion", "encoding", "units", "entities", "balance", "primitives", "leaf", "text", "length", "bounds", "layers", "diagnostics", "texts"],
             info.EnumerateObject().Select(field => field.Name));
         Assert.Equal("AC1032", info.GetProperty("dxfVersion").GetString());
         Assert.Equal(1.0, info.GetProperty("units").GetProperty("toMillimetres").GetDouble());
