@@ -56,7 +56,7 @@ public class DxfCurveWriterTests
     private static void AssertSame(RationalCurve curve, CurveType type)
     {
         var drawing = Reading.Of(Written(new DxfSheet([], [new DxfSheetEntity(Segment.FromCurve(curve), "0", null, 0, 0)])));
-        Assert.Empty(drawing.Diagnostics.Where(found => found.Id != "DXF0041"));
+        Assert.DoesNotContain(drawing.Diagnostics, found => found.Id != "DXF0041");
         Assert.Equal(type, Assert.Single(Reading.Curves(drawing)).Type);
         var found = drawing.SegmentOf(drawing.Parts[0]);
         var tolerance = 1e-7 * (1.0 + curve.PlanLength);
