@@ -2,6 +2,7 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
 
@@ -27,7 +28,9 @@ internal static class InfoVerb
             var summary = DrawingSummary.Of(read);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary), ContractJson.Default.InfoJson);
             else DrawingText.Write(host.Out, read, summary);
-            var agrees = !parsed.GetValue(twice) || SecondOpinionReport.Write(host.Error, read, summary);
+            // The second reading knows curves only, not the outlines of --cut.
+            var curves = settings.Cut == CutChoice.None ? summary : DrawingSummary.Of(DrawingFile.Open(read.FileName, settings with { Cut = CutChoice.None }, stop));
+            var agrees = !parsed.GetValue(twice) || SecondOpinionReport.Write(host.Error, read, curves);
             var code = host.Report(parsed, read.FileName, read.Diagnostics);
             return Task.FromResult(agrees ? code : ExitCode.DrawingError);
         });

@@ -14,6 +14,15 @@ internal static class RecordKinds
 
     private static readonly FrozenDictionary<string, RecordKind> Known = Build();
 
+    /// <summary>The types of ENTITIES and BLOCKS that are known, with what becomes of each: for the page of diagnostics.</summary>
+    public static IEnumerable<(string Fate, IEnumerable<string> Types)> Fates() =>
+    [
+        ("cut", TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
+        ("cut with `--cut`, otherwise construction", TypesOf(IsOutline)),
+        ("text, kept with content and place, construction", TypesOf(kind => kind is RecordKind.Text or RecordKind.Attribute)),
+        ("construction: drawn for the reader of the drawing, not for the tool", TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point)),
+    ];
+
     public static RecordKind Of(string type) => Known.GetValueOrDefault(type, RecordKind.Unknown);
 
     /// <summary>True when the record's numbers matter; of the others only visibility and space are read, so that junk in a dimension harms nothing.</summary>
@@ -36,6 +45,8 @@ internal static class RecordKinds
 
     /// <summary>True when the record is kept pair by pair: its codes repeat and mean different things in different places, or it has text.</summary>
     public static bool IsCollected(RecordKind kind, CutChoice cut) => kind is RecordKind.Text or RecordKind.Attribute or RecordKind.StyleEntry || (ChoiceOf(kind) & cut) != 0;
+
+    private static IEnumerable<string> TypesOf(Func<RecordKind, bool> wanted) => Known.Where(pair => wanted(pair.Value)).Select(pair => pair.Key).Order(StringComparer.Ordinal);
 
     private static FrozenDictionary<string, RecordKind> Build()
     {
