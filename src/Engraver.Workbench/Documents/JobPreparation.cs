@@ -15,9 +15,17 @@ public static class JobPreparation
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static EntityTable Analyse(Drawing drawing, DrawingSettings settings)
     {
+        CheckLayers(drawing, settings);
         var selection = new LayerSelection(settings.Layers ?? [], settings.SkippedLayers);
-        if (selection.UnknownNames(drawing.Layers) is { Count: > 0 } unknown) throw SettingException.UnknownLayers(unknown, drawing.Layers);
         return ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, selection));
+    }
+
+    /// <summary>Makes sure that the layers which the operator names are there. A drawing that could not be read has none, and has said so already.</summary>
+    /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
+    public static void CheckLayers(Drawing drawing, DrawingSettings settings)
+    {
+        var selection = new LayerSelection(settings.Layers ?? [], settings.SkippedLayers);
+        if (drawing.Layers.Count > 0 && selection.UnknownNames(drawing.Layers) is { Count: > 0 } unknown) throw SettingException.UnknownLayers(unknown, drawing.Layers);
     }
 
     /// <summary>Contours, order, discontinuities.</summary>
