@@ -13,7 +13,7 @@ internal static class DrawingOpening
     public static void Open(CommandContext context, string name, string path, CancellationToken cancellation)
     {
         var state = context.Document.Current;
-        var drawing = DrawingFile.Open(path, state.Settings.Unit, cancellation);
+        var drawing = DrawingFile.Open(path, state.Settings, cancellation);
         Findings.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
         if (drawing.HasErrors && drawing.Entities.Count == 0) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {drawing.Diagnostics.First(found => found.Severity == Severity.Error).Message}");
         RememberView(context);

@@ -8,9 +8,7 @@ namespace Engraver.Workbench.Documents;
 /// <summary>A drawing from a file. Whatever stands there, the answer is a drawing; what is wrong with it is among its diagnostics.</summary>
 public static class DrawingFile
 {
-    public static Drawing Open(string path, LengthUnit? unit, CancellationToken cancellation) => Open(path, new DxfReadOptions { UnitOverride = unit }, cancellation);
-
-    /// <summary>The same with everything of the settings that changes what is read.</summary>
+    /// <param name="settings">Of these only what changes what is read: the unit, what else is to be cut.</param>
     public static Drawing Open(string path, DrawingSettings settings, CancellationToken cancellation) =>
         Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut }, cancellation);
 

@@ -61,5 +61,5 @@ public class JobPreparationTests
     }
 
     private static Engraver.Core.Drawings.Drawing Open(string sample) =>
-        DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), unit: null, CancellationToken.None);
+        DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
 }

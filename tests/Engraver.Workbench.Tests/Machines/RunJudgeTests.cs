@@ -74,7 +74,7 @@ public class RunJudgeTests
     private static async Task<(PreparedJob Job, IReadOnlyList<MotionSample> Record)> RecordedAsync(string sample)
     {
         var settings = new DrawingSettings();
-        var drawing = DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), unit: null, CancellationToken.None);
+        var drawing = DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
         var job = JobPreparation.Prepare(drawing, settings, MotionStyle.Continuous);
         await using var connection = MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System);
         await using var session = await Galil.Sessions.ControllerSession.OpenAsync(connection.OpenLinkAsync, new(), TimeProvider.System, CancellationToken.None);

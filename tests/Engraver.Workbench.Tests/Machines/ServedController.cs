@@ -43,7 +43,7 @@ internal sealed class ServedController : IAsyncDisposable
     /// <summary>Cuts the drawing over the link.</summary>
     public async Task<(JobResult Result, RunJudgement Judged)> CutAsync(string drawing, JobMode mode)
     {
-        var job = JobPreparation.Prepare(DrawingFile.Open(drawing, null, CancellationToken.None), new DrawingSettings(), MachineRunOptions.StyleOf(mode));
+        var job = JobPreparation.Prepare(DrawingFile.Open(drawing, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), MachineRunOptions.StyleOf(mode));
         var options = new MachineRunOptions(_address, mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
         var program = MachineRun.FitToLink(job.Motion.Program!, options, job.Drawing).Program;
         var report = await MachineRun.RunAsync(job, program, options, _clock, null, CancellationToken.None);

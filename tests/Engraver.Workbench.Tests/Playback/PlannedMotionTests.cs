@@ -139,7 +139,7 @@ public class PlannedMotionTests
 
     private static (PreparedJob Job, PlannedMotion Motion) Motion(string sample)
     {
-        var drawing = DrawingFile.Open(CommandTalk.Sample(sample), null, CancellationToken.None);
+        var drawing = DrawingFile.Open(CommandTalk.Sample(sample), new DrawingSettings(), CancellationToken.None);
         var derived = DerivedDocument.Of(new DocumentState { Drawing = drawing }, Galil.Jobs.JobMode.Stream, CancellationToken.None);
         return (derived.Job!, derived.Motion!);
     }

@@ -160,7 +160,7 @@ public class ProgramVerificationTests
     [Fact]
     public async Task A_drawing_that_cannot_be_read_is_never_ok()
     {
-        var drawing = DrawingFile.Open("nowhere.dxf", unit: null, CancellationToken.None);
+        var drawing = DrawingFile.Open("nowhere.dxf", new DrawingSettings(), CancellationToken.None);
         var report = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Post("paper-001", MotionStyle.Calls)), drawing, new DrawingSettings(), CancellationToken.None);
 
         Assert.False(report.Ok);
@@ -185,5 +185,5 @@ public class ProgramVerificationTests
 
     private static PreparedJob Prepare(string sample, MotionStyle style, DrawingSettings settings) => JobPreparation.Prepare(Open(sample), settings, style);
 
-    private static Drawing Open(string sample) => DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), unit: null, CancellationToken.None);
+    private static Drawing Open(string sample) => DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
 }
