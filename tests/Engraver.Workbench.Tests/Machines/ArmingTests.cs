@@ -30,8 +30,10 @@ public class ArmingTests
         Arm(bench);
         bench.Controller.SetInput(3, level: false);
 
-        await bench.UntilAsync(status => status.State == MachineState.Ready);
+        var until = bench.Machine.Armed!.Until;
+        var status = await bench.UntilAsync(status => status.State == MachineState.Ready);
 
+        Assert.True(status.Time < until - TimeSpan.FromSeconds(50), "it was the minute that ended it");
         Assert.Null(bench.Machine.Armed);
     }
 
