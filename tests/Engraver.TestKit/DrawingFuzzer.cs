@@ -7,7 +7,7 @@ public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
 {
     private static readonly string[] OddValues =
     [
-        "1e308", "-1e308", "NaN", "1e-320", "99999999999999999999", "-1", "0", "", "12,5", "1.5D3", "32767", "2147483647", "4294967296", "-0", "0x7F", "ENDSEC", "EOF", "INSERT", "BLOCK",
+        "1e308", "-1e308", "1e99", "-1e95", "1e70", "NaN", "1e-320", "99999999999999999999", "-1", "0", "", "12,5", "1.5D3", "32767", "2147483647", "4294967296", "-0", "0x7F", "ENDSEC", "EOF", "INSERT", "BLOCK",
         "\\U+D800", "{\\H1;\\S1^2", "%%999%%", "*Model_Space", "B", "0", "1", "2", "360", "1e-9",
     ];
 

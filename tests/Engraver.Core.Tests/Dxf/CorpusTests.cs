@@ -8,7 +8,9 @@ namespace Engraver.Core.Tests.Dxf;
 /// <summary>Real drawings and made ones, against what an independent reader found in them (corpus/README.md).</summary>
 public class CorpusTests
 {
-    private const int MostRefused = 1;
+    /// <summary>18 meshes among the polylines, and six entities of types that no reader of today knows (3DLINE, REPEAT, ENDREP) or that hold no curve (REGION).</summary>
+    private const int MostRefused = 24;
+
     private const double Tolerance = 1e-6;
 
     /// <summary>Its only spline has five knots where eight belong: the independent reader gives up, we take uniform ones and say so.</summary>

@@ -43,11 +43,10 @@ public class OutlineTests
     [Fact]
     public void A_clockwise_edge_runs_from_minus_its_start_to_minus_its_end()
     {
-        // Half a circle over the top, right to left would be counter-clockwise; clockwise from 180 to 360 it is left to right.
-        var drawing = Cut(CutChoice.Hatch, [(0, "HATCH"), (91, 1), (92, 1), (93, 1), (72, 2), (10, 0), (20, 0), (40, 5), (50, 180), (51, 360), (73, 0), (97, 0), (75, 0)]);
+        var drawing = Cut(CutChoice.Hatch, [(0, "HATCH"), (91, 1), (92, 1), (93, 1), (72, 2), (10, 0), (20, 0), (40, 5), (50, 270), (51, 360), (73, 0), (97, 0), (75, 0)]);
         var arc = drawing.Parts[0].InPlan();
 
-        Assert.True(arc.Start.IsNear(new Point2D(-5, 0), 1e-12) && arc.End.IsNear(new Point2D(5, 0), 1e-12) && arc.PointAt(0.5).IsNear(new Point2D(0, 5), 1e-12));
+        Assert.True(arc.Start.IsNear(new Point2D(0, 5), 1e-12) && arc.End.IsNear(new Point2D(5, 0), 1e-12) && arc.PointAt(0.5).IsNear(new Point2D(5 * Math.Sqrt(0.5), 5 * Math.Sqrt(0.5)), 1e-12));
     }
 
     [Fact]
@@ -112,7 +111,7 @@ public class OutlineTests
     [Fact]
     public void A_helix_is_its_spline_seen_from_above()
     {
-        (int, object)[] helix = [(0, "HELIX"), (100, "AcDbSpline"), .. OddDrawings.Spline[1..], (100, "AcDbHelix"), (90, 29), (10, 77), (20, 77), (11, 78), (21, 77), (40, 5), (41, 3)];
+        (int, object)[] helix = [(0, "HELIX"), (100, "AcDbSpline"), .. OddDrawings.Spline[1..], (100, "AcDbHelix"), (90, 29), (10, 77), (20, 77), (11, 78), (21, 77), (40, 0.5), (41, 3)];
         var drawing = Cut(CutChoice.Helix, helix);
 
         var spline = Reading.Entities(OddDrawings.Spline);
