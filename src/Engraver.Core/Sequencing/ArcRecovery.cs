@@ -18,9 +18,11 @@ public static class ArcRecovery
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxError);
         var segments = analysed.ToSegments();
         var replacement = new ArcReplacement(analysed);
-        foreach (var contour in new ContourWalker(segments, GapShare * maxError).WalkAll())
+        var contours = new ContourWalker(segments, GapShare * maxError).WalkAll();
+        var junctions = contours.Where(contour => !contour.Closed).SelectMany(contour => new[] { contour.StartIn(segments), contour.EndIn(segments) }).ToHashSet();
+        foreach (var contour in contours)
         {
-            if (contour.Pieces.Length >= ChordRun.FewestChords) new ContourArcs(contour, segments, analysed, (1.0 - GapShare) * maxError).FindInto(replacement);
+            if (contour.Pieces.Length >= ChordRun.FewestChords) new ContourArcs(contour, segments, analysed, junctions, (1.0 - GapShare) * maxError).FindInto(replacement);
         }
 
         return replacement.ToResult();

@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Looks for arcs in one contour: the whole of a closed one first, then run by run of level lines.</summary>
-internal sealed class ContourArcs(Contour contour, Segment[] segments, EntityTable table, double maxError)
+/// <summary>Looks for arcs in one contour: the whole of a closed one first, then run by run of level lines. Where another contour ends a vertex stays, or the two would come apart.</summary>
+internal sealed class ContourArcs(Contour contour, Segment[] segments, EntityTable table, HashSet<Point2D> junctions, double maxError)
 {
     /// <summary>Cosine of the corner at which a closed contour is best cut open: no arc goes through it.</summary>
     private const double CornerCosine = 0.85;
@@ -30,9 +30,10 @@ internal sealed class ContourArcs(Contour contour, Segment[] segments, EntityTab
         else ChordRun.Recover(vertices, tolerances, (from, chords, arc) => replacement.Add(run.Span.Slice(from, chords), arc));
     }
 
-    /// <summary>A line with a length, as high as the first of the run at both ends.</summary>
+    /// <summary>A line with a length, as high as the first of the run at both ends, and no other contour ends where it starts.</summary>
     private bool IsOfRun(int first, int at)
     {
+        if (at > first && junctions.Contains(_pieces[at].StartIn(segments))) return false;
         var row = table[_pieces[at].Row];
         var z = table[_pieces[first].Row][EntitySlot.StartZ];
         return row.Kind == SegmentKind.Line && row.StartPoint != row.EndPoint && row[EntitySlot.StartZ] == z && row[EntitySlot.EndZ] == z;

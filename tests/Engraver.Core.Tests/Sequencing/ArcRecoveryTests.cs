@@ -143,6 +143,17 @@ public class ArcRecoveryTests
     public void Waves_do_give_arcs() => Assert.InRange(Enumerable.Range(1, 20).Sum(seed => Recover(Analysed(Polyline(Wave(new System.Random(seed))))).Arcs.Count), 40, 2000);
 
     [Fact]
+    public void A_line_that_ends_on_a_vertex_keeps_its_joint()
+    {
+        var points = Flatten(new ArcSegment(new Point2D(0, 0), 20, Angle.Zero, Angle.FromDegrees(90)), 40);
+        var builder = Polyline(points).Line(points[15].X, points[15].Y, 0, 0);
+
+        var segments = Recover(Analysed(builder)).Table.ToSegments();
+
+        Assert.Equal([points[15], points[40]], segments.Where(segment => segment.Kind == SegmentKind.Arc).Select(segment => segment.End));
+    }
+
+    [Fact]
     public void Lines_at_different_heights_are_no_plane_arc()
     {
         var points = Flatten(new ArcSegment(new Point2D(0, 0), 20, Angle.Zero, Angle.FromDegrees(90)), 40);
