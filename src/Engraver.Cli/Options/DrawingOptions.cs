@@ -26,6 +26,7 @@ internal sealed class DrawingOptions
     private readonly Option<string?> _enter = new("--enter") { HelpName = "HANDLE|X,Y", Description = "Entity or point where cutting begins." };
     private readonly Option<string> _order = Choice("--order", "nearest", "Order of the strokes; an inner contour always comes before the one around it.", "drawn", "nearest");
     private readonly Option<bool> _keepDuplicates = new("--keep-duplicates") { Description = "Cut lines that were drawn twice twice." };
+    private readonly Option<bool> _recoverArcs = new("--recover-arcs") { Description = "Cut lines that approximate an arc within --max-error as that arc." };
     private readonly Option<string?> _machine = new("--machine") { HelpName = "PROFILE.json", Description = "Machine profile (default: the built-in one)." };
     private readonly Option<double?> _feed = new("--feed") { HelpName = "MM/MIN", Description = "Cutting speed, instead of the profile's.", CustomParser = result => OptionValue.PositiveNumber(result) };
 
@@ -38,7 +39,7 @@ internal sealed class DrawingOptions
     /// <summary>For a verb whose drawing is named by an option of its own.</summary>
     public void AddOptionsTo(Command command)
     {
-        foreach (var option in (Option[])[_layers, _skip, _units, _cut, _join, _maxError, _start, _enter, _order, _keepDuplicates, _machine, _feed]) command.Options.Add(option);
+        foreach (var option in (Option[])[_layers, _skip, _units, _cut, _join, _maxError, _start, _enter, _order, _keepDuplicates, _recoverArcs, _machine, _feed]) command.Options.Add(option);
     }
 
     public string File(ParseResult parsed) => parsed.GetRequiredValue(_file);
@@ -56,6 +57,7 @@ internal sealed class DrawingOptions
         Enter = Entering(parsed.GetValue(_enter)),
         Order = parsed.GetValue(_order) == "drawn" ? StrokeOrder.Drawn : StrokeOrder.Nearest,
         KeepDuplicates = parsed.GetValue(_keepDuplicates),
+        RecoverArcs = parsed.GetValue(_recoverArcs),
         Machine = Machine(parsed),
     };
 

@@ -35,7 +35,15 @@ public static class SequencingRules
         "At {count} places a contour could have gone on in several ways; the straightest was taken, then the lower row.",
         "Look at the numbered strokes when the order matters there.");
 
+    public static readonly DiagnosticRule ArcRecovered = new("SEQ0010", Severity.Info,
+        "{count} lines from {x}, {y} on are cut as one arc of radius {radius} mm, at most {deviation} mm from them.",
+        "Leave --recover-arcs out, or lower --max-error, when the lines are meant.");
+
+    public static readonly DiagnosticRule CircleRecovered = new("SEQ0011", Severity.Info,
+        "{count} lines around {x}, {y} are cut as one circle of radius {radius} mm, at most {deviation} mm from them.",
+        "Leave --recover-arcs out, or lower --max-error, when the lines are meant.");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
-        [DuplicatesRemoved, OpenEnds, SmallGap, ShortSegments, EntryNotFound, EntryWaits, NothingToCut, Branches];
+        [DuplicatesRemoved, OpenEnds, SmallGap, ShortSegments, EntryNotFound, EntryWaits, NothingToCut, Branches, ArcRecovered, CircleRecovered];
 }

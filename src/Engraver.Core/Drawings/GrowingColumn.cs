@@ -10,6 +10,9 @@ public sealed class GrowingColumn<T>
     private const int ChunkSize = 1 << ChunkShift;
     private readonly List<T[]> _chunks = [];
 
+    /// <summary>The chunk that is being filled.</summary>
+    private T[] _last = [];
+
     public int Count { get; private set; }
 
     public ref T this[int index]
@@ -25,8 +28,9 @@ public sealed class GrowingColumn<T>
     /// <summary>Appends a value and returns its index.</summary>
     public int Add(in T value)
     {
-        if ((Count & (ChunkSize - 1)) == 0) _chunks.Add(GC.AllocateUninitializedArray<T>(ChunkSize));
-        _chunks[Count >> ChunkShift][Count & (ChunkSize - 1)] = value;
+        var place = Count & (ChunkSize - 1);
+        if (place == 0) _chunks.Add(_last = GC.AllocateUninitializedArray<T>(ChunkSize));
+        _last[place] = value;
         return Count++;
     }
 
@@ -46,6 +50,7 @@ public sealed class GrowingColumn<T>
         }
 
         if (_chunks.Count > 0) edited.Own(_chunks.Count - 1, owned);
+        edited._last = edited._chunks.Count > 0 ? edited._chunks[^1] : [];
         foreach (var value in added) edited.Add(value);
         return edited;
     }

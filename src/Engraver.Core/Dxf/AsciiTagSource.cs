@@ -1,4 +1,6 @@
 using System.Buffers;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 using System.Text;
 
 namespace Engraver.Core.Dxf;
@@ -7,6 +9,11 @@ namespace Engraver.Core.Dxf;
 internal sealed class AsciiTagSource : DxfTagSource
 {
     private const int ShownText = 40;
+
+    /// <summary>So far from the end of the file a code and the end of its value may be looked at without asking.</summary>
+    private const int PlainMargin = 64;
+
+    private const int MostBlanks = 8;
     private static readonly SearchValues<byte> KeywordBytes = SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"u8);
     private int _valueStart;
     private int _valueLength;
@@ -24,7 +31,45 @@ internal sealed class AsciiTagSource : DxfTagSource
 
     public override bool TryNumber(out double number) => DxfNumber.TryParse(Value, out number);
 
-    protected override bool ReadPair()
+    /// <summary>The common pair at once; whatever is unusual about it leaves everything untouched and goes the long way.</summary>
+    protected override bool ReadPair() => TryPlainPair() || ReadAnyPair();
+
+    /// <summary>Blanks, one to four digits, LF or CR LF; a value that ends likewise and well before the end of the file.</summary>
+    private bool TryPlainPair()
+    {
+        var bytes = Bytes;
+        var at = Position;
+        if (bytes.Length - at < PlainMargin) return false;
+        ref var first = ref MemoryMarshal.GetReference(bytes);
+        while (Unsafe.Add(ref first, at) == ' ' && at - Position < MostBlanks) at++;
+        var code = (uint)Unsafe.Add(ref first, at) - '0';
+        if (code > 9) return false;
+        var digit = (uint)Unsafe.Add(ref first, ++at) - '0';
+        for (var digits = 1; digit <= 9 && digits < 4; digits++)
+        {
+            code = (code * 10) + digit;
+            digit = (uint)Unsafe.Add(ref first, ++at) - '0';
+        }
+
+        if (!TakePlainEnd(ref first, ref at)) return false;
+        var start = at;
+        if (!LineEnd.TryFind(bytes, ref at)) return false;
+        var end = at;
+        if (!TakePlainEnd(ref first, ref at)) return false;
+        (Code, Line, _valueStart, _valueLength, Position) = ((int)code, NextLine, start, end - start, at);
+        CutInsidePair = false;
+        NextLine += 2;
+        return true;
+    }
+
+    /// <summary>Steps over LF or CR LF.</summary>
+    private static bool TakePlainEnd(ref byte first, ref int at)
+    {
+        if (Unsafe.Add(ref first, at) == '\r') at++;
+        return Unsafe.Add(ref first, at++) == '\n';
+    }
+
+    private bool ReadAnyPair()
     {
         while (TakeLine(out var start, out var length, out _))
         {

@@ -10,6 +10,8 @@ internal sealed class BalanceSheet(ImportLog log)
     private readonly List<RefusedEntity> _refused = [];
     private readonly List<RefusedEntity> _refusedInBlocks = [];
     private readonly Dictionary<string, long> _annotations = new(StringComparer.Ordinal);
+    private string _runType = "";
+    private int _run;
     private int _cut;
     private int _construction;
 
@@ -45,6 +47,7 @@ internal sealed class BalanceSheet(ImportLog log)
 
     public DrawingBalance ToBalance(int layers)
     {
+        EndRun("");
         while (_perLayer.Count < layers) _perLayer.Add(0);
         var texts = _annotations.Where(entry => entry.Key != "POINT").ToDictionary(entry => entry.Key, entry => Count(entry.Value), StringComparer.Ordinal);
         return new DrawingBalance(_counts, _cut, _construction, _refused, _refusedInBlocks, texts, Count(_annotations.GetValueOrDefault("POINT")))
@@ -55,10 +58,18 @@ internal sealed class BalanceSheet(ImportLog log)
 
     private static int Count(long count) => (int)Math.Min(count, int.MaxValue);
 
+    /// <summary>Records of one type follow one another, so they are counted before the type is looked up.</summary>
     private void AddRecord(EntityRecord record)
     {
-        _counts[record.Type] = _counts.GetValueOrDefault(record.Type) + 1;
+        if (!ReferenceEquals(record.Type, _runType)) EndRun(record.Type);
+        _run++;
         while (_perLayer.Count <= record.Layer) _perLayer.Add(0);
         _perLayer[record.Layer]++;
+    }
+
+    private void EndRun(string nextType)
+    {
+        if (_run > 0) _counts[_runType] = _counts.GetValueOrDefault(_runType) + _run;
+        (_runType, _run) = (nextType, 0);
     }
 }

@@ -27,6 +27,8 @@ internal sealed class DrawingImport
     private readonly List<(int Position, int Line)> _postponed = [];
     private int _sections;
     private int? _lastDefinitions;
+    private bool _readTables;
+    private bool _readBlocks;
 
     public DrawingImport(DxfTagSource tags, DxfReadOptions options, CancellationToken cancellation)
     {
@@ -87,9 +89,11 @@ internal sealed class DrawingImport
                 break;
             case "TABLES":
                 ReadTables();
+                _readTables = true;
                 break;
             case "BLOCKS":
                 ReadBlocks();
+                _readBlocks = true;
                 break;
             case "ENTITIES" when IsAheadOfItsBlocks():
                 _postponed.Add(_tags.Bookmark());
@@ -112,6 +116,7 @@ internal sealed class DrawingImport
     /// <summary>Inserts need their blocks and the switches of their layers. In the rare file that has them behind its entities, those wait for a second pass.</summary>
     private bool IsAheadOfItsBlocks()
     {
+        if (_readBlocks && _readTables) return false; // the usual order; no need to search the whole file
         // Looked up once: a hostile file may have as many sections as it has lines.
         _lastDefinitions ??= Math.Max(_tags.LastWord("BLOCKS"u8), _tags.LastWord("TABLES"u8));
         return _tags.Bookmark().Position < _lastDefinitions;

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Engraver.Core.Dxf;
 
 /// <summary>The handles that other objects of a written drawing point at; all others are handed out from <see cref="FirstFree"/> on.</summary>
@@ -25,4 +27,21 @@ internal static class DxfHandles
 
     /// <summary>More than tables, blocks and objects take whatever the layers; entities begin behind it.</summary>
     public const int FirstEntity = 0x400;
+
+    /// <summary>A handle as written, hexadecimal, blanks around it allowed; 0 for anything that is none.</summary>
+    public static ulong Parse(ReadOnlySpan<byte> text)
+    {
+        var handle = 0UL;
+        foreach (var character in text)
+        {
+            var digit = (uint)character - '0';
+            if (digit > 9) digit = ((uint)character | 0x20) - 'a' is <= 5 and var letter ? letter + 10 : 16;
+            if (digit > 15 || handle >> 60 != 0) return Other(text);
+            handle = (handle << 4) | digit;
+        }
+
+        return handle;
+    }
+
+    private static ulong Other(ReadOnlySpan<byte> text) => ulong.TryParse(text, NumberStyles.HexNumber, CultureInfo.InvariantCulture, out var handle) ? handle : 0;
 }

@@ -10,6 +10,12 @@ internal static class DxfNumber
 
     private const ulong LargestExactMantissa = 1UL << 53;
 
+    /// <summary>So many digits fit 64 bits.</summary>
+    private const int MostDigits = 19;
+
+    /// <summary>With sign and point.</summary>
+    private const int LongestPlain = MostDigits + 2;
+
     /// <summary>10^0 to 10^22: the powers of ten that a double holds exactly.</summary>
     private static readonly double[] PowersOfTen =
     [
@@ -18,7 +24,34 @@ internal static class DxfNumber
     ];
 
     /// <summary>The nearest double, as <see cref="double.Parse(string)"/> would give it; false for anything that is no usable number.</summary>
-    public static bool TryParse(ReadOnlySpan<byte> text, out double value)
+    public static bool TryParse(ReadOnlySpan<byte> text, out double value) => TryPlain(text, out value) || TryAny(text, out value);
+
+    /// <summary>Sign, digits and a point, as almost every number is written; false for whatever needs a closer look.</summary>
+    private static bool TryPlain(ReadOnlySpan<byte> text, out double value)
+    {
+        value = 0.0;
+        if (text.Length is 0 or > LongestPlain) return false;
+        var negative = text[0] == '-';
+        var digits = negative ? 1 : 0;
+        var point = text.Length;
+        var mantissa = 0UL;
+        for (var at = digits; at < text.Length; at++)
+        {
+            var digit = (uint)text[at] - '0';
+            if (digit <= 9) mantissa = (mantissa * 10) + digit;
+            else if (text[at] == '.' && point == text.Length) point = at;
+            else return false;
+        }
+
+        var decimals = Math.Max(0, text.Length - point - 1);
+        if (text.Length - digits - (point < text.Length ? 1 : 0) is 0 or > MostDigits) return false;
+        if (mantissa <= LargestExactMantissa) value = mantissa / PowersOfTen[decimals];
+        else if (!DecimalQuotient.TryRound(mantissa, decimals, out value)) return false;
+        if (negative) value = -value;
+        return true;
+    }
+
+    private static bool TryAny(ReadOnlySpan<byte> text, out double value)
     {
         var digits = text.Trim(" \t"u8);
         return Scan(digits, out var mantissa, out var exponent, out var exact) && (exact

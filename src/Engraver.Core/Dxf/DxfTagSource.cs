@@ -1,9 +1,14 @@
+using System.Runtime.InteropServices;
+
 namespace Engraver.Core.Dxf;
 
 /// <summary>A DXF as a stream of (group code, value) pairs over its bytes. Nothing is copied: a value is a span of the file.</summary>
 internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
 {
     private const int CommentCode = 999;
+
+    /// <summary>An array, because the span of a memory is found anew for every pair.</summary>
+    private readonly byte[] _file = MemoryMarshal.TryGetArray(file, out var segment) && segment.Offset == 0 && segment.Array!.Length == segment.Count ? segment.Array : file.ToArray();
 
     /// <summary>Group code of the pair read last.</summary>
     public int Code { get; protected set; }
@@ -37,7 +42,7 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
     /// <summary>The value's bytes, without the line end; for a number of a binary file its raw bytes.</summary>
     public abstract ReadOnlySpan<byte> Value { get; }
 
-    protected ReadOnlySpan<byte> Bytes => file.Span;
+    protected ReadOnlySpan<byte> Bytes => _file;
 
     protected int Position { get; set; }
 

@@ -8,8 +8,9 @@ internal sealed class NameTable(Func<ReadOnlySpan<byte>, string> decode)
     private readonly Dictionary<byte[], int> _byBytes = new(BytesComparer.Instance);
     private readonly Dictionary<string, int> _byName = new(StringComparer.OrdinalIgnoreCase);
     private readonly List<string> _names = [];
-    private byte[] _last = [];
-    private int _lastId = -1;
+
+    /// <summary>Spellings met lately, by a few of their bits: a drawing goes to and fro between a handful of layers.</summary>
+    private readonly (byte[] Name, int Id)[] _recent = [.. Enumerable.Repeat((Array.Empty<byte>(), -1), 16)];
 
     public int Count => _names.Count;
 
@@ -18,8 +19,9 @@ internal sealed class NameTable(Func<ReadOnlySpan<byte>, string> decode)
 
     public int IdOf(ReadOnlySpan<byte> bytes)
     {
+        ref var recent = ref _recent[bytes.IsEmpty ? 0 : (bytes.Length + bytes[^1]) & 15];
+        if (recent.Id >= 0 && bytes.SequenceEqual(recent.Name)) return recent.Id;
         var name = bytes.Trim(" \t"u8);
-        if (_lastId >= 0 && name.SequenceEqual(_last)) return _lastId; // runs of one layer or type are the rule
         var lookup = _byBytes.GetAlternateLookup<ReadOnlySpan<byte>>();
         if (!lookup.TryGetValue(name, out var id))
         {
@@ -27,7 +29,8 @@ internal sealed class NameTable(Func<ReadOnlySpan<byte>, string> decode)
             lookup[name] = id;
         }
 
-        lookup.TryGetValue(name, out _last!, out _lastId);
+        lookup.TryGetValue(name, out var kept, out _);
+        if (name.Length == bytes.Length) recent = (kept!, id);
         return id;
     }
 

@@ -109,7 +109,7 @@ internal sealed class RecordReader
         switch (_tags.Code)
         {
             case 5 when record.Handle == 0:
-                record.Handle = ulong.TryParse(_tags.Value, NumberStyles.HexNumber, CultureInfo.InvariantCulture, out var handle) ? handle : 0;
+                record.Handle = DxfHandles.Parse(_tags.Value);
                 break;
             case 8:
                 record.Layer = Layers.IdOf(_tags.Value);
@@ -129,8 +129,8 @@ internal sealed class RecordReader
 
     private void AcceptNumber(EntityRecord record, int code)
     {
-        var repeats = (record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 30 or 40 or 41 or 42) || (record.Kind == RecordKind.Spline && code is 10 or 20 or 30 or 11 or 21 or 31 or 40 or 41);
         if (!EntityRecord.Keeps(code) || !(RecordKinds.HasNumbers(record.Kind) || code is 60 or 67)) return;
+        var repeats = (record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 30 or 40 or 41 or 42) || (record.Kind == RecordKind.Spline && code is 10 or 20 or 30 or 11 or 21 or 31 or 40 or 41);
         if (!_tags.TryNumber(out var value) && !TryOddNumber(record, code, out value))
         {
             record.Refuse(DxfRules.BadValue, _tags.ValueLine, string.Create(CultureInfo.InvariantCulture, $"group {code} is '{ShownText()}'"));

@@ -16,11 +16,6 @@ internal sealed class ArcChain
         if (arc.Start != arc.End) Add(arc.ToSegment());
     }
 
-    public void AddLine(Point2D start, Point2D end)
-    {
-        if (start != end) Add(Segment.FromLine(start, end));
-    }
-
     public IReadOnlyList<Segment> ToSegments() => _segments;
 
     private void Add(Segment next)

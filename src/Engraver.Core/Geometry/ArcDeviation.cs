@@ -63,6 +63,14 @@ internal static class ArcDeviation
     /// <summary>|d| = |e| (2 + k e), and k e is at least -1.</summary>
     private static double ToDistance(double d, double curvature) => d / (2.0 - Math.Min(1.0, Math.Abs(curvature) * d));
 
+    /// <summary>Distance of a place from the arc's whole circle (or line).</summary>
+    public static double FromCircle(Point2D place, in TangentArc arc)
+    {
+        var way = place - arc.Start;
+        var d = (arc.Curvature * way.LengthSquared) - (2.0 * arc.StartTangent.Cross(way));
+        return Math.Abs(d) / (1.0 + Math.Sqrt(Math.Max(0.0, 1.0 + (arc.Curvature * d))));
+    }
+
     private static double AtEnd(Point2D place, in TangentArc arc)
     {
         var way = place - arc.Start;

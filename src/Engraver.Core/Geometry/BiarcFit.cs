@@ -9,6 +9,9 @@ public static class BiarcFit
 
     private const double FinestOfPlace = 1e-13;
 
+    /// <summary>Up to here a piece more or less is worth a second search.</summary>
+    private const int FewArcs = 64;
+
     /// <summary>Arcs and lines that begin and end where the curve does and lie nowhere farther from it than <paramref name="maxError"/> (bounded, not sampled), nor it from them.</summary>
     /// <param name="curve">The curve.</param>
     /// <param name="maxError">Above 0; raised to 1e-9 of the curve's size.</param>
@@ -19,8 +22,21 @@ public static class BiarcFit
         var place = Math.Max(Math.Max(Math.Abs(box.MinX), Math.Abs(box.MaxX)), Math.Max(Math.Abs(box.MinY), Math.Abs(box.MaxY)));
         var tolerance = Math.Max(maxError, Math.Max(FinestOfSize * (box.Width + box.Height), FinestOfPlace * place));
         var chain = new ArcChain();
-        foreach (var run in SmoothRun.Of(curve)) new BiarcSearch(run, tolerance).AppendTo(chain);
+        foreach (var run in SmoothRun.Of(curve))
+        {
+            foreach (var arc in Cover(run, tolerance)) chain.Add(arc);
+        }
+
         var segments = chain.ToSegments();
         return segments.Count > 0 ? segments : [Segment.FromLine(curve.Start, curve.End)];
+    }
+
+    /// <summary>From the front and from the back: greed that ends in a stub on the one way often does not on the other.</summary>
+    private static IReadOnlyList<TangentArc> Cover(SmoothRun run, double tolerance)
+    {
+        var forwards = new BiarcSearch(run, tolerance).Cover();
+        if (forwards.Count <= 1 || forwards.Count > FewArcs) return forwards;
+        var backwards = new BiarcSearch(run.Reversed(), tolerance).Cover();
+        return backwards.Count < forwards.Count ? [.. backwards.Reverse().Select(arc => arc.Reversed())] : forwards;
     }
 }

@@ -1,35 +1,57 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Covers a smooth run with biarcs, each as long as the tolerance allows.</summary>
+/// <summary>Covers a smooth run with arcs, each pair (or single arc, where one does) as long as the tolerance allows.</summary>
 internal sealed class BiarcSearch(SmoothRun run, double tolerance)
 {
     /// <summary>The bisection for the longest fit ends when it knows the length to this part.</summary>
     private const double LengthKnown = 0.01;
 
-    private const int JointSteps = 60;
+    private const int SingleSteps = 20;
+
+    private readonly BiarcChoice _choice = new(run, tolerance);
+    private readonly List<TangentArc> _arcs = [];
     private double _step = 1.0;
 
-    public void AppendTo(ArcChain chain)
+    /// <summary>The arcs and lines from the run's start to its end. Neighbours share place and direction but where a line bridges a cusp.</summary>
+    public IReadOnlyList<TangentArc> Cover()
     {
+        var tangent = run.TangentAt(0.0);
         for (var from = 0.0; from < run.End;)
         {
-            var (to, biarc) = LongestFrom(from);
-            if (biarc is { } pair)
+            var (to, pair) = LongestFrom(from, tangent);
+            if (SingleFrom(from, tangent, pair is null ? from : to) is { } single)
             {
-                chain.Add(pair.First);
-                chain.Add(pair.Second);
+                to = single.To;
+                _arcs.Add(single.Arc);
+                tangent = single.Arc.EndTangent;
             }
             else
             {
-                chain.AddLine(run.PlaceAt(from), run.PlaceAt(to));
+                Add(from, to, pair);
+                tangent = pair?.Second.EndTangent ?? run.TangentAt(to);
             }
 
             _step = Math.Max(to - from, double.Epsilon);
             from = to;
         }
+
+        return _arcs;
     }
 
-    private (double To, Biarc? Pair) LongestFrom(double from)
+    private void Add(double from, double to, Biarc? pair)
+    {
+        if (pair is { } arcs)
+        {
+            _arcs.Add(arcs.First);
+            _arcs.Add(arcs.Second);
+        }
+        else
+        {
+            _arcs.Add(TangentArc.Straight(run.PlaceAt(from), run.PlaceAt(to)));
+        }
+    }
+
+    private (double To, Biarc? Pair) LongestFrom(double from, Vector2D tangent)
     {
         var good = from;
         Biarc? best = null;
@@ -37,7 +59,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
         for (var step = _step; good < run.End && double.IsPositiveInfinity(bad);)
         {
             var to = Math.Min(run.End, good + step);
-            if (FitBetween(from, to) is { } pair) (good, best, step) = (to, pair, 2.0 * step);
+            if (FitBetween(from, tangent, to) is { } pair) (good, best, step) = (to, pair, 2.0 * step);
             else bad = to;
         }
 
@@ -45,7 +67,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
         {
             var to = (good + bad) / 2.0;
             if (to <= good || to >= bad) break;
-            if (FitBetween(from, to) is { } pair) (good, best) = (to, pair);
+            if (FitBetween(from, tangent, to) is { } pair) (good, best) = (to, pair);
             else if (best is null && IsSpeck(from, to)) return (to, null);
             else bad = to;
         }
@@ -53,42 +75,28 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
         return best is null ? (Math.Max(Math.Min(bad, run.End), Math.BitIncrement(from)), null) : (good, best);
     }
 
-    private Biarc? FitBetween(double from, double to)
-    {
-        var (start, end) = (run.PlaceAt(from), run.PlaceAt(to));
-        if (Biarc.Between(start, run.TangentAt(from), end, run.TangentAt(to)) is not { } pair) return null;
-        if (JointBetween(from, to, pair.First.End, pair.First.EndTangent) is not { } joint) return null;
-        return IsWithin(from, joint, pair.First) && IsWithin(joint, to, pair.Second) ? pair : null;
-    }
+    private Biarc? FitBetween(double from, Vector2D tangent, double to) => _choice.Between(from, tangent, to, run.TangentAt(to));
 
-    /// <summary>Where the curve crosses the normal through the joint (false position, Illinois); null when it does not get from one side to the other.</summary>
-    private double? JointBetween(double from, double to, Point2D joint, Vector2D tangent)
+    /// <summary>One arc that covers at least half of what two do, as far as it gets.</summary>
+    private (double To, TangentArc Arc)? SingleFrom(double from, Vector2D tangent, double reach)
     {
-        var (low, high) = (from, to);
-        var (atLow, atHigh) = ((run.PlaceAt(low) - joint).Dot(tangent), (run.PlaceAt(high) - joint).Dot(tangent));
-        if (!(atLow < 0.0) || !(atHigh > 0.0)) return null;
-        var near = tolerance * ArcDeviation.EndShare / 4.0;
-        var side = 0;
-        for (var step = 0; step < JointSteps; step++)
+        if (reach <= from) return null;
+        for (var step = SingleSteps; step >= SingleSteps / 4; step--)
         {
-            var middle = step % 8 == 7 ? (low + high) / 2.0 : low + ((high - low) * (atLow / (atLow - atHigh)));
-            var at = (run.PlaceAt(middle) - joint).Dot(tangent);
-            if (Math.Abs(at) <= near) return middle;
-            if (at < 0.0) (low, atLow, atHigh, side) = (middle, at, side < 0 ? atHigh / 2.0 : atHigh, -1);
-            else (high, atHigh, atLow, side) = (middle, at, side > 0 ? atLow / 2.0 : atLow, 1);
+            var (low, high) = (SinglePlace(from, reach, step - 1), SinglePlace(from, reach, step));
+            if (high <= low || _choice.SingleBetween(from, tangent, low, high) is not { } single) continue;
+            return single;
         }
 
         return null;
     }
 
-    private bool IsWithin(double from, double to, in TangentArc arc)
+    /// <summary>Ends worth a look: evenly from a half to twice the reach of two arcs, each moved to the joint of spans near it (CAD writes circles as splines of four).</summary>
+    private double SinglePlace(double from, double reach, int step)
     {
-        foreach (var piece in run.Between(from, to))
-        {
-            if (!ArcDeviation.IsWithin(piece, arc, tolerance)) return false;
-        }
-
-        return true;
+        var place = from + ((reach - from) * 2.0 * step / SingleSteps);
+        var joint = Math.Round(place);
+        return Math.Min(run.End, joint > from && Math.Abs(joint - place) <= (reach - from) / SingleSteps ? joint : place);
     }
 
     /// <summary>Control points all within half the tolerance of the start: a line is near enough whatever the curve does.</summary>

@@ -21,6 +21,9 @@ internal sealed class SmoothRun(ArraySegment<BezierSpan> spans)
         }
     }
 
+    /// <summary>The same run from its end to its start.</summary>
+    public SmoothRun Reversed() => new(spans.Reverse().Select(span => span.Reversed()).ToArray());
+
     public Point2D PlaceAt(double place)
     {
         var span = Math.Min((int)place, spans.Count - 1);

@@ -11,8 +11,6 @@ public readonly record struct TangentArc(Point2D Start, Vector2D StartTangent, P
     /// <summary>Of the chord: an arc that stands off it by less is a line (its centre would be lost in rounding).</summary>
     private const double StraightSagitta = 1e-9;
 
-    public bool IsAtMostQuarter => StartTangent.Dot(EndTangent) >= -1e-9;
-
     /// <summary>The arc that leaves <paramref name="start"/> along <paramref name="tangent"/> and reaches <paramref name="end"/>.</summary>
     public static TangentArc From(Point2D start, Vector2D tangent, Point2D end)
     {
@@ -22,6 +20,14 @@ public readonly record struct TangentArc(Point2D Start, Vector2D StartTangent, P
         if (!(Math.Abs(across) > 8.0 * StraightSagitta * Math.Sqrt(squared))) return new TangentArc(start, tangent, end, tangent, 0.0);
         var turned = ((chord * (2.0 * along)) - (tangent * squared)) * (1.0 / squared); // the tangent mirrored at the chord
         return new TangentArc(start, tangent, end, turned, 2.0 * across / squared);
+    }
+
+    /// <summary>The line between two places.</summary>
+    public static TangentArc Straight(Point2D start, Point2D end)
+    {
+        var chord = end - start;
+        var along = chord.Length is var length && length > 0.0 ? chord * (1.0 / length) : default;
+        return new TangentArc(start, along, end, along, 0.0);
     }
 
     /// <summary>The same points in the opposite direction.</summary>

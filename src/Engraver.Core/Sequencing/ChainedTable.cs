@@ -7,7 +7,7 @@ namespace Engraver.Core.Sequencing;
 
 /// <summary>Between chaining and ordering: the contours of a table, duplicates gone, not yet in an order of cutting.</summary>
 /// <param name="Analysed">The whole analysed table, duplicates included.</param>
-/// <param name="Kept">The rows that are cut; contours refer to these.</param>
+/// <param name="Kept">The rows that are cut, recovered arcs among them; contours refer to these.</param>
 /// <param name="Segments">The kept rows as segments.</param>
 /// <param name="Chain">Contours and open ends.</param>
 /// <param name="Inside">The closed contour directly around each contour, -1 for none.</param>
@@ -22,5 +22,5 @@ public sealed record ChainedTable(
     Drawing? Drawing,
     IReadOnlyList<Diagnostic> Diagnostics)
 {
-    public int DuplicatesRemoved => Analysed.Count - Kept.Count;
+    public int DuplicatesRemoved { get; init; }
 }

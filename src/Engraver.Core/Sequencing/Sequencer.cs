@@ -15,7 +15,7 @@ public static class Sequencer
     public static SequencingResult Sequence(EntityTable analysed, Drawing? drawing, SequencingOptions options) =>
         Order(Chain(analysed, drawing, options), options);
 
-    /// <summary>Removes duplicates, joins contours, finds which lies inside which.</summary>
+    /// <summary>Removes duplicates, recovers arcs where that is wished, joins contours, finds which lies inside which.</summary>
     public static ChainedTable Chain(EntityTable analysed, Drawing? drawing, SequencingOptions options)
     {
         var segments = analysed.ToSegments();
@@ -32,10 +32,18 @@ public static class Sequencer
             }
         }
 
+        var duplicates = analysed.Count - kept.Count;
+        if (options.ArcTolerance is { } arcTolerance && ArcRecovery.Recover(kept, arcTolerance) is { Arcs.Count: > 0 } recovered)
+        {
+            findings.AddArcs(recovered);
+            kept = recovered.Table;
+            segments = kept.ToSegments();
+        }
+
         var chain = ContourChainer.Chain(segments, options.JoinTolerance);
         var inside = ContourNesting.Find(chain.Contours, segments, options.JoinTolerance);
         findings.AddChain(chain, kept, segments);
-        return new ChainedTable(analysed, kept, segments, chain, inside, drawing, findings.Diagnostics);
+        return new ChainedTable(analysed, kept, segments, chain, inside, drawing, findings.Diagnostics) { DuplicatesRemoved = duplicates };
     }
 
     /// <summary>Puts the contours in order, turns and rotates them, and writes the sequenced table.</summary>

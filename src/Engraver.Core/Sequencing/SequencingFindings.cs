@@ -23,6 +23,16 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         Add(SequencingRules.DuplicatesRemoved, entity, Number(analysed.Count - kept.Length), HandleOf(entity) ?? "without a handle");
     }
 
+    public void AddArcs(ArcRecoveryResult recovered)
+    {
+        foreach (var (row, lines, deviation) in recovered.Arcs)
+        {
+            var arc = recovered.Table[row];
+            var rule = arc.Kind == SegmentKind.Circle ? SequencingRules.CircleRecovered : SequencingRules.ArcRecovered;
+            Add(rule, arc.EntityIndex, Number(lines), Number(arc.StartPoint.X), Number(arc.StartPoint.Y), Number(arc.Radius), Number(deviation));
+        }
+    }
+
     public void AddChain(ChainResult chain, EntityTable table, ReadOnlySpan<Segment> segments)
     {
         if (table.Count == 0 && drawing is not { HasErrors: true, Entities.Count: 0 }) _diagnostics.Add(SequencingRules.NothingToCut.At(default));

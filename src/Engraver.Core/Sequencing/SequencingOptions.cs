@@ -15,6 +15,9 @@ public sealed record SequencingOptions
 
     public bool KeepDuplicates { get; init; }
 
+    /// <summary>Lines that approximate an arc within this become that arc; null leaves them as they are.</summary>
+    public double? ArcTolerance { get; init; }
+
     /// <summary>An open end with another open end nearer than this is probably a drawing mistake and is warned of.</summary>
     public double SuspiciousGap { get; init; } = 1.0;
 

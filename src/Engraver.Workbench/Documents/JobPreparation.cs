@@ -40,6 +40,7 @@ public static class JobPreparation
         JoinTolerance = settings.JoinToleranceMm,
         DuplicateTolerance = settings.MaxErrorMm,
         KeepDuplicates = settings.KeepDuplicates,
+        ArcTolerance = settings.RecoverArcs ? settings.MaxErrorMm : null,
         ToolStart = settings.Start,
         Order = settings.Order,
         Enter = Entering(drawing, settings.Enter),

@@ -37,6 +37,9 @@ public sealed record DrawingSettings
 
     public bool KeepDuplicates { get; init; }
 
+    /// <summary>Lines that approximate an arc within <see cref="MaxErrorMm"/> are cut as that arc.</summary>
+    public bool RecoverArcs { get; init; }
+
     /// <summary>The machine, with the feed of the feed option already in it.</summary>
     public MachineProfile Machine { get; init; } = MachineProfile.Default;
 }

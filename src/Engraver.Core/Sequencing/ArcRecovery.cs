@@ -1,0 +1,30 @@
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing;
+
+/// <summary>Recognises the arcs and circles that a drawing holds as many short lines (an export flattened them) and puts true arcs in their place.</summary>
+public static class ArcRecovery
+{
+    /// <summary>Part of the error that lines may stand apart and still be one run: separate LINE entities meet only to rounding.</summary>
+    private const double GapShare = 0.05;
+
+    /// <summary>A table in which lines that approximate an arc within <paramref name="maxError"/> (mm, both ways, proven at every chord) are one row. Nothing else changes.</summary>
+    /// <param name="analysed">Rows as drawn; lines, whether of polylines or alone, are joined end to end before they are looked at.</param>
+    /// <param name="maxError">Above 0.</param>
+    /// <returns>The rows in their old order, an arc in the place of its lowest row and with that row's entity; and what was replaced.</returns>
+    public static ArcRecoveryResult Recover(EntityTable analysed, double maxError)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxError);
+        var segments = analysed.ToSegments();
+        var replacement = new ArcReplacement(analysed);
+        var contours = new ContourWalker(segments, GapShare * maxError).WalkAll();
+        var junctions = contours.Where(contour => !contour.Closed).SelectMany(contour => new[] { contour.StartIn(segments), contour.EndIn(segments) }).ToHashSet();
+        foreach (var contour in contours)
+        {
+            if (contour.Pieces.Length >= ChordRun.FewestChords) new ContourArcs(contour, segments, analysed, junctions, (1.0 - GapShare) * maxError).FindInto(replacement);
+        }
+
+        return replacement.ToResult();
+    }
+}
