@@ -9,6 +9,9 @@ namespace Engraver.Galil.Tests.Programs;
 
 public class ArcPredictionTests
 {
+    /// <summary>Half the diagonal of a square of one count: where a sequence ends the machine stands on whole counts.</summary>
+    private const double WholeCounts = 0.7072;
+
     private const double OneCount = 1.0 + 1e-6;
 
     /// <summary>Sagitta of the chords that stand in where CR cannot be exact enough, counts.</summary>
@@ -67,7 +70,7 @@ public class ArcPredictionTests
             return (off.Path <= OneCount && off.End <= OneCount).Label($"{arcs.Count} arcs: path {off.Path}, end {off.End}");
         }).Check(Config.QuickThrowOnFailure.WithMaxTest(60));
 
-    /// <summary>Largest distance of the replayed path from the drawing (what chords are allowed is taken off), and of every stroke's end from where it was drawn to (counts).</summary>
+    /// <summary>Largest distance of the replayed path from the drawing (what chords are allowed is taken off, and where it stops on the way the rounding to whole counts), and of every stroke's end from where it was drawn to (counts).</summary>
     private static (double Path, double End) WorstOff(Toolpath toolpath, MachineProfile profile)
     {
         var program = MotionProgramGenerator.Generate(toolpath, profile, ChordError / profile.Scale.Largest, null).Program;
@@ -79,7 +82,8 @@ public class ArcPredictionTests
             foreach (var sequence in stroke.Sequences) replay.Run(sequence);
             var wanted = drawn.Moves.Select(move => profile.Scale.Exact(move.Segment.Arc)).ToList();
             var chords = stroke.Sequences.Any(sequence => sequence.Segments.Any(segment => segment.Kind == VectorSegmentKind.Line)) ? ChordError : 0.0;
-            path = Math.Max(path, replay.Track.Max(at => wanted[at.Entity].DistanceTo(at.Place)) - chords);
+            var standing = stroke.Sequences.Count > 1 ? WholeCounts : 0.0;
+            path = Math.Max(path, replay.Track.Max(at => wanted[at.Entity].DistanceTo(at.Place)) - chords - standing);
             end = Math.Max(end, profile.Scale.Exact(drawn.End).DistanceTo(new Point2D(replay.X, replay.Y)));
         }
 

@@ -12,7 +12,7 @@ public class SegmentFromHereTests
     [Fact]
     public void An_arc_ends_where_it_was_planned_though_it_begins_a_count_beside()
     {
-        var here = new CountsPoint(1001, -1);
+        var here = new CountsPoint(1000, -2);
         var again = SegmentFromHere.Of(Quarter, Start, here, Quantum);
         var end = new ArcPrediction(new Point2D(here.X, here.Y), again.Radius, again.ThetaDegrees, again.DeltaDegrees).End;
 
