@@ -1,0 +1,41 @@
+using Avalonia.Controls;
+using Avalonia.Platform.Storage;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+
+namespace Engraver.App.Shell;
+
+/// <summary>A command that was clicked and asks for a file to read gets a file dialog; typed, it takes the name from the command line.</summary>
+public sealed class FileQuestions(WorkDesk desk, TopLevel window)
+{
+    private static readonly IReadOnlyDictionary<string, string> s_patterns = new Dictionary<string, string>(StringComparer.Ordinal)
+    {
+        ["OPEN"] = "*.dxf",
+        ["SCRIPT"] = "*.scr",
+        ["CNCPROFILE"] = "*.json",
+    };
+
+    private static readonly IReadOnlyList<string> s_switches = ["SNAP", "GRID", "ORTHO", "OSNAP", "DYN"];
+
+    public async Task RunAsync(string command)
+    {
+        if (s_switches.Contains(command))
+        {
+            await desk.SwitchAsync(command);
+            return;
+        }
+
+        await desk.RunAsync(command);
+        if (!s_patterns.TryGetValue(command, out var pattern) || desk.Prompt.Command != command || !window.StorageProvider.CanOpen) return;
+        var files = await window.StorageProvider.OpenFilePickerAsync(OptionsFor(command, pattern));
+        if (desk.Prompt.Command != command) return;
+        if (files is [var file, ..] && file.TryGetLocalPath() is { } path) await desk.FeedAsync(path);
+        else await desk.CancelAsync();
+    }
+
+    private static FilePickerOpenOptions OptionsFor(string command, string pattern) => new()
+    {
+        Title = Text.Of("Command." + command),
+        FileTypeFilter = [new FilePickerFileType(pattern) { Patterns = [pattern] }, new FilePickerFileType(Text.Of("Files.All")) { Patterns = ["*"] }],
+    };
+}

@@ -1,0 +1,77 @@
+using System.Windows.Input;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Interactivity;
+using Engraver.App.Binding;
+using Engraver.App.CommandWindow;
+using Engraver.App.Desk;
+using Engraver.App.Menus;
+using Engraver.App.Safety;
+
+namespace Engraver.App.Shell;
+
+/// <summary>The one window. Whatever is typed in it belongs to the command line, unless a text box has the keyboard.</summary>
+public partial class ShellWindow : Window
+{
+    private readonly WorkDesk _desk;
+    private readonly StopKeys _stopKeys;
+    private readonly FileQuestions _files;
+    private readonly PanelSizes _panels;
+
+    public ShellWindow(WorkDesk desk, StopKeys stopKeys)
+    {
+        (_desk, _stopKeys) = (desk, stopKeys);
+        InitializeComponent();
+        _files = new FileQuestions(desk, this);
+        DataContext = Model = new ShellModel(desk, ActOf);
+        MainMenu.ItemsSource = new MenuBuilder(name => MenuTitle.Typed(desk.Session, name), ActOf).Build(MenuLayout.For(desk.Session.Catalog));
+        Palettes.SetPages(Model.Palettes(), "Layers");
+        Pages.SetPages(Model.Pages(), "Command");
+        _panels = new PanelSizes(desk, Rows.RowDefinitions[2], Columns.ColumnDefinitions[3], Pages, Palettes);
+        AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
+        AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
+    }
+
+    public ShellModel Model { get; }
+
+    private CommandWindowView CommandLine => (CommandWindowView)Pages.Pages[0].Page;
+
+    /// <summary>What an entry of the menus and tools does.</summary>
+    private ICommand ActOf(string name) => name switch
+    {
+        "Window.Exit" => new Act(() => Close()),
+        "Window.Palettes" => new Act(() => _panels.FoldPalettes()),
+        "Window.Pages" => new Act(() => _panels.FoldPages()),
+        "Window.History" => new Act(() => _panels.ExpandHistory()),
+        _ => new Act(() => _ = _files.RunAsync(name)),
+    };
+
+    /// <summary>True where the keyboard belongs to something else: a text box, an open menu.</summary>
+    private static bool HasKeyboard(object? source) => source is TextBox or MenuItem or Slider;
+
+    private void OnTyped(object? sender, TextInputEventArgs e)
+    {
+        if (HasKeyboard(e.Source) || string.IsNullOrEmpty(e.Text)) return;
+        CommandLine.Type(e.Text);
+        e.Handled = true;
+    }
+
+    private void OnKey(object? sender, KeyEventArgs e)
+    {
+        e.Handled = _stopKeys.Press(e.Key, e.KeyModifiers);
+        if (e.Handled || e.Source is MenuItem) return;
+        e.Handled = e.Key == Key.Escape ? Escape() : ShellKeys.CommandOf(e) is { } command ? Run(command) : !HasKeyboard(e.Source) && e.KeyModifiers == KeyModifiers.None && CommandLine.Press(e.Key);
+    }
+
+    private bool Escape()
+    {
+        Model.Command.Cancel();
+        return true;
+    }
+
+    private bool Run(string command)
+    {
+        ActOf(command).Execute(null);
+        return true;
+    }
+}
