@@ -1,13 +1,20 @@
 @echo off
-rem The headless console runner on Windows: builds (quick when nothing changed), then runs.
+rem The headless console runner on Windows, and by its verb desktop the window: builds (quick when nothing changed), then runs.
 setlocal
 set "root=%~dp0"
-set "out=%root%artifacts\run\engraver"
-if not exist "%root%artifacts\run" mkdir "%root%artifacts\run"
-dotnet publish "%root%src\Engraver.Cli\Engraver.Cli.csproj" -c Release -r win-x64 --no-self-contained -p:PublishReadyToRun=true -o "%out%" -v quiet -nologo >"%root%artifacts\run\build.log" 2>&1
-if errorlevel 1 (
-  type "%root%artifacts\run\build.log" 1>&2
-  exit /b 70
+set "run=%root%artifacts\run"
+if not exist "%run%" mkdir "%run%"
+call :build engraver Engraver.Cli || exit /b 70
+if /i "%~1"=="desktop" (
+  call :build desktop Engraver.App || exit /b 70
 )
-dotnet "%out%\engraver.dll" %*
+dotnet "%run%\engraver\engraver.dll" %*
 exit /b %errorlevel%
+
+:build
+dotnet publish "%root%src\%2\%2.csproj" -c Release -r win-x64 --no-self-contained -p:PublishReadyToRun=true -o "%run%\%1" -v quiet -nologo >"%run%\%1.log" 2>&1
+if errorlevel 1 (
+  type "%run%\%1.log" 1>&2
+  exit /b 1
+)
+exit /b 0

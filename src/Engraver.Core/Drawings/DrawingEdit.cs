@@ -29,10 +29,11 @@ public static class DrawingEdit
     /// <returns>False when a coordinate would leave the range of a drawing or a radius would vanish; then nothing is changed.</returns>
     public static bool TryTransform(Drawing drawing, IEnumerable<int> entities, Transform2D map, out Drawing edited)
     {
-        var changes = entities.Distinct().SelectMany(index => Parts(drawing, index)).Select(part => (part, drawing.Parts[part].Transformed(map))).ToList();
+        var curves = new EditedCurves(drawing);
+        var changes = entities.Distinct().SelectMany(index => Parts(drawing, index)).Select(part => (part, curves.Transformed(drawing.Parts[part], map))).ToList();
         edited = drawing;
-        if (!changes.TrueForAll(change => InRange(change.Item2))) return false;
-        edited = drawing with { Parts = drawing.Parts.With(changes, []) };
+        if (!changes.TrueForAll(change => InRange(change.Item2)) || !curves.AreInRange) return false;
+        edited = drawing with { Parts = drawing.Parts.With(changes, []), Curves = curves.ToColumn() };
         return true;
     }
 
@@ -43,18 +44,19 @@ public static class DrawingEdit
         var copies = new List<DrawingEntity>();
         var parts = new List<DrawingPart>();
         var handle = HighestHandle(drawing);
+        var curves = new EditedCurves(drawing);
         foreach (var index in entities.Distinct())
         {
             var entity = drawing.Entities[index];
-            foreach (var part in Parts(drawing, index)) parts.Add(drawing.Parts[part].Transformed(map) with { Entity = drawing.Entities.Count + copies.Count });
+            foreach (var part in Parts(drawing, index)) parts.Add(curves.Transformed(drawing.Parts[part], map) with { Entity = drawing.Entities.Count + copies.Count });
             entity.FirstPart = drawing.Parts.Count + parts.Count - entity.PartCount;
             entity.Handle = ++handle;
             copies.Add(entity);
         }
 
         edited = drawing;
-        if (!parts.TrueForAll(part => InRange(part))) return false;
-        edited = drawing with { Entities = drawing.Entities.With([], copies), Parts = drawing.Parts.With([], parts) };
+        if (!parts.TrueForAll(part => InRange(part)) || !curves.AreInRange) return false;
+        edited = drawing with { Entities = drawing.Entities.With([], copies), Parts = drawing.Parts.With([], parts), Curves = curves.ToColumn() };
         return true;
     }
 
@@ -62,13 +64,14 @@ public static class DrawingEdit
     public static Drawing Reverse(Drawing drawing, IEnumerable<int> entities)
     {
         var changes = new List<(int, DrawingPart)>();
+        var curves = new EditedCurves(drawing);
         foreach (var index in entities.Distinct())
         {
             var parts = Parts(drawing, index);
-            changes.AddRange(parts.Zip(parts.Reverse(), (to, from) => (to, drawing.Parts[from].Reversed())));
+            changes.AddRange(parts.Zip(parts.Reverse(), (to, from) => (to, curves.Reversed(drawing.Parts[from]))));
         }
 
-        return drawing with { Parts = drawing.Parts.With(changes, []) };
+        return drawing with { Parts = drawing.Parts.With(changes, []), Curves = curves.ToColumn() };
     }
 
     private static IEnumerable<int> Parts(Drawing drawing, int index) => Enumerable.Range(drawing.Entities[index].FirstPart, drawing.Entities[index].PartCount);
@@ -85,9 +88,8 @@ public static class DrawingEdit
         return highest;
     }
 
-    /// <summary>Ellipses and splines have no transformation yet: an edit of one is refused, never done wrong.</summary>
     private static bool InRange(in DrawingPart part) =>
-        !part.IsFreeCurve && Fits(part.A) && Fits(part.B) && Fits(part.C) && Fits(part.D) && Fits(part.E) && Fits(part.F) && (part.Kind == SegmentKind.Line || part.D > 0.0);
+        part.IsFreeCurve || (Fits(part.A) && Fits(part.B) && Fits(part.C) && Fits(part.D) && Fits(part.E) && Fits(part.F) && (part.Kind == SegmentKind.Line || part.D > 0.0));
 
     private static bool Fits(double coordinate) => Math.Abs(coordinate) <= DxfNumber.Largest;
 }

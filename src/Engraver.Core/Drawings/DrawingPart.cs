@@ -54,18 +54,16 @@ public struct DrawingPart
         ? Segment.FromLine(new Point2D(A, B), new Point2D(D, E))
         : Segment.FromArc(new ArcSegment(new Point2D(A, B), D, Angle.FromDegrees(E), Angle.FromDegrees(F)));
 
-    /// <summary>The part seen through a similarity of the plan; heights scale with it, so a curve keeps its slope.</summary>
+    /// <summary>A line, arc or circle seen through a similarity of the plan; heights scale with it, so it keeps its slope. (Ellipses and splines stand in their own column.)</summary>
     public readonly DrawingPart Transformed(Transform2D map)
     {
-        if (IsFreeCurve) return this; // DrawingEdit refuses it
         if (Kind != SegmentKind.Line) return Arc(Entity, map.Apply(InPlan().Arc), C * map.Scale);
         var start = map.Apply(new Point2D(A, B));
         var end = map.Apply(new Point2D(D, E));
         return Line(Entity, start.X, start.Y, C * map.Scale, end.X, end.Y, F * map.Scale);
     }
 
-    /// <summary>The same points in the opposite direction; an ellipse or spline keeps its own (sequencing turns it as it must).</summary>
-    public readonly DrawingPart Reversed() => IsFreeCurve ? this
-        : Kind == SegmentKind.Line ? Line(Entity, D, E, F, A, B, C)
+    /// <summary>The points of a line, arc or circle in the opposite direction.</summary>
+    public readonly DrawingPart Reversed() => Kind == SegmentKind.Line ? Line(Entity, D, E, F, A, B, C)
         : Arc(Entity, InPlan().Arc.Reversed(), C);
 }

@@ -32,7 +32,7 @@ public static class DrawingPick
     public static IEnumerable<Segment> Segments(Drawing drawing, int entity)
     {
         var first = drawing.Entities[entity].FirstPart;
-        return Enumerable.Range(first, drawing.Entities[entity].PartCount).Select(part => drawing.Parts[part].InPlan());
+        return Enumerable.Range(first, drawing.Entities[entity].PartCount).Select(part => drawing.SegmentOf(drawing.Parts[part]));
     }
 
     /// <summary>Tight box of some curves; empty for none.</summary>

@@ -99,6 +99,19 @@ public sealed class BezierSpan
         return new BezierSpan(points);
     }
 
+    /// <summary>The same points seen through a similarity of the plan; heights scale with it.</summary>
+    public BezierSpan Mapped(Transform2D map)
+    {
+        var points = (double[])_points.Clone();
+        for (var i = 0; i <= Degree; i++)
+        {
+            var (place, weight) = (map.Apply(Control(i)), Weight(i));
+            (points[i * Stride], points[(i * Stride) + 1], points[(i * Stride) + 2]) = (place.X * weight, place.Y * weight, points[(i * Stride) + 2] * map.Scale);
+        }
+
+        return new BezierSpan(points);
+    }
+
     private static void Interpolate(Span<double> work, int count, double parameter)
     {
         for (var i = 0; i < count * Stride; i++) work[i] += parameter * (work[i + Stride] - work[i]);

@@ -3,12 +3,28 @@ namespace Engraver.Core.Geometry;
 /// <summary>Whether a segment touches a box: what a crossing selection asks.</summary>
 public static class BoxTouch
 {
+    /// <summary>A piece of a curve halved so often is its chord to rounding.</summary>
+    private const int MostHalvings = 24;
+
     /// <summary>True when any point of the segment lies in the box, its border included.</summary>
     public static bool Touches(this Bounds2D box, Segment segment)
     {
         if (box.IsEmpty) return false;
         if (box.Contains(segment.Start) || box.Contains(segment.End)) return true;
+        if (segment.IsFreeCurve) return segment.Curve.Pieces().Any(piece => CurveCrosses(box, piece.Spans[0], MostHalvings));
         return segment.Kind == SegmentKind.Line ? LineCrosses(box, segment.Line) : ArcCrosses(box, segment.Arc);
+    }
+
+    /// <summary>Halves what reaches over a border; control points beyond one border keep the curve out.</summary>
+    private static bool CurveCrosses(Bounds2D box, BezierSpan span, int halvings)
+    {
+        if (box.Contains(span.Start) || box.Contains(span.End)) return true;
+        var hull = Bounds2D.Empty;
+        for (var i = 0; i <= span.Degree; i++) hull = hull.Including(span.Control(i));
+        if (hull.MaxX < box.MinX || hull.MinX > box.MaxX || hull.MaxY < box.MinY || hull.MinY > box.MaxY) return false;
+        if (halvings == 0) return LineCrosses(box, new LineSegment(span.Start, span.End));
+        var (first, second) = span.Halves();
+        return CurveCrosses(box, first, halvings - 1) || CurveCrosses(box, second, halvings - 1);
     }
 
     /// <summary>Liang and Barsky's clipping: is anything of the line left between the four borders?</summary>

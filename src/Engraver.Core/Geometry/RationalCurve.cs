@@ -57,6 +57,9 @@ public sealed class RationalCurve
     /// <summary>Stretched from the origin: drawing units to millimetres.</summary>
     public RationalCurve Scaled(double factor) => factor == 1.0 ? this : With([.. _spans.Select(span => span.Scaled(factor))]);
 
+    /// <summary>The same curve seen through a similarity of the plan; heights scale with it.</summary>
+    public RationalCurve Mapped(Transform2D map) => With([.. _spans.Select(span => span.Mapped(map))]);
+
     /// <summary>The same curve moved: its spans one for one. What was closed stays exactly closed.</summary>
     public RationalCurve With(BezierSpan[] spans)
     {

@@ -63,7 +63,7 @@ public static class MotionTime
         ? (distance / speed) + (speed / acceleration)
         : 2.0 * Math.Sqrt(distance / acceleration);
 
-    private static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program)
+    internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program)
     {
         var (x, y) = (Math.Abs((double)target.X - from.X), Math.Abs((double)target.Y - from.Y));
         if (x == 0.0 && y == 0.0) return new MotionTimes(0.0, 0.0, SecondsPerCommand);
@@ -73,7 +73,7 @@ public static class MotionTime
         return new MotionTimes(0.0, moving, (commands * SecondsPerCommand) + NoticeSeconds);
     }
 
-    private static MotionTimes Cut(VectorSequence sequence, MotionProgram program)
+    internal static MotionTimes Cut(VectorSequence sequence, MotionProgram program)
     {
         var moving = Sampled(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts);
         var standing = program.Style == MotionStyle.Calls
@@ -89,7 +89,7 @@ public static class MotionTime
         return sent;
     }
 
-    private static double ToolSeconds(double settle) => (ToolCommands * SecondsPerCommand) + (Math.Ceiling(settle * SettleSamplesPerSecond) * Sample) + NoticeSeconds;
+    internal static double ToolSeconds(double settle) => (ToolCommands * SecondsPerCommand) + (Math.Ceiling(settle * SettleSamplesPerSecond) * Sample) + NoticeSeconds;
 
     /// <summary>The trapezoid up to the sample in which it ends.</summary>
     private static double Sampled(double distance, double speed, double acceleration) => Math.Ceiling(Trapezoid(distance, speed, acceleration) / Sample) * Sample;

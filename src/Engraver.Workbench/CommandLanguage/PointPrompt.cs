@@ -6,6 +6,8 @@ namespace Engraver.Workbench.CommandLanguage;
 /// <summary>Asks for a point in drawing units: <c>x,y</c>, <c>#x,y</c>, <c>@dx,dy</c>, <c>dist&lt;angle</c>, <c>@dist&lt;angle</c>, <c>@</c> (the last point). Angles in degrees, counter-clockwise from +X.</summary>
 public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Instruction)
 {
+    public override bool TakesPoint => true;
+
     public override Reading<Point2D> Read(string typed, Point2D lastPoint)
     {
         ArgumentNullException.ThrowIfNull(typed);

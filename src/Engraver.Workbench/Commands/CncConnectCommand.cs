@@ -16,6 +16,7 @@ internal sealed class CncConnectCommand : ICommand
         {
             var identity = await context.Machine.ConnectAsync(address, cancellation).ConfigureAwait(false);
             context.Remember("CNCCONNECT", typed);
+            context.Settings.Change(settings => settings with { LastAddress = typed });
             context.Say($"Connected to {identity.Model} at {context.Machine.Description}.");
         }
         catch (NotSupportedException unbuilt)

@@ -12,6 +12,7 @@ internal sealed class CncProfileCommand : ICommand
     {
         var name = await context.ValueAsync(new TextPrompt("Enter name of machine profile")).ConfigureAwait(false);
         var profile = MachineProfileSource.Load(context.FileToRead(name));
+        context.Settings.Change(settings => settings with { LastProfile = Path.GetFullPath(context.FileToRead(name)) });
         var state = context.Document.Current;
         context.Take(state with { Settings = state.Settings with { Machine = profile } });
     }

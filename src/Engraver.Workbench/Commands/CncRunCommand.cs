@@ -1,19 +1,26 @@
 using Engraver.Galil.Jobs;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>CNCRUN: Runs the drawing on the connected controller; asks before anything moves.</summary>
+/// <summary>CNCRUN: Runs the drawing on the connected controller; asks before anything moves, unless it was armed (CNCARM).</summary>
 internal sealed class CncRunCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List(["Yes", "No", "Dryrun", .. Enum.GetNames<JobMode>()]);
 
-    public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine, "Runs the drawing on the connected controller; asks before anything moves.") { StartsMotion = true };
+    public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine, "Runs the drawing on the connected controller; asks before anything moves, unless it was armed (CNCARM).") { StartsMotion = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
         _ = context.Drawing;
+        if (context.Machine.Armed is { } armed)
+        {
+            await RunAsync(context, armed.Job, armed.Mode, armed.DryRun, cancellation).ConfigureAwait(false);
+            return;
+        }
+
         var (mode, dryRun) = (JobMode.Stream, false);
         while (true)
         {
@@ -24,10 +31,15 @@ internal sealed class CncRunCommand : ICommand
             else if (Enum.TryParse<JobMode>(answer, out var chosen)) mode = chosen;
             else
             {
-                var report = await context.Machine.RunAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, mode, dryRun), cancellation).ConfigureAwait(false);
-                JobStart.Conclude(context, job, report);
+                await RunAsync(context, job, mode, dryRun, cancellation).ConfigureAwait(false);
                 return;
             }
         }
+    }
+
+    private static async Task RunAsync(CommandContext context, PreparedJob job, JobMode mode, bool dryRun, CancellationToken cancellation)
+    {
+        var report = await context.Machine.RunAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, mode, dryRun), cancellation).ConfigureAwait(false);
+        JobStart.Conclude(context, job, report);
     }
 }

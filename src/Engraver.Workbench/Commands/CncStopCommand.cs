@@ -7,7 +7,8 @@ internal sealed class CncStopCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        context.Say(context.Machine.Stop() ? "Stopping." : "No job runs.");
+        var connected = context.Machine.Description is not null;
+        context.Say(context.Machine.Stop() ? "Stopping." : connected ? "No job runs; the axes were told to stop all the same." : "No job runs.");
         return Task.CompletedTask;
     }
 }

@@ -16,12 +16,14 @@ public sealed class CommandCatalog
     /// <summary>Everything that is built.</summary>
     public static CommandCatalog Built() => new(
     [
-        new OpenCommand(), new CloseCommand(), new ScriptCommand(), new UndoCommand(), new UCommand(), new RedoCommand(), new HelpCommand(), new ReinitCommand(),
-        new SelectCommand(), new ListCommand(), new PropertiesCommand(), new DistCommand(), new IdCommand(), new LayerCommand(), new CheckCommand(), new TableCommand(),
-        new EraseCommand(), new MoveCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new ReverseCommand(),
+        new OpenCommand(), new RecentCommand(), new CloseCommand(), new SaveAsCommand(), new ExportCommand(), new OptionsCommand(), new ScriptCommand(), new UndoCommand(), new UCommand(), new RedoCommand(), new HelpCommand(), new ReinitCommand(),
+        new ZoomCommand(), new PanCommand(), new RegenCommand(), new OsnapCommand(), new ThemeCommand(), new ShowCommand(), .. SwitchCommand.All, .. SpacingCommand.All,
+        new SelectCommand(), new ListCommand(), new PropertiesCommand(), new DistCommand(), new IdCommand(), new AreaCommand(), new LayerCommand(), new CheckCommand(), new TableCommand(),
+        new EraseCommand(), new MoveCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
+        new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
         new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new PostCommand(), new PlotCommand(),
-        new CncConnectCommand(), new CncDisconnectCommand(), new CncRunCommand(), new CncSimCommand(), new CncStopCommand(), new CncStatusCommand(), new CncProfileCommand(),
-        .. SettingCommand.All,
+        new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncArmCommand(), new CncRunCommand(), new CncSimCommand(), new CncStopCommand(), new CncAbortCommand(), new AlarmsCommand(), new CncTerminalCommand(), new CncStatusCommand(), new CncProfileCommand(),
+        .. SettingCommand.All, .. SystemVariableCommand.All,
     ]);
 }

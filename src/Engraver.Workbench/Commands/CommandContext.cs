@@ -3,6 +3,9 @@ using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Playback;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands;
 
@@ -17,6 +20,14 @@ public sealed class CommandContext
     public DocumentSession Document => _session.Document;
 
     public MachineSession Machine => _session.Machine;
+
+    public ViewSession View => _session.View;
+
+    public SettingsSession Settings => _session.Settings;
+
+    public DerivationSession Derivation => _session.Derivation;
+
+    public PlaybackSession Playback => _session.Playback;
 
     public CommandCatalog Catalog => _session.Catalog;
 

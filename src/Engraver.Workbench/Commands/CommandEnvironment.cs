@@ -16,4 +16,7 @@ public sealed record CommandEnvironment
 
     /// <summary>Where run journals go when no file is named; null: the operator's data folder.</summary>
     public string? RunJournalFolder { get; init; }
+
+    /// <summary>Where the desktop's settings are kept; null: they live as long as the session.</summary>
+    public string? SettingsFile { get; init; }
 }

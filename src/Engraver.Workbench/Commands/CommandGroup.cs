@@ -4,6 +4,7 @@ namespace Engraver.Workbench.Commands;
 public enum CommandGroup
 {
     File,
+    View,
     Ask,
     Drawing,
     Sequence,

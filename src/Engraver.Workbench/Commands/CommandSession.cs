@@ -2,6 +2,9 @@ using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Playback;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands;
 
@@ -18,7 +21,12 @@ public sealed class CommandSession : IAsyncDisposable
         Environment = environment;
         Catalog = catalog;
         Machine = new MachineSession(environment.Time);
+        Derivation = new DerivationSession(Document);
+        Playback = new PlaybackSession(environment.Time);
+        Settings = new SettingsSession(environment.SettingsFile, environment.Time);
         Aliases = ReloadAliases();
+        View.Change(state => SystemVariables.Restore(state, Settings.Current));
+        Document.Changed += OnDocumentChanged;
     }
 
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
@@ -27,6 +35,18 @@ public sealed class CommandSession : IAsyncDisposable
     public DocumentSession Document { get; } = new();
 
     public MachineSession Machine { get; }
+
+    /// <summary>What is looked at and how.</summary>
+    public ViewSession View { get; } = new();
+
+    /// <summary>What the desktop remembers.</summary>
+    public SettingsSession Settings { get; }
+
+    /// <summary>Strokes, job, findings and plan of the document.</summary>
+    public DerivationSession Derivation { get; }
+
+    /// <summary>The planned motion in time; the desktop loads it with what was derived.</summary>
+    public PlaybackSession Playback { get; }
 
     public CommandCatalog Catalog { get; }
 
@@ -92,6 +112,8 @@ public sealed class CommandSession : IAsyncDisposable
     public async ValueTask DisposeAsync()
     {
         await EndAllAsync().ConfigureAwait(false);
+        Document.Changed -= OnDocumentChanged;
+        Derivation.Dispose();
         await Machine.DisposeAsync().ConfigureAwait(false);
     }
 
@@ -114,12 +136,20 @@ public sealed class CommandSession : IAsyncDisposable
 
     internal AliasTable ReloadAliases() => Aliases = AliasFiles.Read(Environment.AliasFile, Catalog);
 
+    /// <summary>The machine is the one of the settings; what was armed from another drawing or other settings is not what would run now.</summary>
+    private void OnDocumentChanged(object? sender, EventArgs e)
+    {
+        var state = Document.Current;
+        Machine.Profile = state.Settings.Machine;
+        if (Machine.Armed is { Job: var job } && (!ReferenceEquals(job.Drawing, state.Drawing) || job.Settings != state.Settings)) Machine.Disarm();
+    }
+
     private string Before() => _frames.Count > 1 ? new string('>', 2 * (_frames.Count - 1)) : "";
 
     private async Task<FeedResult> FeedOneAsync(string input, CancellationToken cancellation)
     {
         if (IsBusy) return await HearAsync(input, cancellation).ConfigureAwait(false);
-        Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
+        if (SystemVariables.Of(Settings.Current, "CMDECHO") != 0.0) Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
         if (!_frames.TryPeek(out var frame)) return await BeginAsync(input, cancellation).ConfigureAwait(false);
         if (input.StartsWith('\'')) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
         return frame.Answer(input, LastPoint) is { } wanted ? new FeedResult.NotUnderstood(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);

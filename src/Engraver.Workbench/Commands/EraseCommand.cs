@@ -1,5 +1,3 @@
-using Engraver.Core.Drawings;
-
 namespace Engraver.Workbench.Commands;
 
 /// <summary>ERASE: Removes objects from the drawing.</summary>
@@ -9,8 +7,7 @@ internal sealed class EraseCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var drawing = context.Drawing;
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
-        DrawingChange.Take(context, DrawingEdit.Erase(drawing, selected), []);
+        DrawingChange.Erase(context, selected);
     }
 }

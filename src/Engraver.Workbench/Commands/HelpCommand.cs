@@ -20,7 +20,7 @@ internal sealed class HelpCommand : ICommand
         foreach (var group in context.Catalog.All.GroupBy(info => info.Group))
         {
             output.WriteLine($"{group.Key}:");
-            foreach (var info in group) output.WriteLine($"  {info.Name,-16}{info.Summary}");
+            foreach (var info in group) output.WriteLine($"  {info.Name,-18}{info.Summary}");
         }
     }
 

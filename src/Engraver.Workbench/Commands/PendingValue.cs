@@ -11,7 +11,7 @@ internal sealed class PendingValue<T>(ValuePrompt<T> prompt) : PendingAsk(prompt
 
     public Task<Answer<T>> Answer => _answer.Task;
 
-    public override bool WantsPoint => typeof(T) == typeof(Point2D);
+    public override bool WantsPoint => Prompt.TakesPoint;
 
     public override string? TryAnswer(string typed, Point2D lastPoint)
     {

@@ -6,7 +6,7 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Commands;
 
 /// <summary>A setting that is typed by its name and asks for a new value, like AutoCAD's system variables. Its default is the value it has.</summary>
-internal sealed class SettingCommand : ICommand
+internal sealed class SettingCommand : ISettingCommand
 {
     private readonly NumberPrompt _limits;
     private readonly Func<DrawingSettings, double> _read;
@@ -26,17 +26,22 @@ internal sealed class SettingCommand : ICommand
         new SettingCommand("CNCDUPLICATES", "1: lines that were drawn twice are cut twice.", 0, 1, whole: true, s => s.KeepDuplicates ? 1 : 0, (s, v) => s with { KeepDuplicates = v == 1 }),
         new SettingCommand("CNCUNITS", "Unit for the next OPEN as a code of $INSUNITS (1 inch, 4 mm ...); 0: what the drawing says.", 0, 24, whole: true, s => s.Unit?.Code ?? 0, (s, v) => s with { Unit = LengthUnits.FromInsUnits(v) is { } unit ? unit with { Source = "option" } : null }),
         new SettingCommand("CNCFEED", "Cutting speed along the path, mm/min.", 1e-6, 1e9, whole: false, s => s.Machine.FeedMmPerMinute, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v } }),
+        new SettingCommand("CNCVS", "Vector speed, counts/s: the feed in the controller's words.", 1e-3, 1e12, whole: false, s => s.Machine.FeedMmPerMinute / 60.0 * CoarserAxis(s.Machine), (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v * 60.0 / CoarserAxis(s.Machine) } }),
         new SettingCommand("CNCRAPID", "Speed of each axis between strokes, mm/min.", 1e-6, 1e9, whole: false, s => s.Machine.RapidMmPerMinute, (s, v) => s with { Machine = s.Machine with { RapidMmPerMinute = v } }),
         new SettingCommand("CNCVA", "Acceleration and deceleration, counts/s2 in steps of 1024.", 1024, 67107840, whole: true, s => s.Machine.AccelerationCounts, (s, v) => s with { Machine = s.Machine with { AccelerationCounts = (int)v } }),
     ];
 
     public CommandInfo Info { get; }
 
+    /// <summary>Counts per millimetre by which a feed becomes a vector speed.</summary>
+    private static double CoarserAxis(MachineProfile machine) => Math.Min(Math.Abs(machine.CountsPerMillimetreX), Math.Abs(machine.CountsPerMillimetreY));
+
+    public string ValueText(CommandContext context) => NumberPrompt.Show(_read(context.Document.Current.Settings));
+
     /// <exception cref="CommandException">The machine cannot work with that value.</exception>
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var now = NumberPrompt.Show(_read(context.Document.Current.Settings));
-        var value = await context.ValueAsync(_limits with { Default = now }).ConfigureAwait(false);
+        var value = await context.ValueAsync(_limits with { Default = ValueText(context) }).ConfigureAwait(false);
         var state = context.Document.Current;
         var settings = _write(state.Settings, value);
         if (MachineProfileValidation.Check(settings.Machine) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);

@@ -16,6 +16,9 @@ public sealed record DocumentState
     /// <summary>Indices into the drawing's entities, each once, in the order in which they were picked.</summary>
     public IReadOnlyList<int> Selection { get; init; } = [];
 
+    /// <summary>What HIDEOBJECTS has hidden, by its indices: only that is shown again by UNISOLATEOBJECTS, not what the file itself hides.</summary>
+    public IReadOnlyList<int> HiddenObjects { get; init; } = [];
+
     /// <summary>What the last command worked on ("Previous").</summary>
     public IReadOnlyList<int> Previous { get; init; } = [];
 }

@@ -43,11 +43,19 @@ public static class JobPreparation
     /// <summary>All stages.</summary>
     /// <param name="style">Continuous for the stream and the posted sequences, calls for the paper's way.</param>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
-    public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style)
+    public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style) => Prepare(drawing, settings, style, CancellationToken.None);
+
+    /// <summary>All stages; between two of them a cancellation is honoured.</summary>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
+    public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken cancellation)
     {
         var analysed = Analyse(drawing, settings);
+        cancellation.ThrowIfCancellationRequested();
         var sequence = Sequence(drawing, analysed, settings);
+        cancellation.ThrowIfCancellationRequested();
         var toolpath = PathOf(sequence, settings);
+        cancellation.ThrowIfCancellationRequested();
         var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
         return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion);
     }

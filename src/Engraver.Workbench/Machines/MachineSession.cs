@@ -1,23 +1,77 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
+using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Terminals;
 
 namespace Engraver.Workbench.Machines;
 
 /// <summary>The machine the operator works with: one controller, and what it is doing. The other of the two places that change over time.</summary>
-/// <remarks>Between jobs no link is held; the address is, and a simulated controller lives on and keeps its position.</remarks>
-public sealed class MachineSession(TimeProvider time) : IAsyncDisposable
+/// <remarks>While connected the controller is looked at ten times a second over handles of the session's own; while a job runs the job tells. Status, stop and abort may be used from any thread.</remarks>
+public sealed class MachineSession : IAsyncDisposable
 {
     private readonly Lock _guard = new();
+    private readonly TimeProvider _time;
+    private readonly ArmingSwitch _arming;
     private CancellationTokenSource? _job;
+    private TaskCompletionSource? _jobEnded;
     private MachineConnection? _connection;
     private ControllerAddress? _address;
+    private MachineWatch? _watch;
+    private MachineFacts _facts = MachineFacts.None;
+    private MachineProfile _profile = MachineProfile.Default;
 
-    /// <summary>Raised when a connection or a job begins or ends, and with each progress; on any thread.</summary>
+    public MachineSession(TimeProvider time)
+    {
+        _time = time;
+        _arming = new ArmingSwitch(time, RaiseChanged);
+        Alarms = new AlarmLog(time);
+        Terminal = new LiveTerminal(time, AnswerAsync);
+    }
+
+    /// <summary>Raised when a connection or a job begins or ends, with each look at the controller and each progress; on any thread.</summary>
     public event EventHandler? Changed;
+
+    /// <summary>What is known now.</summary>
+    public MachineStatus Status
+    {
+        get
+        {
+            lock (_guard) return _facts.ToStatus(_profile, _arming.Armed, _time.GetUtcNow());
+        }
+    }
+
+    public AlarmLog Alarms { get; }
+
+    /// <summary>The terminal's page.</summary>
+    public LiveTerminal Terminal { get; }
+
+    /// <summary>The machine by which counts become millimetres and the tool's output is known. Another one disarms.</summary>
+    public MachineProfile Profile
+    {
+        get
+        {
+            lock (_guard) return _profile;
+        }
+
+        set
+        {
+            ArgumentNullException.ThrowIfNull(value);
+            lock (_guard)
+            {
+                if (_profile == value) return;
+                _profile = value;
+            }
+
+            if (!_arming.Disarm()) RaiseChanged();
+        }
+    }
+
+    /// <summary>What START would run; null while nothing is armed.</summary>
+    public ArmedJob? Armed => _arming.Armed;
 
     /// <summary>Where the controller is; null while none is connected.</summary>
     public string? Description => _connection?.Description;
@@ -40,107 +94,314 @@ public sealed class MachineSession(TimeProvider time) : IAsyncDisposable
 
     public MachineRunReport? LastRun { get; private set; }
 
-    /// <summary>Shakes hands with a controller and remembers it; one that was connected before is let go.</summary>
+    /// <summary>Shakes hands with a controller and watches it from then on; one that was connected before is let go.</summary>
     /// <exception cref="ControllerException">Nobody answers there.</exception>
-    /// <exception cref="NotSupportedException">The kind of address is not built yet.</exception>
+    /// <exception cref="InvalidOperationException">A job runs.</exception>
     public async Task<ControllerIdentity> ConnectAsync(ControllerAddress address, CancellationToken cancellation)
     {
+        ArgumentNullException.ThrowIfNull(address);
+        if (IsRunning) throw new InvalidOperationException("A job runs.");
         await DisconnectAsync().ConfigureAwait(false);
-        var connection = MachineConnection.To(address, time);
+        var connection = MachineConnection.To(address, _time);
+        MachineWatch? watch = null;
         try
         {
-            await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, new SessionOptions(), time, cancellation).ConfigureAwait(false);
-            Identity = session.Identity;
+            watch = await MachineWatch.OpenAsync(connection, _time, cancellation).ConfigureAwait(false);
+            var poll = await watch.LookAsync(cancellation).ConfigureAwait(false);
+            Identity = watch.Identity;
+            lock (_guard)
+            {
+                (_connection, _address, _watch) = (connection, address, watch);
+                _facts = new MachineFacts { Link = connection.Description, IsSimulation = connection.Simulator is not null, Identity = Identity };
+            }
+
+            Seen(poll);
+            watch.Resume(Seen, Lost);
+            return Identity;
         }
         finally
         {
+            if (Identity is null && watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
             if (Identity is null) await connection.DisposeAsync().ConfigureAwait(false);
         }
-
-        (_connection, _address) = (connection, address);
-        Changed?.Invoke(this, EventArgs.Empty);
-        return Identity;
     }
 
     /// <summary>Lets the controller go; nothing when none is connected.</summary>
     public async Task DisconnectAsync()
     {
-        var connection = _connection;
-        (_connection, _address, Identity) = (null, null, null);
+        MachineConnection? connection;
+        MachineWatch? watch;
+        lock (_guard)
+        {
+            (connection, watch) = (_connection, _watch);
+            (_connection, _address, _watch, Identity, _facts) = (null, null, null, null, MachineFacts.None);
+        }
+
         if (connection is null) return;
+        _arming.Disarm();
+        if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
         await connection.DisposeAsync().ConfigureAwait(false);
-        Changed?.Invoke(this, EventArgs.Empty);
+        RaiseChanged();
     }
+
+    /// <summary>Lets START work for a minute, or until the machine or what was prepared changes.</summary>
+    /// <exception cref="InvalidOperationException">Something on the checklist has not passed.</exception>
+    public ArmedJob Arm(PreparedJob job, JobMode mode, bool dryRun, ArmingChecklist checklist)
+    {
+        ArgumentNullException.ThrowIfNull(checklist);
+        return checklist.Passed && Status.State is MachineState.Ready or MachineState.Armed
+            ? _arming.Arm(job, mode, dryRun, checklist)
+            : throw new InvalidOperationException("What was not checked cannot be armed.");
+    }
+
+    /// <summary>Takes START back.</summary>
+    /// <returns>False when nothing was armed.</returns>
+    public bool Disarm() => _arming.Disarm();
 
     /// <summary>Runs a job on the connected controller. One at a time.</summary>
     /// <param name="options">How; the address is that of the session.</param>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
     /// <exception cref="ControllerException">The link never came up.</exception>
-    public Task<MachineRunReport> RunAsync(PreparedJob job, MotionProgram program, Func<ControllerAddress, MachineRunOptions> options, CancellationToken cancellation) =>
-        _connection is { } connection && _address is { } address
-            ? RunOnAsync(connection, job, program, options(address), cancellation)
-            : throw new InvalidOperationException("No controller is connected.");
+    public async Task<MachineRunReport> RunAsync(PreparedJob job, MotionProgram program, Func<ControllerAddress, MachineRunOptions> options, CancellationToken cancellation)
+    {
+        if (_connection is not { } connection || _address is not { } address) throw new InvalidOperationException("No controller is connected.");
+        return await RunOnAsync(connection, job, program, options(address), isMachine: true, cancellation).ConfigureAwait(false);
+    }
 
     /// <summary>Runs a job on a simulated controller of its own, at full speed; what is connected is left alone.</summary>
     /// <exception cref="InvalidOperationException">A job runs already.</exception>
     public async Task<MachineRunReport> SimulateAsync(PreparedJob job, MotionProgram program, Func<ControllerAddress, MachineRunOptions> options, CancellationToken cancellation)
     {
         var address = new SimulatedAddress(double.PositiveInfinity);
-        await using var connection = MachineConnection.To(address, time);
-        return await RunOnAsync(connection, job, program, options(address), cancellation).ConfigureAwait(false);
+        await using var connection = MachineConnection.To(address, _time);
+        return await RunOnAsync(connection, job, program, options(address), isMachine: false, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Stops the job under way: the machine brakes, the job ends as stopped.</summary>
+    /// <summary>Stops the job under way: the machine brakes, the tool goes off, the job ends as stopped. With no job the axes of a connected machine brake all the same. Never waits, from any thread.</summary>
     /// <returns>False when no job runs.</returns>
     public bool Stop()
     {
+        var (job, watch, tool) = Urgent();
+        if (job is not null) UrgentThread.Run(job.Cancel);
+        else if (watch is not null) UrgentThread.Run(() => _ = UrgentlyAsync(watch, watch.StopAsync(tool)));
+        RaiseChanged();
+        return job is not null;
+    }
+
+    /// <summary>Halts every motion at once, without braking, and switches the motors off; a job ends as stopped. Never waits, from any thread.</summary>
+    /// <remarks>On a serial line, whose one wire the job has, a job is stopped as by <see cref="Stop"/> and the motors go off when it has ended.</remarks>
+    public void Abort()
+    {
+        var (job, watch, tool) = Urgent();
+        if (watch is not null) UrgentThread.Run(() => _ = UrgentlyAsync(watch, watch.AbortAsync(tool)));
+        if (job is not null) UrgentThread.Run(job.Cancel);
+        RaiseChanged();
+    }
+
+    /// <summary>Switches the motors of both axes on or off.</summary>
+    /// <returns>The refusal; null when it was done.</returns>
+    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async Task<Rejected?> SetMotorsAsync(bool on, CancellationToken cancellation)
+    {
+        if (_watch is not { } watch || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
+        _arming.Disarm();
+        var refused = await watch.SetMotorsAsync(on, cancellation).ConfigureAwait(false);
+        if (refused is not null) Refused(refused);
+        Seen(await watch.LookAsync(cancellation).ConfigureAwait(false));
+        return refused;
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        var ended = _jobEnded?.Task ?? Task.CompletedTask;
+        lock (_guard) _ = _job?.CancelAsync();
+        await ended.ConfigureAwait(false);
+        await DisconnectAsync().ConfigureAwait(false);
+        _arming.Dispose();
+    }
+
+    private (CancellationTokenSource? Job, MachineWatch? Watch, int ToolOutput) Urgent()
+    {
+        _arming.Disarm();
         lock (_guard)
         {
-            _job?.Cancel();
-            return _job is not null;
+            if (_job is not null) _facts = _facts with { Stopping = _facts.JobRuns };
+            return (_job, _watch, _profile.ToolOutput);
         }
     }
 
-    public ValueTask DisposeAsync()
+    private async Task UrgentlyAsync(MachineWatch watch, Task act)
     {
-        Stop();
-        return _connection?.DisposeAsync() ?? ValueTask.CompletedTask;
-    }
-
-    private async Task<MachineRunReport> RunOnAsync(MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, CancellationToken cancellation)
-    {
-        using var stop = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        Begin(stop);
         try
         {
-            LastRun = await MachineRun.RunAsync(job, program, connection, options, time, new Listener(this), stop.Token).ConfigureAwait(false);
+            await act.ConfigureAwait(false);
+        }
+        catch (ControllerException failure)
+        {
+            if (ReferenceEquals(watch, _watch)) Lost(failure);
+        }
+    }
+
+    private async Task<MachineRunReport> RunOnAsync(
+        MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, bool isMachine, CancellationToken cancellation)
+    {
+        var stop = new CancellationTokenSource(); // not disposed: a stop may come at any moment, and it holds no timer
+        await using var outer = cancellation.Register(stop.Cancel).ConfigureAwait(false);
+        Begin(stop, isMachine);
+        try
+        {
+            if (isMachine) await GiveWayAsync(program).ConfigureAwait(false);
+            LastRun = await MachineRun.RunAsync(job, program, connection, options, _time, new Listener(this, isMachine), stop.Token).ConfigureAwait(false);
+            if (isMachine) Ended(LastRun.Result);
             return LastRun;
         }
         finally
         {
-            lock (_guard) _job = null;
-            Changed?.Invoke(this, EventArgs.Empty);
+            if (isMachine) await TakeBackAsync(connection).ConfigureAwait(false);
+            End();
         }
     }
 
-    private void Begin(CancellationTokenSource stop)
+    private void Begin(CancellationTokenSource stop, bool isMachine)
     {
         lock (_guard)
         {
             if (_job is not null) throw new InvalidOperationException("A job runs already.");
-            _job = stop;
+            (_job, _jobEnded) = (stop, new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously));
+            if (isMachine) _facts = _facts with { JobRuns = true, Stopping = false, Progress = null };
         }
 
+        _arming.Disarm();
         Progress = null;
-        Changed?.Invoke(this, EventArgs.Empty);
+        if (isMachine) MachineAlarms.Begun(Alarms);
+        RaiseChanged();
     }
 
-    private sealed class Listener(MachineSession session) : IProgress<JobProgress>
+    /// <summary>The watch falls silent, or on a single wire goes, and what it saw last fixes the frame: the machine stands where the job starts.</summary>
+    private async Task GiveWayAsync(MotionProgram program)
     {
-        public void Report(JobProgress value)
+        if (_watch is not { } watch) return;
+        await watch.PauseAsync().ConfigureAwait(false);
+        lock (_guard)
         {
-            session.Progress = value;
-            session.Changed?.Invoke(session, EventArgs.Empty);
+            if (_facts.Poll is { } at) _facts = _facts with { Frame = new CountsPoint(at.X - program.Start.X, at.Y - program.Start.Y) };
+            if (watch.IsSingleWire) _watch = null;
         }
+
+        if (watch.IsSingleWire) await watch.DisposeAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>After a job the machine is watched again; a watch that was lost with the job's link is opened anew, once.</summary>
+    private async Task TakeBackAsync(MachineConnection connection)
+    {
+        try
+        {
+            var watch = _watch;
+            if (watch is null or { IsBroken: true })
+            {
+                if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
+                watch = await MachineWatch.OpenAsync(connection, _time, CancellationToken.None).ConfigureAwait(false);
+                lock (_guard) _watch = watch;
+            }
+
+            Seen(await watch.LookAsync(CancellationToken.None).ConfigureAwait(false));
+            watch.Resume(Seen, Lost);
+        }
+        catch (ControllerException failure)
+        {
+            Lost(failure);
+        }
+    }
+
+    private void Ended(JobResult result)
+    {
+        lock (_guard)
+        {
+            if (result.FrameOrigin is { } frame) _facts = _facts with { Frame = frame };
+            if (result.Refusal is { } refused) _facts = _facts with { LastRefusal = refused.Explain() };
+        }
+
+        MachineAlarms.Ended(Alarms, result, Description ?? "");
+    }
+
+    private void End()
+    {
+        lock (_guard)
+        {
+            _job = null;
+            _facts = _facts with { JobRuns = false, Stopping = false };
+            _jobEnded?.TrySetResult();
+        }
+
+        RaiseChanged();
+    }
+
+    private void Seen(MachinePoll poll)
+    {
+        MachinePoll? before;
+        lock (_guard)
+        {
+            before = _facts.Poll;
+            if (_facts.Link is null) return;
+            _facts = _facts with { Poll = poll, Lost = null };
+        }
+
+        while (_watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message ?? "");
+        MachineAlarms.Seen(Alarms, poll, Description ?? "");
+        if (before is not null && poll.DiffersFrom(before) && _arming.Disarm()) return;
+        RaiseChanged();
+    }
+
+    private void Lost(ControllerException failure)
+    {
+        lock (_guard)
+        {
+            if (_facts.Link is null) return;
+            _facts = _facts with { Lost = failure.Message };
+        }
+
+        _arming.Disarm();
+        MachineAlarms.LinkLost(Alarms, Description ?? "", failure.Message);
+        RaiseChanged();
+    }
+
+    private void Refused(Rejected refused)
+    {
+        lock (_guard) _facts = _facts with { LastRefusal = refused.Explain() };
+        MachineAlarms.Refused(Alarms, refused, Description ?? "");
+    }
+
+    private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
+    {
+        if (_watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "No controller is connected; CNCCONNECT first.")];
+        if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "A job runs; nothing is sent beside it.")];
+        _arming.Disarm();
+        var answers = await watch.Conversation.AnswerAsync(line, cancellation).ConfigureAwait(false);
+        if (answers.LastOrDefault(answer => answer.Kind == TerminalAnswerKind.Refusal) is { Text: { } refusal }) NoteRefusal(refusal);
+        return answers;
+    }
+
+    private void NoteRefusal(string text)
+    {
+        lock (_guard) _facts = _facts with { LastRefusal = text };
+    }
+
+    private void RaiseChanged() => Changed?.Invoke(this, EventArgs.Empty);
+
+    private void Tell(JobProgress progress, bool isMachine)
+    {
+        Progress = progress;
+        if (isMachine)
+        {
+            lock (_guard) _facts = _facts with { Progress = progress };
+        }
+
+        RaiseChanged();
+    }
+
+    private sealed class Listener(MachineSession session, bool isMachine) : IProgress<JobProgress>
+    {
+        public void Report(JobProgress value) => session.Tell(value, isMachine);
     }
 }

@@ -36,6 +36,7 @@ public static class EntityText
     private static string Of(Segment segment)
     {
         var ends = Invariant($"from {segment.Start.X:0.######},{segment.Start.Y:0.######} to {segment.End.X:0.######},{segment.End.Y:0.######}");
+        if (segment.IsFreeCurve) return Invariant($"{(segment.Kind == SegmentKind.Ellipse ? "ellipse" : "spline")} {ends}, {segment.Curve.Spans.Length} spans, length {segment.Length:0.######}");
         return segment.Kind == SegmentKind.Line
             ? $"line {ends}"
             : Invariant($"{(segment.Kind == SegmentKind.Circle ? "circle" : "arc")} {ends}, centre {segment.Arc.Centre.X:0.######},{segment.Arc.Centre.Y:0.######}, radius {segment.Arc.Radius:0.######}, sweep {segment.Arc.Sweep.Degrees:0.######}");

@@ -14,4 +14,7 @@ public static class UserFiles
 
     /// <summary>The operator's aliases; the file need not be there.</summary>
     public static string Aliases => Path.Combine(Folder, "engraver.pgp");
+
+    /// <summary>What the desktop remembers.</summary>
+    public static string DesktopSettings => Path.Combine(Folder, "desktop.json");
 }

@@ -40,6 +40,9 @@ public sealed class MachineTerminal : IAsyncDisposable
         return new MachineTerminal(session, messages);
     }
 
+    /// <summary>A terminal on a session that somebody else owns: never to be disposed.</summary>
+    internal static MachineTerminal On(ControllerSession session, ConcurrentQueue<string> messages) => new(session, messages);
+
     /// <summary>Answers one line: what programs have printed by now, then the answer itself. <see cref="TerminalLine.Quit"/> is the caller's business.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)

@@ -63,11 +63,11 @@ public class DrawingEditTests
         var drawing = Mixed();
         Assert.True(DrawingEdit.TryCopy(drawing, [3, 0], Transform2D.Move(new Vector2D(100, 0)), out var copied));
 
-        Assert.Equal(("A5", "A6"), (copied.SourceOf(4).Handle, copied.SourceOf(5).Handle));
-        Assert.Equal(4, copied.Entities[4].PartCount);
-        Assert.Equal(copied.Parts[copied.Entities[3].FirstPart + 2].A + 100, copied.Parts[copied.Entities[4].FirstPart + 2].A);
-        Assert.Equal(4, copied.Parts[copied.Entities[4].FirstPart].Entity);
-        Assert.Equal(4, drawing.Entities.Count);
+        Assert.Equal(("A7", "A8"), (copied.SourceOf(6).Handle, copied.SourceOf(7).Handle));
+        Assert.Equal(4, copied.Entities[6].PartCount);
+        Assert.Equal(copied.Parts[copied.Entities[3].FirstPart + 2].A + 100, copied.Parts[copied.Entities[6].FirstPart + 2].A);
+        Assert.Equal(6, copied.Parts[copied.Entities[6].FirstPart].Entity);
+        Assert.Equal(6, drawing.Entities.Count);
     }
 
     [Fact]
@@ -79,6 +79,45 @@ public class DrawingEditTests
         Assert.Equal(drawing.Parts[drawing.Entities[3].FirstPart].InPlan().Start, once.Parts[once.Entities[3].FirstPart + 3].InPlan().End);
         Assert.Equal(Text(drawing), Text(DrawingEdit.Reverse(once, All(drawing))));
         Assert.NotEqual(Text(drawing), Text(once));
+    }
+
+    [Fact]
+    public void Ellipses_and_splines_move_turn_scale_and_mirror_place_by_place()
+    {
+        var drawing = Mixed();
+        var maps = new[] { Transform2D.Move(new Vector2D(5, -6)), Somewhere, Transform2D.ScaleFrom(new Point2D(3, 3), 2.5), Transform2D.MirrorAt(new Point2D(0, 0), new Point2D(3, 1)) };
+        foreach (var map in maps)
+        {
+            Assert.True(DrawingEdit.TryTransform(drawing, [4, 5], map, out var edited));
+            foreach (var entity in new[] { 4, 5 })
+            {
+                var (before, after) = (CurveOf(drawing, entity), CurveOf(edited, entity));
+                Assert.All(Enumerable.Range(0, 11), i => Assert.True(map.Apply(before.PointAt(i / 10.0)).IsNear(after.PointAt(i / 10.0), 1e-12 * 100)));
+                Assert.Equal(before.PlanLength * map.Scale, after.PlanLength, 1e-9);
+            }
+        }
+    }
+
+    [Fact]
+    public void A_copied_curve_is_another_one_and_a_reversed_one_runs_the_other_way()
+    {
+        var drawing = Mixed();
+        Assert.True(DrawingEdit.TryCopy(drawing, [5], Transform2D.Move(new Vector2D(1, 0)), out var copied));
+        var turned = DrawingEdit.Reverse(copied, [6]);
+
+        Assert.Equal(CurveOf(drawing, 5).Start + new Vector2D(1, 0), CurveOf(copied, 6).Start);
+        Assert.Equal(CurveOf(drawing, 5).Start, CurveOf(copied, 5).Start);
+        Assert.Equal((CurveOf(copied, 6).End, CurveOf(copied, 6).Start), (CurveOf(turned, 6).Start, CurveOf(turned, 6).End));
+        Assert.Equal(2, drawing.Curves.Count);
+    }
+
+    [Fact]
+    public void A_curve_that_would_leave_the_range_changes_nothing()
+    {
+        var drawing = Mixed();
+
+        Assert.False(DrawingEdit.TryTransform(drawing, [4], Transform2D.Move(new Vector2D(1e200, 0)), out var same));
+        Assert.Same(drawing, same);
     }
 
     [Fact]
@@ -94,7 +133,10 @@ public class DrawingEditTests
         Assert.Equal(7, edited[10_000]);
     }
 
-    private static Drawing Mixed() => new DrawingBuilder().Line(0, 0, 10, 0).Arc(5, 5, 4, 350, 100).Circle(20, 5, 3).Square(30, 0, 8).Build();
+    private static Drawing Mixed() => new DrawingBuilder().Line(0, 0, 10, 0).Arc(5, 5, 4, 350, 100).Circle(20, 5, 3).Square(30, 0, 8)
+        .Free(FreeCurves.Ellipse(50, 10, 9, 0.4, 25, 10, 250).ToCurve()).Free(FreeCurves.Spline(3, [new(0, 20), new(5, 30), new(9, 18), new(14, 26), new(20, 20)], [1, 2, 1, 1, 1])).Build();
+
+    private static RationalCurve CurveOf(Drawing drawing, int entity) => drawing.SegmentOf(drawing.Parts[drawing.Entities[entity].FirstPart]).Curve;
 
     private static IEnumerable<int> All(Drawing drawing) => Enumerable.Range(0, drawing.Entities.Count);
 

@@ -21,6 +21,12 @@ public class BiarcFitTests
     public void Every_place_of_the_arcs_is_as_near_to_the_curve() => Prop.ForAll(FreeCurves.Ellipses, curve =>
         BiarcFit.Fit(curve, MaxError).All(piece => Enumerable.Range(0, 21).All(i => curve.DistanceTo(piece.PointAt(i / 20.0)) <= MaxError * 1.0001))).QuickCheckThrowOnFailure();
 
+    /// <summary>A span that leaves its chord only in a sharp bend at its end: Newton's method alone loses the foot.</summary>
+    [Fact]
+    public void The_distance_is_found_where_a_thin_ellipse_turns_sharply() => Prop.ForAll(FreeCurves.Ellipses, curve =>
+        BiarcFit.Fit(curve, MaxError).All(piece => Enumerable.Range(0, 21).All(i => curve.DistanceTo(piece.PointAt(i / 20.0)) <= MaxError * 1.0001)))
+        .Check(Config.QuickThrowOnFailure.WithReplay(6161227969764188031UL, 11932819297608293365UL).WithMaxTest(1));
+
     [Fact]
     public void Ends_and_end_tangents_are_the_curves_and_neighbours_share_theirs() => Prop.ForAll(FreeCurves.Ellipses, curve =>
     {

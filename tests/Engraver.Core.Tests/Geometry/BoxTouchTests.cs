@@ -33,5 +33,17 @@ public class BoxTouchTests
         return box.Touches(Segment.FromArc(arc)) && !away.Touches(Segment.FromArc(arc));
     }).QuickCheckThrowOnFailure();
 
+    [Fact]
+    public void A_curve_touches_whenever_one_of_its_points_is_inside() => Prop.ForAll(FreeCurves.Splines, curve =>
+    {
+        var place = curve.PointAt(0.43);
+        var away = new Bounds2D(curve.Bounds.MaxX + 1.0, curve.Bounds.MinY, curve.Bounds.MaxX + 2.0, curve.Bounds.MaxY);
+        return Bounds2D.Of(place, place).Grown(1e-6).Touches(Segment.FromCurve(curve)) && !away.Touches(Segment.FromCurve(curve));
+    }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void An_ellipse_around_the_box_does_not_touch_it() =>
+        Assert.False(Box.Touches(Segment.FromCurve(FreeCurves.Ellipse(5, 2.5, 20, 0.5, 0, 0, 360).ToCurve())));
+
     private static Segment Circle(double x, double y, double radius) => Segment.FromArc(new ArcSegment(new Point2D(x, y), radius, Angle.Zero, Angle.FullTurn));
 }

@@ -1,0 +1,89 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Media;
+using Engraver.App.Canvas.Colours;
+using Engraver.App.Canvas.Interaction;
+using Engraver.App.Canvas.Picking;
+
+namespace Engraver.App.Canvas;
+
+/// <summary>The highest visual: crosshair with pickbox, selection box, snap marker. It alone is drawn again when the mouse moves.</summary>
+internal sealed class CanvasCursor : Control
+{
+    private const double MarkerSize = 6.0;
+    private const uint WindowColour = 0xFF3C82F0;
+    private const uint CrossingColour = 0xFF46B450;
+    private const uint SnapColour = 0xFF2EE06A;
+
+    public CanvasTheme Colours { get; set; } = CanvasTheme.Dark;
+
+    /// <summary>Where the cursor stands; null outside.</summary>
+    public Point? Place { get; set; }
+
+    /// <summary>Length of the crosshair as percent of the canvas (CURSORSIZE).</summary>
+    public double CursorSize { get; set; } = 5.0;
+
+    /// <summary>Half the side of the pickbox.</summary>
+    public double PickBox { get; set; } = 4.0;
+
+    /// <summary>A plain cross without pickbox: a command asks for a point.</summary>
+    public bool AsksForPoint { get; set; }
+
+    public SelectionBox? Box { get; set; }
+
+    public (Point Place, SnapKinds Kind)? Snap { get; set; }
+
+    public override void Render(DrawingContext context)
+    {
+        if (Box is { } box) DrawBox(context, box);
+        if (Snap is { } snap) DrawSnap(context, snap.Place, snap.Kind);
+        if (Place is { } place) DrawCrosshair(context, place);
+    }
+
+    private static void DrawBox(DrawingContext context, SelectionBox box)
+    {
+        var colour = box.IsCrossing ? CrossingColour : WindowColour;
+        var area = new Rect(new Point(box.From.X, box.From.Y), new Point(box.To.X, box.To.Y)).Normalize();
+        context.DrawRectangle(CanvasBrushes.Brush(colour, 0.22), CanvasBrushes.Pen(colour, dashed: box.IsCrossing), area);
+    }
+
+    private void DrawCrosshair(DrawingContext context, Point place)
+    {
+        var pen = CanvasBrushes.Pen(Colours.Crosshair);
+        var arm = Math.Max(Bounds.Width, Bounds.Height) * CursorSize / 200.0;
+        var gap = AsksForPoint ? 0.0 : PickBox;
+        var (x, y) = (Math.Floor(place.X) + 0.5, Math.Floor(place.Y) + 0.5);
+        context.DrawLine(pen, new Point(x - arm, y), new Point(x - gap, y));
+        context.DrawLine(pen, new Point(x + gap, y), new Point(x + arm, y));
+        context.DrawLine(pen, new Point(x, y - arm), new Point(x, y - gap));
+        context.DrawLine(pen, new Point(x, y + gap), new Point(x, y + arm));
+        if (!AsksForPoint) context.DrawRectangle(null, pen, new Rect(x - PickBox, y - PickBox, 2.0 * PickBox, 2.0 * PickBox));
+    }
+
+    /// <summary>Square, triangle, circle, diamond, cross: as AutoCAD marks them.</summary>
+    private static void DrawSnap(DrawingContext context, Point at, SnapKinds kind)
+    {
+        var pen = CanvasBrushes.Pen(SnapColour, 2.0);
+        const double Size = MarkerSize;
+        if (kind == SnapKinds.Centre) context.DrawEllipse(null, pen, at, Size, Size);
+        else if (kind == SnapKinds.End) Outline(context, pen, at, (-Size, -Size), (Size, -Size), (Size, Size), (-Size, Size));
+        else if (kind == SnapKinds.Middle) Outline(context, pen, at, (0.0, -Size), (Size, Size * 0.8), (-Size, Size * 0.8));
+        else if (kind == SnapKinds.Quadrant) Outline(context, pen, at, (0.0, -Size), (Size, 0.0), (0.0, Size), (-Size, 0.0));
+        else Cross(context, pen, at);
+    }
+
+    private static void Outline(DrawingContext context, IPen pen, Point at, params (double X, double Y)[] corners)
+    {
+        for (var i = 0; i < corners.Length; i++)
+        {
+            var (from, to) = (corners[i], corners[(i + 1) % corners.Length]);
+            context.DrawLine(pen, at + new Point(from.X, from.Y), at + new Point(to.X, to.Y));
+        }
+    }
+
+    private static void Cross(DrawingContext context, IPen pen, Point at)
+    {
+        context.DrawLine(pen, at + new Point(-MarkerSize, -MarkerSize), at + new Point(MarkerSize, MarkerSize));
+        context.DrawLine(pen, at + new Point(-MarkerSize, MarkerSize), at + new Point(MarkerSize, -MarkerSize));
+    }
+}

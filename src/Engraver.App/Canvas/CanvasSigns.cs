@@ -1,0 +1,139 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Media;
+using Engraver.App.Canvas.Colours;
+using Engraver.App.Canvas.Flattening;
+using Engraver.App.Canvas.Picking;
+using Engraver.App.Canvas.Scenes;
+using Engraver.App.Canvas.Views;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas;
+
+/// <summary>The visual between picture and cursor: hovered entity, the one under the tool, grips, the tool, the place pointed at, and the UCS icon.</summary>
+internal sealed class CanvasSigns : Control
+{
+    private const int MostGripEntities = 100;
+    private const int MostOutlinedParts = 2000;
+    private const double GripSize = 3.5;
+    private const uint GripColour = 0xFF007FFF; // ACI 150..160: AutoCAD's unselected grip
+
+    public CanvasTheme Colours { get; set; } = CanvasTheme.Dark;
+
+    public CanvasScene? Scene { get; set; }
+
+    /// <summary>In pixels of the screen.</summary>
+    public CanvasView View { get; set; }
+
+    public double Scaling { get; set; } = 1.0;
+
+    public int? Hovered { get; set; }
+
+    public int? Highlight { get; set; }
+
+    public IReadOnlyList<int> Selection { get; set; } = [];
+
+    public Point2D? Tool { get; set; }
+
+    public Point2D? PointedAt { get; set; }
+
+    public override void Render(DrawingContext context)
+    {
+        if (View.Size.Width <= 0) return;
+        DrawUcsIcon(context);
+        if (Scene is { } scene)
+        {
+            if (Hovered is { } hovered) Outline(context, scene, hovered, CanvasBrushes.Pen(Colours.Hover, 2.5));
+            if (Highlight is { } highlight) Outline(context, scene, highlight, CanvasBrushes.Pen(Colours.Tool, 3.0));
+            DrawGrips(context, scene);
+        }
+
+        if (PointedAt is { } place) DrawPointer(context, ToControl(place));
+        if (Tool is { } tool) DrawTool(context, ToControl(tool));
+    }
+
+    private Point ToControl(Point2D place)
+    {
+        var pixel = View.ToPixels(place);
+        return new Point(pixel.X / Scaling, pixel.Y / Scaling);
+    }
+
+    private void Outline(DrawingContext context, CanvasScene scene, int entity, IPen pen)
+    {
+        if ((uint)entity >= (uint)scene.Drawing.Entities.Count || !DrawingPrimitives.IsVisible(scene.Drawing, entity)) return;
+        var geometry = new StreamGeometry();
+        using (var sink = geometry.Open())
+        {
+            var outline = new OutlineSink(sink, Scaling);
+            foreach (var segment in DrawingPick.Segments(scene.Drawing, entity).Take(MostOutlinedParts)) SegmentFlattener.Flatten(segment, View, ref outline);
+        }
+
+        context.DrawGeometry(null, pen, geometry);
+    }
+
+    private void DrawGrips(DrawingContext context, CanvasScene scene)
+    {
+        if (Selection.Count == 0 || Selection.Count > MostGripEntities) return;
+        var window = View.Window;
+        foreach (var segment in Selection.Where(entity => entity < scene.Drawing.Entities.Count).SelectMany(entity => DrawingPick.Segments(scene.Drawing, entity)).Take(MostOutlinedParts))
+        {
+            foreach (var point in SnapPlaces.Of(segment))
+            {
+                if (!window.Contains(point.Place)) continue;
+                var at = ToControl(point.Place);
+                context.DrawRectangle(CanvasBrushes.Brush(GripColour), null, new Rect(at.X - GripSize, at.Y - GripSize, 2.0 * GripSize, 2.0 * GripSize));
+            }
+        }
+    }
+
+    /// <summary>At the origin when it can be seen whole, else in the lower left corner. X red, Y green.</summary>
+    private void DrawUcsIcon(DrawingContext context)
+    {
+        const double Arm = 40.0;
+        const double Corner = 14.0;
+        var origin = ToControl(Point2D.Origin);
+        var seen = new Rect(0.0, 0.0, Bounds.Width, Bounds.Height).Deflate(Corner);
+        if (!seen.Contains(origin) || !seen.Contains(origin + new Point(Arm, -Arm))) origin = new Point(Corner, Bounds.Height - Corner);
+        var (x, y) = (Math.Floor(origin.X) + 0.5, Math.Floor(origin.Y) + 0.5);
+        var (red, green) = (CanvasBrushes.Pen(0xFFD0494F, 1.5), CanvasBrushes.Pen(0xFF4CB562, 1.5));
+        context.DrawLine(red, new Point(x, y), new Point(x + Arm, y));
+        context.DrawLine(green, new Point(x, y), new Point(x, y - Arm));
+        context.DrawRectangle(null, CanvasBrushes.Pen(Colours.Rapid), new Rect(x - 4.0, y - 4.0, 8.0, 8.0));
+        context.DrawLine(red, new Point(x + Arm + 4.0, y - 4.0), new Point(x + Arm + 10.0, y + 4.0));
+        context.DrawLine(red, new Point(x + Arm + 4.0, y + 4.0), new Point(x + Arm + 10.0, y - 4.0));
+        context.DrawLine(green, new Point(x - 4.0, y - Arm - 12.0), new Point(x, y - Arm - 7.0));
+        context.DrawLine(green, new Point(x + 4.0, y - Arm - 12.0), new Point(x, y - Arm - 7.0));
+        context.DrawLine(green, new Point(x, y - Arm - 7.0), new Point(x, y - Arm - 3.0));
+    }
+
+    private void DrawTool(DrawingContext context, Point at)
+    {
+        var pen = CanvasBrushes.Pen(Colours.Tool, 2.0);
+        context.DrawEllipse(null, pen, at, 7.0, 7.0);
+        context.DrawLine(pen, at + new Point(-12.0, 0.0), at + new Point(12.0, 0.0));
+        context.DrawLine(pen, at + new Point(0.0, -12.0), at + new Point(0.0, 12.0));
+    }
+
+    private void DrawPointer(DrawingContext context, Point at)
+    {
+        var pen = CanvasBrushes.Pen(Colours.Finding, 2.0);
+        context.DrawEllipse(null, pen, at, 16.0, 16.0);
+        context.DrawEllipse(null, pen, at, 22.0, 22.0);
+    }
+
+    /// <summary>Chords as figures of a geometry, in units of the control.</summary>
+    private struct OutlineSink(StreamGeometryContext context, double scaling) : IChordSink
+    {
+        private Point _end;
+        private bool _begun;
+
+        public void Chord(double fromX, double fromY, double toX, double toY)
+        {
+            var (from, to) = (new Point(fromX / scaling, fromY / scaling), new Point(toX / scaling, toY / scaling));
+            if (!_begun || from != _end) context.BeginFigure(from, isFilled: false);
+            context.LineTo(to);
+            (_end, _begun) = (to, true);
+        }
+    }
+}

@@ -1,0 +1,76 @@
+namespace Engraver.App.Canvas.Colours;
+
+/// <summary>The colours of the canvas itself, 0xAARRGGBB.</summary>
+public sealed record CanvasTheme
+{
+    /// <summary>AutoCAD's dark model space.</summary>
+    public static CanvasTheme Dark { get; } = new()
+    {
+        Background = 0xFF212830, Foreground = 0xFFFFFFFF, MinorGrid = 0xFF272F38, MajorGrid = 0xFF313B46, AxisX = 0xFF6B3A3A, AxisY = 0xFF35603C,
+        Crosshair = 0xFFFFFFFF, Selected = 0xFF4FA3FF, Hover = 0xFF9CC9FF, Tool = 0xFFFFB000,
+        ClosedContour = 0xFF4CC2FF, InsideContour = 0xFF9AD66B, OpenContour = 0xFFFF8A5B, Rapid = 0xFF8C96A3, Direction = 0xFFFFD866, Start = 0xFF7CE38B, Machine = 0xFFB59CFF, Finding = 0xFFFF5C8A, Engraved = 0xFF35D07F, Remaining = 0xFF6E7B8A,
+        SlowCut = 0xFF3B6CFF, FastCut = 0xFFFF4B3B,
+    };
+
+    public static CanvasTheme Light { get; } = new()
+    {
+        Background = 0xFFFFFFFF, Foreground = 0xFF000000, MinorGrid = 0xFFF1F3F5, MajorGrid = 0xFFDDE2E7, AxisX = 0xFFE0A0A0, AxisY = 0xFF9CCBA4,
+        Crosshair = 0xFF000000, Selected = 0xFF0B63CE, Hover = 0xFF5B9BE6, Tool = 0xFFC77700,
+        ClosedContour = 0xFF0077B6, InsideContour = 0xFF4C8A14, OpenContour = 0xFFC8501E, Rapid = 0xFF7A8590, Direction = 0xFF9A7400, Start = 0xFF1E8E3E, Machine = 0xFF6A48C9, Finding = 0xFFD6215F, Engraved = 0xFF0B8A4B, Remaining = 0xFFA0A9B4,
+        SlowCut = 0xFF2148C8, FastCut = 0xFFD1261A,
+    };
+
+    public required uint Background { get; init; }
+
+    /// <summary>What ACI 7 is on this background.</summary>
+    public required uint Foreground { get; init; }
+
+    public required uint MinorGrid { get; init; }
+
+    public required uint MajorGrid { get; init; }
+
+    /// <summary>The line y = 0 of the grid.</summary>
+    public required uint AxisX { get; init; }
+
+    /// <summary>The line x = 0 of the grid.</summary>
+    public required uint AxisY { get; init; }
+
+    public required uint Crosshair { get; init; }
+
+    public required uint Selected { get; init; }
+
+    public required uint Hover { get; init; }
+
+    public required uint Tool { get; init; }
+
+    public required uint ClosedContour { get; init; }
+
+    /// <summary>A closed contour inside another one.</summary>
+    public required uint InsideContour { get; init; }
+
+    public required uint OpenContour { get; init; }
+
+    public required uint Rapid { get; init; }
+
+    /// <summary>Order numbers and direction arrows.</summary>
+    public required uint Direction { get; init; }
+
+    /// <summary>Start points.</summary>
+    public required uint Start { get; init; }
+
+    /// <summary>Machine envelope and work origin.</summary>
+    public required uint Machine { get; init; }
+
+    /// <summary>Discontinuities and the doctor's findings.</summary>
+    public required uint Finding { get; init; }
+
+    public required uint Engraved { get; init; }
+
+    public required uint Remaining { get; init; }
+
+    /// <summary>The cut path where it is planned slowest.</summary>
+    public required uint SlowCut { get; init; }
+
+    /// <summary>The cut path where it is planned fastest.</summary>
+    public required uint FastCut { get; init; }
+}

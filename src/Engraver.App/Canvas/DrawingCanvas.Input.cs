@@ -1,0 +1,174 @@
+using Avalonia;
+using Avalonia.Input;
+using Engraver.App.Canvas.Interaction;
+using Engraver.App.Canvas.Picking;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas;
+
+/// <summary>Mouse and keys: from events to intents, and from intents to the view and the commands.</summary>
+public sealed partial class DrawingCanvas
+{
+    private readonly PointerMachine _pointer = new();
+
+    /// <summary>Half the side of the pickbox, in units of the control (PICKBOX).</summary>
+    public double PickBox { get; set; } = 4.0;
+
+    /// <summary>Half the side of the box in which object snaps are found.</summary>
+    public double Aperture { get; set; } = 10.0;
+
+    /// <summary>Length of the crosshair in percent of the canvas (CURSORSIZE).</summary>
+    public double CursorSize
+    {
+        get => _cursor.CursorSize;
+        set => _cursor.CursorSize = value;
+    }
+
+    protected override void OnPointerPressed(PointerPressedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerPressed(e);
+        Focus();
+        if (ButtonOf(e.GetCurrentPoint(this).Properties.PointerUpdateKind) is not { } button) return;
+        e.Pointer.Capture(this);
+        _pointer.AsksForPoint = Commands?.AsksForPoint ?? false;
+        var at = PlaceOf(e);
+        Do(_pointer.Press(at, button, e.KeyModifiers.HasFlag(KeyModifiers.Shift), e.ClickCount, () => EntityAt(at) is not null));
+        e.Handled = true;
+    }
+
+    protected override void OnPointerMoved(PointerEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerMoved(e);
+        var at = PlaceOf(e);
+        _cursor.Place = new Point(at.X, at.Y);
+        Do(_pointer.Move(at));
+    }
+
+    protected override void OnPointerReleased(PointerReleasedEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerReleased(e);
+        if (ButtonOf(e.GetCurrentPoint(this).Properties.PointerUpdateKind) is { } button) Do(_pointer.Release(PlaceOf(e), button));
+        e.Pointer.Capture(null);
+    }
+
+    protected override void OnPointerWheelChanged(PointerWheelEventArgs e)
+    {
+        ArgumentNullException.ThrowIfNull(e);
+        base.OnPointerWheelChanged(e);
+        Do(_pointer.Wheel(PlaceOf(e), e.Delta.Y));
+        e.Handled = true;
+    }
+
+    protected override void OnPointerExited(PointerEventArgs e)
+    {
+        base.OnPointerExited(e);
+        (_cursor.Place, _cursor.Snap, _signs.Hovered) = (null, null, null);
+        UpdateSigns();
+        Commands?.CursorAt(null);
+    }
+
+    protected override void OnPointerCaptureLost(PointerCaptureLostEventArgs e)
+    {
+        base.OnPointerCaptureLost(e);
+        if (_pointer.IsPanning) _pointer.Lost();
+    }
+
+    /// <summary>Esc, wherever the focus is: the shell calls it after the machine has had its turn.</summary>
+    public void Escape() => Do(_pointer.Escape());
+
+    /// <summary>The entity under the pickbox when it stands here (units of the control); null: none.</summary>
+    internal int? EntityAt(Point2D at) => Scene is { } scene ? ScenePick.Nearest(scene, ToDrawing(at), PickBox * UnitsPerPoint) : null;
+
+    private double UnitsPerPoint => _keeper.View.UnitsPerPixel * Scaling;
+
+    private static PointerButton? ButtonOf(PointerUpdateKind kind) => kind switch
+    {
+        PointerUpdateKind.LeftButtonPressed or PointerUpdateKind.LeftButtonReleased => PointerButton.Left,
+        PointerUpdateKind.MiddleButtonPressed or PointerUpdateKind.MiddleButtonReleased => PointerButton.Middle,
+        PointerUpdateKind.RightButtonPressed or PointerUpdateKind.RightButtonReleased => PointerButton.Right,
+        _ => null,
+    };
+
+    private Point2D PlaceOf(PointerEventArgs e)
+    {
+        var at = e.GetPosition(this);
+        return new Point2D(at.X, at.Y);
+    }
+
+    private Point2D ToDrawing(Point2D at) => _keeper.View.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling));
+
+    private void Do(CanvasIntent intent)
+    {
+        switch (intent)
+        {
+            case CanvasIntent.Pan pan:
+                View?.PanBy(new Vector2D(pan.By.X * UnitsPerPoint, -pan.By.Y * UnitsPerPoint));
+                break;
+            case CanvasIntent.Zoom zoom:
+                View?.ZoomAbout(ToDrawing(zoom.About), zoom.Factor);
+                break;
+            case CanvasIntent.Hover hover:
+                Hover(hover.At);
+                break;
+            case CanvasIntent.Select select:
+                Commands?.SelectBox(ToDrawing(select.Box.From), ToDrawing(select.Box.To), select.Box.IsCrossing, select.Remove);
+                break;
+            default:
+                Command(intent);
+                break;
+        }
+
+        ShowCursor();
+    }
+
+    private void Command(CanvasIntent intent)
+    {
+        if (Commands is not { } commands) return;
+        if (intent is CanvasIntent.ZoomExtents) commands.ZoomExtents();
+        else if (intent is CanvasIntent.Cancel) commands.Cancel();
+        else if (intent is CanvasIntent.Menu menu) commands.Menu(ToDrawing(menu.At));
+        else if (intent is CanvasIntent.GivePoint given) commands.PointGiven(Snapped(given.At));
+        else if (intent is CanvasIntent.Pick pick && EntityAt(pick.At) is { } entity) commands.PickAt(ToDrawing(pick.At), entity, pick.Remove);
+    }
+
+    private void Hover(Point2D at)
+    {
+        _pointer.AsksForPoint = Commands?.AsksForPoint ?? false;
+        var hovered = _pointer.AsksForPoint || _pointer.Box is not null ? null : EntityAt(at);
+        if (hovered != _signs.Hovered)
+        {
+            _signs.Hovered = hovered;
+            _signs.InvalidateVisual();
+        }
+
+        _cursor.Snap = _pointer.AsksForPoint && SnapAt(at) is { } snap ? (ToControl(snap.Place), snap.Kind) : null;
+        Commands?.CursorAt(_pointer.AsksForPoint ? Snapped(at) : ToDrawing(at));
+    }
+
+    private void ShowCursor()
+    {
+        (_cursor.Box, _cursor.AsksForPoint, _cursor.PickBox) = (_pointer.Box, _pointer.AsksForPoint, PickBox);
+        _cursor.InvalidateVisual();
+    }
+
+    /// <summary>The object snap, else the snap grid, else the place itself.</summary>
+    private Point2D Snapped(Point2D at)
+    {
+        if (SnapAt(at) is { } snap) return snap.Place;
+        var place = ToDrawing(at);
+        return View?.Current is { Snap: true, SnapSpacing: > 0.0 and var step } ? new Point2D(Math.Round(place.X / step) * step, Math.Round(place.Y / step) * step) : place;
+    }
+
+    private SnapPoint? SnapAt(Point2D at) => Scene is { } scene && View?.Current is { ObjectSnap: true } state
+        ? ObjectSnap.Find(scene, ToDrawing(at), Aperture * UnitsPerPoint, (SnapKinds)state.ObjectSnapModes)
+        : null;
+
+    private Point ToControl(Point2D place)
+    {
+        var pixel = _keeper.View.ToPixels(place);
+        return new Point(pixel.X / Scaling, pixel.Y / Scaling);
+    }
+}

@@ -1,0 +1,225 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Media;
+using Avalonia.Threading;
+using Engraver.App.Canvas.Colours;
+using Engraver.App.Canvas.Interaction;
+using Engraver.App.Canvas.Overlays;
+using Engraver.App.Canvas.Picking;
+using Engraver.App.Canvas.Pictures;
+using Engraver.App.Canvas.Scenes;
+using Engraver.App.Canvas.Views;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.Views;
+
+namespace Engraver.App.Canvas;
+
+/// <summary>The drawing and the path on the screen. It draws, finds and points; what a click means is decided by <see cref="Commands"/>, what is seen by <see cref="View"/>.</summary>
+public sealed partial class DrawingCanvas : Panel
+{
+    public static readonly StyledProperty<CanvasScene?> SceneProperty = AvaloniaProperty.Register<DrawingCanvas, CanvasScene?>(nameof(Scene));
+    public static readonly StyledProperty<OverlayScene?> OverlayProperty = AvaloniaProperty.Register<DrawingCanvas, OverlayScene?>(nameof(Overlay));
+    public static readonly StyledProperty<ViewSession?> ViewProperty = AvaloniaProperty.Register<DrawingCanvas, ViewSession?>(nameof(View));
+    public static readonly StyledProperty<IReadOnlyList<int>?> SelectionProperty = AvaloniaProperty.Register<DrawingCanvas, IReadOnlyList<int>?>(nameof(Selection));
+    public static readonly StyledProperty<int?> HighlightProperty = AvaloniaProperty.Register<DrawingCanvas, int?>(nameof(Highlight));
+    public static readonly StyledProperty<Point2D?> ToolPositionProperty = AvaloniaProperty.Register<DrawingCanvas, Point2D?>(nameof(ToolPosition));
+    public static readonly StyledProperty<int> EngravedMovesProperty = AvaloniaProperty.Register<DrawingCanvas, int>(nameof(EngravedMoves));
+
+    private readonly PictureKeeper _keeper = new();
+    private IReadOnlyList<int>? _flagged;
+    private readonly CanvasPicture _picture;
+    private readonly CanvasSigns _signs = new() { IsHitTestVisible = false };
+    private readonly CanvasCursor _cursor = new() { IsHitTestVisible = false };
+    private readonly DispatcherTimer _still = new() { Interval = TimeSpan.FromMilliseconds(40.0) };
+
+    public DrawingCanvas()
+    {
+        _picture = new CanvasPicture(_keeper) { IsHitTestVisible = false };
+        Children.AddRange([_picture, _signs, _cursor]);
+        (Background, Focusable, ClipToBounds, Cursor) = (Brushes.Transparent, true, true, new Cursor(StandardCursorType.None));
+        _keeper.Refined += (_, _) => _picture.InvalidateVisual();
+        _still.Tick += (_, _) => StandStill();
+    }
+
+    /// <summary>The drawing; null: none is open.</summary>
+    public CanvasScene? Scene
+    {
+        get => GetValue(SceneProperty);
+        set => SetValue(SceneProperty, value);
+    }
+
+    /// <summary>What the prepared job adds; null: nothing.</summary>
+    public OverlayScene? Overlay
+    {
+        get => GetValue(OverlayProperty);
+        set => SetValue(OverlayProperty, value);
+    }
+
+    /// <summary>What is looked at, and which layers of meaning are shown.</summary>
+    public ViewSession? View
+    {
+        get => GetValue(ViewProperty);
+        set => SetValue(ViewProperty, value);
+    }
+
+    /// <summary>Selected entities.</summary>
+    public IReadOnlyList<int>? Selection
+    {
+        get => GetValue(SelectionProperty);
+        set => SetValue(SelectionProperty, value);
+    }
+
+    /// <summary>The entity under the tool, of the table row or of the program line; null: none.</summary>
+    public int? Highlight
+    {
+        get => GetValue(HighlightProperty);
+        set => SetValue(HighlightProperty, value);
+    }
+
+    /// <summary>Where the tool is, drawing units; null: not known.</summary>
+    public Point2D? ToolPosition
+    {
+        get => GetValue(ToolPositionProperty);
+        set => SetValue(ToolPositionProperty, value);
+    }
+
+    /// <summary>How many cutting moves of the job are done, from its first one on.</summary>
+    public int EngravedMoves
+    {
+        get => GetValue(EngravedMovesProperty);
+        set => SetValue(EngravedMovesProperty, value);
+    }
+
+    /// <summary>Who is told what the operator does; null: nobody, the canvas only looks.</summary>
+    public ICanvasCommands? Commands { get; set; }
+
+    /// <summary>What is drawn is what is wanted: nothing is being refined.</summary>
+    public bool IsFresh => _keeper.IsFresh;
+
+    /// <summary>The part of the drawing on the screen, in pixels of the screen.</summary>
+    internal CanvasView PixelView => _keeper.View;
+
+    private double Scaling => TopLevel.GetTopLevel(this)?.RenderScaling ?? 1.0;
+
+    /// <summary>Draws the wanted picture now instead of when the hand is still: for pictures that are kept and for tests.</summary>
+    public void RefineNow()
+    {
+        _still.Stop();
+        _keeper.Abandon();
+        UpdateView();
+        UpdateContent();
+        if (_keeper.View.Size.Width > 0) _keeper.Refine(CancellationToken.None);
+    }
+
+    protected override Size ArrangeOverride(Size finalSize)
+    {
+        var arranged = base.ArrangeOverride(finalSize);
+        if (finalSize.Width > 0.0 && finalSize.Height > 0.0) View?.SetAspect(finalSize.Width / finalSize.Height);
+        UpdateView(finalSize);
+        return arranged;
+    }
+
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == ViewProperty) Follow(change.GetOldValue<ViewSession?>(), change.GetNewValue<ViewSession?>());
+        else if (change.Property == HighlightProperty || change.Property == ToolPositionProperty) UpdateSigns();
+        else if (change.Property == SceneProperty || change.Property == OverlayProperty || change.Property == SelectionProperty || change.Property == EngravedMovesProperty) UpdateContent();
+    }
+
+    protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        _still.Stop();
+        _keeper.Abandon();
+        base.OnDetachedFromVisualTree(e);
+    }
+
+    private void Follow(ViewSession? before, ViewSession? now)
+    {
+        if (before is not null) before.Changed -= OnViewChanged;
+        if (now is not null) now.Changed += OnViewChanged;
+        if (Bounds.Width > 0.0 && Bounds.Height > 0.0) now?.SetAspect(Bounds.Width / Bounds.Height);
+        UpdateView();
+        UpdateContent();
+    }
+
+    /// <summary>May come from any thread.</summary>
+    private void OnViewChanged(object? sender, EventArgs e)
+    {
+        if (Dispatcher.UIThread.CheckAccess()) TakeView();
+        else Dispatcher.UIThread.Post(TakeView);
+    }
+
+    private void TakeView()
+    {
+        UpdateView();
+        UpdateContent();
+    }
+
+    private void UpdateView() => UpdateView(Bounds.Size);
+
+    private void UpdateView(Size size)
+    {
+        var (scaling, state) = (Scaling, View?.Current ?? ViewState.Default);
+        var pixels = new PixelSize((int)Math.Round(size.Width * scaling), (int)Math.Round(size.Height * scaling));
+        if (pixels.Width <= 0 || pixels.Height <= 0) return;
+        var view = new CanvasView(state.Centre, state.Height / pixels.Height, pixels);
+        if (view == _keeper.View) return;
+        _keeper.View = view;
+        Wait();
+    }
+
+    private void UpdateContent()
+    {
+        var state = View?.Current ?? ViewState.Default;
+        var content = _keeper.Content with
+        {
+            Scene = Scene, Overlay = Overlay ?? OverlayScene.Empty, Shown = state.Shown, Grid = state.Grid, Theme = state.Theme == DesktopTheme.Light ? CanvasTheme.Light : CanvasTheme.Dark,
+            Selected = Flags(Scene, Selection), EngravedMoves = EngravedMoves, Scaling = Scaling,
+        };
+        if (content != _keeper.Content) _keeper.Content = content;
+        Wait();
+    }
+
+    /// <summary>Something else is wanted: show what is there at once, and draw when the hand is still.</summary>
+    private void Wait()
+    {
+        UpdateSigns();
+        _picture.InvalidateVisual();
+        _keeper.Abandon();
+        _still.Stop();
+        _still.Start();
+    }
+
+    private async void StandStill()
+    {
+        _still.Stop();
+        if (!_keeper.IsFresh && _keeper.View.Size.Width > 0) await _keeper.RefineAsync();
+    }
+
+    private void UpdateSigns()
+    {
+        (_signs.Scene, _signs.View, _signs.Scaling, _signs.Colours) = (Scene, _keeper.View, Scaling, _keeper.Content.Theme);
+        (_signs.Highlight, _signs.Tool, _signs.Selection, _signs.PointedAt) = (Highlight, ToolPosition, Selection ?? [], View?.Current.Focus?.Place);
+        _cursor.Colours = _keeper.Content.Theme;
+        _signs.InvalidateVisual();
+        _cursor.InvalidateVisual();
+    }
+
+    /// <summary>The selection as flags; the same array while the selection is the same list, so that nothing is drawn again for nothing.</summary>
+    private bool[]? Flags(CanvasScene? scene, IReadOnlyList<int>? selection)
+    {
+        if (scene is null || selection is not { Count: > 0 }) return null;
+        if (ReferenceEquals(_flagged, selection) && _keeper.Content.Selected is { } known && known.Length == scene.Drawing.Entities.Count) return known;
+        var flags = new bool[scene.Drawing.Entities.Count];
+        foreach (var entity in selection)
+        {
+            if ((uint)entity < (uint)flags.Length) flags[entity] = true;
+        }
+
+        _flagged = selection;
+        return flags;
+    }
+}

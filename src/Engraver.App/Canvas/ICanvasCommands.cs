@@ -1,0 +1,35 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas;
+
+/// <summary>What the operator does on the canvas, in terms of the document: the shell connects it to the command session. Drawing units.</summary>
+public interface ICanvasCommands
+{
+    /// <summary>A command asks for a point: clicks give points and pick nothing.</summary>
+    bool AsksForPoint { get; }
+
+    /// <summary>Select what lies under the pickbox.</summary>
+    /// <param name="entity">The nearest entity there.</param>
+    /// <param name="remove">Take it out of the selection (Shift).</param>
+    void PickAt(Point2D place, int entity, bool remove);
+
+    /// <summary>Select by a box between two corners.</summary>
+    /// <param name="crossing">Whatever touches it, not only what lies inside.</param>
+    /// <param name="remove">Take it out of the selection (Shift).</param>
+    void SelectBox(Point2D from, Point2D to, bool crossing, bool remove);
+
+    /// <summary>Esc: end the command, or with none clear the selection.</summary>
+    void Cancel();
+
+    /// <summary>The point that a command asked for, snapped where a snap stood.</summary>
+    void PointGiven(Point2D place);
+
+    /// <summary>Show everything.</summary>
+    void ZoomExtents();
+
+    /// <summary>The right button: Enter for a command that runs, else a menu.</summary>
+    void Menu(Point2D place);
+
+    /// <summary>The cursor stands here; null when it has left the canvas.</summary>
+    void CursorAt(Point2D? place);
+}

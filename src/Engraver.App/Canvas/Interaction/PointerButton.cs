@@ -1,0 +1,8 @@
+namespace Engraver.App.Canvas.Interaction;
+
+internal enum PointerButton
+{
+    Left,
+    Middle,
+    Right,
+}

@@ -1,0 +1,96 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas.Interaction;
+
+/// <summary>From presses, movements and the wheel to what they mean, with AutoCAD's habits: the wheel zooms about the cursor, pressed it pans, clicked twice it shows everything;
+/// a click picks what is under it, a click on nothing begins a box that a second click (or letting go after a drag) ends.</summary>
+internal sealed class PointerMachine
+{
+    /// <summary>Pixels that the hand may tremble before a press is a drag.</summary>
+    private const double DragDistance = 4.0;
+
+    /// <summary>Zoom of one notch of the wheel.</summary>
+    private const double NotchFactor = 1.25;
+
+    private Point2D? _panFrom;
+    private Point2D? _boxFrom;
+    private Point2D _cursor;
+    private bool _boxPressed;
+    private bool _boxRemoves;
+
+    /// <summary>A command asks for a point: clicks are points, not picks.</summary>
+    public bool AsksForPoint { get; set; }
+
+    /// <summary>The box while it is drawn.</summary>
+    public SelectionBox? Box => _boxFrom is { } from ? new SelectionBox(from, _cursor) : null;
+
+    public bool IsPanning => _panFrom is not null;
+
+    /// <param name="hits">Is there something under the pickbox? Asked only where it matters.</param>
+    /// <param name="clicks">2 for the second click of a double click.</param>
+    public CanvasIntent Press(Point2D at, PointerButton button, bool shift, int clicks, Func<bool> hits)
+    {
+        _cursor = at;
+        if (button == PointerButton.Middle) return PressWheel(at, clicks);
+        if (button == PointerButton.Right) return new CanvasIntent.Menu(at);
+        if (AsksForPoint) return new CanvasIntent.GivePoint(at);
+        if (_boxFrom is not null) return FinishBox(at, _boxRemoves || shift);
+        if (hits()) return new CanvasIntent.Pick(at, shift);
+        (_boxFrom, _boxPressed, _boxRemoves) = (at, true, shift);
+        return CanvasIntent.None;
+    }
+
+    public CanvasIntent Move(Point2D at)
+    {
+        _cursor = at;
+        if (_panFrom is not { } from) return new CanvasIntent.Hover(at);
+        _panFrom = at;
+        return new CanvasIntent.Pan(at - from);
+    }
+
+    public CanvasIntent Release(Point2D at, PointerButton button)
+    {
+        _cursor = at;
+        if (button == PointerButton.Middle) _panFrom = null;
+        if (button != PointerButton.Left || !_boxPressed || _boxFrom is not { } from) return CanvasIntent.None;
+        _boxPressed = false;
+        return from.DistanceTo(at) > DragDistance ? FinishBox(at, _boxRemoves) : CanvasIntent.None;
+    }
+
+    /// <param name="notches">Forward (away from the hand) positive: nearer.</param>
+    public CanvasIntent Wheel(Point2D at, double notches)
+    {
+        _cursor = at;
+        return notches == 0.0 ? CanvasIntent.None : new CanvasIntent.Zoom(at, Math.Pow(NotchFactor, notches));
+    }
+
+    /// <summary>Ends the box first; with none, it is for the command.</summary>
+    public CanvasIntent Escape()
+    {
+        if (_boxFrom is null) return new CanvasIntent.Cancel();
+        DropBox();
+        return CanvasIntent.None;
+    }
+
+    /// <summary>The mouse was taken away (another window, a lost capture): nothing stays pressed.</summary>
+    public void Lost()
+    {
+        _panFrom = null;
+        DropBox();
+    }
+
+    private CanvasIntent PressWheel(Point2D at, int clicks)
+    {
+        _panFrom = clicks >= 2 ? null : at;
+        return clicks >= 2 ? new CanvasIntent.ZoomExtents() : CanvasIntent.None;
+    }
+
+    private CanvasIntent.Select FinishBox(Point2D at, bool remove)
+    {
+        var box = new SelectionBox(_boxFrom!.Value, at);
+        DropBox();
+        return new CanvasIntent.Select(box, remove);
+    }
+
+    private void DropBox() => (_boxFrom, _boxPressed, _boxRemoves) = (null, false, false);
+}

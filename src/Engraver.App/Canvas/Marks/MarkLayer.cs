@@ -1,0 +1,58 @@
+using Engraver.App.Canvas.Flattening;
+using Engraver.App.Canvas.Rasterising;
+using Engraver.App.Canvas.Views;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas.Marks;
+
+/// <summary>The marks of one view. Where they would cover each other only the first of their order stands: zooming in brings the others.</summary>
+internal sealed class MarkLayer : IPictureLayer
+{
+    private readonly List<(SceneMark Mark, Point2D Pixel)> _placed = [];
+    private readonly uint _colour;
+    private readonly double _scale;
+
+    /// <param name="marks">In the order of their importance.</param>
+    /// <param name="scale">Pixels of the screen for a pixel of the design.</param>
+    public MarkLayer(IReadOnlyList<SceneMark> marks, CanvasView view, uint colour, double scale)
+    {
+        (_colour, _scale) = (colour, scale);
+        var taken = new HashSet<(int, int)>();
+        foreach (var mark in marks)
+        {
+            var reach = MarkShape.ReachOf(mark, scale);
+            var pixel = view.ToPixels(mark.Place);
+            if (!IsSeen(pixel, reach, view) || !Take(taken, pixel, mark)) continue;
+            _placed.Add((mark, pixel));
+        }
+    }
+
+    /// <summary>How many marks are drawn.</summary>
+    public int Count => _placed.Count;
+
+    public void Paint(CanvasView view, PixelTile tile)
+    {
+        var pencil = new Pencil(tile, _colour, new LinePen(1.25 * _scale));
+        foreach (var (mark, pixel) in _placed)
+        {
+            var reach = MarkShape.ReachOf(mark, _scale) + 2.0;
+            if (pixel.X + reach < tile.Left || pixel.X - reach > tile.Left + tile.Width || pixel.Y + reach < tile.Top || pixel.Y - reach > tile.Top + tile.Height) continue;
+            MarkShape.Draw(mark, pixel, _scale, ref pencil);
+        }
+    }
+
+    private static bool IsSeen(Point2D pixel, double reach, CanvasView view) =>
+        pixel.X >= -reach && pixel.Y >= -reach && pixel.X <= view.Size.Width + reach && pixel.Y <= view.Size.Height + reach;
+
+    /// <summary>One mark to a cell of the screen; cells of numbers are as wide as the number.</summary>
+    private bool Take(HashSet<(int, int)> taken, Point2D pixel, in SceneMark mark)
+    {
+        var (width, height) = mark.Kind == MarkKind.Order ? (20.0 + (8.0 * StrokeDigits.CountOf(mark.Number)), 16.0) : (8.0, 8.0);
+        return taken.Add(((int)Math.Floor(pixel.X / (width * _scale)), (int)Math.Floor(pixel.Y / (height * _scale))));
+    }
+
+    private readonly struct Pencil(PixelTile tile, uint colour, LinePen pen) : IChordSink
+    {
+        public void Chord(double fromX, double fromY, double toX, double toY) => LineRasteriser.Draw(tile, fromX, fromY, toX, toY, colour, pen);
+    }
+}

@@ -1,0 +1,93 @@
+using Engraver.App.Canvas.Marks;
+using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+
+namespace Engraver.App.Canvas.Overlays;
+
+/// <summary>Turns sequenced strokes and the toolpath (millimetres) into the layers of an overlay (drawing units).</summary>
+internal static class OverlayBuilder
+{
+    /// <param name="scale">Drawing units for a millimetre.</param>
+    public static OverlayScene Build(SequencingResult sequence, Toolpath toolpath, double scale, OverlayInputs inputs) => new()
+    {
+        Contours = Contours(sequence, scale),
+        Rapids = Rapids(toolpath, scale),
+        CutPath = CutPath(toolpath, scale, inputs.MoveSpeeds),
+        Recorded = RecordedPath(inputs.Recorded),
+        Machine = Envelope(inputs.MachineEnvelope),
+        OrderMarks = [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Order, stroke.Moves[0].Segment.StartTangent, stroke.Index + 1))],
+        StartMarks = [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Start))],
+        FindingMarks = [.. sequence.Discontinuities.Select(end => new SceneMark(Scaled(end.Place, scale), MarkKind.Finding)), .. inputs.Findings.Select(place => new SceneMark(place, MarkKind.Finding))],
+        OriginMarks = inputs.WorkOrigin is { } origin ? [new SceneMark(origin, MarkKind.Origin)] : [],
+    };
+
+    /// <summary>Lines between the polled places while the tool is on.</summary>
+    public static PrimitiveStore RecordedPath(IReadOnlyList<RecordedPlace> places)
+    {
+        var lines = new PrimitiveStoreBuilder();
+        for (var i = 1; i < places.Count; i++)
+        {
+            if (places[i].ToolOn) lines.Add(Segment.FromLine(places[i - 1].Place, places[i].Place), i, StepOf(places[i].ErrorFraction));
+        }
+
+        return lines.Build();
+    }
+
+    private static PrimitiveStore Contours(SequencingResult sequence, double scale)
+    {
+        var store = new PrimitiveStoreBuilder();
+        foreach (var stroke in sequence.Strokes)
+        {
+            var kind = !stroke.Closed ? OverlayScene.Open : stroke.Inside >= 0 ? OverlayScene.ClosedInside : OverlayScene.ClosedOutside;
+            foreach (var move in stroke.Moves) store.Add(Scaled(move.Segment, scale), stroke.Index, kind);
+        }
+
+        return store.Build();
+    }
+
+    private static PrimitiveStore Rapids(Toolpath toolpath, double scale)
+    {
+        var store = new PrimitiveStoreBuilder();
+        var from = toolpath.ToolStart;
+        foreach (var stroke in toolpath.Strokes)
+        {
+            store.Add(Segment.FromLine(Scaled(from, scale), Scaled(stroke.Start, scale)), stroke.Index, 0);
+            from = stroke.End;
+        }
+
+        return store.Build();
+    }
+
+    private static PrimitiveStore CutPath(Toolpath toolpath, double scale, IReadOnlyList<double> speeds)
+    {
+        var store = new PrimitiveStoreBuilder();
+        foreach (var stroke in toolpath.Strokes)
+        {
+            foreach (var move in stroke.Moves) store.Add(Scaled(move.Segment, scale), store.Count, StepOf(store.Count < speeds.Count ? speeds[store.Count] : 1.0));
+        }
+
+        return store.Build();
+    }
+
+    private static PrimitiveStore Envelope(Bounds2D? box)
+    {
+        var store = new PrimitiveStoreBuilder();
+        if (box is not { IsEmpty: false } known) return PrimitiveStore.Empty;
+        Point2D[] corners = [new(known.MinX, known.MinY), new(known.MaxX, known.MinY), new(known.MaxX, known.MaxY), new(known.MinX, known.MaxY)];
+        for (var i = 0; i < corners.Length; i++) store.Add(Segment.FromLine(corners[i], corners[(i + 1) % corners.Length]), i, 0);
+        return store.Build();
+    }
+
+    private static ushort StepOf(double fraction) => (ushort)Math.Clamp((int)(fraction * OverlayScene.RampSteps), 0, OverlayScene.RampSteps - 1);
+
+    private static Point2D Scaled(Point2D place, double scale) => new(place.X * scale, place.Y * scale);
+
+    private static Segment Scaled(Segment segment, double scale)
+    {
+        if (segment.Kind == SegmentKind.Line) return Segment.FromLine(Scaled(segment.Start, scale), Scaled(segment.End, scale));
+        if (segment.IsFreeCurve) return Segment.FromCurve(segment.Curve.Scaled(scale));
+        return Segment.FromArc(segment.Arc with { Centre = Scaled(segment.Arc.Centre, scale), Radius = segment.Arc.Radius * scale });
+    }
+}

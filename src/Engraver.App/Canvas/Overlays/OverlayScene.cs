@@ -1,0 +1,66 @@
+using Engraver.App.Canvas.Marks;
+using Engraver.App.Canvas.Scenes;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.App.Canvas.Overlays;
+
+/// <summary>The layers of meaning over a drawing, made ready for the canvas. Immutable; drawing units.</summary>
+public sealed class OverlayScene
+{
+    /// <summary>Steps of the colours of speed and of following error.</summary>
+    internal const int RampSteps = 64;
+
+    internal const ushort ClosedOutside = 0;
+    internal const ushort ClosedInside = 1;
+    internal const ushort Open = 2;
+
+    internal OverlayScene()
+    {
+    }
+
+    /// <summary>No layers.</summary>
+    public static OverlayScene Empty { get; } = new();
+
+    /// <summary>Cutting moves of the job; the numbers of the engraved layer run from 0 to it.</summary>
+    public int MoveCount => CutPath.Count;
+
+    /// <summary>Contours as strokes; the entity of a primitive is its stroke, the colour one of the three kinds.</summary>
+    internal PrimitiveStore Contours { get; init; } = PrimitiveStore.Empty;
+
+    internal PrimitiveStore Rapids { get; init; } = PrimitiveStore.Empty;
+
+    /// <summary>The moves as they are cut; the entity of a primitive is the number of the move in the whole job, the colour its speed.</summary>
+    internal PrimitiveStore CutPath { get; init; } = PrimitiveStore.Empty;
+
+    /// <summary>Colour: following error.</summary>
+    internal PrimitiveStore Recorded { get; init; } = PrimitiveStore.Empty;
+
+    /// <summary>The machine envelope.</summary>
+    internal PrimitiveStore Machine { get; init; } = PrimitiveStore.Empty;
+
+    internal IReadOnlyList<SceneMark> OrderMarks { get; init; } = [];
+
+    internal IReadOnlyList<SceneMark> StartMarks { get; init; } = [];
+
+    internal IReadOnlyList<SceneMark> FindingMarks { get; init; } = [];
+
+    internal IReadOnlyList<SceneMark> OriginMarks { get; init; } = [];
+
+    /// <summary>Everything a prepared job says, and what else is known.</summary>
+    public static OverlayScene Of(PreparedJob job, OverlayInputs? inputs = null)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return OverlayBuilder.Build(job.Sequence, job.Toolpath, 1.0 / (job.Settings.Unit ?? job.Drawing.Unit).ToMillimetres, inputs ?? OverlayInputs.None);
+    }
+
+    /// <summary>The same scene with other recorded positions: what a running machine adds to.</summary>
+    public OverlayScene WithRecorded(IReadOnlyList<RecordedPlace> places)
+    {
+        ArgumentNullException.ThrowIfNull(places);
+        return new OverlayScene
+        {
+            Contours = Contours, Rapids = Rapids, CutPath = CutPath, Machine = Machine, Recorded = OverlayBuilder.RecordedPath(places),
+            OrderMarks = OrderMarks, StartMarks = StartMarks, FindingMarks = FindingMarks, OriginMarks = OriginMarks,
+        };
+    }
+}

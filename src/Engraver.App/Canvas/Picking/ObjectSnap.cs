@@ -1,0 +1,87 @@
+using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas.Picking;
+
+/// <summary>Finds the end, middle, centre, quadrant or intersection near the cursor. Drawing units.</summary>
+public static class ObjectSnap
+{
+    /// <summary>In a crowd only so many curves are crossed with each other.</summary>
+    private const int MostCrossed = 48;
+
+    /// <summary>The nearest snap place within the aperture. A circle or arc under the cursor offers its centre however far it is, when nothing else is nearer; null when there is nothing.</summary>
+    /// <param name="kinds">Which snaps are on.</param>
+    /// <param name="aperture">Half the side of the snap box.</param>
+    public static SnapPoint? Find(CanvasScene scene, Point2D place, double aperture, SnapKinds kinds)
+    {
+        ArgumentNullException.ThrowIfNull(scene);
+        var search = new Search(place, aperture);
+        var under = new List<Segment>();
+        var store = scene.Store;
+        foreach (var block in store.BlocksTouching(Bounds2D.Of(place, place).Grown(aperture)))
+        {
+            foreach (ref readonly var primitive in store.Block(block)) Offer(store, primitive, kinds, under, ref search);
+        }
+
+        if (kinds.HasFlag(SnapKinds.Intersection)) OfferCrossings(under, ref search);
+        return search.Best ?? CentreUnder(under, place, kinds);
+    }
+
+    private static void Offer(PrimitiveStore store, in ScenePrimitive primitive, SnapKinds kinds, List<Segment> under, ref Search search)
+    {
+        if (!store.BoundsOf(primitive).Grown(search.Aperture).Contains(search.Place)) return;
+        var segment = store.SegmentOf(primitive);
+        foreach (var point in SnapPlaces.Of(segment))
+        {
+            if (kinds.HasFlag(point.Kind)) search.Offer(point);
+        }
+
+        if (segment.DistanceTo(search.Place) <= search.Aperture) under.Add(segment);
+    }
+
+    private static void OfferCrossings(List<Segment> under, ref Search search)
+    {
+        var count = Math.Min(under.Count, MostCrossed);
+        for (var i = 0; i < count; i++)
+        {
+            for (var j = i + 1; j < count; j++)
+            {
+                foreach (var crossing in SegmentCrossings.Of(under[i], under[j])) search.Offer(new SnapPoint(crossing, SnapKinds.Intersection));
+            }
+        }
+    }
+
+    private static SnapPoint? CentreUnder(List<Segment> under, Point2D place, SnapKinds kinds)
+    {
+        if (!kinds.HasFlag(SnapKinds.Centre)) return null;
+        Segment? nearest = null;
+        foreach (var segment in under)
+        {
+            if (SnapPlaces.CentreOf(segment) is not null && (nearest is null || segment.DistanceTo(place) < nearest.Value.DistanceTo(place))) nearest = segment;
+        }
+
+        return nearest is { } found && SnapPlaces.CentreOf(found) is { } centre ? new SnapPoint(centre, SnapKinds.Centre) : null;
+    }
+
+    private struct Search(Point2D place, double aperture)
+    {
+        private double _distance = double.PositiveInfinity;
+
+        public readonly Point2D Place => place;
+
+        public readonly double Aperture => aperture;
+
+        public SnapPoint? Best { get; private set; }
+
+        /// <summary>The nearest counts; of two in one place that with the lower number (an end before an intersection).</summary>
+        public void Offer(SnapPoint point)
+        {
+            var way = point.Place - place;
+            if (Math.Abs(way.X) > aperture || Math.Abs(way.Y) > aperture) return;
+            var distance = way.Length;
+            var tie = Math.Abs(distance - _distance) <= 1e-9 * aperture;
+            if (tie ? Best is { } best && point.Kind >= best.Kind : distance > _distance) return;
+            (Best, _distance) = (point, distance);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas.Picking;
+
+/// <summary>What lies under the pickbox. Drawing units.</summary>
+public static class ScenePick
+{
+    /// <summary>The entity nearest to a place, no farther away than <paramref name="within"/>; ties to the one drawn last; null when there is none.</summary>
+    public static int? Nearest(CanvasScene scene, Point2D place, double within)
+    {
+        ArgumentNullException.ThrowIfNull(scene);
+        var search = new Search(place, within);
+        var store = scene.Store;
+        for (var block = 0; block < store.Blocks.Length; block++)
+        {
+            if (Distance(store.Blocks[block], place) <= search.Within) search.Visit(store, block);
+        }
+
+        return search.Entity < 0 ? null : search.Entity;
+    }
+
+    /// <summary>Every entity no farther away, in the order of the drawing: what selection cycling goes through.</summary>
+    public static IReadOnlyList<int> All(CanvasScene scene, Point2D place, double within)
+    {
+        ArgumentNullException.ThrowIfNull(scene);
+        var found = new SortedSet<int>();
+        var store = scene.Store;
+        foreach (var block in store.BlocksTouching(Bounds2D.Of(place, place).Grown(within)))
+        {
+            foreach (ref readonly var primitive in store.Block(block))
+            {
+                if (PrimitiveDistance.Of(store, primitive, place, within) <= within) found.Add(primitive.Entity);
+            }
+        }
+
+        return [.. found];
+    }
+
+    private static double Distance(in Bounds2D box, Point2D place)
+    {
+        var x = Math.Max(0.0, Math.Max(box.MinX - place.X, place.X - box.MaxX));
+        var y = Math.Max(0.0, Math.Max(box.MinY - place.Y, place.Y - box.MaxY));
+        return Math.Sqrt((x * x) + (y * y));
+    }
+
+    private struct Search(Point2D place, double within)
+    {
+        public int Entity { get; private set; } = -1;
+
+        public double Within { get; private set; } = within;
+
+        public void Visit(PrimitiveStore store, int block)
+        {
+            foreach (ref readonly var primitive in store.Block(block))
+            {
+                var distance = PrimitiveDistance.Of(store, primitive, place, Within);
+                if (!(distance < Within) && !(distance == Within && primitive.Entity > Entity)) continue;
+                (Entity, Within) = (primitive.Entity, distance);
+            }
+        }
+    }
+}

@@ -1,0 +1,29 @@
+using Engraver.App.Canvas.Colours;
+using Engraver.App.Canvas.Overlays;
+using Engraver.App.Canvas.Scenes;
+using Engraver.Workbench.Views;
+
+namespace Engraver.App.Canvas.Pictures;
+
+/// <summary>Everything that a picture shows, apart from the view. Immutable: a picture is drawn from it on other threads.</summary>
+internal sealed record CanvasContent
+{
+    public CanvasScene? Scene { get; init; }
+
+    public OverlayScene Overlay { get; init; } = OverlayScene.Empty;
+
+    public CanvasLayers Shown { get; init; } = CanvasLayers.Drawing;
+
+    public bool Grid { get; init; } = true;
+
+    public CanvasTheme Theme { get; init; } = CanvasTheme.Dark;
+
+    /// <summary>Selected entities of the drawing, by index; null: none.</summary>
+    public bool[]? Selected { get; init; }
+
+    /// <summary>Moves of the job that are engraved.</summary>
+    public int EngravedMoves { get; init; }
+
+    /// <summary>Pixels of the screen for a pixel of the design.</summary>
+    public double Scaling { get; init; } = 1.0;
+}

@@ -1,0 +1,85 @@
+using Engraver.App.Canvas.Rasterising;
+using Engraver.App.Canvas.Views;
+
+namespace Engraver.App.Canvas.Pictures;
+
+/// <summary>Keeps the last finished picture and what is wanted now: the old one is shown moved at once, the new one is drawn behind it.</summary>
+/// <remarks>Called from one thread (that of the window); only the drawing itself runs on others.</remarks>
+internal sealed class PictureKeeper
+{
+    private CanvasContent _drawnContent = new();
+    private Picture? _picture;
+    private Action? _stopDrawing;
+
+    /// <summary>Raised on the thread that awaits <see cref="RefineAsync"/> after a new picture is there.</summary>
+    public event EventHandler? Refined;
+
+    public CanvasContent Content { get; set; } = new();
+
+    public CanvasView View { get; set; }
+
+    /// <summary>The finished picture shows exactly what is wanted.</summary>
+    public bool IsFresh => _picture is not null && _picture.View == View && ReferenceEquals(_drawnContent, Content);
+
+    /// <summary>Writes what can be shown at once, which takes no longer for a large drawing than for a small one.</summary>
+    /// <param name="target">Pixels 0xAARRGGBB.</param>
+    /// <param name="stride">Pixels to a row of the target.</param>
+    public void Show(Span<uint> target, int stride)
+    {
+        if (_picture is null) Blank(target, stride);
+        else if (_picture.View == View) Copy(_picture, target, stride);
+        else PictureMover.Move(_picture, View, Content.Theme.Background, target, stride);
+    }
+
+    /// <summary>Draws the wanted picture on this thread (and the other cores).</summary>
+    public void Refine(CancellationToken stop) => Take(Draw(Content, View, stop), Content);
+
+    /// <summary>Draws the wanted picture on other threads and takes it, unless something else is wanted before it is done.</summary>
+    /// <returns>False when another picture was wanted in the meantime.</returns>
+    public async Task<bool> RefineAsync()
+    {
+        Abandon();
+        using var drawing = new CancellationTokenSource();
+        Action stop = drawing.Cancel;
+        _stopDrawing = stop;
+        var (content, view) = (Content, View);
+        try
+        {
+            var picture = await Task.Run(() => Draw(content, view, drawing.Token), drawing.Token);
+            if (_stopDrawing != stop) return false;
+            _stopDrawing = null;
+            Take(picture, content);
+            return true;
+        }
+        catch (OperationCanceledException)
+        {
+            return false; // another picture is wanted
+        }
+    }
+
+    /// <summary>Stops a picture that is being drawn.</summary>
+    public void Abandon()
+    {
+        _stopDrawing?.Invoke();
+        _stopDrawing = null;
+    }
+
+    private static Picture Draw(CanvasContent content, CanvasView view, CancellationToken stop) =>
+        PictureRenderer.Render(LayerStack.Of(content, view), view, Backdrop.For(view, content.Theme, content.Grid), stop);
+
+    private void Take(Picture picture, CanvasContent content)
+    {
+        (_picture, _drawnContent) = (picture, content);
+        Refined?.Invoke(this, EventArgs.Empty);
+    }
+
+    private void Blank(Span<uint> target, int stride)
+    {
+        for (var row = 0; row < View.Size.Height; row++) target.Slice(row * stride, View.Size.Width).Fill(Content.Theme.Background);
+    }
+
+    private static void Copy(Picture picture, Span<uint> target, int stride)
+    {
+        for (var row = 0; row < picture.Height; row++) picture.Pixels.AsSpan(row * picture.Width, picture.Width).CopyTo(target[(row * stride)..]);
+    }
+}

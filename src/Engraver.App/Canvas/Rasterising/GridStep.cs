@@ -1,0 +1,21 @@
+namespace Engraver.App.Canvas.Rasterising;
+
+/// <summary>Distance of the grid lines at a scale: 1, 2 or 5 times a power of ten, so that they never lie closer than <see cref="FewestPixels"/>.</summary>
+/// <param name="Minor">Drawing units.</param>
+/// <param name="MinorPerMajor">Every so many lines one is stronger.</param>
+internal readonly record struct GridStep(double Minor, int MinorPerMajor)
+{
+    public const double FewestPixels = 10.0;
+
+    public static GridStep For(double unitsPerPixel)
+    {
+        var least = unitsPerPixel * FewestPixels;
+        var decade = Math.Pow(10.0, Math.Floor(Math.Log10(least)));
+        foreach (var (factor, major) in (ReadOnlySpan<(double, int)>)[(1.0, 10), (2.0, 5), (5.0, 10), (10.0, 10), (20.0, 5)])
+        {
+            if (factor * decade >= least) return new GridStep(factor * decade, major);
+        }
+
+        return new GridStep(50.0 * decade, 10);
+    }
+}

@@ -1,0 +1,37 @@
+using Engraver.App.Canvas.Colours;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Canvas.Scenes;
+
+/// <summary>A drawing made ready for the canvas: once for each state of the document, then drawn and asked from all threads. Entities that are hidden or on layers that are off or frozen are not in it.</summary>
+/// <remarks>Where entities cross, the one that is drawn on top follows from where they are, not from the order of the drawing.</remarks>
+public sealed class CanvasScene
+{
+    private CanvasScene(Drawing drawing, EntityColours colours, PrimitiveStore store)
+    {
+        Drawing = drawing;
+        Colours = colours;
+        Store = store;
+    }
+
+    public Drawing Drawing { get; }
+
+    public EntityColours Colours { get; }
+
+    /// <summary>Tight box of what is visible; empty when nothing is.</summary>
+    public Bounds2D Extents => Store.Bounds;
+
+    /// <summary>Lines, arcs, circles and curves in it.</summary>
+    public int PrimitiveCount => Store.Count;
+
+    internal PrimitiveStore Store { get; }
+
+    /// <param name="colours">Colours of the entities; null: all in colour 7.</param>
+    public static CanvasScene Of(Drawing drawing, EntityColours? colours = null)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        var known = colours ?? EntityColours.White;
+        return new CanvasScene(drawing, known, DrawingPrimitives.Of(drawing, known));
+    }
+}

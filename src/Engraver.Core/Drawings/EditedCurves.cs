@@ -1,0 +1,27 @@
+using Engraver.Core.Dxf;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Drawings;
+
+/// <summary>The side column of ellipses and splines while a drawing is edited: what was there stays (an undone step still points at it), what an edit makes is added behind it.</summary>
+internal sealed class EditedCurves(Drawing drawing)
+{
+    private readonly List<RationalCurve> _added = [];
+
+    /// <summary>False when a curve was thrown out of the range of a drawing or shrunk to nothing.</summary>
+    public bool AreInRange => _added.TrueForAll(curve => curve.Bounds is var box && Fits(box.MinX) && Fits(box.MaxX) && Fits(box.MinY) && Fits(box.MaxY) && (box.Width > 0.0 || box.Height > 0.0));
+
+    public DrawingPart Transformed(in DrawingPart part, Transform2D map) => part.IsFreeCurve ? Added(part, drawing.Curves[part.CurveIndex].Mapped(map)) : part.Transformed(map);
+
+    public DrawingPart Reversed(in DrawingPart part) => part.IsFreeCurve ? Added(part, drawing.Curves[part.CurveIndex].Reversed()) : part.Reversed();
+
+    public IReadOnlyList<RationalCurve> ToColumn() => _added.Count == 0 ? drawing.Curves : [.. drawing.Curves, .. _added];
+
+    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= DxfNumber.Largest;
+
+    private DrawingPart Added(in DrawingPart part, RationalCurve curve)
+    {
+        _added.Add(curve);
+        return DrawingPart.FreeCurve(part.Entity, part.Kind, drawing.Curves.Count + _added.Count - 1);
+    }
+}

@@ -1,0 +1,72 @@
+namespace Engraver.Galil.Programs;
+
+/// <summary>A motion program laid out in time, by the same trapezoids, settle times and command times as <see cref="MotionTime"/>.</summary>
+/// <remarks>The tool is on from the settle before the first to the settle after the last sequence of a stroke.</remarks>
+public sealed class MotionTimeline
+{
+    private readonly List<MotionSpan> _spans = [];
+
+    private MotionTimeline(MotionProgram program) => Program = program;
+
+    public MotionProgram Program { get; }
+
+    /// <summary>Without gaps, in the order of time; spans of no time are left out.</summary>
+    public IReadOnlyList<MotionSpan> Spans => _spans;
+
+    /// <summary>Seconds of the whole job; 0 when there is nothing to cut.</summary>
+    public double Seconds => _spans.Count == 0 ? 0.0 : _spans[^1].End;
+
+    public static MotionTimeline Of(MotionProgram program, CancellationToken cancellation)
+    {
+        var timeline = new MotionTimeline(program);
+        var at = program.Start;
+        for (var stroke = 0; stroke < program.Strokes.Count; stroke++)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            timeline.AddStroke(stroke, at);
+            at = program.Strokes[stroke].Sequences[^1].End;
+        }
+
+        return timeline;
+    }
+
+    /// <summary>The span at a moment; moments before and after the job belong to the first and the last.</summary>
+    /// <returns>Its index; -1 when there is none.</returns>
+    public int SpanAt(double seconds)
+    {
+        var (low, high) = (0, _spans.Count - 1);
+        while (low < high)
+        {
+            var middle = (low + high + 1) / 2;
+            if (_spans[middle].Start <= seconds) low = middle;
+            else high = middle - 1;
+        }
+
+        return high;
+    }
+
+    private void AddStroke(int index, CountsPoint from)
+    {
+        var stroke = Program.Strokes[index];
+        var rapid = MotionTime.RapidTo(stroke.Start, from, Program);
+        Add(MotionSpanKind.Dwell, rapid.Dwell, index, 0, from, from, toolOn: false);
+        Add(MotionSpanKind.Rapid, rapid.Rapid, index, 0, from, stroke.Start, toolOn: false);
+        var settle = MotionTime.ToolSeconds(Program.Profile.ToolSettleSeconds);
+        for (var i = 0; i < stroke.Sequences.Count; i++)
+        {
+            var sequence = stroke.Sequences[i];
+            var cut = MotionTime.Cut(sequence, Program);
+            Add(MotionSpanKind.Dwell, cut.Dwell, index, i, sequence.Start, sequence.Start, toolOn: i > 0);
+            if (i == 0) Add(MotionSpanKind.Dwell, settle, index, 0, sequence.Start, sequence.Start, toolOn: true);
+            Add(MotionSpanKind.Cut, cut.Cutting, index, i, sequence.Start, sequence.End, toolOn: true);
+        }
+
+        var last = stroke.Sequences.Count - 1;
+        Add(MotionSpanKind.Dwell, settle, index, last, stroke.Sequences[last].End, stroke.Sequences[last].End, toolOn: false);
+    }
+
+    private void Add(MotionSpanKind kind, double seconds, int stroke, int sequence, CountsPoint from, CountsPoint to, bool toolOn)
+    {
+        if (seconds > 0.0) _spans.Add(new MotionSpan(kind, Seconds, seconds, stroke, sequence, from, to, toolOn));
+    }
+}

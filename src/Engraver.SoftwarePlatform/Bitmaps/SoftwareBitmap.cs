@@ -1,0 +1,120 @@
+using Avalonia;
+using Avalonia.Media.Imaging;
+using Avalonia.Platform;
+using Engraver.SoftwarePlatform.Drawing;
+using Engraver.SoftwarePlatform.Rasteriser;
+
+namespace Engraver.SoftwarePlatform.Bitmaps;
+
+/// <summary>Pixels in memory: a bitmap to show, to write into, to draw on and a layer, all in one.</summary>
+/// <remarks>Stored as asked for (blue or red first; colours multiplied by alpha, plain, or alpha ignored); what is drawn on is always premultiplied with blue first.</remarks>
+public sealed unsafe class SoftwareBitmap : IWriteableBitmapImpl, IRenderTargetBitmapImpl, IDrawingContextLayerImpl
+{
+    private readonly PixelMemory _memory;
+    private readonly PixelFormat _format;
+    private readonly AlphaFormat _alphaFormat;
+    private DerivedBitmaps? _derived;
+
+    public SoftwareBitmap(PixelSize size, Vector dpi)
+        : this(size, dpi, PixelFormats.Bgra8888, Avalonia.Platform.AlphaFormat.Premul)
+    {
+    }
+
+    public SoftwareBitmap(PixelSize size, Vector dpi, PixelFormat format, AlphaFormat alphaFormat)
+    {
+        if (format != PixelFormats.Bgra8888 && format != PixelFormats.Rgba8888)
+            throw new NotSupportedException("Bitmaps are stored with 8 bits for each of blue, green, red and alpha.");
+        PixelSize = new PixelSize(Math.Max(1, size.Width), Math.Max(1, size.Height));
+        Dpi = dpi;
+        _format = format;
+        _alphaFormat = alphaFormat;
+        _memory = new PixelMemory((long)PixelSize.Width * PixelSize.Height);
+    }
+
+    public Vector Dpi { get; }
+
+    public PixelSize PixelSize { get; }
+
+    /// <summary>Grows with each change.</summary>
+    public int Version { get; private set; } = 1;
+
+    public PixelFormat? Format => _format;
+
+    public AlphaFormat? AlphaFormat => _alphaFormat;
+
+    public bool CanBlit => true;
+
+    public bool IsCorrupted => false;
+
+    /// <summary>First pixel; rows follow each other without gaps.</summary>
+    internal uint* Pixels => _memory.Pixels;
+
+    internal Span<uint> Row(int y) => new(Pixels + (long)y * PixelSize.Width, PixelSize.Width);
+
+    internal PixelBounds Bounds => new(0, 0, PixelSize.Width, PixelSize.Height);
+
+    internal bool IsOpaqueFormat => _alphaFormat == Avalonia.Platform.AlphaFormat.Opaque;
+
+    /// <summary>Can be read as it is by <see cref="PixelSource"/>.</summary>
+    internal bool IsDirectlyReadable => _format == PixelFormats.Bgra8888 && _alphaFormat != Avalonia.Platform.AlphaFormat.Unpremul;
+
+    internal PixelSource Source => new(Pixels, PixelSize.Width, PixelSize.Width, PixelSize.Height, IsOpaqueFormat ? 0xFF000000 : 0);
+
+    /// <summary>Premultiplied, with blue first, whatever the storage is.</summary>
+    internal uint this[int x, int y] => Converted(Row(y)[x]);
+
+    public ILockedFramebuffer Lock() =>
+        new LockedFramebuffer((IntPtr)Pixels, PixelSize, PixelSize.Width * 4, Dpi, _format, _alphaFormat, Changed);
+
+    public IDrawingContextImpl CreateDrawingContext() => CreateDrawingContext(default);
+
+    /// <param name="origin">Device pixel that the first pixel stands for.</param>
+    internal SoftwareDrawingContext CreateDrawingContext(PixelPoint origin)
+    {
+        var bounds = Bounds.Offset(origin.X, origin.Y);
+        return new SoftwareDrawingContext(new PixelSurface(Pixels, PixelSize.Width, bounds), Dpi, Changed);
+    }
+
+    public void Save(Stream stream, BitmapEncoderOptions options) => PngFile.Write(stream, this);
+
+    public void Blit(IDrawingContextImpl context)
+    {
+        if (context is not SoftwareDrawingContext target)
+            throw new NotSupportedException("A layer can only be copied to a context of the same platform.");
+        target.CopyFrom(this);
+    }
+
+    public void Dispose()
+    {
+        _derived?.Dispose();
+        _derived = null;
+        _memory.Dispose();
+    }
+
+    /// <summary>This bitmap, or a kept copy of it, such that it is directly readable and at most twice as large as it will be drawn.</summary>
+    /// <param name="halvings">How often its sides are halved, averaging.</param>
+    internal SoftwareBitmap ForReading(int halvings)
+    {
+        if (halvings == 0 && IsDirectlyReadable)
+            return this;
+        if (_derived is null || _derived.Version != Version)
+        {
+            _derived?.Dispose();
+            _derived = new DerivedBitmaps(this);
+        }
+        return _derived.Get(halvings);
+    }
+
+    internal uint Converted(uint pixel)
+    {
+        var blueFirst = _format == PixelFormats.Rgba8888 ? PixelArithmetic.Swapped(pixel) : pixel;
+        return _alphaFormat switch
+        {
+            Avalonia.Platform.AlphaFormat.Opaque => blueFirst | 0xFF000000,
+            Avalonia.Platform.AlphaFormat.Unpremul => PixelArithmetic.Premultiplied(blueFirst),
+            _ => blueFirst,
+        };
+    }
+
+    internal void Changed() => Version++;
+}

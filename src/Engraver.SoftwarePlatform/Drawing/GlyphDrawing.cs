@@ -1,0 +1,48 @@
+using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Text;
+
+namespace Engraver.SoftwarePlatform.Drawing;
+
+/// <summary>Draws glyphs from kept masks, on whole pixels vertically and on quarters of a pixel horizontally; large or turned ones as outlines.</summary>
+internal static class GlyphDrawing
+{
+    private const double LargestMaskedSize = 96;
+
+    public static void Draw(ContextStack state, SoftwareGlyphRun run, Paint paint)
+    {
+        var transform = state.Transform;
+        var isUpright = state.IsAxisAligned && transform.M11 > 0 && Math.Abs(transform.M11 - transform.M22) < 1e-6;
+        if (!isUpright || run.FontRenderingEmSize * transform.M11 > LargestMaskedSize)
+        {
+            state.FillPath(run.Outline, paint);
+            return;
+        }
+        if (state.Clip.IsEmpty)
+            return;
+        var scale = transform.M11;
+        var size = GlyphSize.Of(run.FontRenderingEmSize * scale);
+        var tone = paint is SolidPaint solid ? TextTone.Of(solid.Color) : TextTone.Middle;
+        var baseX = run.BaselineOrigin.X * scale + transform.M31;
+        var baseY = PixelBounds.Nearest(run.BaselineOrigin.Y * scale + transform.M32);
+        for (var i = 0; i < run.Count; i++)
+        {
+            var x = Math.Floor((baseX + run.OffsetX(i) * scale) * GlyphSize.StepsPerPixel + 0.5);
+            var pixel = (int)Math.Floor(x / GlyphSize.StepsPerPixel);
+            var step = (int)(x - (double)pixel * GlyphSize.StepsPerPixel);
+            var mask = run.Typeface.Masks.Get(run.Glyph(i), size, step, tone);
+            if (mask is not null)
+                Draw(state, mask, pixel, baseY + PixelBounds.Nearest(run.OffsetY(i) * scale), paint);
+        }
+    }
+
+    private static void Draw(ContextStack state, GlyphMask mask, int x, int y, Paint paint)
+    {
+        var place = mask.Bounds.Offset(x, y);
+        var clip = state.Clip;
+        if (!clip.Touches(place))
+            return;
+        var bottom = Math.Min(place.Bottom, clip.Bounds.Bottom);
+        for (var row = Math.Max(place.Top, clip.Bounds.Top); row < bottom; row++)
+            state.Painter.Cells(row, place.Left, mask.Row(row - y), paint, clip);
+    }
+}

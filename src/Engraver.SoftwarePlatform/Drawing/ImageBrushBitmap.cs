@@ -1,0 +1,19 @@
+using System.Runtime.CompilerServices;
+using Avalonia.Media;
+using Engraver.SoftwarePlatform.Bitmaps;
+
+namespace Engraver.SoftwarePlatform.Drawing;
+
+/// <summary>The one door through an internal member of Avalonia 12.1.6: an image brush does not show its bitmap to a platform from outside.</summary>
+internal static class ImageBrushBitmap
+{
+    public static SoftwareBitmap? Of(IImageBrushSource source)
+    {
+        var reference = Reference(source);
+        return reference?.GetType().GetProperty("Item")?.GetValue(reference) as SoftwareBitmap;
+    }
+
+    [UnsafeAccessor(UnsafeAccessorKind.Method, Name = "get_Bitmap")]
+    [return: UnsafeAccessorType("Avalonia.Utilities.IRef`1[[Avalonia.Platform.IBitmapImpl, Avalonia.Base]], Avalonia.Base")]
+    private static extern object? Reference(IImageBrushSource source);
+}

@@ -1,0 +1,90 @@
+using Avalonia;
+using Avalonia.Media;
+using Engraver.SoftwarePlatform.Rasteriser;
+
+namespace Engraver.SoftwarePlatform.Drawing;
+
+/// <summary>Box shadows, outside and inside of a rounded rectangle.</summary>
+internal static class ShadowPainting
+{
+    /// <param name="boxIsOpaque">The box will hide what is under it; else the shadow is cut out there.</param>
+    public static void DrawOuter(ContextStack state, RoundedRect box, BoxShadows shadows, bool boxIsOpaque)
+    {
+        for (var i = 0; i < shadows.Count; i++)
+        {
+            if (!shadows[i].IsInset && shadows[i].Color.A > 0)
+                DrawOuter(state, box, shadows[i], boxIsOpaque);
+        }
+    }
+
+    public static void DrawInset(ContextStack state, RoundedRect box, BoxShadows shadows)
+    {
+        for (var i = 0; i < shadows.Count; i++)
+        {
+            if (shadows[i].IsInset && shadows[i].Color.A > 0)
+                DrawInset(state, box, shadows[i]);
+        }
+    }
+
+    private static void DrawOuter(ContextStack state, RoundedRect box, BoxShadow shadow, bool boxIsOpaque)
+    {
+        var paint = new SolidPaint(PixelArithmetic.Premultiplied(shadow.Color, state.Opacity));
+        var path = PathOf(box.Grown(shadow.Spread));
+        var transform = Matrix.CreateTranslation(shadow.OffsetX, shadow.OffsetY) * state.Transform;
+        var blur = ShadowBlur.Of(shadow.Blur * state.Scale);
+        if (Bounds(path, transform) is not { } bounds || !state.Clip.Touches(bounds.Inflate(blur.Reach)))
+            return;
+        using var mask = ShapeFiller.MaskOf(state.Scratch, path, transform, bounds.Inflate(blur.Reach));
+        blur.Apply(mask);
+        if (!boxIsOpaque)
+            CutOut(state, mask, PathOf(box));
+        Paint(state, mask, paint);
+    }
+
+    /// <summary>The shadow of everything outside of a smaller box, seen inside of the box.</summary>
+    private static void DrawInset(ContextStack state, RoundedRect box, BoxShadow shadow)
+    {
+        var paint = new SolidPaint(PixelArithmetic.Premultiplied(shadow.Color, state.Opacity));
+        var hole = PathOf(box.Grown(-shadow.Spread));
+        var transform = Matrix.CreateTranslation(shadow.OffsetX, shadow.OffsetY) * state.Transform;
+        var blur = ShadowBlur.Of(shadow.Blur * state.Scale);
+        if (Bounds(PathOf(box), state.Transform) is not { } bounds || !state.Clip.Touches(bounds))
+            return;
+        using var mask = ShapeFiller.MaskOf(state.Scratch, hole, transform, bounds.Inflate(blur.Reach));
+        Invert(mask);
+        blur.Apply(mask);
+        using var inside = ShapeFiller.MaskOf(state.Scratch, PathOf(box), state.Transform, mask.Bounds);
+        PixelRows.Multiply(mask.Cells, inside.Cells);
+        Paint(state, mask, paint);
+    }
+
+    private static void CutOut(ContextStack state, CoverageMask mask, VectorPath path)
+    {
+        using var hole = ShapeFiller.MaskOf(state.Scratch, path, state.Transform, mask.Bounds);
+        Invert(hole);
+        PixelRows.Multiply(mask.Cells, hole.Cells);
+    }
+
+    private static void Invert(CoverageMask mask)
+    {
+        foreach (ref var cell in mask.Cells)
+            cell = (byte)(255 - cell);
+    }
+
+    private static void Paint(ContextStack state, CoverageMask mask, Paint paint)
+    {
+        var visible = state.Clip.Visible(mask.Bounds);
+        for (var y = visible.Top; y < visible.Bottom; y++)
+            state.Painter.Cells(y, visible.Left, mask.Row(y, visible.Left, visible.Right), paint, state.Clip);
+    }
+
+    private static PixelBounds? Bounds(VectorPath path, in Matrix transform) =>
+        path.ControlBounds(transform) is { } box ? PixelBounds.Around(box) : null;
+
+    private static VectorPath PathOf(RoundedRect box)
+    {
+        var path = new VectorPath(FillRule.NonZero);
+        path.AddRoundedRectangle(box);
+        return path;
+    }
+}

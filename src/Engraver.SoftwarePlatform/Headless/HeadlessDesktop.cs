@@ -1,0 +1,113 @@
+using System.Collections.Immutable;
+using System.Diagnostics;
+using Avalonia;
+using Avalonia.Input;
+using Avalonia.Input.Platform;
+using Avalonia.Threading;
+using Engraver.SoftwarePlatform.Windows;
+
+namespace Engraver.SoftwarePlatform.Headless;
+
+/// <summary>The desktop in memory of one application: its windows, its clipboard, and the hand that fires the frames.</summary>
+/// <remarks>Stepping belongs on the user interface thread; the list of windows may be read from any.</remarks>
+public sealed class HeadlessDesktop
+{
+    private static readonly TimeSpan FrameTime = TimeSpan.FromSeconds(1.0 / 60);
+    private ImmutableList<HeadlessWindow> _windows = [];
+    private SoftwareDispatcher? _dispatcher;
+    private HandFiredTimer? _frames;
+    private MemoryClipboard? _clipboard;
+    private nint _lastHandle;
+
+    /// <param name="time">The clock of dispatcher timers and of input; null is the system's. Avalonia's transitions run by the computer's clock whatever is given here.</param>
+    public HeadlessDesktop(TimeProvider? time = null) => Time = time ?? TimeProvider.System;
+
+    /// <summary>The windows that are shown, oldest first.</summary>
+    public IReadOnlyList<HeadlessWindow> Windows => _windows;
+
+    /// <summary>The window that has the keyboard, or null.</summary>
+    public HeadlessWindow? ActiveWindow { get; private set; }
+
+    public PixelSize ScreenSize { get; init; } = new(1920, 1080);
+
+    /// <summary>The clipboard's text; null when it is empty or holds something else.</summary>
+    public string? ClipboardText
+    {
+        get => ReadClipboardText();
+        set => WriteClipboardText(value);
+    }
+
+    internal TimeProvider Time { get; }
+
+    private SoftwareDispatcher Loop => _dispatcher ?? throw new InvalidOperationException("The desktop is not in use yet: set the application up first.");
+
+    /// <summary>Does all work that is due, draws one frame, and does the work that came of it.</summary>
+    public void Step()
+    {
+        Dispatcher.UIThread.VerifyAccess();
+        Loop.FireDueTimer();
+        Dispatcher.UIThread.RunJobs();
+        _frames!.Fire();
+        Dispatcher.UIThread.RunJobs();
+    }
+
+    /// <summary>Steps until the condition holds; between steps it waits for what the dispatcher waits for, and draws 60 frames a second while something moves.</summary>
+    /// <exception cref="TimeoutException">The condition did not come to hold within the timeout (by the computer's clock).</exception>
+    public void StepUntil(Func<bool> condition, TimeSpan timeout)
+    {
+        ArgumentNullException.ThrowIfNull(condition);
+        var watch = Stopwatch.StartNew();
+        while (true)
+        {
+            Step();
+            if (condition()) return;
+            var left = timeout - watch.Elapsed;
+            if (left <= TimeSpan.Zero) throw new TimeoutException($"The condition did not come to hold within {timeout.TotalSeconds} s.");
+            Loop.WaitForWork(_frames!.IsWanted && left > FrameTime ? FrameTime : left, CancellationToken.None);
+        }
+    }
+
+    internal void Attach(SoftwareDispatcher dispatcher, HandFiredTimer frames, MemoryClipboard clipboard)
+    {
+        if (_dispatcher is not null) throw new InvalidOperationException("A desktop serves one application.");
+        _dispatcher = dispatcher;
+        _frames = frames;
+        _clipboard = clipboard;
+    }
+
+    internal nint NextHandle() => ++_lastHandle;
+
+    internal void Add(HeadlessWindow window)
+    {
+        if (!_windows.Contains(window)) _windows = _windows.Add(window);
+    }
+
+    internal void Remove(HeadlessWindow window)
+    {
+        _windows = _windows.Remove(window);
+        if (ActiveWindow == window) Focus(_windows.MaxBy(left => left.Stacking));
+    }
+
+    internal void Focus(HeadlessWindow? window)
+    {
+        if (ActiveWindow == window) return;
+        var before = ActiveWindow;
+        ActiveWindow = window;
+        before?.TellFocus(false);
+        window?.TellFocus(true);
+    }
+
+    /// <summary>Text on this clipboard is there at once, so nothing is waited for.</summary>
+    private string? ReadClipboardText()
+    {
+        var data = _clipboard?.TryGetDataAsync().Result;
+        return data?.TryGetTextAsync() is { IsCompletedSuccessfully: true } text ? text.Result : null;
+    }
+
+    private void WriteClipboardText(string? value)
+    {
+        var data = new DataTransfer();
+        if (value is not null) data.Add(DataTransferItem.CreateText(value));
+        _clipboard?.SetDataAsync(data);
+    }
+}

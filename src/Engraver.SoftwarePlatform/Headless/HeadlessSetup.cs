@@ -1,0 +1,21 @@
+using Avalonia.Threading;
+using Engraver.SoftwarePlatform.Input;
+using Engraver.SoftwarePlatform.Windows;
+
+namespace Engraver.SoftwarePlatform.Headless;
+
+/// <summary>Puts the pieces of the front end in memory together.</summary>
+internal static class HeadlessSetup
+{
+    public static void Bind(HeadlessDesktop desktop, SoftwarePlatformOptions options, InputDoor door)
+    {
+        var scale = options.Scale > 0 ? options.Scale : 1.0;
+        var dispatcher = new SoftwareDispatcher(desktop.Time);
+        Dispatcher.InitializeUIThreadDispatcher(dispatcher);
+        var seat = new Seat(door, new SingleScreen(() => desktop.ScreenSize, () => scale), desktop.Time);
+        var frames = new HandFiredTimer(desktop.Time);
+        var clipboard = new MemoryClipboard();
+        desktop.Attach(dispatcher, frames, clipboard);
+        PlatformServices.Bind(seat, frames, clipboard, () => new HeadlessWindow(desktop, seat, scale));
+    }
+}

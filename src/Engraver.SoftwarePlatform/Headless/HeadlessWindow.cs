@@ -1,0 +1,155 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Media;
+using Avalonia.Media.Imaging;
+using Avalonia.Platform;
+using Avalonia.Threading;
+using Engraver.SoftwarePlatform.Windows;
+
+namespace Engraver.SoftwarePlatform.Headless;
+
+/// <summary>A window in memory, with a person's hands and eyes as methods.</summary>
+/// <remarks>Input methods may be called from any thread. On the user interface thread they also step the desktop, so that what they caused is done when they return; from another
+/// thread they return as soon as the input has passed the key filter and is queued.</remarks>
+public sealed partial class HeadlessWindow : SoftwareWindow
+{
+    private readonly HeadlessDesktop _desktop;
+    private Size _normalSize;
+    private WindowState _state;
+
+    internal HeadlessWindow(HeadlessDesktop desktop, Seat seat, double scale) : base(seat, scale, new Size(1024, 768))
+    {
+        _desktop = desktop;
+        Handle = new PlatformHandle(desktop.NextHandle(), "Headless");
+    }
+
+    public string Title { get; private set; } = "";
+
+    public override WindowState WindowState
+    {
+        get => _state;
+        set => ChangeState(value);
+    }
+
+    public override void SetTitle(string? title) => Title = title ?? "";
+
+    public override void Show(bool activate, bool isDialog)
+    {
+        ComeToFront();
+        _desktop.Add(this);
+        if (activate) _desktop.Focus(this);
+    }
+
+    public override void Hide() => _desktop.Remove(this);
+
+    public override void Activate()
+    {
+        ComeToFront();
+        _desktop.Focus(this);
+    }
+
+    public override void Move(PixelPoint point)
+    {
+        Position = point;
+        PositionChanged?.Invoke(point);
+    }
+
+    public override void Dispose()
+    {
+        _desktop.Remove(this);
+        base.Dispose();
+    }
+
+    /// <summary>As a person does it at the window's border. In device independent units.</summary>
+    public void Resize(Size size)
+    {
+        ChangeSize(size, WindowResizeReason.User);
+        _desktop.Step();
+    }
+
+    /// <summary>As when the window is moved to a screen of another density: it keeps its size in device independent units.</summary>
+    public void SetScale(double scale)
+    {
+        RenderScaling = scale;
+        ScalingChanged?.Invoke(scale);
+        Resized?.Invoke(ClientSize, WindowResizeReason.DpiChange);
+        _desktop.Step();
+    }
+
+    /// <summary>As when another program's window is clicked.</summary>
+    public void LoseFocus()
+    {
+        Seat.Door.ForgetHeldKeys();
+        _desktop.Focus(null);
+        _desktop.Step();
+    }
+
+    /// <summary>Asks the window to close, as its title bar's button does.</summary>
+    public void AskToClose()
+    {
+        if (Closing?.Invoke(WindowCloseReason.WindowClosing) != true) Dispose();
+        _desktop.Step();
+    }
+
+    /// <summary>The last frame as a PNG picture.</summary>
+    /// <exception cref="InvalidOperationException">No frame has been drawn yet.</exception>
+    public void CapturePng(Stream output)
+    {
+        var frame = DrawnFrame();
+        using var picture = new Bitmap(PixelFormat.Bgra8888, AlphaFormat.Premul, frame.Address, frame.Size, new Vector(96, 96), frame.Stride);
+        picture.Save(output, PngBitmapEncoderOptions.Default);
+    }
+
+    public void CaptureToFile(string path)
+    {
+        using var file = File.Create(path);
+        CapturePng(file);
+    }
+
+    /// <summary>The colour of a pixel of the last frame, as premultiplied as it is.</summary>
+    public Color PixelAt(int x, int y)
+    {
+        var frame = DrawnFrame();
+        return Color.FromUInt32(frame.Pixels[y * frame.Size.Width + x]);
+    }
+
+    internal void TellFocus(bool has)
+    {
+        Dispatcher.UIThread.Post(() => (has ? Activated : LosingFocus)?.Invoke(), DispatcherPriority.Input);
+    }
+
+    private protected override void ResizeByApplication(Size clientSize, WindowResizeReason reason)
+    {
+        if (clientSize == ClientSize) return;
+        Dispatcher.UIThread.Post(() => ChangeSize(clientSize, reason), DispatcherPriority.Send);
+    }
+
+    /// <summary>The frame stays where it is drawn.</summary>
+    private protected override void Present(WindowFrame frame)
+    {
+    }
+
+    private WindowFrame DrawnFrame() => Frame ?? throw new InvalidOperationException("No frame has been drawn yet: step the desktop first.");
+
+    private void LosingFocus()
+    {
+        Deactivated?.Invoke();
+        LostFocus?.Invoke();
+    }
+
+    private void ChangeSize(Size size, WindowResizeReason reason)
+    {
+        ClientSize = size;
+        Resized?.Invoke(size, reason);
+    }
+
+    private void ChangeState(WindowState state)
+    {
+        if (_state == state) return;
+        if (_state == WindowState.Normal) _normalSize = ClientSize;
+        _state = state;
+        WindowStateChanged?.Invoke(state);
+        if (state is WindowState.Maximized or WindowState.FullScreen) ChangeSize(_desktop.ScreenSize.ToSize(RenderScaling), WindowResizeReason.Unspecified);
+        if (state is WindowState.Normal) ChangeSize(_normalSize, WindowResizeReason.Unspecified);
+    }
+}

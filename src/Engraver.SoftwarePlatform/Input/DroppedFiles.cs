@@ -1,0 +1,19 @@
+using Avalonia.Input;
+
+namespace Engraver.SoftwarePlatform.Input;
+
+/// <summary>Files of another program on their way into a window.</summary>
+internal static class DroppedFiles
+{
+    public static DataTransfer Of(IEnumerable<string> paths)
+    {
+        var data = new DataTransfer();
+        foreach (var path in paths)
+        {
+            var full = Path.GetFullPath(path);
+            data.Add(DataTransferItem.CreateFile(Directory.Exists(full) ? new DroppedFolder(new DirectoryInfo(full)) : new DroppedFile(new FileInfo(full))));
+        }
+
+        return data;
+    }
+}

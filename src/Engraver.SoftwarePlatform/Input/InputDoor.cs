@@ -1,0 +1,64 @@
+using Avalonia;
+using Avalonia.Input;
+using Avalonia.Logging;
+
+namespace Engraver.SoftwarePlatform.Input;
+
+/// <summary>What every key and button passes on the input thread before it is queued for the user interface, whichever front end it comes from.</summary>
+/// <remarks>A filter that throws is logged and counts as not interested: the input thread must outlive it.</remarks>
+internal sealed class InputDoor(KeyFilter? filter, InputRegions regions)
+{
+    private readonly Lock _gate = new();
+    private readonly HashSet<Key> _held = [];
+    private readonly HashSet<(nint Window, MouseButton Button)> _swallowed = [];
+
+    /// <summary>True when the key may go on to the window.</summary>
+    public bool Admits(Key key, KeyModifiers modifiers, bool isDown)
+    {
+        bool repeat;
+        lock (_gate) repeat = Held(key, isDown);
+        if (filter is null) return true;
+        var press = new KeyPress(key, modifiers, isDown, repeat);
+        return !Guarded(() => filter(press));
+    }
+
+    private bool Held(Key key, bool isDown)
+    {
+        if (isDown) return !_held.Add(key) && key != Key.None;
+        _held.Remove(key);
+        return false;
+    }
+
+    /// <summary>True when the press may go on to the window.</summary>
+    public bool AdmitsPress(nint window, Point at, MouseButton button)
+    {
+        if (!Guarded(() => regions.Press(window, at, button))) return true;
+        lock (_gate) _swallowed.Add((window, button));
+        return false;
+    }
+
+    /// <summary>False for the release that belongs to a swallowed press.</summary>
+    public bool AdmitsRelease(nint window, MouseButton button)
+    {
+        lock (_gate) return !_swallowed.Remove((window, button));
+    }
+
+    /// <summary>Keys let go while another window had the keyboard are never told: forget what was held.</summary>
+    public void ForgetHeldKeys()
+    {
+        lock (_gate) _held.Clear();
+    }
+
+    private bool Guarded(Func<bool> asked)
+    {
+        try
+        {
+            return asked();
+        }
+        catch (Exception e) // the input thread is a job of its own: it records what a callback throws, and reads on
+        {
+            Logger.TryGet(LogEventLevel.Error, LogArea.Platform)?.Log(this, "A callback on the input thread failed: {Exception}", e);
+            return false;
+        }
+    }
+}

@@ -1,0 +1,15 @@
+namespace Engraver.SoftwarePlatform.Text;
+
+/// <summary>Size and place of a glyph as far as its mask depends on them.</summary>
+internal static class GlyphSize
+{
+    /// <summary>Glyphs stand on quarters of a pixel.</summary>
+    public const int StepsPerPixel = 4;
+
+    private const double PartsPerPixel = 64;
+
+    /// <summary>Pixels per em in 1/64.</summary>
+    public static int Of(double pixelsPerEm) => (int)Math.Round(pixelsPerEm * PartsPerPixel);
+
+    public static double PixelsPerEm(int size) => size / PartsPerPixel;
+}

@@ -1,0 +1,11 @@
+using Engraver.SoftwarePlatform.Rasteriser;
+
+namespace Engraver.SoftwarePlatform.Text;
+
+/// <summary>The shapes of a face's glyphs.</summary>
+internal interface IGlyphOutlines
+{
+    /// <summary>In font units, y up, to be filled by the non-zero rule. Empty for a blank or unknown glyph.</summary>
+    /// <exception cref="BrokenFontException">The glyph's description makes no sense.</exception>
+    VectorPath Outline(int glyph);
+}

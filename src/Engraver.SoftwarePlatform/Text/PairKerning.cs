@@ -1,0 +1,97 @@
+using System.Collections.Concurrent;
+using System.Numerics;
+
+namespace Engraver.SoftwarePlatform.Text;
+
+/// <summary>How much nearer or farther than usual two neighbours stand: GPOS pair adjustment, by glyphs and by classes (OpenType 1.9, GPOS, lookup type 2).</summary>
+internal sealed class PairKerning
+{
+    private const int PairAdjustment = 2;
+    private const int XAdvance = 4;
+    private const int XAndYPlacement = 3;
+
+    private readonly List<FontBytes> _subtables;
+    private readonly ConcurrentDictionary<(int First, int Second), int> _known = new();
+
+    private PairKerning(List<FontBytes> subtables) => _subtables = subtables;
+
+    public static PairKerning Of(FontFile file)
+    {
+        try
+        {
+            return new PairKerning(file.Has("GPOS") ? LayoutLookups.Subtables(file.Table("GPOS"), "kern", PairAdjustment) : []);
+        }
+        catch (BrokenFontException)
+        {
+            return new PairKerning([]);
+        }
+    }
+
+    /// <summary>Font units to add to the advance of <paramref name="first"/>; the glyphs are given from left to right.</summary>
+    public int Between(int first, int second) => _subtables.Count == 0 ? 0 : _known.GetOrAdd((first, second), Find);
+
+    private int Find((int First, int Second) pair)
+    {
+        try
+        {
+            foreach (var subtable in _subtables)
+            {
+                var covered = LayoutCoverage.Index(subtable.Linked(2), pair.First);
+                if (covered < 0)
+                    continue;
+                var found = subtable.UInt16(0) == 1 ? ByGlyph(subtable, covered, pair.Second) : ByClass(subtable, pair.First, pair.Second);
+                if (found is { } value)
+                    return value;
+            }
+        }
+        catch (BrokenFontException)
+        {
+            return 0;
+        }
+        return 0;
+    }
+
+    /// <returns>Null when the next subtable has to be asked.</returns>
+    private static int? ByGlyph(FontBytes subtable, int covered, int second)
+    {
+        var set = subtable.Linked(10 + 2 * covered);
+        var recordLength = 2 + RecordLength(subtable);
+        int low = 0, high = set.UInt16(0) - 1;
+        while (low <= high)
+        {
+            var middle = (low + high) / 2;
+            var record = 2 + middle * recordLength;
+            int glyph = set.UInt16(record);
+            if (glyph == second)
+                return Advance(subtable, set, record + 2);
+            if (glyph < second)
+                low = middle + 1;
+            else
+                high = middle - 1;
+        }
+        return null;
+    }
+
+    /// <summary>A covered first glyph decides, even with a value of zero.</summary>
+    private static int? ByClass(FontBytes subtable, int first, int second)
+    {
+        var firstClass = LayoutCoverage.Class(subtable.Linked(8), first);
+        var secondClass = LayoutCoverage.Class(subtable.Linked(10), second);
+        int firstCount = subtable.UInt16(12), secondCount = subtable.UInt16(14);
+        if (firstClass >= firstCount || secondClass >= secondCount)
+            return null;
+        return Advance(subtable, subtable, 16 + (firstClass * secondCount + secondClass) * RecordLength(subtable));
+    }
+
+    private static int Advance(FontBytes subtable, FontBytes values, int record)
+    {
+        int format = subtable.UInt16(4);
+        if ((format & XAdvance) == 0)
+            return 0;
+        return values.Int16(record + 2 * BitOperations.PopCount((uint)(format & XAndYPlacement)));
+    }
+
+    /// <summary>Two bytes for each value that the formats of both glyphs name.</summary>
+    private static int RecordLength(FontBytes subtable) =>
+        2 * (BitOperations.PopCount(subtable.UInt16(4)) + BitOperations.PopCount(subtable.UInt16(6)));
+}

@@ -1,0 +1,73 @@
+using Avalonia;
+using Avalonia.Media;
+using Avalonia.Media.TextFormatting;
+using Avalonia.Platform;
+using Engraver.SoftwarePlatform.Rasteriser;
+
+namespace Engraver.SoftwarePlatform.Text;
+
+/// <summary>Glyphs in their places along a baseline.</summary>
+internal sealed class SoftwareGlyphRun : IGlyphRunImpl
+{
+    /// <summary>Glyphs may lean out of their advance by this part of the size.</summary>
+    private const double Overhang = 0.25;
+
+    private readonly ushort[] _glyphs;
+    private readonly Vector[] _offsets;
+    private VectorPath? _outline;
+
+    public SoftwareGlyphRun(GlyphTypeface typeface, double size, IReadOnlyList<GlyphInfo> glyphs, Point baselineOrigin)
+    {
+        Typeface = (SoftwareTypeface)typeface.PlatformTypeface;
+        FontRenderingEmSize = size;
+        BaselineOrigin = baselineOrigin;
+        _glyphs = new ushort[glyphs.Count];
+        _offsets = new Vector[glyphs.Count];
+        var x = 0.0;
+        for (var i = 0; i < glyphs.Count; i++)
+        {
+            _glyphs[i] = glyphs[i].GlyphIndex;
+            _offsets[i] = glyphs[i].GlyphOffset + new Vector(x, 0);
+            x += glyphs[i].GlyphAdvance;
+        }
+        var scale = size / Typeface.UnitsPerEm;
+        double ascent = typeface.Metrics.Ascent * scale, descent = typeface.Metrics.Descent * scale;
+        var room = Overhang * size;
+        Bounds = new Rect(baselineOrigin.X - room, baselineOrigin.Y + ascent - room, x + 2 * room, descent - ascent + 2 * room);
+    }
+
+    public SoftwareTypeface Typeface { get; }
+
+    public double FontRenderingEmSize { get; }
+
+    public Point BaselineOrigin { get; }
+
+    /// <summary>Larger than the ink: from the highest to the lowest of the font, and an overhang around.</summary>
+    public Rect Bounds { get; }
+
+    public int Count => _glyphs.Length;
+
+    /// <summary>All glyphs as one path in the run's coordinates.</summary>
+    public VectorPath Outline => _outline ??= MakeOutline();
+
+    public ushort Glyph(int index) => _glyphs[index];
+
+    public double OffsetX(int index) => _offsets[index].X;
+
+    public double OffsetY(int index) => _offsets[index].Y;
+
+    public IReadOnlyList<float> GetIntersections(float lowerLimit, float upperLimit) => [];
+
+    public void Dispose()
+    {
+    }
+
+    private VectorPath MakeOutline()
+    {
+        var path = new VectorPath(FillRule.NonZero);
+        var transform = Typeface.GlyphTransform(FontRenderingEmSize);
+        for (var i = 0; i < _glyphs.Length; i++)
+            path.Append(Typeface.Outline(_glyphs[i]), transform * Matrix.CreateTranslation(BaselineOrigin.X + _offsets[i].X, BaselineOrigin.Y + _offsets[i].Y));
+        return path;
+    }
+}

@@ -1,0 +1,133 @@
+using System.Collections.Concurrent;
+using System.Diagnostics.CodeAnalysis;
+using Avalonia;
+using Avalonia.Media;
+using Avalonia.Media.Fonts;
+using Engraver.SoftwarePlatform.Rasteriser;
+
+namespace Engraver.SoftwarePlatform.Text;
+
+/// <summary>A face with its outlines, kerning and drawn glyphs.</summary>
+internal sealed class SoftwareTypeface : IPlatformTypeface
+{
+    /// <summary>Slant of a face that has no italic of its own.</summary>
+    private const double ObliqueSlant = 0.25;
+
+    /// <summary>A made bold grows by this part of the size on each side.</summary>
+    private const double BoldGrowth = 1.0 / 48;
+
+    private readonly FontFile _file;
+    private readonly Lazy<IGlyphOutlines> _outlines;
+    private readonly Lazy<PairKerning> _kerning;
+    private readonly ConcurrentDictionary<int, VectorPath> _paths = new();
+
+    private SoftwareTypeface(FontFile file, FontSimulations simulations)
+    {
+        _file = file;
+        FontSimulations = simulations;
+        UnitsPerEm = Math.Max(16, (int)file.Table("head").UInt16(18));
+        _outlines = new Lazy<IGlyphOutlines>(() => file.Has("glyf") ? new GlyfOutlines(file) : new CffOutlines(file));
+        _kerning = new Lazy<PairKerning>(() => PairKerning.Of(file));
+        Masks = new GlyphMasks(this);
+        GlyphTypeface = new GlyphTypeface(this);
+        FamilyName = GlyphTypeface.FamilyName;
+        Weight = GlyphTypeface.Weight;
+        Style = GlyphTypeface.Style;
+        Stretch = GlyphTypeface.Stretch;
+    }
+
+    /// <summary>Avalonia's reader of the character map, the names and the metrics.</summary>
+    public GlyphTypeface GlyphTypeface { get; }
+
+    public string FamilyName { get; } = "";
+
+    public FontWeight Weight { get; } = FontWeight.Normal;
+
+    public FontStyle Style { get; }
+
+    public FontStretch Stretch { get; } = FontStretch.Normal;
+
+    public FontSimulations FontSimulations { get; }
+
+    public int UnitsPerEm { get; }
+
+    public GlyphMasks Masks { get; }
+
+    public PairKerning Kerning => _kerning.Value;
+
+    /// <returns>Null for a font that cannot be used: broken, or without outlines.</returns>
+    public static SoftwareTypeface? TryCreate(IFontSource source, int face, FontSimulations simulations)
+    {
+        try
+        {
+            var file = new FontFile(source, face);
+            return file.Has("glyf") || file.Has("CFF ") ? new SoftwareTypeface(file, simulations) : null;
+        }
+        catch (Exception e) when (IsFontFault(e))
+        {
+            return null;
+        }
+    }
+
+    public SoftwareTypeface? TrySimulate(FontSimulations simulations)
+    {
+        try
+        {
+            return new SoftwareTypeface(_file, simulations);
+        }
+        catch (Exception e) when (IsFontFault(e))
+        {
+            return null;
+        }
+    }
+
+    public bool TryGetStream([NotNullWhen(true)] out Stream? stream)
+    {
+        stream = new MemoryStream(_file.WholeFile().ToArray(), writable: false);
+        return true;
+    }
+
+    public bool TryGetTable(OpenTypeTag tag, out ReadOnlyMemory<byte> table) => _file.TryGetTable((uint)tag, out table);
+
+    /// <summary>In font units, y up; empty for a glyph that is blank or broken.</summary>
+    public VectorPath Outline(int glyph) => _paths.GetOrAdd(glyph, MakeOutline);
+
+    /// <summary>From font units, y up, to pixels, y down.</summary>
+    public Matrix GlyphTransform(double pixelsPerEm)
+    {
+        var scale = pixelsPerEm / UnitsPerEm;
+        var slant = FontSimulations.HasFlag(FontSimulations.Oblique) ? ObliqueSlant * scale : 0;
+        return new Matrix(scale, 0, slant, -scale, 0, 0);
+    }
+
+    public void Dispose()
+    {
+    }
+
+    private VectorPath MakeOutline(int glyph)
+    {
+        try
+        {
+            var path = _outlines.Value.Outline(glyph);
+            return FontSimulations.HasFlag(FontSimulations.Bold) ? Bold(path) : path;
+        }
+        catch (BrokenFontException)
+        {
+            return new VectorPath(FillRule.NonZero);
+        }
+    }
+
+    private VectorPath Bold(VectorPath path)
+    {
+        var style = new StrokeStyle(2 * BoldGrowth * UnitsPerEm, Join: PenLineJoin.Miter, MiterLimit: 2);
+        var grown = path.Transformed(Matrix.Identity);
+        grown.FillRule = FillRule.NonZero;
+        grown.Append(Stroker.Stroke(path, style, 32.0 / UnitsPerEm), Matrix.Identity);
+        return grown;
+    }
+
+    /// <summary>What Avalonia's and this reader throw for files that are no proper fonts.</summary>
+    private static bool IsFontFault(Exception e) =>
+        e is BrokenFontException or InvalidOperationException or ArgumentException or IndexOutOfRangeException or NotSupportedException
+            or IOException or OverflowException or KeyNotFoundException or FormatException or InvalidDataException;
+}

@@ -1,0 +1,28 @@
+using System.Collections.ObjectModel;
+using Avalonia.Controls.Platform;
+
+namespace Engraver.SoftwarePlatform.Windows;
+
+/// <summary>What the managed file dialog lists at its side: the root of the file system and the mounted volumes under /media and /mnt.</summary>
+internal sealed class MountedVolumes : IMountedVolumeInfoProvider
+{
+    public IDisposable Listen(ObservableCollection<MountedVolumeInfo> mountedDrives)
+    {
+        foreach (var drive in DriveInfo.GetDrives().Where(IsForPeople))
+        {
+            mountedDrives.Add(new MountedVolumeInfo { VolumeLabel = drive.Name, VolumePath = drive.Name, VolumeSizeBytes = 0 });
+        }
+
+        return new Nothing();
+    }
+
+    private static bool IsForPeople(DriveInfo drive) =>
+        drive.Name == "/" || drive.Name.StartsWith("/media/", StringComparison.Ordinal) || drive.Name.StartsWith("/mnt/", StringComparison.Ordinal);
+
+    private sealed class Nothing : IDisposable
+    {
+        public void Dispose()
+        {
+        }
+    }
+}

@@ -1,0 +1,31 @@
+using Avalonia;
+using Avalonia.Controls.Platform;
+using Avalonia.Input;
+using Avalonia.Input.Platform;
+using Avalonia.Platform;
+using Avalonia.Rendering;
+using Avalonia.Rendering.Composition;
+
+namespace Engraver.SoftwarePlatform.Windows;
+
+/// <summary>What either front end registers with Avalonia, after the dispatcher and in the order that Avalonia needs.</summary>
+internal static class PlatformServices
+{
+    public static void Bind(Seat seat, IRenderTimer frames, IOwnedClipboardImpl clipboard, Func<SoftwareWindow> createWindow)
+    {
+        AvaloniaLocator.CurrentMutable
+            .Bind<IRenderLoop>().ToConstant(RenderLoop.FromTimer(frames))
+            .Bind<IWindowingPlatform>().ToConstant(new SoftwareWindowing(createWindow))
+            .Bind<IKeyboardDevice>().ToConstant(seat.Keyboard)
+            .Bind<ICursorFactory>().ToConstant(new SoftwareCursorFactory())
+            .Bind<IPlatformSettings>().ToConstant(new DefaultPlatformSettings())
+            .Bind<IPlatformIconLoader>().ToConstant(new WindowIconLoader())
+            .Bind<PlatformHotkeyConfiguration>().ToConstant(new PlatformHotkeyConfiguration(KeyModifiers.Control))
+            .Bind<KeyGestureFormatInfo>().ToConstant(new KeyGestureFormatInfo(new Dictionary<Key, string>(), meta: "Super"))
+            .Bind<IClipboardImpl>().ToConstant(clipboard)
+            .Bind<IClipboard>().ToConstant(new SoftwareClipboard(clipboard))
+            .Bind<IMountedVolumeInfoProvider>().ToConstant(new MountedVolumes())
+            .Bind<CompositionOptions>().ToConstant(new CompositionOptions { UseRegionDirtyRectClipping = true });
+        AvaloniaLocator.CurrentMutable.Bind<Compositor>().ToConstant(new Compositor(null)); // needs the render loop
+    }
+}

@@ -1,0 +1,23 @@
+using Avalonia.Input;
+using Avalonia.Platform;
+using Engraver.SoftwarePlatform.Input;
+
+namespace Engraver.SoftwarePlatform.Windows;
+
+/// <summary>What the windows of one application share: keyboard, input door, screen, clock and stacking order.</summary>
+internal sealed class Seat(InputDoor door, IScreenImpl screens, TimeProvider time)
+{
+    private readonly long _start = time.GetTimestamp();
+    private long _stacking;
+
+    public IKeyboardDevice Keyboard { get; } = new KeyboardDevice();
+
+    public InputDoor Door => door;
+
+    public IScreenImpl Screens => screens;
+
+    /// <summary>Milliseconds since the seat was made: the time stamp of input events.</summary>
+    public ulong Now => (ulong)time.GetElapsedTime(_start).TotalMilliseconds;
+
+    public long NextStacking() => ++_stacking;
+}

@@ -1,0 +1,71 @@
+using System.Text;
+using Avalonia.Input;
+
+namespace Engraver.SoftwarePlatform.X11;
+
+/// <summary>What keys mean and type, for the event thread. Dead keys and Compose are the input method's.</summary>
+internal sealed unsafe class X11Keyboard
+{
+    private const nint PreeditAndStatusNothing = 0x8 | 0x400; // XIMPreeditNothing | XIMStatusNothing
+    private readonly XConnection _connection;
+    private readonly nint _inputMethod;
+
+    /// <summary>The locale must be chosen before.</summary>
+    public X11Keyboard(XConnection connection)
+    {
+        _connection = connection;
+        Xlib.XSetLocaleModifiers("");
+        _inputMethod = Xlib.XOpenIM(connection.Display, 0, 0, 0);
+        if (_inputMethod == 0) _inputMethod = OpenBuiltIn();
+        Xlib.XkbSetDetectableAutoRepeat(connection.Display, 1, 0);
+    }
+
+    /// <summary>Zero without an input method: then keys type what they say by themselves.</summary>
+    public nint CreateContext(nint window) => _inputMethod == 0
+        ? 0
+        : Xlib.XCreateIC(_inputMethod, "inputStyle", PreeditAndStatusNothing, "clientWindow", window, "focusWindow", window, 0);
+
+    /// <summary>The key by its meaning in the layout in force: a function key as it is, a printing key by what it types without Shift.</summary>
+    public Key KeyOf(ref XEvent press)
+    {
+        nint symbol;
+        fixed (XEvent* given = &press) Xlib.XLookupString(given, null, 0, out symbol, 0);
+        var group = (int)(press.State >> 13) & 3;
+        if (symbol >= 0xFF00 && Keysyms.KeyOf(symbol) is var function and not Key.None) return function;
+        return First(At(press, group, 0), At(press, group, 1), Keysyms.KeyOf(symbol), At(press, 0, 0), At(press, 1, 0), LatinKeys.KeyOf(press.Detail));
+    }
+
+    /// <summary>Printable text of a press, or null.</summary>
+    public string? TextOf(nint context, ref XEvent press)
+    {
+        const int size = 256;
+        var buffer = stackalloc byte[size];
+        int length;
+        fixed (XEvent* given = &press)
+        {
+            length = context != 0 ? Xlib.Xutf8LookupString(context, given, buffer, size, out _, out _) : Xlib.XLookupString(given, buffer, size, out _, 0);
+        }
+
+        if (length is <= 0 or > size || buffer[0] < ' ' || buffer[0] == 127) return null;
+        return context != 0 ? Encoding.UTF8.GetString(buffer, length) : Encoding.Latin1.GetString(buffer, length);
+    }
+
+    private static Key First(params ReadOnlySpan<Key> candidates)
+    {
+        foreach (var key in candidates)
+        {
+            if (key != Key.None) return key;
+        }
+
+        return Key.None;
+    }
+
+    private Key At(in XEvent press, int group, int level) => Keysyms.KeyOf(Xlib.XkbKeycodeToKeysym(_connection.Display, (byte)press.Detail, group, level));
+
+    /// <summary>Xlib's own composing, when the one that the environment names does not answer.</summary>
+    private nint OpenBuiltIn()
+    {
+        Xlib.XSetLocaleModifiers("@im=none");
+        return Xlib.XOpenIM(_connection.Display, 0, 0, 0);
+    }
+}

@@ -1,0 +1,140 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Platform;
+using Avalonia.Threading;
+using Engraver.SoftwarePlatform.Windows;
+
+namespace Engraver.SoftwarePlatform.X11;
+
+/// <summary>A window on an X server, as the user interface thread has it: what is asked of the server here goes over the drawing connection.</summary>
+internal sealed partial class X11Window : SoftwareWindow
+{
+    private readonly X11Desktop _desktop;
+    private readonly X11WindowEvents _events;
+    private readonly X11Presenter _presenter;
+    private readonly WindowProperties _properties;
+    private bool _shown;
+    private WindowState _state;
+
+    public X11Window(X11Desktop desktop, Seat seat) : base(seat, desktop.Scale, new Size(800, 600))
+    {
+        _desktop = desktop;
+        _events = desktop.Open(this, PixelSize);
+        _events.Scale = desktop.Scale;
+        _presenter = new X11Presenter(desktop.Drawing, Id);
+        _properties = new WindowProperties(desktop, Id);
+        Handle = new PlatformHandle(Id, "XID");
+        _properties.Introduce();
+        _properties.Hints.Size = PixelSize;
+    }
+
+    public override WindowState WindowState
+    {
+        get => _state;
+        set => AskForState(value);
+    }
+
+    private nint Id => _events.Handle;
+
+    public override void SetTitle(string? title) => _properties.SetTitle(title ?? "");
+
+    public override void SetIcon(IWindowIconImpl? icon) => _properties.SetIcon((icon as Windows.WindowIcon)?.Picture);
+
+    public override void SetParent(IWindowImpl? parent) => Xlib.XSetTransientForHint(_desktop.Drawing.Display, Id, (parent as X11Window)?.Id ?? 0);
+
+    public override void SetTopmost(bool value) => _properties.ChangeState(_shown, value, _desktop.Atoms.NetWmStateAbove);
+
+    public override void ShowTaskbarIcon(bool value) => _properties.ChangeState(_shown, !value, _desktop.Atoms.NetWmStateSkipTaskbar);
+
+    public override void SetWindowDecorations(WindowDecorations enabled) => _properties.SetDecorations(enabled != WindowDecorations.None);
+
+    public override void CanResize(bool value)
+    {
+        _properties.Hints.CanResize = value;
+        _properties.SendHints();
+    }
+
+    public override void SetMinMaxSize(Size minSize, Size maxSize)
+    {
+        _properties.Hints.SetLimits(minSize, maxSize, RenderScaling);
+        _properties.SendHints();
+    }
+
+    public override void SetCursor(ICursorImpl? cursor)
+    {
+        Xlib.XDefineCursor(_desktop.Drawing.Display, Id, _desktop.Cursors.Of(cursor as SoftwareCursor));
+        _desktop.Drawing.Flush();
+    }
+
+    public override void Show(bool activate, bool isDialog)
+    {
+        ComeToFront();
+        _properties.SetType(isDialog);
+        if (isDialog) _properties.ChangeState(_shown, true, _desktop.Atoms.NetWmStateModal);
+        _properties.SendHints();
+        _shown = true;
+        Xlib.XMapRaised(_desktop.Drawing.Display, Id);
+        _desktop.Drawing.Flush();
+    }
+
+    public override void Hide()
+    {
+        _shown = false;
+        Xlib.XWithdrawWindow(_desktop.Drawing.Display, Id, _desktop.Drawing.Screen);
+        _desktop.Drawing.Flush();
+    }
+
+    public override void Activate()
+    {
+        ComeToFront();
+        Xlib.XRaiseWindow(_desktop.Drawing.Display, Id);
+        if (_shown) _properties.AskForFocus();
+        _desktop.Drawing.Flush();
+    }
+
+    public override void Move(PixelPoint point)
+    {
+        _properties.Hints.Position = point;
+        _properties.SendHints();
+        Xlib.XMoveWindow(_desktop.Drawing.Display, Id, point.X, point.Y);
+        _desktop.Drawing.Flush();
+    }
+
+    public override void Dispose()
+    {
+        base.Dispose();
+        if (!_open) return;
+        _open = false;
+        _presenter.Dispose();
+        _desktop.Drawing.Sync(); // nothing may arrive for the window after it is gone
+        _desktop.Close(_events);
+    }
+
+    private protected override void ResizeByApplication(Size clientSize, WindowResizeReason reason)
+    {
+        if (clientSize == ClientSize) return;
+        ClientSize = clientSize;
+        _properties.Hints.Size = PixelSize;
+        _properties.SendHints();
+        Xlib.XResizeWindow(_desktop.Drawing.Display, Id, (uint)PixelSize.Width, (uint)PixelSize.Height);
+        _desktop.Drawing.Flush();
+        Dispatcher.UIThread.Post(() => Resized?.Invoke(clientSize, reason), DispatcherPriority.Send);
+    }
+
+    private protected override void Present(WindowFrame frame) => _presenter.Send(frame);
+
+    private void AskForState(WindowState state)
+    {
+        if (state == _state) return;
+        var before = _state;
+        _state = state;
+        var atoms = _desktop.Atoms;
+        if (before == WindowState.Maximized || state == WindowState.Maximized)
+            _properties.ChangeState(_shown, state == WindowState.Maximized, atoms.NetWmStateMaximizedHorizontally, atoms.NetWmStateMaximizedVertically);
+        if (before == WindowState.FullScreen || state == WindowState.FullScreen) _properties.ChangeState(_shown, state == WindowState.FullScreen, atoms.NetWmStateFullscreen);
+        if (state == WindowState.Minimized) Xlib.XIconifyWindow(_desktop.Drawing.Display, Id, _desktop.Drawing.Screen);
+        else if (before == WindowState.Minimized && _shown) Xlib.XMapRaised(_desktop.Drawing.Display, Id);
+        _desktop.Drawing.Flush();
+    }
+}

@@ -1,0 +1,15 @@
+namespace Engraver.Workbench.Commands;
+
+/// <summary>CNCABORT: Halts every motion at once without braking, then switches the motors off. Never asks. It is no emergency stop.</summary>
+internal sealed class CncAbortCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("CNCABORT", CommandGroup.Machine, "Halts every motion at once without braking, then switches the motors off. Never asks. It is no emergency stop.") { Transparent = true, HeardDuringJob = true };
+
+    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        if (context.Machine.Description is null && !context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, "No controller is connected.");
+        context.Machine.Abort();
+        context.Say("Aborting; the motors go off.");
+        return Task.CompletedTask;
+    }
+}

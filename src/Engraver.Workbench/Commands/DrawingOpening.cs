@@ -1,0 +1,40 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>What OPEN and RECENT do with a file: one document step, the view as it was left or all of it, the file remembered.</summary>
+internal static class DrawingOpening
+{
+    /// <exception cref="CommandException">Nothing could be read.</exception>
+    public static void Open(CommandContext context, string path, CancellationToken cancellation)
+    {
+        var state = context.Document.Current;
+        var drawing = DrawingFile.Open(path, state.Settings.Unit, cancellation);
+        Findings.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
+        if (drawing.HasErrors && drawing.Entities.Count == 0) throw new CommandException(CommandFailure.Drawing, $"{path} was not opened: {drawing.Diagnostics.First(found => found.Severity == Severity.Error).Message}");
+        RememberView(context);
+        context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
+        context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
+        Show(context, drawing);
+        context.Say(FormattableString.Invariant($"{drawing.Entities.Count} curves on {drawing.Layers.Count} layers, unit {drawing.Unit.Name}."));
+    }
+
+    /// <summary>Keeps the view of the drawing that is left.</summary>
+    public static void RememberView(CommandContext context)
+    {
+        if (context.Document.Current.Drawing is not { } drawing) return;
+        var path = Path.GetFullPath(drawing.FileName);
+        if (!context.Settings.Current.RecentFiles.Contains(path)) return;
+        var view = context.View.Current;
+        context.Settings.Change(settings => settings.WithView(path, new SavedView(view.Centre.X, view.Centre.Y, view.Height)));
+    }
+
+    private static void Show(CommandContext context, Drawing drawing)
+    {
+        if (context.Settings.Current.Views.GetValueOrDefault(Path.GetFullPath(drawing.FileName)) is { Height: > 0.0 } saved) context.View.SetCentre(new(saved.CentreX, saved.CentreY), saved.Height);
+        else context.View.ZoomExtents(drawing);
+    }
+}

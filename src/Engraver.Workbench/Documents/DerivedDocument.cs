@@ -1,0 +1,77 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Sequencing;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Programs;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Playback;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>Everything that follows from a document: table, strokes, job, findings, plan, program text. Immutable. What could not be made is null, and <see cref="Problem"/> or the findings say why.</summary>
+/// <param name="State">What it was made from (what is selected does not matter).</param>
+/// <param name="Mode">The way of running that the job was prepared for.</param>
+public sealed record DerivedDocument(DocumentState State, JobMode Mode)
+{
+    public static DerivedDocument Nothing { get; } = new(DocumentState.Nothing, JobMode.Stream);
+
+    /// <summary>The table of what is to be cut, as drawn.</summary>
+    public EntityTable? Analysed => Job?.Analysed;
+
+    /// <summary>Strokes in order, discontinuities, the table in sequence order.</summary>
+    public SequencingResult? Sequence => Job?.Sequence;
+
+    public PreparedJob? Job { get; init; }
+
+    /// <summary>The planned time by kind; null when there is nothing to cut.</summary>
+    public MotionTimes? Plan { get; init; }
+
+    /// <summary>The planned motion; null when there is nothing to cut.</summary>
+    public PlannedMotion? Motion { get; init; }
+
+    /// <summary>The posted program (target galil); null when there is nothing to cut.</summary>
+    public DmcPostText? Program { get; init; }
+
+    /// <summary>Findings of every stage, worst first.</summary>
+    public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
+
+    /// <summary>A setting that does not fit the drawing, in one sentence; null when all do.</summary>
+    public string? Problem { get; init; }
+
+    /// <summary>All stages. Between two of them a cancellation is honoured.</summary>
+    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
+    public static DerivedDocument Of(DocumentState state, JobMode mode, CancellationToken cancellation)
+    {
+        var derived = new DerivedDocument(state, mode);
+        if (state.Drawing is not { } drawing) return derived;
+        try
+        {
+            cancellation.ThrowIfCancellationRequested();
+            var job = JobPreparation.Prepare(drawing, state.Settings, MachineRunOptions.StyleOf(mode), cancellation);
+            return (derived with { Job = job }).WithMotion(job, cancellation);
+        }
+        catch (SettingException unfit)
+        {
+            return derived with { Problem = unfit.Message, Findings = Sorted(drawing.Diagnostics) };
+        }
+    }
+
+    private DerivedDocument WithMotion(PreparedJob job, CancellationToken cancellation)
+    {
+        if (job.Motion.Program is not { SegmentCount: > 0 } program) return this with { Findings = Sorted(job.Diagnostics) };
+        var post = program.Style == MotionStyle.Calls
+            ? DmcPost.Calls(program, DmcPostOptions.Default, job.Drawing.SourceOf)
+            : DmcPost.Sequences(program, DmcPostOptions.Default, job.Drawing.SourceOf);
+        cancellation.ThrowIfCancellationRequested();
+        return this with
+        {
+            Plan = MotionTime.Of(program),
+            Program = post,
+            Motion = PlannedMotion.Of(program, job.Sequence, post.Text, cancellation),
+            Findings = Sorted([.. job.Diagnostics, .. post.Diagnostics]),
+        };
+    }
+
+    private static IReadOnlyList<Diagnostic> Sorted(IEnumerable<Diagnostic> findings) => [.. findings.OrderByDescending(found => found.Severity)];
+}

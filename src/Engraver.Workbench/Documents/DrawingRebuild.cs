@@ -1,0 +1,52 @@
+using Engraver.Core.Drawings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>Builds a drawing anew from an old one, entity by entity: some stay, some are replaced by others. New ones get handles after the highest of the drawing.</summary>
+internal sealed class DrawingRebuild
+{
+    private readonly Drawing _drawing;
+    private readonly GrowingColumn<DrawingEntity> _entities = new();
+    private readonly GrowingColumn<DrawingPart> _parts = new();
+    private readonly Dictionary<int, int> _places = [];
+    private ulong _handle;
+
+    public DrawingRebuild(Drawing drawing)
+    {
+        _drawing = drawing;
+        for (var index = 0; index < drawing.Entities.Count; index++) _handle = Math.Max(_handle, drawing.Entities[index].Handle);
+    }
+
+    /// <summary>How many entities there are by now: the index of the next one.</summary>
+    public int Count => _entities.Count;
+
+    /// <summary>Takes an entity over as it is.</summary>
+    public void Keep(int index)
+    {
+        _places[index] = Count;
+        Append(_drawing.Entities[index], PartsOf(_drawing, index));
+    }
+
+    /// <summary>Adds a new entity.</summary>
+    /// <param name="like">Layer and source line are taken from it.</param>
+    public void Add(in DrawingEntity like, CurveType type, bool closed, IReadOnlyList<DrawingPart> parts) =>
+        Append(like with { Type = type, Closed = closed, Handle = ++_handle, PartCount = parts.Count }, parts);
+
+    /// <summary>Where entities of the old drawing stand now; those that were replaced are left out.</summary>
+    public IReadOnlyList<int> Places(IEnumerable<int> indices) => [.. indices.Where(_places.ContainsKey).Select(index => _places[index])];
+
+    public Drawing Finish() => _drawing with { Entities = _entities, Parts = _parts };
+
+    public static List<DrawingPart> PartsOf(Drawing drawing, int index)
+    {
+        var entity = drawing.Entities[index];
+        return [.. Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => drawing.Parts[part])];
+    }
+
+    private void Append(DrawingEntity entity, IReadOnlyList<DrawingPart> parts)
+    {
+        entity.FirstPart = _parts.Count;
+        foreach (var part in parts) _parts.Add(part with { Entity = Count });
+        _entities.Add(entity);
+    }
+}

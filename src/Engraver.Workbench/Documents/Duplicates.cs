@@ -1,0 +1,27 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Sequencing;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>Finds what was drawn twice.</summary>
+internal static class Duplicates
+{
+    /// <summary>Of some entities those of which every part lies on a part of another that stays.</summary>
+    /// <param name="tolerance">Drawing units.</param>
+    public static IReadOnlyList<int> Of(Drawing drawing, IReadOnlyList<int> indices, double tolerance)
+    {
+        var owners = new List<int>();
+        var segments = new List<Core.Geometry.Segment>();
+        foreach (var index in indices.Order())
+        {
+            foreach (var part in DrawingRebuild.PartsOf(drawing, index))
+            {
+                owners.Add(index);
+                segments.Add(drawing.SegmentOf(part));
+            }
+        }
+
+        var kept = DuplicateRemoval.Keep(segments.ToArray(), tolerance).Select(row => owners[row]).ToHashSet();
+        return [.. indices.Where(index => !kept.Contains(index))];
+    }
+}

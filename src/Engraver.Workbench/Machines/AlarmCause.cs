@@ -1,0 +1,26 @@
+namespace Engraver.Workbench.Machines;
+
+/// <summary>What alarms are grouped by, so that one trouble is one line.</summary>
+public enum AlarmCause
+{
+    /// <summary>The link was lost, idle or in a job.</summary>
+    LinkLost,
+
+    /// <summary>The controller refused a command.</summary>
+    Refused,
+
+    /// <summary>The watchdog in the controller stopped the machine.</summary>
+    WatchdogTripped,
+
+    /// <summary>A limit switch is hit.</summary>
+    Limit,
+
+    /// <summary>An axis was switched off or stands too far from its command.</summary>
+    FollowingError,
+
+    /// <summary>The abort input is or was active.</summary>
+    AbortInput,
+
+    /// <summary>A job ended before its end.</summary>
+    JobStopped,
+}

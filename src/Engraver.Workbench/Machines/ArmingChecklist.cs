@@ -1,0 +1,37 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>What was checked before START works, in the order in which an operator would look.</summary>
+public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
+{
+    public bool Passed => Checks.All(check => check.Passed);
+
+    /// <param name="errorsAccepted">The operator has said that the drawing's errors do not matter.</param>
+    public static ArmingChecklist Of(PreparedJob job, MachineStatus status, bool errorsAccepted)
+    {
+        var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
+        return new ArmingChecklist(
+        [
+            Check(errors == 0 || errorsAccepted, errors == 0 ? "The drawing has no errors" : $"The drawing has {errors} errors{(errorsAccepted ? ", accepted by the operator" : "; CHECK lists them")}"),
+            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {program.SegmentCount} segments" : "There is nothing that this machine can cut"),
+            Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? $"The link to {link} stands" : "No controller is connected; CNCCONNECT"),
+            Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, $"The controller is {Word(status)}"),
+            Check(status.MotorsOn == true, status.MotorsOn == true ? "The motors are on" : "The motors are off; CNCMOTORS ON"),
+            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? "No limit is hit" : $"{status.Limit} is hit; move the machine off it"),
+        ]);
+    }
+
+    private static ArmingCheck Check(bool passed, string sentence) => new(passed, sentence + ".");
+
+    private static string Word(MachineStatus status) => status.State switch
+    {
+        MachineState.Ready or MachineState.Armed => "ready",
+        MachineState.MotorsOff => "at rest",
+        MachineState.Busy or MachineState.Fault => $"not ready: {status.Reason}",
+        MachineState.EmergencyStopOpen => "held by its abort input; release the emergency stop",
+        MachineState.Running or MachineState.Stopping => "running a job",
+        _ => "not heard yet",
+    };
+}

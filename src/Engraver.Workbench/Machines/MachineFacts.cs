@@ -1,0 +1,90 @@
+using Engraver.Core.Geometry;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>Everything from which a status is made, in the controller's words. Immutable.</summary>
+internal sealed record MachineFacts
+{
+    public static MachineFacts None { get; } = new();
+
+    public string? Link { get; init; }
+
+    public bool IsSimulation { get; init; }
+
+    public ControllerIdentity? Identity { get; init; }
+
+    /// <summary>The last look; null before the first.</summary>
+    public MachinePoll? Poll { get; init; }
+
+    /// <summary>Why the link is lost; null while it stands.</summary>
+    public string? Lost { get; init; }
+
+    public bool JobRuns { get; init; }
+
+    public bool Stopping { get; init; }
+
+    /// <summary>The last word of the job on this machine.</summary>
+    public JobProgress? Progress { get; init; }
+
+    /// <summary>Controller counts at the drawing's zero, by the job that runs or ran last.</summary>
+    public CountsPoint? Frame { get; init; }
+
+    public string? LastRefusal { get; init; }
+
+    public MachineStatus ToStatus(MachineProfile profile, ArmedJob? armed, DateTimeOffset now)
+    {
+        if (Link is null) return MachineStatus.Offline with { Time = now };
+        var (state, reason) = StateOf(armed);
+        var place = PlaceCounts();
+        return new MachineStatus
+        {
+            State = state,
+            Reason = reason,
+            Link = Link,
+            Controller = Identity?.Model,
+            IsSimulation = IsSimulation,
+            MachinePosition = place is { } at ? Millimetres(profile, at.X, at.Y) : null,
+            WorkPosition = place is { } here && Frame is { } frame ? Millimetres(profile, (double)here.X - frame.X, (double)here.Y - frame.Y) : null,
+            FollowingError = JobRuns || Poll is not { } look ? null : new Vector2D(look.ErrorX / profile.CountsPerMillimetreX, look.ErrorY / profile.CountsPerMillimetreY),
+            Speed = JobRuns ? null : Poll is { Moves: false } ? 0.0 : Poll?.Speed / profile.Scale.Largest,
+            Inputs = JobRuns ? null : Poll?.Inputs,
+            Outputs = JobRuns ? null : Poll?.Outputs,
+            ToolCommanded = JobRuns ? Progress?.ToolOn : Poll?.Outputs is { } outputs ? (outputs & (1 << (profile.ToolOutput - 1))) != 0 : null,
+            MotorsOn = JobRuns ? true : Poll is { } poll ? poll.MotorsOff.Length == 0 : null,
+            Limit = JobRuns ? "" : Poll?.Limit ?? "",
+            LastRefusal = LastRefusal,
+            Progress = Progress is { } told ? Engraved(profile, told) : null,
+            ArmedUntil = state == MachineState.Armed ? armed?.Until : null,
+            Time = now,
+        };
+    }
+
+    private (MachineState State, string Reason) StateOf(ArmedJob? armed) => this switch
+    {
+        { JobRuns: true, Stopping: true } => (MachineState.Stopping, "braking"),
+        { JobRuns: true } => (MachineState.Running, ""),
+        { Lost: { } why } => (MachineState.Fault, why),
+        { Poll: null } => (MachineState.Connected, ""),
+        { Poll.AbortInput: true } => (MachineState.EmergencyStopOpen, "the abort input is active"),
+        { Poll.Limit: { Length: > 0 } limit } => (MachineState.Fault, $"on {limit}"),
+        { Poll.LostPosition: { Length: > 0 } axes } => (MachineState.Fault, $"axis {axes} was switched off because of its position error"),
+        { Poll.Moves: true } => (MachineState.Busy, "something moves that is not ours"),
+        { Poll.ProgramRuns: true } => (MachineState.Busy, "a program runs in the controller that is not ours"),
+        { Poll.MotorsOff: { Length: > 0 } axes } => (MachineState.MotorsOff, $"motor off: {axes}"),
+        _ => armed is null ? (MachineState.Ready, "") : (MachineState.Armed, ""),
+    };
+
+    /// <summary>Controller's counts.</summary>
+    private CountsPoint? PlaceCounts() => JobRuns && Progress is { } told && Frame is { } frame
+        ? new CountsPoint(told.X + frame.X, told.Y + frame.Y)
+        : Poll is { } look ? new CountsPoint(look.X, look.Y) : null;
+
+    private static EngravedProgress Engraved(MachineProfile profile, in JobProgress told) =>
+        new(told.Stroke, told.SegmentsExecuted, told.SegmentCount, Millimetres(profile, told.X, told.Y), told.ToolOn, told.Seconds);
+
+    private static Point2D Millimetres(MachineProfile profile, double x, double y) => new(x / profile.CountsPerMillimetreX, y / profile.CountsPerMillimetreY);
+}

@@ -1,0 +1,62 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>What is known of the machine at one moment. Immutable; null is what nobody knows.</summary>
+public sealed record MachineStatus
+{
+    public static MachineStatus Offline { get; } = new();
+
+    public MachineState State { get; init; }
+
+    /// <summary>Why the state is what it is, where that needs a word (a limit switch, a lost link); empty otherwise.</summary>
+    public string Reason { get; init; } = "";
+
+    /// <summary>Where the controller is; null while none is connected.</summary>
+    public string? Link { get; init; }
+
+    /// <summary>The model as the controller names itself.</summary>
+    public string? Controller { get; init; }
+
+    /// <summary>True for a controller that lives in this process.</summary>
+    public bool IsSimulation { get; init; }
+
+    /// <summary>The commanded position by the controller's own zero (_RPA, _RPB), mm.</summary>
+    public Point2D? MachinePosition { get; init; }
+
+    /// <summary>In the drawing's millimetres, by the frame of the job that runs or ran last; null before the first.</summary>
+    public Point2D? WorkPosition { get; init; }
+
+    /// <summary>How far the motors are from their command (_TEA, _TEB), mm; known while no job runs.</summary>
+    public Vector2D? FollowingError { get; init; }
+
+    /// <summary>Along the path, mm/s; 0 at rest.</summary>
+    public double? Speed { get; init; }
+
+    /// <summary>Inputs 1 to 8, bit 0 is input 1 (_TI0).</summary>
+    public int? Inputs { get; init; }
+
+    /// <summary>Outputs 1 to 8, bit 0 is output 1 (_OP0).</summary>
+    public int? Outputs { get; init; }
+
+    /// <summary>Whether the tool output is switched on; what the tool does is not wired back.</summary>
+    public bool? ToolCommanded { get; init; }
+
+    /// <summary>Motors of both axes are on.</summary>
+    public bool? MotorsOn { get; init; }
+
+    /// <summary>The limit that is hit, for example "forward limit of axis A"; empty when none is.</summary>
+    public string Limit { get; init; } = "";
+
+    /// <summary>Number and text of the last refusal that was heard from this controller; null when there was none.</summary>
+    public string? LastRefusal { get; init; }
+
+    /// <summary>The last word of the job that runs or ran last; null before the first.</summary>
+    public EngravedProgress? Progress { get; init; }
+
+    /// <summary>Until when START works; null while not armed.</summary>
+    public DateTimeOffset? ArmedUntil { get; init; }
+
+    /// <summary>When all this was known.</summary>
+    public DateTimeOffset Time { get; init; }
+}

@@ -1,0 +1,53 @@
+using Engraver.Galil.Programs;
+
+namespace Engraver.Workbench.Playback;
+
+/// <summary>Planned speed over time and path, for the plots palette.</summary>
+public static class SpeedPlot
+{
+    /// <summary>Corners of every ramp; of a job with more corners than wanted, samples at equal times, so that the plot costs what it shows.</summary>
+    /// <param name="most">At least 2.</param>
+    public static IReadOnlyList<SpeedSample> Of(PlannedMotion motion, int most)
+    {
+        ArgumentNullException.ThrowIfNull(motion);
+        ArgumentOutOfRangeException.ThrowIfLessThan(most, 2);
+        var moments = 4L * motion.Timeline.Spans.Count <= most ? Corners(motion) : Even(motion.DurationSeconds, most);
+        var samples = new List<SpeedSample>();
+        var (path, last) = (0.0, motion.At(0.0));
+        foreach (var seconds in moments)
+        {
+            var at = motion.At(seconds);
+            path += (at.Speed + last.Speed) / 2.0 * (at.Seconds - last.Seconds);
+            samples.Add(new SpeedSample(at.Seconds, path, at.Speed, at.Kind == MotionSpanKind.Cut));
+            last = at;
+        }
+
+        return samples;
+    }
+
+    private static IEnumerable<double> Even(double duration, int most) => Enumerable.Range(0, most).Select(i => duration * i / (most - 1));
+
+    private static IEnumerable<double> Corners(PlannedMotion motion)
+    {
+        var program = motion.Timeline.Program;
+        foreach (var span in motion.Timeline.Spans)
+        {
+            yield return span.Start;
+            if (span.Kind == MotionSpanKind.Dwell) continue;
+            var profile = span.Kind == MotionSpanKind.Cut ? motion.TrapezoidOf(span.Stroke, span.Sequence) : Longest(span, program);
+            yield return span.Start + profile.RampSeconds;
+            yield return span.Start + profile.Seconds - profile.RampSeconds;
+            yield return Math.BitDecrement(span.End);
+        }
+
+        yield return motion.DurationSeconds;
+    }
+
+    private static SpeedTrapezoid Longest(in MotionSpan span, MotionProgram program)
+    {
+        var profile = program.Profile;
+        var x = new SpeedTrapezoid(Math.Abs((double)span.To.X - span.From.X), profile.RapidSpeedX, profile.AccelerationCounts);
+        var y = new SpeedTrapezoid(Math.Abs((double)span.To.Y - span.From.Y), profile.RapidSpeedY, profile.AccelerationCounts);
+        return x.Seconds >= y.Seconds ? x : y;
+    }
+}

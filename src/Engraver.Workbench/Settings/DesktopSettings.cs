@@ -1,0 +1,60 @@
+using Engraver.Workbench.Views;
+
+namespace Engraver.Workbench.Settings;
+
+/// <summary>What the desktop remembers between two starts. Immutable; the defaults are those of the first start.</summary>
+public sealed record DesktopSettings
+{
+    public const int MostRecentFiles = 10;
+
+    public static DesktopSettings Default { get; } = new();
+
+    /// <summary>Full paths, the last one opened first.</summary>
+    public IReadOnlyList<string> RecentFiles { get; init; } = [];
+
+    public DesktopTheme Theme { get; init; }
+
+    /// <summary>Scale of the whole window, 1 is 100 %.</summary>
+    public double Scale { get; init; } = 1.0;
+
+    /// <summary>Device-independent pixels.</summary>
+    public double WindowWidth { get; init; } = 1280.0;
+
+    public double WindowHeight { get; init; } = 800.0;
+
+    public bool WindowMaximised { get; init; }
+
+    /// <summary>Sizes of the panels by name, device-independent pixels.</summary>
+    public IReadOnlyDictionary<string, double> PanelSizes { get; init; } = new Dictionary<string, double>();
+
+    /// <summary>Names of the panels that are folded.</summary>
+    public IReadOnlyList<string> FoldedPanels { get; init; } = [];
+
+    /// <summary>File of the machine profile that was taken last; null: the built-in one.</summary>
+    public string? LastProfile { get; init; }
+
+    /// <summary>Address of the controller that was connected last.</summary>
+    public string? LastAddress { get; init; }
+
+    /// <summary>System variables by name; one that is missing has its first value.</summary>
+    public IReadOnlyDictionary<string, double> Variables { get; init; } = new Dictionary<string, double>();
+
+    /// <summary>The view that each recent file was left with.</summary>
+    public IReadOnlyDictionary<string, SavedView> Views { get; init; } = new Dictionary<string, SavedView>();
+
+    /// <summary>With a file at the head of the recent ones; views of files that drop out of the list are forgotten.</summary>
+    public DesktopSettings WithRecent(string path)
+    {
+        var recent = RecentFiles.Where(file => file != path).Prepend(path).Take(MostRecentFiles).ToList();
+        return this with { RecentFiles = recent, Views = Views.Where(view => recent.Contains(view.Key)).ToDictionary() };
+    }
+
+    public DesktopSettings WithVariable(string name, double value) => this with { Variables = new Dictionary<string, double>(Variables) { [name] = value } };
+
+    public DesktopSettings WithPanelSize(string panel, double size) => this with { PanelSizes = new Dictionary<string, double>(PanelSizes) { [panel] = size } };
+
+    public DesktopSettings WithPanelFolded(string panel, bool folded) =>
+        this with { FoldedPanels = folded ? [.. FoldedPanels.Where(name => name != panel), panel] : [.. FoldedPanels.Where(name => name != panel)] };
+
+    public DesktopSettings WithView(string path, SavedView view) => this with { Views = new Dictionary<string, SavedView>(Views) { [path] = view } };
+}

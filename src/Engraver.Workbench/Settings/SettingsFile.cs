@@ -1,0 +1,64 @@
+using System.Globalization;
+using System.Text.Json;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Settings;
+
+/// <summary>The settings of the desktop as a JSON file. Written whole or not at all; a file that cannot be understood is set aside under another name, never lost.</summary>
+public static class SettingsFile
+{
+    /// <summary>The settings, and a sentence when the file could not be used. A file that is not there is the first start and no finding.</summary>
+    public static (DesktopSettings Settings, string? Finding) Load(string path, TimeProvider time)
+    {
+        try
+        {
+            var read = File.Exists(path) ? JsonSerializer.Deserialize(File.ReadAllText(path), DesktopSettingsJson.Default.DesktopSettings) : DesktopSettings.Default;
+            return read is null ? SetAside(path, "it is empty.", time) : (Checked(read), null);
+        }
+        catch (JsonException broken)
+        {
+            return SetAside(path, broken.Message, time);
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            return (DesktopSettings.Default, $"The settings in {path} cannot be read: {unreadable.Message} The defaults are used.");
+        }
+    }
+
+    /// <exception cref="IOException">The place cannot be written; what was there is still there.</exception>
+    /// <exception cref="UnauthorizedAccessException">The same.</exception>
+    public static void Save(string path, DesktopSettings settings)
+    {
+        if (Path.GetDirectoryName(path) is { Length: > 0 } folder) Directory.CreateDirectory(folder);
+        OutputFile.Write(path, output => output.WriteLine(JsonSerializer.Serialize(settings, DesktopSettingsJson.Default.DesktopSettings)));
+    }
+
+    private static (DesktopSettings Settings, string? Finding) SetAside(string path, string why, TimeProvider time)
+    {
+        var aside = string.Create(CultureInfo.InvariantCulture, $"{path}.broken-{time.GetUtcNow():yyyyMMdd-HHmmss-fff}");
+        try
+        {
+            File.Move(path, aside);
+            return (DesktopSettings.Default, $"The settings in {path} cannot be understood: {why} The file was set aside as {aside}; the defaults are used.");
+        }
+        catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
+        {
+            return (DesktopSettings.Default, $"The settings in {path} cannot be understood: {why} They could not be set aside either: {stuck.Message}");
+        }
+    }
+
+    /// <summary>Null where JSON says null or nothing; sizes that no window can have.</summary>
+    private static DesktopSettings Checked(DesktopSettings read) => read with
+    {
+        RecentFiles = [.. (read.RecentFiles ?? []).OfType<string>().Take(DesktopSettings.MostRecentFiles)],
+        PanelSizes = read.PanelSizes ?? DesktopSettings.Default.PanelSizes,
+        FoldedPanels = read.FoldedPanels ?? [],
+        Variables = read.Variables ?? DesktopSettings.Default.Variables,
+        Views = read.Views ?? DesktopSettings.Default.Views,
+        Scale = Sane(read.Scale, 0.5, 4.0, 1.0),
+        WindowWidth = Sane(read.WindowWidth, 320.0, 20000.0, 1280.0),
+        WindowHeight = Sane(read.WindowHeight, 240.0, 20000.0, 800.0),
+    };
+
+    private static double Sane(double value, double least, double most, double otherwise) => value >= least && value <= most ? value : otherwise;
+}

@@ -1,0 +1,7 @@
+namespace Engraver.Workbench.Views;
+
+public enum DesktopTheme
+{
+    Dark,
+    Light,
+}

@@ -1,0 +1,24 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Views;
+
+/// <summary>How far a drawing reaches, drawing units, plan view.</summary>
+public static class DrawingExtents
+{
+    /// <summary>Tight box of every curve that can be seen: hidden ones and those on a frozen or switched-off layer do not count. Empty when nothing is to be seen.</summary>
+    public static Bounds2D Of(Drawing drawing) => Of(drawing, DrawingPick.Visible(drawing));
+
+    /// <summary>Tight box of some curves; empty for none.</summary>
+    public static Bounds2D Of(Drawing drawing, IEnumerable<int> entities)
+    {
+        var box = Bounds2D.Empty;
+        foreach (var index in entities)
+        {
+            var entity = drawing.Entities[index];
+            for (var part = entity.FirstPart; part < entity.FirstPart + entity.PartCount; part++) box = box.Union(drawing.SegmentOf(drawing.Parts[part]).Bounds);
+        }
+
+        return box;
+    }
+}

@@ -1,0 +1,167 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Views;
+
+/// <summary>What the operator looks at: the third thing that changes, beside the document and the machine. Looking is no document step.</summary>
+/// <remarks>May be used from any thread; the event comes on the thread of the change.</remarks>
+public sealed class ViewSession
+{
+    /// <summary>AutoCAD keeps the last 10 views.</summary>
+    private const int MostPrevious = 10;
+
+    private const double SmallestHeight = 1e-9;
+    private const double LargestHeight = 1e12;
+
+    /// <summary>Room around what is fitted, as part of its size.</summary>
+    private const double Margin = 0.05;
+
+    private readonly Lock _guard = new();
+    private readonly LinkedList<(Point2D Centre, double Height)> _previous = new();
+    private (Drawing Drawing, Bounds2D Box)? _extents;
+
+    /// <summary>Raised after the view has become another one.</summary>
+    public event EventHandler? Changed;
+
+    public ViewState Current { get; private set; } = ViewState.Default;
+
+    /// <summary>How many views ZOOM Previous can go back.</summary>
+    public int PreviousCount
+    {
+        get
+        {
+            lock (_guard) return _previous.Count;
+        }
+    }
+
+    /// <summary>The canvas tells its shape: width over height. Ignored unless above 0 and finite.</summary>
+    public void SetAspect(double aspect)
+    {
+        if (aspect > 0.0 && double.IsFinite(aspect)) Change(state => state with { Aspect = aspect });
+    }
+
+    /// <summary>Switches, layers of meaning, theme: whatever is no movement of the view.</summary>
+    public void Change(Func<ViewState, ViewState> change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        lock (_guard)
+        {
+            var next = change(Current);
+            if (next == Current) return;
+            Current = next;
+        }
+
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
+
+    /// <summary>A movement by mouse: the place stays where it is on the canvas. A factor above 1 comes nearer. Not remembered for Previous: a wheel turns often.</summary>
+    public void ZoomAbout(Point2D place, double factor)
+    {
+        if (!(factor > 0.0) || !double.IsFinite(factor) || !place.IsFinite) return;
+        Change(state =>
+        {
+            var height = Math.Clamp(state.Height / factor, SmallestHeight, LargestHeight);
+            return state with { Height = height, Centre = place + ((state.Centre - place) * (height / state.Height)) };
+        });
+    }
+
+    /// <summary>Moves what is seen by a way in drawing units: the drawing goes with the hand.</summary>
+    public void PanBy(Vector2D way)
+    {
+        if (double.IsFinite(way.X) && double.IsFinite(way.Y)) Change(state => state with { Centre = state.Centre - way });
+    }
+
+    /// <summary>Shows a box whole, in the shape of the canvas; remembered for Previous. A box without extent is only centred.</summary>
+    public void SetWindow(Bounds2D box) => Show(box, 0.0);
+
+    /// <summary>Shows a centre at a height; remembered for Previous.</summary>
+    public void SetCentre(Point2D centre, double height)
+    {
+        Remember();
+        Change(state => state with { Centre = centre, Height = Math.Clamp(height, SmallestHeight, LargestHeight) });
+    }
+
+    /// <summary>Shows everything that can be seen of a drawing; remembered for Previous.</summary>
+    /// <returns>False when there is nothing to be seen; the view stays.</returns>
+    public bool ZoomExtents(Drawing drawing)
+    {
+        var box = ExtentsOf(drawing);
+        if (box.IsEmpty) return false;
+        Show(box, Margin);
+        return true;
+    }
+
+    /// <summary>Shows some curves; remembered for Previous.</summary>
+    public bool ZoomObjects(Drawing drawing, IEnumerable<int> entities)
+    {
+        var box = DrawingExtents.Of(drawing, entities);
+        if (box.IsEmpty) return false;
+        Show(box, Margin);
+        return true;
+    }
+
+    /// <returns>False when there is no earlier view.</returns>
+    public bool ZoomPrevious()
+    {
+        (Point2D Centre, double Height) view;
+        lock (_guard)
+        {
+            if (_previous.Last is not { } last) return false;
+            view = last.Value;
+            _previous.RemoveLast();
+        }
+
+        Change(state => state with { Centre = view.Centre, Height = view.Height });
+        return true;
+    }
+
+    /// <summary>Brings a place into the middle, near enough to see it, and points at it.</summary>
+    /// <param name="height">Height of the view, drawing units; null keeps the present one.</param>
+    public void FocusOn(ViewFocus focus, double? height)
+    {
+        ArgumentNullException.ThrowIfNull(focus);
+        Remember();
+        Change(state => state with { Focus = focus, Centre = focus.Place, Height = height is { } wanted ? Math.Clamp(wanted, SmallestHeight, LargestHeight) : state.Height });
+    }
+
+    /// <summary>Everybody draws anew, and nothing is pointed at any more.</summary>
+    public void Regenerate()
+    {
+        lock (_guard) (Current, _extents) = (Current with { Focus = null }, null);
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
+
+    /// <summary>The box of what can be seen, kept for the drawing that was asked about last.</summary>
+    public Bounds2D ExtentsOf(Drawing drawing)
+    {
+        lock (_guard)
+        {
+            if (_extents is { } known && ReferenceEquals(known.Drawing, drawing)) return known.Box;
+        }
+
+        var box = DrawingExtents.Of(drawing);
+        lock (_guard) _extents = (drawing, box);
+        return box;
+    }
+
+    private void Show(Bounds2D box, double margin)
+    {
+        if (box.IsEmpty) return;
+        Remember();
+        Change(state =>
+        {
+            var height = Math.Max(box.Height, box.Width / state.Aspect) * (1.0 + (2.0 * margin));
+            var centre = new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0);
+            return state with { Centre = centre, Height = height > 0.0 ? Math.Clamp(height, SmallestHeight, LargestHeight) : state.Height };
+        });
+    }
+
+    private void Remember()
+    {
+        lock (_guard)
+        {
+            _previous.AddLast((Current.Centre, Current.Height));
+            if (_previous.Count > MostPrevious) _previous.RemoveFirst();
+        }
+    }
+}

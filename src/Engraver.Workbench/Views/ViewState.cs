@@ -1,0 +1,51 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Views;
+
+/// <summary>What the operator looks at and how. Immutable.</summary>
+public sealed record ViewState
+{
+    /// <summary>The view of a session that has no canvas and no drawing: A4 in millimetres.</summary>
+    public static ViewState Default { get; } = new();
+
+    /// <summary>Middle of the view, drawing units (AutoCAD's VIEWCTR).</summary>
+    public Point2D Centre { get; init; } = new(148.5, 105.0);
+
+    /// <summary>Height of the view, drawing units, above 0 (VIEWSIZE).</summary>
+    public double Height { get; init; } = 210.0;
+
+    /// <summary>Width over height of the canvas, above 0.</summary>
+    public double Aspect { get; init; } = 297.0 / 210.0;
+
+    public bool Grid { get; init; } = true;
+
+    public bool Snap { get; init; }
+
+    public bool Ortho { get; init; }
+
+    public bool ObjectSnap { get; init; } = true;
+
+    /// <summary>Which object snaps are on, as AutoCAD's OSMODE counts them: 1 end, 2 middle, 4 centre, 16 quadrant, 32 intersection.</summary>
+    public int ObjectSnapModes { get; init; } = 1 + 2 + 4 + 16 + 32;
+
+    public bool DynamicInput { get; init; } = true;
+
+    /// <summary>Distance of grid lines, drawing units; the canvas draws every tenth, hundredth ... when they come too close.</summary>
+    public double GridSpacing { get; init; } = 10.0;
+
+    /// <summary>Distance of the places that Snap jumps to, drawing units.</summary>
+    public double SnapSpacing { get; init; } = 10.0;
+
+    public CanvasLayers Shown { get; init; } =
+        CanvasLayers.Drawing | CanvasLayers.Rapids | CanvasLayers.StartPoints | CanvasLayers.Findings | CanvasLayers.Machine | CanvasLayers.Engraved;
+
+    public DesktopTheme Theme { get; init; }
+
+    /// <summary>Place to point at; null: none.</summary>
+    public ViewFocus? Focus { get; init; }
+
+    public double Width => Height * Aspect;
+
+    /// <summary>The part of the drawing that is seen.</summary>
+    public Bounds2D Window => new(Centre.X - (Width / 2.0), Centre.Y - (Height / 2.0), Centre.X + (Width / 2.0), Centre.Y + (Height / 2.0));
+}

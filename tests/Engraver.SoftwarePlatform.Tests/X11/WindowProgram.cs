@@ -1,0 +1,43 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Controls.ApplicationLifetimes;
+using Avalonia.Threading;
+
+namespace Engraver.SoftwarePlatform.Tests.X11;
+
+/// <summary>The program with a real window: says on standard output what happens to it, one line each, and does what standard input asks.</summary>
+internal static class WindowProgram
+{
+    [STAThread]
+    public static int Main(string[] arguments)
+    {
+        var scale = arguments.Length > 0 ? double.Parse(arguments[0], System.Globalization.CultureInfo.InvariantCulture) : 1.0;
+        using var story = new WindowStory();
+        var options = new SoftwarePlatformOptions
+        {
+            Scale = scale,
+            ApplicationName = "demo",
+            Filter = WindowStory.FilterKey,
+            Regions = story.Regions,
+            DisplayLost = lost => WindowStory.Say($"lost {lost.Message}"),
+        };
+        try
+        {
+            return AppBuilder.Configure<DemoApp>().UseSoftwarePlatform(options).WithInterFont().AfterSetup(_ => Dispatcher.UIThread.Post(() => Open(story)))
+                .StartWithClassicDesktopLifetime([], ShutdownMode.OnMainWindowClose);
+        }
+        catch (DisplayUnavailableException e)
+        {
+            Console.Error.WriteLine(e.Message);
+            return 3;
+        }
+    }
+
+    private static void Open(WindowStory story)
+    {
+        var demo = new DemoWindow();
+        ((IClassicDesktopStyleApplicationLifetime)Application.Current!.ApplicationLifetime!).MainWindow = demo;
+        story.Follow(demo);
+        demo.Show();
+    }
+}

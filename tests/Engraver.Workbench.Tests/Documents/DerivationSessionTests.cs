@@ -1,0 +1,118 @@
+using Engraver.Galil.Programs;
+using Engraver.TestKit;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Tests.Documents;
+
+public sealed class DerivationSessionTests : IDisposable
+{
+    private readonly DocumentSession _document = new();
+    private readonly DerivationSession _derivation;
+
+    public DerivationSessionTests()
+    {
+        _document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Circle(20, 5, 3).Build() });
+        _derivation = new DerivationSession(_document);
+    }
+
+    [Fact]
+    public async Task Everything_follows_from_the_document()
+    {
+        var derived = await _derivation.ForCurrentAsync(CancellationToken.None);
+
+        Assert.Equal((2, 2), (derived.Analysed!.Count, derived.Sequence!.Contours));
+        Assert.Equal(MotionTime.Of(derived.Job!.Motion.Program!), derived.Plan);
+        Assert.Equal(derived.Plan!.Value.Total, derived.Motion!.DurationSeconds, precision: 9);
+        Assert.Equal(PostedProgram.Of(_document.Current.Drawing!, _document.Current.Settings, PostedProgram.Galil).Text, derived.Program!.Text);
+        Assert.Contains(derived.Findings, found => found.Id == "SEQ0002");
+        Assert.Same(derived, _derivation.Current);
+        Assert.True(_derivation.IsCurrent);
+    }
+
+    [Fact]
+    public async Task The_same_state_is_computed_once_and_a_selection_is_no_other_state()
+    {
+        var first = await _derivation.ForCurrentAsync(CancellationToken.None);
+        _document.Select([0], []);
+
+        Assert.Same(first, await _derivation.ForCurrentAsync(CancellationToken.None));
+        _document.Take("X", _document.Current with { Settings = _document.Current.Settings with { MaxErrorMm = 0.01 } });
+        Assert.False(_derivation.IsCurrent);
+        Assert.NotSame(first, await _derivation.ForCurrentAsync(CancellationToken.None));
+    }
+
+    [Fact]
+    public async Task Two_who_ask_at_once_get_the_same_work()
+    {
+        var both = await Task.WhenAll(_derivation.ForCurrentAsync(CancellationToken.None), _derivation.ForCurrentAsync(CancellationToken.None));
+
+        Assert.Same(both[0], both[1]);
+    }
+
+    [Fact]
+    public async Task What_is_out_of_date_before_it_is_done_is_given_up()
+    {
+        var drawing = Many(20_000);
+        _document.Take("OPEN", new DocumentState { Drawing = drawing });
+        var old = _derivation.ForCurrentAsync(CancellationToken.None);
+        _document.Take("ERASE", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Build() });
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => old);
+        Assert.Single((await _derivation.ForCurrentAsync(CancellationToken.None)).Sequence!.Strokes);
+        Assert.Single(_derivation.Current.Sequence!.Strokes);
+    }
+
+    [Fact]
+    public async Task Whoever_does_not_want_to_wait_any_more_does_not()
+    {
+        _document.Take("OPEN", new DocumentState { Drawing = Many(20_000) });
+        using var impatient = new CancellationTokenSource();
+        var waiting = _derivation.ForCurrentAsync(impatient.Token);
+        await impatient.CancelAsync();
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => waiting);
+        Assert.Equal(20_000, (await _derivation.ForCurrentAsync(CancellationToken.None)).Analysed!.Count);
+    }
+
+    [Fact]
+    public async Task A_setting_that_does_not_fit_is_a_sentence_and_no_exception()
+    {
+        _document.Take("X", _document.Current with { Settings = new DrawingSettings { Layers = ["NOPE"] } });
+
+        var derived = await _derivation.ForCurrentAsync(CancellationToken.None);
+
+        Assert.Contains("NOPE", derived.Problem, StringComparison.Ordinal);
+        Assert.Null(derived.Job);
+    }
+
+    [Fact]
+    public async Task With_no_drawing_nothing_follows()
+    {
+        _document.Take("CLOSE", DocumentState.Nothing);
+
+        Assert.Null((await _derivation.ForCurrentAsync(CancellationToken.None)).Job);
+    }
+
+    [Fact]
+    public async Task A_desktop_is_kept_up_to_date_without_asking()
+    {
+        var derived = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        _derivation.Changed += (_, _) => { if (_derivation.Current.Analysed?.Count == 1) derived.TrySetResult(); };
+        _derivation.KeepsUp = true;
+        _document.Take("ERASE", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Build() });
+        using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        await derived.Task.WaitAsync(limit.Token);
+
+        Assert.True(_derivation.IsCurrent);
+    }
+
+    public void Dispose() => _derivation.Dispose();
+
+    private static Core.Drawings.Drawing Many(int count)
+    {
+        var builder = new DrawingBuilder();
+        for (var i = 0; i < count; i++) builder.Line(i % 200, i / 200, (i % 200) + 0.5, i / 200);
+        return builder.Build();
+    }
+}

@@ -1,0 +1,133 @@
+using Engraver.Galil.Jobs;
+using Engraver.TestKit;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Tests.Machines;
+
+public class ArmingTests
+{
+    [Fact]
+    public async Task Arming_lasts_a_minute()
+    {
+        await using var bench = await MachineBench.ConnectedAsync();
+        Arm(bench);
+
+        bench.Time.Advance(TimeSpan.FromSeconds(59.9));
+        Assert.Equal(MachineState.Armed, bench.Machine.Status.State);
+        bench.Time.Advance(TimeSpan.FromSeconds(0.2));
+
+        Assert.NotEqual(MachineState.Armed, bench.Machine.Status.State);
+        Assert.Null(bench.Machine.Armed);
+    }
+
+    [Fact]
+    public async Task Anything_that_changes_at_the_machine_takes_it_back()
+    {
+        await using var bench = await MachineBench.ConnectedAsync();
+        Arm(bench);
+        bench.Controller.SetInput(3, level: false);
+
+        await bench.UntilAsync(status => status.State == MachineState.Ready);
+
+        Assert.Null(bench.Machine.Armed);
+    }
+
+    [Fact]
+    public async Task A_stop_an_abort_a_typed_line_another_profile_and_disconnecting_take_it_back()
+    {
+        await using var bench = await MachineBench.ConnectedAsync();
+        Action[] changes =
+        [
+            () => bench.Machine.Stop(),
+            () => bench.Machine.Profile = bench.Machine.Profile with { FeedMmPerMinute = 600 },
+            () => bench.Machine.Disarm(),
+        ];
+        foreach (var change in changes)
+        {
+            Arm(bench);
+            change();
+            Assert.Null(bench.Machine.Armed);
+        }
+
+        Arm(bench);
+        await bench.Machine.Terminal.TypeAsync("MG 1", bench.Limit);
+        Assert.Null(bench.Machine.Armed);
+        Arm(bench);
+        await bench.Machine.DisconnectAsync();
+        Assert.Null(bench.Machine.Armed);
+    }
+
+    [Fact]
+    public void The_checklist_names_what_is_missing()
+    {
+        var nothing = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings(), Galil.Programs.MotionStyle.Continuous);
+        var offline = ArmingChecklist.Of(nothing, MachineStatus.Offline, errorsAccepted: false);
+        var limit = ArmingChecklist.Of(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit of axis A" }, errorsAccepted: false);
+        var ready = ArmingChecklist.Of(MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true }, errorsAccepted: false);
+
+        Assert.Equal([true, false, false, false, false, true], offline.Checks.Select(check => check.Passed));
+        Assert.Equal([true, true, true, false, true, false], limit.Checks.Select(check => check.Passed));
+        Assert.True(ready.Passed);
+    }
+
+    [Fact]
+    public async Task What_was_not_checked_cannot_be_armed()
+    {
+        await using var bench = await MachineBench.ConnectedAsync();
+        var failed = new ArmingChecklist([new ArmingCheck(false, "no")]);
+
+        Assert.Throws<InvalidOperationException>(() => bench.Machine.Arm(MachineBench.Job(), JobMode.Stream, dryRun: false, failed));
+    }
+
+    [Fact]
+    public async Task CNCRUN_of_what_was_armed_asks_nothing_and_is_armed_no_more()
+    {
+        await using var talk = new Commands.CommandTalk();
+        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCARM", "Dryrun", "Stream");
+        Assert.Equal(MachineState.Armed, talk.Session.Machine.Status.State);
+
+        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCRUN"));
+
+        Assert.Equal(JobOutcome.Complete, talk.Session.Machine.LastRun!.Result.Outcome);
+        Assert.Equal("none", talk.Session.Machine.LastRun.Judgement.Source);
+        Assert.Null(talk.Session.Machine.Armed);
+        Assert.IsType<FeedResult.Asking>(await talk.TypeAsync("CNCRUN"));
+    }
+
+    [Fact]
+    public async Task An_edit_or_another_setting_disarms_and_a_selection_does_not()
+    {
+        await using var talk = new Commands.CommandTalk();
+        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCARM", "Stream", "SELECT", "ALL", "");
+        Assert.Equal(MachineState.Armed, talk.Session.Machine.Status.State);
+
+        await talk.TypeAsync("CNCMAXERR", "0.02");
+        Assert.Equal(MachineState.Ready, talk.Session.Machine.Status.State);
+        await talk.TypeAsync("CNCARM", "Stream", "REVERSE", "ALL", "");
+        Assert.Equal(MachineState.Ready, talk.Session.Machine.Status.State);
+    }
+
+    [Fact]
+    public async Task Motors_that_are_off_are_on_the_list_and_nothing_is_armed()
+    {
+        await using var talk = new Commands.CommandTalk();
+        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCMOTORS", "OFF");
+
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
+        Assert.Contains("NOT OK The motors are off; CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("CNCMOTORS", "ON");
+        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
+        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCARM", "F"));
+        Assert.Null(talk.Session.Machine.Armed);
+    }
+
+    private static void Arm(MachineBench bench)
+    {
+        var job = MachineBench.Job();
+        bench.Machine.Arm(job, JobMode.Stream, dryRun: false, ArmingChecklist.Of(job, bench.Machine.Status, errorsAccepted: false));
+        Assert.Equal(MachineState.Armed, bench.Machine.Status.State);
+    }
+}

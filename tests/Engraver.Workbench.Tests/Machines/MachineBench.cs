@@ -1,0 +1,65 @@
+using Engraver.Galil.Links;
+using Engraver.Simulator;
+using Engraver.TestKit;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Tests.Machines;
+
+/// <summary>A machine session connected over TCP to a simulated controller that the test holds in its hands; the session's clock moves only when the test says so.</summary>
+internal sealed class MachineBench : IAsyncDisposable
+{
+    private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
+
+    private MachineBench(SimulatorOptions options)
+    {
+        Controller = new SimulatedController(options);
+        Machine = new MachineSession(Time);
+    }
+
+    public ManualTimeProvider Time { get; } = new();
+
+    public SimulatedController Controller { get; }
+
+    public MachineSession Machine { get; }
+
+    public CancellationToken Limit => _limit.Token;
+
+    public string? Address { get; private set; }
+
+    public static async Task<MachineBench> ConnectedAsync(SimulatorOptions? options = null)
+    {
+        var bench = new MachineBench(options ?? new SimulatorOptions { Speed = double.PositiveInfinity });
+        var end = await bench.Controller.ListenTcpAsync(0, bench.Limit);
+        bench.Address = FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}");
+        await bench.Machine.ConnectAsync(ControllerAddress.Parse(bench.Address), bench.Limit);
+        return bench;
+    }
+
+    /// <summary>A line of 20 mm and a circle.</summary>
+    public static PreparedJob Job() => JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Circle(40, 0, 5).Build(), new DrawingSettings(), Galil.Programs.MotionStyle.Continuous);
+
+    /// <summary>Moves the clock on, look by look, until the status is as wanted.</summary>
+    public async Task<MachineStatus> UntilAsync(Func<MachineStatus, bool> wanted)
+    {
+        while (true)
+        {
+            var changed = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+            void OnChanged(object? sender, EventArgs e) => changed.TrySetResult();
+            Machine.Changed += OnChanged;
+            var status = Machine.Status;
+            if (wanted(status)) return status;
+            Time.Advance(TimeSpan.FromMilliseconds(100));
+            await changed.Task.WaitAsync(Limit);
+            Machine.Changed -= OnChanged;
+        }
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        await Machine.DisposeAsync();
+        await Controller.DisposeAsync();
+        _limit.Dispose();
+    }
+}

@@ -1,0 +1,146 @@
+using Engraver.Core.Geometry;
+using Engraver.Galil.Programs;
+using Engraver.TestKit;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Playback;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Tests.Commands;
+
+namespace Engraver.Workbench.Tests.Playback;
+
+public class PlannedMotionTests
+{
+    [Theory]
+    [InlineData("gasket.dxf")]
+    [InlineData("paper-001.dxf")]
+    [InlineData("nested-logo.dxf")]
+    public void Playing_a_sample_takes_the_planned_time_and_jumps_nowhere(string sample)
+    {
+        var (job, motion) = Motion(sample);
+        var program = job.Motion.Program!;
+        Assert.Equal(MotionTime.Estimate(program), motion.DurationSeconds, precision: 9);
+        var fastest = Math.Sqrt(2) * program.Profile.RapidMmPerMinute / 60.0;
+        var (steps, last) = (2000, motion.At(0.0));
+        for (var i = 1; i <= steps; i++)
+        {
+            var at = motion.At(motion.DurationSeconds * i / steps);
+            Assert.InRange(at.Position.DistanceTo(last.Position), 0.0, (fastest * motion.DurationSeconds / steps) + 0.003); // an arc's predicted end is rounded to counts
+            last = at;
+        }
+
+        Assert.Equal(program.Strokes[^1].Sequences[^1].End, program.Profile.Scale.ToCounts(last.Position));
+        Assert.Equal(program.Start, program.Profile.Scale.ToCounts(motion.At(-5).Position));
+    }
+
+    [Theory]
+    [InlineData("gasket.dxf")]
+    [InlineData("nested-logo.dxf")]
+    [InlineData("clock-dial.dxf")]
+    public void While_the_tool_cuts_it_is_on_its_row_and_its_entity(string sample)
+    {
+        var (job, motion) = Motion(sample);
+        var table = job.Sequence.Table;
+        for (var segment = 0; segment < motion.SegmentCount; segment++)
+        {
+            var at = motion.At(motion.TimeOfSegment(segment) + 1e-6);
+            Assert.Equal(segment, at.Segment);
+            Assert.Equal(at.Entity, table.EntityIndexOf(at.Row));
+            Assert.InRange(table[at.Row].ToSegment().DistanceTo(at.Position), 0.0, 0.004);
+        }
+    }
+
+    [Fact]
+    public void The_program_line_under_the_tool_is_the_one_that_commands_it()
+    {
+        var (job, motion) = Motion("gasket.dxf");
+        var text = DmcPost.Sequences(job.Motion.Program!, DmcPostOptions.Default, job.Drawing.SourceOf).Text.Split('\n');
+        var place = 0;
+        foreach (var sequence in job.Motion.Program!.Strokes.SelectMany(stroke => stroke.Sequences))
+        {
+            foreach (var segment in sequence.Segments)
+            {
+                var at = motion.At(motion.TimeOfSegment(place++) + 1e-6);
+                Assert.Contains(DmcFormat.Command(segment, sequence.Start), text[at.Line - 1], StringComparison.Ordinal);
+                Assert.True(motion.TimeOfLine(at.Line) <= at.Seconds);
+            }
+        }
+
+        Assert.Null(motion.TimeOfLine(text.Length + 1));
+        Assert.Equal(motion.TimeOfSegment(0), motion.TimeOfLine(1));
+    }
+
+    [Fact]
+    public void Rows_entities_and_strokes_are_found_in_time()
+    {
+        var (job, motion) = Motion("gasket.dxf");
+        foreach (var stroke in job.Motion.Program!.Strokes)
+        {
+            var at = motion.At(motion.TimeOfStroke(stroke.Index)!.Value + 1e-6);
+            Assert.Equal((stroke.Index, stroke.Sequences[0].Segments[0].EntityIndex, true), (at.Stroke, at.Entity, at.ToolOn));
+            Assert.Equal(motion.TimeOfStroke(stroke.Index), motion.TimeOfRow(at.Row));
+        }
+
+        Assert.Equal((null, null, null), (motion.TimeOfStroke(999), motion.TimeOfEntity(-7), motion.TimeOfRow(99999)));
+    }
+
+    [Fact]
+    public void A_line_is_run_by_its_trapezoid_and_with_the_tool_settled()
+    {
+        var job = JobPreparation.Prepare(new DrawingBuilder().Line(10, 0, 30, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
+        var motion = PlannedMotion.Of(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+        var begins = motion.TimeOfEntity(0)!.Value;
+        var ramp = 20_000.0 / 256_000.0;
+
+        Assert.Equal(new Point2D(10, 0), motion.At(begins).Position);
+        Assert.Equal(20.0 * ramp / 2.0, motion.At(begins + ramp).Position.X - 10.0, precision: 9);
+        Assert.Equal(10.0, motion.At(begins + (ramp / 2.0)).Speed, precision: 9);
+        Assert.Equal(20.0, motion.At(begins + 0.5).Speed, precision: 9);
+        Assert.Equal((true, 0.0), (motion.At(begins - 0.05).ToolOn, motion.At(begins - 0.05).Speed));
+        Assert.False(motion.At(begins - 0.15).ToolOn);
+        Assert.False(motion.At(motion.DurationSeconds).ToolOn);
+        Assert.Equal(0, motion.At(begins).Line);
+    }
+
+    [Fact]
+    public void A_rapid_moves_each_axis_at_its_own_pace()
+    {
+        var job = JobPreparation.Prepare(new DrawingBuilder().Line(50, 5, 60, 5).Build(), new DrawingSettings(), MotionStyle.Continuous);
+        var motion = PlannedMotion.Of(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+        var rapid = motion.Timeline.Spans.First(span => span.Kind == MotionSpanKind.Rapid);
+        var middle = motion.At(rapid.Start + (rapid.Seconds / 2.0));
+
+        Assert.Equal(25.0, middle.Position.X, tolerance: 0.1);
+        Assert.Equal(5.0, middle.Position.Y, precision: 9);
+        Assert.Equal((50.0, false), (Math.Round(middle.Speed, 9), middle.ToolOn));
+    }
+
+    [Fact]
+    public void A_job_with_nothing_to_cut_stands_at_its_start()
+    {
+        var job = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings { Start = new Point2D(3, 4) }, MotionStyle.Continuous);
+        var motion = PlannedMotion.Of(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+
+        Assert.Equal((0.0, new Point2D(3, 4), -1), (motion.DurationSeconds, motion.At(1.0).Position, motion.At(1.0).Segment));
+    }
+
+    [Fact]
+    public void The_speed_plot_has_the_path_length_of_the_job_and_its_corners()
+    {
+        var (job, motion) = Motion("paper-001.dxf");
+        var exact = SpeedPlot.Of(motion, 10_000);
+        var travel = job.Sequence.PathLength;
+
+        Assert.Equal(20.0, exact.Where(sample => sample.Cutting).Max(sample => sample.Speed), precision: 6);
+        Assert.InRange(exact[^1].PathMm, travel + 50.0, travel + (50.0 * Math.Sqrt(2)) + 1.0); // a rapid from 0,0 to 50,50
+        Assert.True(exact.Zip(exact.Skip(1)).All(pair => pair.First.Seconds <= pair.Second.Seconds));
+        var even = SpeedPlot.Of(motion, 16);
+        Assert.Equal((16, motion.DurationSeconds), (even.Count, even[^1].Seconds));
+    }
+
+    private static (PreparedJob Job, PlannedMotion Motion) Motion(string sample)
+    {
+        var drawing = DrawingFile.Open(CommandTalk.Sample(sample), null, CancellationToken.None);
+        var derived = DerivedDocument.Of(new DocumentState { Drawing = drawing }, Galil.Jobs.JobMode.Stream, CancellationToken.None);
+        return (derived.Job!, derived.Motion!);
+    }
+}
