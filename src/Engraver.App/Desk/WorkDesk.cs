@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using Avalonia.Threading;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Machines;
 
@@ -13,6 +14,7 @@ public sealed class WorkDesk : IAsyncDisposable
     private readonly ConcurrentQueue<CommandMessage> _said = new();
     private readonly CancellationTokenSource _closing = new();
     private Task _feeding = Task.CompletedTask;
+    private Task _working = Task.CompletedTask;
     private int _posted;
 
     public WorkDesk(CommandSession session, TimeProvider time)
@@ -92,8 +94,8 @@ public sealed class WorkDesk : IAsyncDisposable
     /// <summary>START: runs what is armed.</summary>
     public Task<FeedResult> StartArmedAsync() => RunAsync("CNCRUN");
 
-    /// <summary>Turns a drafting switch over.</summary>
-    public Task<FeedResult> SwitchAsync(string name) => RunAsync(name, "Toggle");
+    /// <summary>Selects without a command, as a click on the canvas does: what is found is added, or taken out.</summary>
+    public Task SelectAsync(Func<Drawing, IReadOnlyList<int>> find, bool remove) => Enqueue(() => Task.FromResult(SelectNow(find, remove)));
 
     /// <summary>Brings the place of a finding into the middle of the canvas.</summary>
     public void ShowPlaceOf(Diagnostic finding)
@@ -115,10 +117,9 @@ public sealed class WorkDesk : IAsyncDisposable
     public async ValueTask DisposeAsync()
     {
         Session.Said -= OnSaid;
-        await _closing.CancelAsync();
-        await _feeding;
-        await Session.DisposeAsync();
-        _closing.Dispose();
+        await _closing.CancelAsync().ConfigureAwait(false);
+        await _working.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+        await Session.DisposeAsync().ConfigureAwait(false);
     }
 
     private async Task<FeedResult> RunNowAsync(string[] inputs)
@@ -142,6 +143,16 @@ public sealed class WorkDesk : IAsyncDisposable
         return new FeedResult.Cancelled();
     }
 
+    private FeedResult SelectNow(Func<Drawing, IReadOnlyList<int>> find, bool remove)
+    {
+        var state = Session.Document.Current;
+        if (state.Drawing is not { } drawing || Session.Prompt.Command is not null) return new FeedResult.Done();
+        var found = find(drawing);
+        var known = (remove ? found : state.Selection).ToHashSet();
+        Session.Document.Select(remove ? [.. state.Selection.Where(entity => !known.Contains(entity))] : [.. state.Selection, .. found.Where(entity => !known.Contains(entity))], state.Previous);
+        return new FeedResult.Done();
+    }
+
     private Task<FeedResult> Enqueue(Func<Task<FeedResult>> work)
     {
         var after = AfterAsync(_feeding, work);
@@ -156,7 +167,9 @@ public sealed class WorkDesk : IAsyncDisposable
         Changed?.Invoke();
         try
         {
-            return await Task.Run(work);
+            var working = Task.Run(work);
+            _working = working;
+            return await working;
         }
         finally
         {

@@ -16,7 +16,7 @@ public sealed class MachineStripModel : Observable
     public MachineStripModel(WorkDesk desk)
     {
         _desk = desk;
-        Arm = new Act(() => _ = desk.RunAsync("CNCARM"), () => _status.State is MachineState.Ready);
+        Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => _status.State is not (MachineState.Offline or MachineState.Armed or MachineState.Running or MachineState.Stopping));
         Start = new Act(() => _ = desk.StartArmedAsync(), () => _status.State is MachineState.Armed);
         Stop = new Act(desk.StopNow);
         desk.Changed += Look;

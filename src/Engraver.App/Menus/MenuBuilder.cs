@@ -23,9 +23,12 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
         {
             item.SubmenuOpened -= Fill;
             item.Items.Clear();
-            foreach (var entry in section.Entries) item.Items.Add(entry.Length == 0 ? new Separator() : Entry(entry));
+            foreach (var entry in Entries(section.Entries)) item.Items.Add(entry);
         }
     }
+
+    /// <summary>Items for entries of a layout.</summary>
+    public IEnumerable<Control> Entries(IEnumerable<string> names) => names.Select(name => name.Length == 0 ? new Separator() : (Control)Entry(name));
 
     private MenuItem Entry(string name)
     {

@@ -10,14 +10,17 @@ public static class MenuLayout
     private static readonly IReadOnlyList<MenuSection> s_wished =
     [
         new("File", ["OPEN", "RECENT", "CLOSE", Separator, "SAVEAS", "EXPORT", Separator, "SCRIPT", "REINIT", "OPTIONS", Separator, "Window.Exit"]),
-        new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", "ERASE", "MOVE", "ROTATE", "SCALE", "MIRROR", "ARRAY", "EXPLODE", "REVERSE"]),
-        new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "OSNAP", "DYN", "SHOW", "THEME", Separator, "Window.Palettes", "Window.Pages", "Window.History"]),
+        new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", Separator, "ERASE", "MOVE", "ROTATE", "SCALE", "MIRROR", "ARRAY", "EXPLODE", "REVERSE", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS"]),
+        new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "OSNAP", "DYNAMICINPUT", Separator, "SHOW", "THEME", Separator, "Window.Palettes", "Window.Pages", "Window.History"]),
         new("Drawing", ["LAYER", "PROPERTIES", "LIST", Separator, "DIST", "ID", "AREA", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN"]),
         new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "ENTER", "TOOLSTART", "STARTPOINT", "PIN", "LEADIN", "LINK", Separator, "OFFSET", "POCKET"]),
-        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCSTATUS", Separator, "CNCSIM", Separator, "CNCARM", "CNCRUN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT"]),
+        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCARM", "CNCRUN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "ALARMS", "CNCTERMINAL"]),
         new("Plot", ["PLOT", "POST", "AGIEPOST", "TABLE", "VERIFY"]),
         new("Help", ["HELP"]),
     ];
+
+    /// <summary>The right button on the canvas.</summary>
+    public static IReadOnlyList<string> OnCanvas { get; } = ["SELECT", "PROPERTIES", "LIST", Separator, "MOVE", "ROTATE", "ERASE", Separator, "ENTER", "TOOLSTART", Separator, "ZOOM", "REGEN", Separator, "U", "REDO"];
 
     /// <summary>The menus of what is built.</summary>
     public static IReadOnlyList<MenuSection> For(CommandCatalog catalog)
@@ -38,6 +41,7 @@ public static class MenuLayout
         CommandGroup.Output => "Plot",
         CommandGroup.Machine => "Machine",
         CommandGroup.Setting => "Toolpath",
+        CommandGroup.View => "View",
         _ => "View",
     };
 

@@ -15,16 +15,8 @@ public sealed class FileQuestions(WorkDesk desk, TopLevel window)
         ["CNCPROFILE"] = "*.json",
     };
 
-    private static readonly IReadOnlyList<string> s_switches = ["SNAP", "GRID", "ORTHO", "OSNAP", "DYN"];
-
     public async Task RunAsync(string command)
     {
-        if (s_switches.Contains(command))
-        {
-            await desk.SwitchAsync(command);
-            return;
-        }
-
         await desk.RunAsync(command);
         if (!s_patterns.TryGetValue(command, out var pattern) || desk.Prompt.Command != command || !window.StorageProvider.CanOpen) return;
         var files = await window.StorageProvider.OpenFilePickerAsync(OptionsFor(command, pattern));

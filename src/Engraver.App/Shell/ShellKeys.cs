@@ -14,7 +14,7 @@ public static class ShellKeys
         (KeyModifiers.None, Key.F7) => "GRID",
         (KeyModifiers.None, Key.F8) => "ORTHO",
         (KeyModifiers.None, Key.F9) => "SNAP",
-        (KeyModifiers.None, Key.F12) => "DYN",
+        (KeyModifiers.None, Key.F12) => "DYNAMICINPUT",
         (KeyModifiers.Control, Key.O) => "OPEN",
         (KeyModifiers.Control, Key.Z) => "U",
         (KeyModifiers.Control, Key.Y) => "REDO",

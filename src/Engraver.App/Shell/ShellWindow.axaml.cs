@@ -3,6 +3,7 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
 using Engraver.App.Binding;
+using Engraver.App.Canvas;
 using Engraver.App.CommandWindow;
 using Engraver.App.Desk;
 using Engraver.App.Menus;
@@ -24,15 +25,23 @@ public partial class ShellWindow : Window
         InitializeComponent();
         _files = new FileQuestions(desk, this);
         DataContext = Model = new ShellModel(desk, ActOf);
-        MainMenu.ItemsSource = new MenuBuilder(name => MenuTitle.Typed(desk.Session, name), ActOf).Build(MenuLayout.For(desk.Session.Catalog));
+        var menus = new MenuBuilder(name => MenuTitle.Typed(desk.Session, name), ActOf);
+        MainMenu.ItemsSource = menus.Build(MenuLayout.For(desk.Session.Catalog));
         Palettes.SetPages(Model.Palettes(), "Layers");
         Pages.SetPages(Model.Pages(), "Command");
+        CanvasPlace.Child = Canvas;
+        Canvas.Commands = new CanvasDesk(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
+        CanvasFeed = new CanvasFeed(desk, Canvas);
         _panels = new PanelSizes(desk, Rows.RowDefinitions[2], Columns.ColumnDefinitions[3], Pages, Palettes);
         AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
         AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
     }
 
     public ShellModel Model { get; }
+
+    public DrawingCanvas Canvas { get; } = new();
+
+    public CanvasFeed CanvasFeed { get; }
 
     private CommandWindowView CommandLine => (CommandWindowView)Pages.Pages[0].Page;
 
@@ -65,7 +74,7 @@ public partial class ShellWindow : Window
 
     private bool Escape()
     {
-        Model.Command.Cancel();
+        Canvas.Escape();
         return true;
     }
 

@@ -73,6 +73,9 @@ public static class DesktopProgram
         Regions = session.StopRegions,
     };
 
+    /// <summary>A job on a machine may be in the script.</summary>
+    private static readonly TimeSpan s_longestScript = TimeSpan.FromHours(24);
+
     private static int RunHeadless(DesktopSession session, DesktopOptions options, TextWriter error)
     {
         var desktop = new HeadlessDesktop();
@@ -81,7 +84,9 @@ public static class DesktopProgram
         window.Show();
         desktop.Step();
         var opening = DesktopStart.OpenAsync(session.Desk, options);
-        desktop.StepUntil(() => opening.IsCompleted, Timeout.InfiniteTimeSpan);
+        desktop.StepUntil(() => opening.IsCompleted && window.CanvasFeed.Shown.IsCompleted, s_longestScript);
+        window.Canvas.RefineNow();
+        desktop.Step();
         if (options.Screenshot is { } path) desktop.Windows[0].CaptureToFile(path);
         window.Close();
         if (opening.Result is not { } failed) return Done;

@@ -3,7 +3,6 @@ using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
 using Engraver.Core.Geometry;
-using Engraver.Workbench.Views;
 
 namespace Engraver.App.StatusBar;
 
@@ -16,7 +15,7 @@ public sealed class StatusBarModel : Observable
     public StatusBarModel(WorkDesk desk)
     {
         _desk = desk;
-        Switches = [.. new[] { "SNAP", "GRID", "ORTHO", "OSNAP", "DYN" }.Select(name => new StatusSwitch(name, desk))];
+        Switches = StatusSwitch.All(desk);
         desk.Changed += Look;
         Point(Point2D.Origin);
     }
