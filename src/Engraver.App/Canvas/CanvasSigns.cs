@@ -17,6 +17,7 @@ internal sealed class CanvasSigns : Control
     private const int MostGripEntities = 100;
     private const int MostOutlinedParts = 2000;
     private const double GripSize = 3.5;
+    private const double GripCell = 12.0;
     private const uint GripColour = 0xFF007FFF; // ACI 150..160: AutoCAD's unselected grip
 
     public CanvasTheme Colours { get; set; } = CanvasTheme.Dark;
@@ -72,18 +73,16 @@ internal sealed class CanvasSigns : Control
         context.DrawGeometry(null, pen, geometry);
     }
 
+    /// <summary>One grip to a cell of the screen, so that a polyline of many short pieces stays visible under its grips.</summary>
     private void DrawGrips(DrawingContext context, CanvasScene scene)
     {
         if (Selection.Count == 0 || Selection.Count > MostGripEntities) return;
-        var window = View.Window;
-        foreach (var segment in Selection.Where(entity => entity < scene.Drawing.Entities.Count).SelectMany(entity => DrawingPick.Segments(scene.Drawing, entity)).Take(MostOutlinedParts))
+        var (window, taken) = (View.Window, new HashSet<(int, int)>());
+        foreach (var place in Selection.Where(entity => entity < scene.Drawing.Entities.Count).SelectMany(entity => GripPlaces.Of(scene.Drawing, entity)).Take(MostOutlinedParts))
         {
-            foreach (var point in SnapPlaces.Of(segment))
-            {
-                if (!window.Contains(point.Place)) continue;
-                var at = ToControl(point.Place);
-                context.DrawRectangle(CanvasBrushes.Brush(GripColour), null, new Rect(at.X - GripSize, at.Y - GripSize, 2.0 * GripSize, 2.0 * GripSize));
-            }
+            var at = ToControl(place);
+            if (!window.Contains(place) || !taken.Add(((int)(at.X / GripCell), (int)(at.Y / GripCell)))) continue;
+            context.DrawRectangle(CanvasBrushes.Brush(GripColour), null, new Rect(at.X - GripSize, at.Y - GripSize, 2.0 * GripSize, 2.0 * GripSize));
         }
     }
 

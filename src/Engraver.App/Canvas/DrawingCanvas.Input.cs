@@ -3,12 +3,16 @@ using Avalonia.Input;
 using Engraver.App.Canvas.Interaction;
 using Engraver.App.Canvas.Picking;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas;
 
 /// <summary>Mouse and keys: from events to intents, and from intents to the view and the commands.</summary>
 public sealed partial class DrawingCanvas
 {
+    private const double FindingReach = 9.0;
+    private const double FindingZoom = 8.0;
+
     private readonly PointerMachine _pointer = new();
 
     /// <summary>Half the side of the pickbox, in units of the control (PICKBOX).</summary>
@@ -106,15 +110,20 @@ public sealed partial class DrawingCanvas
         {
             case CanvasIntent.Pan pan:
                 View?.PanBy(new Vector2D(pan.By.X * UnitsPerPoint, -pan.By.Y * UnitsPerPoint));
+                HoverAgain();
                 break;
             case CanvasIntent.Zoom zoom:
                 View?.ZoomAbout(ToDrawing(zoom.About), zoom.Factor);
+                HoverAgain();
                 break;
             case CanvasIntent.Hover hover:
                 Hover(hover.At);
                 break;
             case CanvasIntent.Select select:
                 Commands?.SelectBox(ToDrawing(select.Box.From), ToDrawing(select.Box.To), select.Box.IsCrossing, select.Remove);
+                break;
+            case CanvasIntent.Open open:
+                ShowFinding(open.At);
                 break;
             default:
                 Command(intent);
@@ -146,6 +155,20 @@ public sealed partial class DrawingCanvas
 
         _cursor.Snap = _pointer.AsksForPoint && SnapAt(at) is { } snap ? (ToControl(snap.Place), snap.Kind) : null;
         Commands?.CursorAt(_pointer.AsksForPoint ? Snapped(at) : ToDrawing(at));
+    }
+
+    /// <summary>Brings the finding under the cursor into the middle, nearer by <see cref="FindingZoom"/>.</summary>
+    private void ShowFinding(Point2D at)
+    {
+        var place = ToDrawing(at);
+        if (View is not { } view || !view.Current.Shown.HasFlag(CanvasLayers.Findings)) return;
+        if (Overlay?.FindingNear(place, FindingReach * UnitsPerPoint) is { } finding) view.FocusOn(new ViewFocus(finding, ""), view.Current.Height / FindingZoom);
+    }
+
+    /// <summary>The drawing moved under the cursor.</summary>
+    private void HoverAgain()
+    {
+        if (_cursor.Place is { } at) Hover(new Point2D(at.X, at.Y));
     }
 
     private void ShowCursor()

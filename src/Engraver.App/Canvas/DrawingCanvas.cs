@@ -156,6 +156,7 @@ public sealed partial class DrawingCanvas : Panel
     {
         UpdateView();
         UpdateContent();
+        UpdateSigns();
     }
 
     private void UpdateView() => UpdateView(Bounds.Size);
@@ -168,7 +169,7 @@ public sealed partial class DrawingCanvas : Panel
         var view = new CanvasView(state.Centre, state.Height / pixels.Height, pixels);
         if (view == _keeper.View) return;
         _keeper.View = view;
-        Wait();
+        WaitForHand();
     }
 
     private void UpdateContent()
@@ -179,24 +180,35 @@ public sealed partial class DrawingCanvas : Panel
             Scene = Scene, Overlay = Overlay ?? OverlayScene.Empty, Shown = state.Shown, Grid = state.Grid, Theme = state.Theme == DesktopTheme.Light ? CanvasTheme.Light : CanvasTheme.Dark,
             Selected = Flags(Scene, Selection), EngravedMoves = EngravedMoves, Scaling = Scaling,
         };
-        if (content != _keeper.Content) _keeper.Content = content;
-        Wait();
+        if (content == _keeper.Content) return;
+        _keeper.Content = content;
+        UpdateSigns();
+        DrawSoon();
     }
 
-    /// <summary>Something else is wanted: show what is there at once, and draw when the hand is still.</summary>
-    private void Wait()
+    /// <summary>The view moves: show what is there at once, and draw when the hand is still.</summary>
+    private void WaitForHand()
     {
         UpdateSigns();
         _picture.InvalidateVisual();
         _keeper.Abandon();
         _still.Stop();
-        _still.Start();
+        DrawSoon();
+    }
+
+    /// <summary>Nothing to wait for before the first picture; a picture that is being drawn is finished first, so that steady changes (a running machine) cannot starve it.</summary>
+    private void DrawSoon()
+    {
+        if (_keeper.IsDrawing) return;
+        if (_keeper.HasPicture || Scene is null) _still.Start();
+        else StandStill();
     }
 
     private async void StandStill()
     {
         _still.Stop();
-        if (!_keeper.IsFresh && _keeper.View.Size.Width > 0) await _keeper.RefineAsync();
+        if (_keeper.IsFresh || _keeper.IsDrawing || _keeper.View.Size.Width <= 0) return;
+        if (await _keeper.RefineAsync() && !_keeper.IsFresh) DrawSoon();
     }
 
     private void UpdateSigns()

@@ -30,6 +30,9 @@ internal abstract record CanvasIntent
     /// <summary>The point that a command asked for.</summary>
     public sealed record GivePoint(Point2D At) : CanvasIntent;
 
+    /// <summary>Clicked twice: a finding comes near.</summary>
+    public sealed record Open(Point2D At) : CanvasIntent;
+
     /// <summary>The cursor stands here.</summary>
     public sealed record Hover(Point2D At) : CanvasIntent;
 

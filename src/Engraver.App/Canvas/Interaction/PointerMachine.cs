@@ -34,6 +34,7 @@ internal sealed class PointerMachine
         if (button == PointerButton.Middle) return PressWheel(at, clicks);
         if (button == PointerButton.Right) return new CanvasIntent.Menu(at);
         if (AsksForPoint) return new CanvasIntent.GivePoint(at);
+        if (clicks >= 2) return OpenAt(at);
         if (_boxFrom is not null) return FinishBox(at, _boxRemoves || shift);
         if (hits()) return new CanvasIntent.Pick(at, shift);
         (_boxFrom, _boxPressed, _boxRemoves) = (at, true, shift);
@@ -83,6 +84,13 @@ internal sealed class PointerMachine
     {
         _panFrom = clicks >= 2 ? null : at;
         return clicks >= 2 ? new CanvasIntent.ZoomExtents() : CanvasIntent.None;
+    }
+
+    /// <summary>The first click may have begun a box: a double click never means one.</summary>
+    private CanvasIntent.Open OpenAt(Point2D at)
+    {
+        DropBox();
+        return new CanvasIntent.Open(at);
     }
 
     private CanvasIntent.Select FinishBox(Point2D at, bool remove)

@@ -8,6 +8,7 @@ namespace Engraver.App.Canvas.Marks;
 /// <summary>The marks of one view. Where they would cover each other only the first of their order stands: zooming in brings the others.</summary>
 internal sealed class MarkLayer : IPictureLayer
 {
+    private const double CellSize = 8.0;
     private readonly List<(SceneMark Mark, Point2D Pixel)> _placed = [];
     private readonly uint _colour;
     private readonly double _scale;
@@ -44,11 +45,26 @@ internal sealed class MarkLayer : IPictureLayer
     private static bool IsSeen(Point2D pixel, double reach, CanvasView view) =>
         pixel.X >= -reach && pixel.Y >= -reach && pixel.X <= view.Size.Width + reach && pixel.Y <= view.Size.Height + reach;
 
-    /// <summary>One mark to a cell of the screen; cells of numbers are as wide as the number.</summary>
+    /// <summary>Takes the cells of the screen that the mark needs, unless one of them is taken.</summary>
     private bool Take(HashSet<(int, int)> taken, Point2D pixel, in SceneMark mark)
     {
-        var (width, height) = mark.Kind == MarkKind.Order ? (20.0 + (8.0 * StrokeDigits.CountOf(mark.Number)), 16.0) : (8.0, 8.0);
-        return taken.Add(((int)Math.Floor(pixel.X / (width * _scale)), (int)Math.Floor(pixel.Y / (height * _scale))));
+        var cell = CellSize * _scale;
+        var (right, up) = mark.Kind == MarkKind.Order ? (MarkShape.ReachOf(mark, _scale) - cell, 2) : (0.0, 1);
+        var (first, last, row) = ((int)Math.Floor(pixel.X / cell), (int)Math.Floor((pixel.X + right) / cell), (int)Math.Floor(pixel.Y / cell));
+        for (var column = first; column <= last; column++)
+        {
+            for (var line = 0; line < up; line++)
+            {
+                if (taken.Contains((column, row - line))) return false;
+            }
+        }
+
+        for (var column = first; column <= last; column++)
+        {
+            for (var line = 0; line < up; line++) taken.Add((column, row - line));
+        }
+
+        return true;
     }
 
     private readonly struct Pencil(PixelTile tile, uint colour, LinePen pen) : IChordSink

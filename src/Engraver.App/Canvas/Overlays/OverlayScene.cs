@@ -1,5 +1,6 @@
 using Engraver.App.Canvas.Marks;
 using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Geometry;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Canvas.Overlays;
@@ -51,6 +52,20 @@ public sealed class OverlayScene
     {
         ArgumentNullException.ThrowIfNull(job);
         return OverlayBuilder.Build(job.Sequence, job.Toolpath, 1.0 / (job.Settings.Unit ?? job.Drawing.Unit).ToMillimetres, inputs ?? OverlayInputs.None);
+    }
+
+    /// <summary>The nearest finding within a distance, drawing units; null when there is none.</summary>
+    public Point2D? FindingNear(Point2D place, double within)
+    {
+        Point2D? nearest = null;
+        foreach (var mark in FindingMarks)
+        {
+            var distance = mark.Place.DistanceTo(place);
+            if (distance > within) continue;
+            (nearest, within) = (mark.Place, distance);
+        }
+
+        return nearest;
     }
 
     /// <summary>The same scene with other recorded positions: what a running machine adds to.</summary>

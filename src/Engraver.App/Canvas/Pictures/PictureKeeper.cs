@@ -21,6 +21,12 @@ internal sealed class PictureKeeper
     /// <summary>The finished picture shows exactly what is wanted.</summary>
     public bool IsFresh => _picture is not null && _picture.View == View && ReferenceEquals(_drawnContent, Content);
 
+    /// <summary>A picture is being drawn on other threads.</summary>
+    public bool IsDrawing => _stopDrawing is not null;
+
+    /// <summary>There is a finished picture, whatever it shows.</summary>
+    public bool HasPicture => _picture is not null;
+
     /// <summary>Writes what can be shown at once, which takes no longer for a large drawing than for a small one.</summary>
     /// <param name="target">Pixels 0xAARRGGBB.</param>
     /// <param name="stride">Pixels to a row of the target.</param>

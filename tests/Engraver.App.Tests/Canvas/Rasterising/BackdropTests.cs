@@ -1,0 +1,49 @@
+using Avalonia;
+using Engraver.App.Canvas.Colours;
+using Engraver.App.Canvas.Rasterising;
+using Engraver.App.Canvas.Views;
+using Engraver.Core.Geometry;
+using FsCheck;
+using FsCheck.Fluent;
+
+namespace Engraver.App.Tests.Canvas.Rasterising;
+
+public class BackdropTests
+{
+    [Fact]
+    public void Grid_steps_are_one_two_or_five_and_never_denser_than_ten_pixels() =>
+        Prop.ForAll(Gen.Choose(-9000, 9000).ToArbitrary(), thousandths =>
+        {
+            var unitsPerPixel = Math.Pow(10.0, thousandths / 1000.0);
+            var step = GridStep.For(unitsPerPixel);
+            var mantissa = step.Minor / Math.Pow(10.0, Math.Floor(Math.Log10(step.Minor * 1.0000001)));
+            var pixels = step.Minor / unitsPerPixel;
+            return pixels >= GridStep.FewestPixels * 0.999999 && pixels <= GridStep.FewestPixels * 2.6 && new[] { 1.0, 2.0, 5.0 }.Any(digit => Math.Abs(mantissa - digit) < 1e-6);
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void Axes_grid_and_background_have_their_own_colours()
+    {
+        var view = new CanvasView(Point2D.Origin, 1.0, new PixelSize(301, 301));
+        var picture = new Picture(view);
+
+        Backdrop.For(view, CanvasTheme.Dark, grid: true).Fill(picture, 0, 0, 301, 301);
+
+        Assert.Equal(CanvasTheme.Dark.AxisX, picture.Pixels[(150 * 301) + 5]);
+        Assert.Equal(CanvasTheme.Dark.AxisY, picture.Pixels[(5 * 301) + 150]);
+        Assert.Equal(CanvasTheme.Dark.MinorGrid, picture.Pixels[(5 * 301) + 160]);
+        Assert.Equal(CanvasTheme.Dark.MajorGrid, picture.Pixels[(5 * 301) + 250]);
+        Assert.Equal(CanvasTheme.Dark.Background, picture.Pixels[(5 * 301) + 5]);
+    }
+
+    [Fact]
+    public void A_grid_that_is_off_leaves_the_background()
+    {
+        var view = new CanvasView(Point2D.Origin, 1.0, new PixelSize(50, 50));
+        var picture = new Picture(view);
+
+        Backdrop.For(view, CanvasTheme.Light, grid: false).Fill(picture, 0, 0, 50, 50);
+
+        Assert.All(picture.Pixels, pixel => Assert.Equal(0xFFFFFFFF, pixel));
+    }
+}

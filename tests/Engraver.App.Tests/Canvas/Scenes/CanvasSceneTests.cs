@@ -1,0 +1,62 @@
+using Engraver.App.Canvas.Benchmarks;
+using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Tests.Canvas.Scenes;
+
+public class CanvasSceneTests
+{
+    [Fact]
+    public void Every_visible_part_is_there_once_with_its_own_geometry()
+    {
+        var drawing = RandomDrawings.Of(seed: 3, count: 500);
+        var scene = CanvasScene.Of(drawing);
+
+        var expected = DrawingPick.Visible(drawing).SelectMany(entity => DrawingPick.Segments(drawing, entity).Select(segment => (entity, Fingerprint(segment)))).Order();
+        var found = scene.Store.Primitives.Select(primitive => (primitive.Entity, Fingerprint(scene.Store.SegmentOf(primitive)))).Order();
+
+        Assert.Equal(expected, found);
+    }
+
+    [Fact]
+    public void Each_block_lies_in_its_box_and_the_extents_are_tight()
+    {
+        var drawing = RandomDrawings.Of(seed: 4, count: 500);
+        var store = CanvasScene.Of(drawing).Store;
+
+        for (var block = 0; block < store.Blocks.Length; block++)
+        {
+            var box = store.Blocks[block];
+            Assert.All(store.Block(block).ToArray(), primitive => Assert.True(box.Contains(store.BoundsOf(primitive))));
+        }
+
+        var exact = DrawingPick.BoundsOf(drawing, DrawingPick.Visible(drawing));
+        Assert.True(exact.Grown(1e-9).Contains(store.Bounds) && store.Bounds.Grown(1e-9).Contains(exact));
+    }
+
+    [Fact]
+    public void A_stray_far_away_leaves_the_other_blocks_small()
+    {
+        var store = CanvasScene.Of(RandomDrawings.Of(seed: 5, count: 5000)).Store;
+
+        var area = store.Blocks.Where(box => box.MaxX < 1000.0).Sum(box => box.Width * box.Height);
+
+        Assert.True(area < 40.0 * 100.0 * 100.0, $"{area} of 10000 for {store.Blocks.Length} blocks");
+    }
+
+    [Fact]
+    public void Hidden_layers_are_not_in_the_scene_and_an_empty_drawing_is_an_empty_scene()
+    {
+        var drawing = RandomDrawings.Of(seed: 6, count: 10);
+
+        Assert.DoesNotContain(CanvasScene.Of(drawing).Store.Primitives, primitive => drawing.Layers[drawing.Entities[primitive.Entity].Layer].Frozen);
+        Assert.True(CanvasScene.Of(new Engraver.TestKit.DrawingBuilder().Build()).Extents.IsEmpty);
+    }
+
+    [Fact]
+    public void The_benchmark_sheet_has_the_number_of_segments_asked_for() => Assert.Equal(1234, CanvasScene.Of(BenchmarkDrawing.Of(1234)).PrimitiveCount);
+
+    private static (double, double, double, double) Fingerprint(Segment segment) =>
+        (Math.Round(segment.Start.X, 6), Math.Round(segment.Start.Y, 6), Math.Round(segment.PointAt(0.3).X, 6), Math.Round(segment.PointAt(0.3).Y, 6));
+}
