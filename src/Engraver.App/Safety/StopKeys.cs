@@ -7,6 +7,13 @@ namespace Engraver.App.Safety;
 /// <param name="stop">From any thread; waits for nothing.</param>
 public sealed class StopKeys(Func<bool> isMoving, Action stop)
 {
+    /// <summary>The on-screen STOP was pressed; the press goes on to the window, so that the key is seen going down.</summary>
+    public bool PressStop()
+    {
+        stop();
+        return false;
+    }
+
     /// <summary>A key went down.</summary>
     /// <returns>True when it was one of the stop keys and means nothing else.</returns>
     public bool Press(Key key, KeyModifiers modifiers)

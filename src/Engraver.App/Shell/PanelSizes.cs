@@ -63,7 +63,7 @@ public sealed class PanelSizes
     });
 
     private const double DefaultPagesHeight = 190;
-    private const double DefaultPalettesWidth = 330;
+    private const double DefaultPalettesWidth = 380;
 
     private bool IsFolded(string panel) => _desk.Session.Settings.Current.FoldedPanels.Contains(panel);
 

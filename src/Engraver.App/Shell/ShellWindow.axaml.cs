@@ -1,4 +1,5 @@
 using System.Windows.Input;
+using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
@@ -33,6 +34,8 @@ public partial class ShellWindow : Window
         Canvas.Commands = new CanvasDesk(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
         CanvasFeed = new CanvasFeed(desk, Canvas);
         _panels = new PanelSizes(desk, Rows.RowDefinitions[2], Columns.ColumnDefinitions[3], Pages, Palettes);
+        (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
+        if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
         AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
         AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
     }
@@ -43,7 +46,18 @@ public partial class ShellWindow : Window
 
     public CanvasFeed CanvasFeed { get; }
 
+    /// <summary>Where STOP stands in the window.</summary>
+    public Rect StopArea => MachineStrip.StopAreaIn(this);
+
     private CommandWindowView CommandLine => (CommandWindowView)Pages.Pages[0].Page;
+
+    protected override void OnClosing(WindowClosingEventArgs e)
+    {
+        base.OnClosing(e);
+        _panels.Keep();
+        var maximised = WindowState == WindowState.Maximized;
+        _desk.Session.Settings.Change(settings => maximised ? settings with { WindowMaximised = true } : settings with { WindowMaximised = false, WindowWidth = Width, WindowHeight = Height });
+    }
 
     /// <summary>What an entry of the menus and tools does.</summary>
     private ICommand ActOf(string name) => name switch

@@ -24,10 +24,8 @@ public sealed class DesktopSession : IAsyncDisposable
     /// <summary>Any thread.</summary>
     public StopKeys StopKeys { get; }
 
-#if AVALONIA_OWN
-    /// <summary>Rectangles of windows that answer a press without the UI thread: the on-screen STOP.</summary>
-    public SoftwarePlatform.InputRegions StopRegions { get; } = new();
-#endif
+    /// <summary>What the platform keeps for this session; its own business.</summary>
+    internal object? PlatformState { get; set; }
 
     /// <summary>Made on the UI thread, when it is first asked for.</summary>
     public WorkDesk Desk => _desk ??= new WorkDesk(_session, Time);
