@@ -48,7 +48,8 @@ public sealed class CanvasFeed
 
     private async Task ShowJobAsync(PreparedJob? job)
     {
-        var overlay = job is null ? null : await Task.Run(() => OverlayScene.Of(job));
+        var derived = _desk.Derived.Current;
+        var overlay = job is null ? null : await Task.Run(() => OverlayScene.Of(job, CanvasInputs.Of(derived)));
         if (ReferenceEquals(job, _job)) _canvas.Overlay = overlay;
     }
 

@@ -2,8 +2,10 @@ using System.Collections.Concurrent;
 using Avalonia.Threading;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Views;
 
 namespace Engraver.App.Desk;
 
@@ -11,6 +13,12 @@ namespace Engraver.App.Desk;
 /// <remarks>All members are for the UI thread, <see cref="StopNow"/> for any.</remarks>
 public sealed class WorkDesk : IAsyncDisposable
 {
+    /// <summary>A finding is shown with this many times its size around it.</summary>
+    private const double RoomAround = 4.0;
+
+    /// <summary>... and never nearer than this part of the drawing.</summary>
+    private const double LeastPart = 0.02;
+
     private readonly ConcurrentQueue<CommandMessage> _said = new();
     private readonly CancellationTokenSource _closing = new();
     private Task _feeding = Task.CompletedTask;
@@ -97,11 +105,15 @@ public sealed class WorkDesk : IAsyncDisposable
     /// <summary>Selects without a command, as a click on the canvas does: what is found is added, or taken out.</summary>
     public Task SelectAsync(Func<Drawing, IReadOnlyList<int>> find, bool remove) => Enqueue(() => Task.FromResult(SelectNow(find, remove)));
 
-    /// <summary>Brings the place of a finding into the middle of the canvas.</summary>
+    /// <summary>Brings the place of a finding into the middle of the canvas, near enough to see it.</summary>
     public void ShowPlaceOf(Diagnostic finding)
     {
         if (Session.Document.Current.Drawing is not { } drawing || finding.Source.Handle is not { } handle || drawing.IndexOfHandle(handle) is not { } entity) return;
-        Session.View.ZoomObjects(drawing, [entity]);
+        var box = DrawingExtents.Of(drawing, [entity]);
+        if (box.IsEmpty) return;
+        var everything = Session.View.ExtentsOf(drawing);
+        var height = Math.Max(RoomAround * Math.Max(box.Width, box.Height), LeastPart * Math.Max(everything.Width, everything.Height));
+        Session.View.FocusOn(new ViewFocus(new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0), finding.Sentence), height > 0.0 ? height : null);
     }
 
     /// <summary>Esc.</summary>

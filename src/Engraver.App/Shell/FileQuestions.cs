@@ -15,10 +15,13 @@ public sealed class FileQuestions(WorkDesk desk, TopLevel window)
         ["CNCPROFILE"] = "*.json",
     };
 
+    /// <summary>FILEDIA.</summary>
+    private bool WantsDialogs => desk.Session.Settings.Current.Variables.GetValueOrDefault("FILEDIA", 1.0) != 0.0;
+
     public async Task RunAsync(string command)
     {
         await desk.RunAsync(command);
-        if (!s_patterns.TryGetValue(command, out var pattern) || desk.Prompt.Command != command || !window.StorageProvider.CanOpen) return;
+        if (!WantsDialogs || !s_patterns.TryGetValue(command, out var pattern) || desk.Prompt.Command != command || !window.StorageProvider.CanOpen) return;
         var files = await window.StorageProvider.OpenFilePickerAsync(OptionsFor(command, pattern));
         if (desk.Prompt.Command != command) return;
         if (files is [var file, ..] && file.TryGetLocalPath() is { } path) await desk.FeedAsync(path);

@@ -66,6 +66,7 @@ public partial class ShellWindow : Window
         "Window.Palettes" => new Act(() => _panels.FoldPalettes()),
         "Window.Pages" => new Act(() => _panels.FoldPages()),
         "Window.History" => new Act(() => _panels.ExpandHistory()),
+        _ when name.StartsWith("Switch.", StringComparison.Ordinal) => Model.Status.Switches.First(toggle => toggle.Command == name["Switch.".Length..]).Switch,
         _ => new Act(() => _ = _files.RunAsync(name)),
     };
 

@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Controls.ApplicationLifetimes;
@@ -13,6 +14,7 @@ public static class DesktopProgram
 {
     private const int Done = 0;
     private const int Failed = 1;
+    private const int Stopped = 5;
     private const int NoDisplay = 6;
 
     /// <returns>The exit code of the runner's contract.</returns>
@@ -52,7 +54,16 @@ public static class DesktopProgram
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
             if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, End);
+        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, End);
         return lifetime.Start([]);
+
+        void End(PosixSignalContext signal)
+        {
+            signal.Cancel = true;
+            session.StopKeys.PressStop();
+            Dispatcher.UIThread.Post(() => lifetime.Shutdown(Stopped));
+        }
     }
 
     private static ShellWindow Open(AppBuilder builder, DesktopSession session, DesktopOptions options)

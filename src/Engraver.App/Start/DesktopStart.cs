@@ -12,6 +12,7 @@ public static class DesktopStart
     /// <returns>The sentence of what failed; null when all went well.</returns>
     public static async Task<string?> OpenAsync(WorkDesk desk, DesktopOptions options)
     {
+        if (desk.Session.Settings.Current.LastProfile is { } profile && File.Exists(profile)) await desk.RunAsync("CNCPROFILE", profile);
         if (options.File is { } file && await desk.RunAsync("OPEN", file) is FeedResult.Failed unopened) return unopened.Sentence;
         var ran = options.Script is { } script ? await desk.RunAsync("SCRIPT", script) : null;
         await desk.SettleAsync();

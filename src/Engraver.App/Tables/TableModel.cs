@@ -36,7 +36,12 @@ public sealed class TableModel : Observable
     private void Look()
     {
         var table = _desk.Derived.Sequence?.Table;
-        if (ReferenceEquals(table, _table)) return;
+        if (!ReferenceEquals(table, _table)) Show(table);
+    }
+
+    /// <summary>Shows a table, however long.</summary>
+    internal void Show(EntityTable? table)
+    {
         _table = table;
         Rows = new RowList<TableRow>(table?.Count ?? 0, index => new TableRow(table!, index), row => row.Index);
         Tell(nameof(Rows));
