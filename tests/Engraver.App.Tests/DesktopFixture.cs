@@ -1,5 +1,4 @@
 using Avalonia;
-using Avalonia.Dialogs;
 using Engraver.SoftwarePlatform;
 using Engraver.SoftwarePlatform.Headless;
 
@@ -11,7 +10,7 @@ public sealed class DesktopFixture : IDisposable
     public DesktopFixture()
     {
         var options = new SoftwarePlatformOptions { FrontEnd = new FrontEnd.Headless(Desktop), Filter = FilterKey, Regions = Regions };
-        Runner = new HeadlessRunner(Desktop, () => AppBuilder.Configure<App>().UseManagedSystemDialogs().UseSoftwarePlatform(options).WithInterFont());
+        Runner = new HeadlessRunner(Desktop, () => AppBuilder.Configure<App>().UseSoftwarePlatform(options).WithInterFont());
     }
 
     public HeadlessDesktop Desktop { get; } = new();

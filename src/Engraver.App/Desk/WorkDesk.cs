@@ -103,7 +103,7 @@ public sealed class WorkDesk : IAsyncDisposable
     public Task<FeedResult> StartArmedAsync() => RunAsync("CNCRUN");
 
     /// <summary>Selects without a command, as a click on the canvas does: what is found is added, or taken out.</summary>
-    public Task SelectAsync(Func<Drawing, IReadOnlyList<int>> find, bool remove) => Enqueue(() => Task.FromResult(SelectNow(find, remove)));
+    public Task SelectAsync(Func<Drawing, IReadOnlyList<int>> find, bool remove) => Enqueue(() => Task.FromResult<FeedResult>(SelectNow(find, remove)));
 
     /// <summary>Brings the place of a finding into the middle of the canvas, near enough to see it.</summary>
     public void ShowPlaceOf(Diagnostic finding)
@@ -155,7 +155,7 @@ public sealed class WorkDesk : IAsyncDisposable
         return new FeedResult.Cancelled();
     }
 
-    private FeedResult SelectNow(Func<Drawing, IReadOnlyList<int>> find, bool remove)
+    private FeedResult.Done SelectNow(Func<Drawing, IReadOnlyList<int>> find, bool remove)
     {
         var state = Session.Document.Current;
         if (state.Drawing is not { } drawing || Session.Prompt.Command is not null) return new FeedResult.Done();

@@ -43,7 +43,7 @@ public sealed class JobModel : Observable
         ? [.. ArmingChecklist.Of(job, _desk.Session.Machine.Status, errorsAccepted: false).Checks.Select(check => new CheckLine(check.Passed, check.Sentence))]
         : [];
 
-    private IReadOnlyList<PropertyLine> FiguresNow()
+    private List<PropertyLine> FiguresNow()
     {
         var settings = _desk.Session.Document.Current.Settings;
         var figures = new List<PropertyLine>

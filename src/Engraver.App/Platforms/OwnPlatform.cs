@@ -53,7 +53,8 @@ internal static class DesktopPlatform
     {
         var regions = new InputRegions();
         session.PlatformState = regions;
-        return builder.UseManagedSystemDialogs().UseSoftwarePlatform(new SoftwarePlatformOptions
+        if (OperatingSystem.IsLinux()) builder = builder.UseManagedSystemDialogs();
+        return builder.UseSoftwarePlatform(new SoftwarePlatformOptions
         {
             FrontEnd = frontEnd,
             Scale = scale,

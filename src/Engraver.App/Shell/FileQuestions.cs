@@ -8,7 +8,7 @@ namespace Engraver.App.Shell;
 /// <summary>A command that was clicked and asks for a file to read gets a file dialog; typed, it takes the name from the command line.</summary>
 public sealed class FileQuestions(WorkDesk desk, TopLevel window)
 {
-    private static readonly IReadOnlyDictionary<string, string> s_patterns = new Dictionary<string, string>(StringComparer.Ordinal)
+    private static readonly Dictionary<string, string> s_patterns = new Dictionary<string, string>(StringComparer.Ordinal)
     {
         ["OPEN"] = "*.dxf",
         ["SCRIPT"] = "*.scr",

@@ -1,4 +1,3 @@
-using System.Windows.Input;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
@@ -60,7 +59,7 @@ public partial class ShellWindow : Window
     }
 
     /// <summary>What an entry of the menus and tools does.</summary>
-    private ICommand ActOf(string name) => name switch
+    private Act ActOf(string name) => name switch
     {
         "Window.Exit" => new Act(() => Close()),
         "Window.Palettes" => new Act(() => _panels.FoldPalettes()),

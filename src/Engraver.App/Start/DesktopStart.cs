@@ -24,6 +24,6 @@ public static class DesktopStart
     {
         using var picture = new RenderTargetBitmap(new Avalonia.PixelSize((int)(window.Bounds.Width * scale), (int)(window.Bounds.Height * scale)), new Avalonia.Vector(96 * scale, 96 * scale));
         picture.Render(window);
-        picture.Save(path);
+        picture.Save(path, PngBitmapEncoderOptions.Default);
     }
 }

@@ -102,6 +102,6 @@ public sealed class PlaybackTests(DesktopFixture fixture)
         return here.Find<ListBox>(list).ContainerFromIndex(index)!;
     }
 
-    private static Control SpeedButton(Operator here, string name) =>
+    private static Avalonia.Controls.Primitives.ToggleButton SpeedButton(Operator here, string name) =>
         here.Find<ItemsControl>("SpeedList").GetVisualDescendants().OfType<Avalonia.Controls.Primitives.ToggleButton>().Single(button => button.Content as string == name);
 }

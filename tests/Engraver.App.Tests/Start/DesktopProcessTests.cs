@@ -29,7 +29,7 @@ public sealed class DesktopProcessTests
 
         Assert.Equal(6, code);
         Assert.Contains("--headless", errors, StringComparison.Ordinal);
-        Assert.Equal(1, errors.TrimEnd().Split('\n').Length);
+        Assert.Single(errors.TrimEnd().Split('\n'));
     }
 
     [Fact]

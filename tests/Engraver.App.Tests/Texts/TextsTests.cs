@@ -36,7 +36,7 @@ public sealed class TextsTests
                     from Match match in Regex.Matches(File.ReadAllText(file), """(?:\{t:Say |Text\.Of\(")([A-Za-z0-9.]+)(?:\}|"[,)])""")
                     select match.Groups[1].Value;
 
-        Assert.Empty(asked.Where(name => !names.Contains(name)));
+        Assert.DoesNotContain(asked, name => !names.Contains(name));
         Assert.True(asked.Count() > 80, "the scan found too few");
     }
 
