@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
@@ -76,6 +77,8 @@ internal sealed class DrawingOptions
     private MachineProfile Machine(ParseResult parsed)
     {
         var profile = parsed.GetValue(_machine) is { } path ? MachineProfileSource.Load(path) : MachineProfile.Default;
-        return parsed.GetValue(_feed) is { } feed ? profile with { FeedMmPerMinute = feed } : profile;
+        if (parsed.GetValue(_feed) is not { } feed) return profile;
+        var fed = profile with { FeedMmPerMinute = feed };
+        return MachineProfileValidation.IsFeed(feed, profile) ? fed : throw new UsageException($"--feed {feed.ToString("R", CultureInfo.InvariantCulture)}: the machine cuts {MachineProfileValidation.FeedRange(profile)} mm/min.");
     }
 }

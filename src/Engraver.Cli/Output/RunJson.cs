@@ -15,7 +15,12 @@ internal sealed record RunJson(
     double? MaxDeviation,
     double? MissingLength,
     string DeviationSource,
-    string? Journal)
+    string? Journal,
+    RunJson.LeftOutJson LeftOut)
 {
     internal sealed record ScaleJson(double X, double Y);
+
+    /// <param name="Count">Entities of the drawing that gave no curve though they should have.</param>
+    /// <param name="Length">Their length; null where nobody can know it.</param>
+    internal sealed record LeftOutJson(int Count, double? Length);
 }

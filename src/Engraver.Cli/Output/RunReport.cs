@@ -22,11 +22,15 @@ internal static class RunReport
         report.Judgement.MaxDeviationMm,
         report.Judgement.MissingLengthMm,
         report.Judgement.Source,
-        journal);
+        journal,
+        LeftOut(job));
 
     /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
     public static RunJson NotStarted(PreparedJob job, JobOutcome outcome) =>
-        new(RunText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(job), null, null, "none", null);
+        new(RunText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(job), null, null, "none", null, LeftOut(job));
+
+    /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
+    private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
 
     private static RunJson.ScaleJson Scale(PreparedJob job) => new(job.Settings.Machine.CountsPerMillimetreX, job.Settings.Machine.CountsPerMillimetreY);
 }

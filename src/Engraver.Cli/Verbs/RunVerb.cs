@@ -54,7 +54,10 @@ internal sealed class RunVerb
         }
 
         if (program.SegmentCount == 0) return NotStarted(parsed, job, "no curve on the selected layers");
-        return await RunOnMachineAsync(parsed, job, program, mode, stop).ConfigureAwait(false);
+        var ended = await RunOnMachineAsync(parsed, job, program, mode, stop).ConfigureAwait(false);
+
+        // Accepted errors are errors all the same: the job was done as far as it can be (docs/pipeline.md).
+        return ended == ExitCode.Done ? code : ended;
     }
 
     private static JobMode Mode(string? word) => word switch { "calls" => JobMode.Calls, "program" => JobMode.Program, _ => JobMode.Stream };

@@ -47,10 +47,19 @@ public static class MotionRules
         "At full feed the path needs {needed} segments a second and {baud} baud carry {carried}, so the feed is lowered in {count} of the vector sequences, at worst to {feed} instead of {wanted} mm/min.",
         "Set a faster line, connect over TCP, allow a larger curve error, or choose a feed that suits the whole part.");
 
+    public static readonly DiagnosticRule StopHandleReopened = new("MOT0021", Severity.Warning,
+        "The second handle, over which the stop goes, was lost while the job ran ({reason}) and was opened again.",
+        "Look for what cut it: the cable, the network, or somebody who closed handles of the controller.");
+
+    public static readonly DiagnosticRule StopHandleLost = new("MOT0022", Severity.Warning,
+        "The second handle, over which the stop goes, was lost while the job runs ({reason}) and could not be opened again ({failure}).",
+        "The stop still works, but over the handle of the job: it goes behind the command under way.");
+
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
         StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, WireTooSlow,
+        StopHandleReopened, StopHandleLost,
     ];
 }

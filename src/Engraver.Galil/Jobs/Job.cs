@@ -18,6 +18,7 @@ internal sealed class Job
     private readonly JobMachine _machine;
     private readonly IJobWay _way;
     private readonly ProgramMemory _memory;
+    private readonly FoundController _found;
     private readonly OperatorStop _stopper;
     private bool _touched;
 
@@ -31,6 +32,7 @@ internal sealed class Job
         _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), stop);
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
         _memory = new ProgramMemory(session);
+        _found = new FoundController(session, _memory, program.Profile, options, _log);
         _way = options.Mode switch
         {
             JobMode.Stream => new StrokeByStroke(program, _machine, _ledger, _log, new StreamWay(_machine, _ledger)),
@@ -111,9 +113,8 @@ internal sealed class Job
 
     private async Task<JobStep> PrepareAsync()
     {
-        var copy = _options.JournalPath is { } journal ? journal + ".program.dmc" : null;
         var resident = ResidentServer.Program(_options.Mode, _program.Profile);
-        if (await _memory.BorrowAsync(resident.Text, copy, found => ResidentServer.IsOurs(found, _program.Profile), _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
+        if (await _found.BorrowAsync(resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         string[] settings = ["AC", "DC"];
         var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables }; // whatever somebody left on or selected
@@ -154,9 +155,16 @@ internal sealed class Job
         if (!_touched) return [];
         try
         {
+            await _machine.EndWatchAsync().ConfigureAwait(false);
             var refused = await _memory.GiveBackAsync(CancellationToken.None).ConfigureAwait(false);
             var settings = await _session.RestoreAsync(CancellationToken.None).ConfigureAwait(false);
-            return refused is null ? settings : [refused.Explain(), .. settings];
+            if (refused is not null) return [refused.Explain(), .. settings];
+            if (settings.Count == 0) _found.GivenBack();
+            return [.. _found.Lost, .. settings];
+        }
+        catch (Exception unwritten) when (unwritten is IOException or UnauthorizedAccessException)
+        {
+            return [$"The journal of an earlier run could not be ended: {unwritten.Message}"];
         }
         catch (ControllerException failure)
         {
@@ -180,7 +188,7 @@ internal sealed class Job
         ExecutedEntityIndices = _ledger.Entities,
         ExecutedByStroke = _ledger.ExecutedByStroke,
         LengthByStroke = _ledger.LengthByStroke,
-        Diagnostics = _ledger.Diagnostics,
+        Diagnostics = [.. _ledger.Diagnostics, .. _ledger.Warnings],
         NotRestored = notRestored,
     };
 }

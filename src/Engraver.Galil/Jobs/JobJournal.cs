@@ -18,6 +18,15 @@ internal sealed class JobJournal : IDisposable
     /// <param name="path">Appended to; null for no journal.</param>
     public JobJournal(string? path) => _file = path is null ? null : new StreamWriter(path, append: true) { AutoFlush = true, NewLine = "\n" };
 
+    /// <summary>The lines of a journal, also of one that is being written.</summary>
+    public static IEnumerable<string> ReadLines(string path)
+    {
+        using var file = new StreamReader(new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite));
+        while (file.ReadLine() is { } line) yield return line;
+    }
+
+    public static T? Read<T>(string line) => JsonSerializer.Deserialize<T>(line, Json);
+
     public void Write<T>(T line) => _file?.WriteLine(JsonSerializer.Serialize(line, Json));
 
     public void Dispose() => _file?.Dispose();

@@ -31,6 +31,9 @@ internal sealed class JobLedger(MotionProgram program)
     /// <summary>What had to be done to the job to run it: strokes that the memory cut.</summary>
     public List<Diagnostic> Diagnostics { get; } = [];
 
+    /// <summary>What went wrong without ending the job.</summary>
+    public List<Diagnostic> Warnings { get; } = [];
+
     public IReadOnlyList<TracePoint> Trace => _trace;
 
     public IReadOnlyList<int> Entities => _entities;

@@ -19,6 +19,9 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
             options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow()));
     }
 
+    /// <summary>Before anything in the controller is changed.</summary>
+    public void Found(JournalFound found) => journal.Write(found);
+
     public void Polled()
     {
         if (machine.Seconds - _journalled >= JournalSeconds) WriteProgress();
@@ -32,7 +35,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
 
     public void End(JobResult result)
     {
-        journal.Write(new JournalEnd(result.Outcome, result.Sentence, result.SegmentsExecuted, result.FinalPosition?.X, result.FinalPosition?.Y, result.Seconds));
+        journal.Write(new JournalEnd(result.Outcome, result.Sentence, result.SegmentsExecuted, result.FinalPosition?.X, result.FinalPosition?.Y, result.Seconds, result.NotRestored.Count == 0));
         if (machine.Known is not null) Report();
     }
 

@@ -26,6 +26,7 @@ internal sealed class JobMachine
     private readonly Action _polled;
     private readonly CancellationToken _stop;
     private readonly Heartbeat _heartbeat;
+    private readonly StopHandleWatch _stopHandle;
     private long? _startTime;
     private long _polledAt;
     private int _glances;
@@ -42,6 +43,7 @@ internal sealed class JobMachine
         _polled = polled;
         _stop = stop;
         _heartbeat = new Heartbeat(session);
+        _stopHandle = new StopHandleWatch(session, ledger);
     }
 
     public MachineProfile Profile { get; }
@@ -155,6 +157,7 @@ internal sealed class JobMachine
         _startTime ??= State.Time;
         _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, IsToolOn));
         _polled();
+        await _stopHandle.LookAsync().ConfigureAwait(false);
         if (State.Tripped || State.ProgramError != 0 || !State.ProgramRuns) return await ProgramEndedAsync().ConfigureAwait(false);
         return await BeatAsync().ConfigureAwait(false);
     }
@@ -215,6 +218,9 @@ internal sealed class JobMachine
     public ValueTask<JobStep> ToolOnAsync() => _options.DryRun || ToolOn ? new(JobStep.Done) : SwitchToolAsync(true);
 
     public ValueTask<JobStep> ToolOffAsync() => ToolOn ? SwitchToolAsync(false) : new(JobStep.Done);
+
+    /// <summary>Nothing is asked over the second handle any more.</summary>
+    public ValueTask EndWatchAsync() => _stopHandle.EndAsync();
 
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 

@@ -9,6 +9,9 @@ public sealed record JobOptions
     /// <summary>Where progress is written as JSON lines, or null for nowhere. The program found in the controller is kept beside it, with <c>.program.dmc</c> added to the name.</summary>
     public string? JournalPath { get; init; }
 
+    /// <summary>Where the controller is reached, for the journal: an unfinished journal of another address is none of this controller.</summary>
+    public string Address { get; init; } = "";
+
     /// <summary>Name of the drawing for the journal.</summary>
     public string DrawingName { get; init; } = "";
 

@@ -7,4 +7,6 @@ namespace Engraver.Galil.Jobs;
 [JsonSerializable(typeof(JournalHeader))]
 [JsonSerializable(typeof(JournalProgress))]
 [JsonSerializable(typeof(JournalEnd))]
+[JsonSerializable(typeof(JournalFound))]
+[JsonSerializable(typeof(JournalGivenBack))]
 internal sealed partial class JournalJson : JsonSerializerContext;

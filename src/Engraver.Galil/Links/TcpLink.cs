@@ -7,6 +7,9 @@ namespace Engraver.Galil.Links;
 /// <remarks>No delay on the socket: one command is one packet, and the next packet carries the acknowledgement (galil-dmc.md A.4).</remarks>
 public sealed class TcpLink : IControllerLink
 {
+    /// <summary>What a connection that is dropped as soon as it stands means (galil-dmc.md A.1).</summary>
+    internal const string HandlesTaken = "The controller dropped the connection as soon as it stood: probably all its handles are taken. This program needs two; close other programs that talk to the controller.";
+
     private readonly Socket _socket;
 
     private TcpLink(Socket socket, string description)
@@ -34,7 +37,8 @@ public sealed class TcpLink : IControllerLink
         catch (SocketException failure)
         {
             socket.Dispose();
-            throw new ControllerLinkException($"No connection to {description}: {failure.Message}", failure);
+            var hint = failure.SocketErrorCode == SocketError.ConnectionReset ? " " + HandlesTaken : "";
+            throw new ControllerLinkException($"No connection to {description}: {failure.Message}.{hint}".Replace("..", ".", StringComparison.Ordinal), failure);
         }
         catch (OperationCanceledException failure) when (!cancellation.IsCancellationRequested)
         {

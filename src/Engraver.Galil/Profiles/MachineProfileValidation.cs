@@ -17,6 +17,16 @@ public static class MachineProfileValidation
     /// <summary>One error for each setting that cannot be used, naming the setting, its value and the limit; empty for a usable profile.</summary>
     public static IReadOnlyList<Diagnostic> Check(MachineProfile profile) => [.. Findings(profile)];
 
+    /// <summary>Whether the machine can cut at this feed; with a scale of 0 it is not the feed that is wrong.</summary>
+    public static bool IsFeed(double mmPerMinute, MachineProfile profile) => !IsScale(profile.CountsPerMillimetreX) || !IsScale(profile.CountsPerMillimetreY) || IsSpeed(mmPerMinute, profile);
+
+    /// <summary>The feeds of this machine, mm/min, as text: what its slower axis resolves to what its finer axis can count.</summary>
+    public static string FeedRange(MachineProfile profile)
+    {
+        var (x, y) = (Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
+        return string.Create(CultureInfo.InvariantCulture, $"{60.0 * DmcLimits.SlowestSpeed / Math.Min(x, y):0.######} to {60.0 * DmcLimits.FastestSpeed / Math.Max(x, y):0.######}");
+    }
+
     private static IEnumerable<Diagnostic> Findings(MachineProfile p)
     {
         const string Scale = "a number other than 0, negative to mirror the axis";

@@ -4,30 +4,32 @@ using static Engraver.Galil.Programs.Subprograms;
 namespace Engraver.Galil.Programs;
 
 /// <summary>Writes a motion program as self-contained controller programs, started with XQ #JOB.</summary>
+/// <remarks>Where the machine stands when the job starts is the drawing's start point, whatever the controller's position reads there: the first chunk keeps that
+/// position in ox and oy, rapids count from it, and later chunks find it still there, for a download leaves the variables alone.</remarks>
 public static class DmcPost
 {
     private const string CountCall = "seq=seq+1";
+    private const string TakeOrigin = "ox=_RPA;oy=_RPB";
+    private const string TravelFromOrigin = "PAA=ox+x;PAB=oy+y";
 
     /// <summary>The paper's way (section 5.2): variables are assigned and #LINEAR or #CIRC is called, a line for each; seq counts the calls, rapids and tool changes included.</summary>
     /// <param name="program">Generated with <see cref="MotionStyle.Calls"/>: every call ends at rest, so its arcs must be aimed from there.</param>
-    /// <param name="options">Controller's position and memory.</param>
+    /// <param name="options">The controller's memory.</param>
     /// <param name="sourceOf">Where an entity stands in the drawing, for diagnostics.</param>
     public static DmcPostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
-        var frame = new ControllerFrame(program.Start, options.ControllerAtStart);
-        var form = new PostForm(done => CallsOpening(program, done), stroke => CallsStroke(stroke, frame), CallsClosing(program));
+        var form = new PostForm(done => CallsOpening(program, done), stroke => CallsStroke(stroke, FromStart(program)), CallsClosing(program));
         return Posted(program, form, options, sourceOf);
     }
 
     /// <summary>Continuous vector sequences (galil-dmc.md F.1 method 2): the machine stops only where the motion program does.</summary>
     public static DmcPostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
-        var frame = new ControllerFrame(program.Start, options.ControllerAtStart);
         var spelling = new SequenceSpelling(
-            string.Empty, "AMS", place => Text($"PAA={place.X};PAB={place.Y};BGAB;AMAB"), [ToolOn(program.Profile), Settle(program.Profile)]);
-        var writer = new SequenceWriter(program.Profile, frame, spelling);
-        var form = new PostForm(_ => Opening(program, string.Empty), writer.Stroke, SequencesClosing(program));
+            string.Empty, "AMS", place => Text($"PAA=ox{place.X:+0;-0};PAB=oy{place.Y:+0;-0};BGAB;AMAB"), [ToolOn(program.Profile), Settle(program.Profile)]);
+        var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
+        var form = new PostForm(done => Opening(program, done, string.Empty), writer.Stroke, SequencesClosing(program));
         return Posted(program, form, options, sourceOf);
     }
 
@@ -37,14 +39,17 @@ public static class DmcPost
         return new DmcPostText([.. packed.Chunks.Select(chunk => chunk.Text)], packed.Diagnostics);
     }
 
-    private static IReadOnlyList<string> Opening(MotionProgram program, string variables)
+    /// <summary>Places relative to where the machine stands when the job starts.</summary>
+    private static ControllerFrame FromStart(MotionProgram program) => new(program.Start, default);
+
+    private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables)
     {
-        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SHAB");
+        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SHAB", done == 0 ? TakeOrigin : string.Empty);
         foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
         return lines.Line(variables).Lines;
     }
 
-    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done) => Opening(program, Text($"f={program.Profile.VectorSpeed};seq={done}"));
+    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done) => Opening(program, done, Text($"f={program.Profile.VectorSpeed};seq={done}"));
 
     private static IReadOnlyList<string> CallsStroke(MotionStroke stroke, ControllerFrame frame)
     {
@@ -70,7 +75,7 @@ public static class DmcPost
             .. End(program),
             .. LinearLines(CountCall),
             .. CircLines(CountCall),
-            .. RapidLines(CountCall),
+            .. RapidLines(TravelFromOrigin, CountCall),
             .. new ProgramLines().Line("#TOOLON").Line(ToolOn(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
             .. new ProgramLines().Line("#TOOLOFF").Line(ToolOff(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
             .. CommandErrorEndsTheJob(program),

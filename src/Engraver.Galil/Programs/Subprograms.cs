@@ -19,7 +19,11 @@ internal static class Subprograms
     public static IReadOnlyList<string> CircLines(string last) => Interpolation(Circ, "CR r,th,da", last);
 
     /// <summary>Travels to x, y in the controller's own coordinates, each axis at its speed, and waits for the end.</summary>
-    public static IReadOnlyList<string> RapidLines(string last) => new ProgramLines().Line(Rapid).Line("PAA=x;PAB=y").Line("BGAB").Line("AMAB").Line(last).Line("EN").Lines;
+    public static IReadOnlyList<string> RapidLines(string last) => RapidLines("PAA=x;PAB=y", last);
+
+    /// <param name="target">The line that assigns PA.</param>
+    /// <param name="last">A statement before the return, or empty.</param>
+    public static IReadOnlyList<string> RapidLines(string target, string last) => new ProgramLines().Line(Rapid).Line(target).Line("BGAB").Line("AMAB").Line(last).Line("EN").Lines;
 
     /// <summary>Plane S, speeds and accelerations of the profile. VS goes with every sequence. Only valid at rest.</summary>
     public static IReadOnlyList<string> SetUpLines(MachineProfile profile)

@@ -5,7 +5,7 @@ namespace Engraver.Galil.Protocol;
 
 /// <summary>Bytes in, replies out: finds the prompts and takes the unsolicited text out of the stream. Any split of the bytes gives the same replies.</summary>
 /// <remarks>A prompt stands at the start of a line, so a colon inside a data line is none. Bytes with bit 7 set are unsolicited characters
-/// (galil-dmc.md A.5, CW 1) except inside a binary record. Not thread-safe: the channel has one command under way.</remarks>
+/// (galil-dmc.md A.5, CW 1) except inside a binary record and in an uploaded program, which comes back byte for byte: nothing runs then that could say anything. Not thread-safe: the channel has one command under way.</remarks>
 public sealed class ReplyFramer
 {
     /// <summary>Longest reply taken, bytes; a whole program memory is 80,000.</summary>
@@ -45,7 +45,7 @@ public sealed class ReplyFramer
     private void Append(byte value)
     {
         var inRecord = Shape == ReplyShape.Record && _data.Count < _recordLength && !(_data.Count == 0 && value == '?');
-        if (inRecord) _data.Add(value);
+        if (inRecord || (Shape == ReplyShape.Upload && value >= 0x80)) _data.Add(value);
         else if (value >= 0x80) AppendToMessage((byte)(value - 0x80));
         else if (IsPrompt(value)) Complete(value == ':');
         else _data.Add(value);

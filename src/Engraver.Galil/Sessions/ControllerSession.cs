@@ -1,4 +1,5 @@
 using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
@@ -8,12 +9,15 @@ namespace Engraver.Galil.Sessions;
 public sealed class ControllerSession : IAsyncDisposable
 {
     private readonly CommandChannel _commands;
-    private readonly CommandChannel? _second;
+    private readonly Func<CancellationToken, Task<CommandChannel>> _openSecond;
+    private volatile CommandChannel? _second;
 
-    private ControllerSession(CommandChannel commands, CommandChannel? second, ControllerIdentity identity, FoundState found, bool clockRunsAhead, TimeProvider time)
+    private ControllerSession(
+        CommandChannel commands, CommandChannel? second, Func<CancellationToken, Task<CommandChannel>> openSecond, ControllerIdentity identity, FoundState found, bool clockRunsAhead, TimeProvider time)
     {
         _commands = commands;
         _second = second;
+        _openSecond = openSecond;
         Identity = identity;
         Found = found;
         ClockRunsAhead = clockRunsAhead;
@@ -22,7 +26,8 @@ public sealed class ControllerSession : IAsyncDisposable
 
     public ControllerIdentity Identity { get; }
 
-    public FoundState Found { get; }
+    /// <summary>The controller as it is to be left.</summary>
+    public FoundState Found { get; private set; }
 
     /// <summary>True when the controller's time passes much faster than ours (a simulator at full speed): polls then need no pause.</summary>
     public bool ClockRunsAhead { get; }
@@ -52,16 +57,18 @@ public sealed class ControllerSession : IAsyncDisposable
         CommandChannel? commands = null;
         CommandChannel? second = null;
         var opened = false;
+        async Task<CommandChannel> Open(string name, CancellationToken giveUp) =>
+            new(await openLink(giveUp).ConfigureAwait(false), name, options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
         try
         {
-            commands = new CommandChannel(await openLink(cancellation).ConfigureAwait(false), "A", options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
+            commands = await Open("A", cancellation).ConfigureAwait(false);
             bool? echo = commands.Line is null ? null : await commands.GreetAsync(cancellation).ConfigureAwait(false);
-            if (options.SecondHandle && commands.Line is null)
-                second = new CommandChannel(await openLink(cancellation).ConfigureAwait(false), "B", options.ReplyTimeout, time, options.Trace) { MessageReceived = options.MessageReceived };
+            await SignOfLifeAsync(commands, cancellation).ConfigureAwait(false);
+            if (options.SecondHandle && commands.Line is null) await SignOfLifeAsync(second = await Open("B", cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
             var identity = await Handshake.IdentifyAsync(commands, cancellation).ConfigureAwait(false);
             var found = await FoundState.ReadAsync(commands, identity.Letters, echo, cancellation).ConfigureAwait(false);
             var runsAhead = await ClockComparison.RunsAheadAsync(commands, time, cancellation).ConfigureAwait(false);
-            var session = new ControllerSession(commands, second, identity, found, runsAhead, time);
+            var session = new ControllerSession(commands, second, giveUp => Open("B", giveUp), identity, found, runsAhead, time);
             await session.AgreeOnWireAsync(cancellation).ConfigureAwait(false);
             opened = true;
             return session;
@@ -73,9 +80,59 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
+    /// <summary>A controller without a free handle takes a connection and drops it at once (galil-dmc.md A.1): that must not read like a pulled cable.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    private static async Task SignOfLifeAsync(CommandChannel channel, CancellationToken cancellation)
+    {
+        try
+        {
+            await channel.SendAsync("", cancellation).ConfigureAwait(false);
+        }
+        catch (ControllerLinkException dropped)
+        {
+            throw new ControllerLinkException($"{dropped.Message} {TcpLink.HandlesTaken}", dropped);
+        }
+    }
+
+    /// <summary>Asks for a sign of life over the second handle, and opens it again when it is lost; meanwhile the stop goes over the first.</summary>
+    /// <returns>Null while all is well, and where there is no second handle.</returns>
+    internal async Task<StopHandleLoss?> CheckStopHandleAsync(CancellationToken cancellation)
+    {
+        if (_second is not { } second) return null;
+        try
+        {
+            await second.SendAsync("", cancellation).ConfigureAwait(false);
+            return null;
+        }
+        catch (ControllerException lost)
+        {
+            await second.DisposeAsync().ConfigureAwait(false);
+            return new StopHandleLoss(lost.Message.TrimEnd('.'), await ReopenAsync(cancellation).ConfigureAwait(false));
+        }
+    }
+
+    /// <returns>Why it could not be opened; null when it stands again.</returns>
+    private async Task<string?> ReopenAsync(CancellationToken cancellation)
+    {
+        try
+        {
+            var second = await _openSecond(cancellation).ConfigureAwait(false);
+            await second.SendAsync("CF I", cancellation).ConfigureAwait(false);
+            _second = second;
+            return null;
+        }
+        catch (Exception failure) when (failure is ControllerException or IOException)
+        {
+            _second = null;
+            return failure.Message.TrimEnd('.');
+        }
+    }
+
     /// <summary>Why no job can start now: a thread of somebody else runs, or something moves. Null when the machine is free.</summary>
     public async Task<string?> BusyReasonAsync(CancellationToken cancellation)
     {
+        if (await IsOurJobRunningAsync(cancellation).ConfigureAwait(false))
+            return "Another run of this program works on the controller now; wait for its end, or stop it where it was started.";
         for (var thread = 0; thread < 8; thread++)
         {
             var line = (await Commands.ReadAsync($"_XQ{thread}", cancellation).ConfigureAwait(false)).OrNothing;
@@ -90,6 +147,14 @@ public sealed class ControllerSession : IAsyncDisposable
 
         return null;
     }
+
+    /// <summary>An earlier session changed the controller and could not give it back: it is to be left as that one had found it.</summary>
+    internal void Inherit(FoundState found) => Found = found;
+
+    /// <summary>Our watchdog runs and somebody winds it up: halting it would leave a machine without a guard.</summary>
+    private async Task<bool> IsOurJobRunningAsync(CancellationToken cancellation) =>
+        (await Commands.ReadAsync($"_XQ{ResidentProgram.WatchdogThread}", cancellation).ConfigureAwait(false)).OrNothing is >= 0
+        && (await Commands.ReadAsync(ResidentProgram.Variables.Heartbeat, cancellation).ConfigureAwait(false)).OrNothing is > 0;
 
     /// <summary>Speeds, accelerations and motors as they were found. To be called at rest.</summary>
     /// <returns>One sentence for each setting that could not be brought back.</returns>

@@ -1,10 +1,11 @@
+using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
 /// <summary>The controller as it was found: what this program changes, so that it can be left so (galil-dmc.md F.2, L.3). What the controller cannot say is not in it.</summary>
 /// <param name="Wire">CF, CW, DR and the number format: changed by the handshake.</param>
-/// <param name="Motion">VS VA VD VR of the S plane and SP AC DC of every axis: changed by a job.</param>
+/// <param name="Motion">The selected plane, VS VA VD VR of the S plane and SP AC DC of every axis: changed by a job.</param>
 /// <param name="MotorsOff">Letters of the axes whose motor was off.</param>
 public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Motion, string MotorsOff)
 {
@@ -12,10 +13,12 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
     {
         var wire = await WireState.ReadAsync(channel, echo, cancellation).ConfigureAwait(false);
         var motion = new List<FoundSetting>();
-        foreach (var (operand, command) in Settings(letters))
+        if ((await channel.ReadAsync("_CA", cancellation).ConfigureAwait(false)).OrNothing is { } plane) motion.Add(new FoundSetting("_CA", plane == 0.0 ? "CAS" : "CAT"));
+        if (await SpeedRatioAsync(channel, cancellation).ConfigureAwait(false) is { } ratio) motion.Add(new FoundSetting("_VRS", ratio));
+        foreach (var (operand, command) in WholeNumbers(letters))
         {
             var reading = await channel.ReadAsync(operand, cancellation).ConfigureAwait(false);
-            if (reading.OrNothing is { } value) motion.Add(new FoundSetting(operand, command, value));
+            if (reading.OrNothing is { } value) motion.Add(new FoundSetting(operand, command + DmcFormat.Number(value)));
         }
 
         var off = "";
@@ -28,12 +31,17 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
         return new FoundState(wire, motion, off);
     }
 
-    private static IEnumerable<(string Operand, string Command)> Settings(string letters)
+    /// <summary>VR has a resolution of 1/65536, finer than four decimals, which are moreover cut off: 0.3 would come back as 0.2999. Hexadecimal is exact (galil-dmc.md A.3 Numbers, E Messages).</summary>
+    /// <remarks>VR has no form with a plane letter; the first field is the S plane (galil-dmc.md B.1).</remarks>
+    private static async Task<string?> SpeedRatioAsync(CommandChannel channel, CancellationToken cancellation)
+    {
+        if (await channel.SendAsync("MG _VRS{$8.4}", cancellation).ConfigureAwait(false) is Accepted { Data: ['$', ..] exact }) return "VR " + exact;
+        return (await channel.ReadAsync("_VRS", cancellation).ConfigureAwait(false)).OrNothing is { } ratio ? "VR " + DmcFormat.Number(ratio) : null;
+    }
+
+    private static IEnumerable<(string Operand, string Command)> WholeNumbers(string letters)
     {
         foreach (var name in new[] { "VS", "VA", "VD" }) yield return ($"_{name}S", $"{name}S=");
-
-        // VR has no form with a plane letter; the first field is the S plane (galil-dmc.md B.1).
-        yield return ("_VRS", "VR ");
         foreach (var letter in letters)
         {
             foreach (var name in new[] { "SP", "AC", "DC" }) yield return ($"_{name}{letter}", $"{name}{letter}=");

@@ -2,7 +2,7 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>The first questions on a fresh connection (galil-dmc.md F.2): nothing here changes the controller.</summary>
+/// <summary>The first questions on a connection that has given a sign of life (galil-dmc.md F.2): nothing here changes the controller.</summary>
 internal static class Handshake
 {
     private const string RevisionQuestion = "\x12\x16";
@@ -10,7 +10,6 @@ internal static class Handshake
     /// <exception cref="ProtocolViolationException">What answers is no controller of the DMC family.</exception>
     public static async Task<ControllerIdentity> IdentifyAsync(CommandChannel channel, CancellationToken cancellation)
     {
-        await channel.SendAsync("", cancellation).ConfigureAwait(false);
         var model = await TextAsync(channel, RevisionQuestion, cancellation).ConfigureAwait(false);
         var axes = ControllerIdentity.AxesOf(model) ?? throw new ProtocolViolationException($"'{model}' answers on the link; a controller of the DMC family was expected.");
         var handle = await TextAsync(channel, "WH", cancellation).ConfigureAwait(false);

@@ -66,7 +66,13 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
         for (var standing = 0; ; standing++)
         {
             var reading = await session.StopHandle.ReadAsync(Operands, cancellation).ConfigureAwait(false);
-            if (reading.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
+            if (reading.Refusal is { } refused)
+            {
+                // Once is an accident; whoever never answers is asked no longer.
+                if (standing > PatiencePolls) throw new ProtocolViolationException(refused.Explain());
+                continue;
+            }
+
             var v = reading.Values;
             var now = new StandstillReport((int)v[3], (int)v[4], (int)v[5], (long)v[6]);
             if (v[0] == 0 && v[1] == 0 && v[2] == 0) return now;

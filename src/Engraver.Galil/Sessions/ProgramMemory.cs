@@ -1,3 +1,4 @@
+using System.Text;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
@@ -7,18 +8,21 @@ public sealed class ProgramMemory(ControllerSession session)
 {
     private string? _found;
 
-    /// <summary>Uploads what is there, keeps a copy in a file, downloads <paramref name="program"/> and compares it with what then stands in the memory.</summary>
-    /// <param name="copyPath">Where the found program is kept in case this program dies; null for nowhere.</param>
-    /// <param name="isOurs">Whether a found program is one of ours, left behind by a run that died: what that run had found lies in its copy, and that is given back.</param>
+    /// <summary>One character is one byte of the memory, whatever language its comments are in.</summary>
+    public static Encoding CopyEncoding => Encoding.Latin1;
+
+    /// <summary>What stands in the memory; it changes nothing.</summary>
+    public ValueTask<Reply> LookAsync(CancellationToken cancellation) => session.Commands.UploadAsync(cancellation);
+
+    /// <summary>Keeps a copy of what is to be given back in a file, downloads <paramref name="program"/> and compares it with what then stands in the memory.</summary>
+    /// <param name="found">What is given back at the end.</param>
+    /// <param name="copyPath">Where it is kept in case this program dies; null for nowhere.</param>
     /// <returns>The refusal, or null when the program stands in the memory.</returns>
     /// <exception cref="ProtocolViolationException">The memory holds something else than what was sent.</exception>
     /// <exception cref="IOException">The copy could not be written; the memory is untouched.</exception>
-    public async Task<Rejected?> BorrowAsync(string program, string? copyPath, Func<string, bool> isOurs, CancellationToken cancellation)
+    public async Task<Rejected?> BorrowAsync(string program, string found, string? copyPath, CancellationToken cancellation)
     {
-        var upload = await session.Commands.UploadAsync(cancellation).ConfigureAwait(false);
-        if (upload is not Accepted { Data: var found }) return upload as Rejected;
-        if (copyPath is not null && isOurs(found) && File.Exists(copyPath)) found = await File.ReadAllTextAsync(copyPath, cancellation).ConfigureAwait(false);
-        else if (copyPath is not null) await File.WriteAllTextAsync(copyPath, found + "\n", cancellation).ConfigureAwait(false);
+        if (copyPath is not null) await File.WriteAllTextAsync(copyPath, found + "\n", CopyEncoding, cancellation).ConfigureAwait(false);
         _found = found;
         return await ReplaceAsync(program, cancellation).ConfigureAwait(false);
     }

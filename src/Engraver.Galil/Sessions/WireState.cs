@@ -1,3 +1,4 @@
+using System.Globalization;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 
@@ -9,7 +10,7 @@ namespace Engraver.Galil.Sessions;
 /// <param name="MessageMark">_CW: 1 marks unsolicited bytes with bit 7, 2 does not.</param>
 /// <param name="RecordPeriod">_DR0: samples between pushed records, 0 for none.</param>
 /// <param name="RecordHandle">_DR1.</param>
-/// <param name="NumberFormat">_VF.</param>
+/// <param name="NumberFormat">_VF: m.n, one digit behind the point; as it is printed that digit may have been cut (8.2 reads 8.1999).</param>
 public sealed record WireState(double? Echo, char? MessagePort, double? MessageMark, double? RecordPeriod, double? RecordHandle, double? NumberFormat)
 {
     /// <param name="heardEcho">Whether the echo was on when a serial line was greeted; null elsewhere: the controller is asked.</param>
@@ -28,7 +29,7 @@ public sealed record WireState(double? Echo, char? MessagePort, double? MessageM
     /// <summary>The commands that bring the conversation back, in the order that keeps the replies readable to the last.</summary>
     internal IEnumerable<string> RestoreCommands(double? echoNow)
     {
-        if (NumberFormat is { } format) yield return "VF " + DmcFormat.Number(format);
+        if (NumberFormat is { } format) yield return string.Create(CultureInfo.InvariantCulture, $"VF {format:0.0}");
         if (RecordPeriod is > 0 && RecordHandle is { } handle) yield return $"DR {DmcFormat.Number(RecordPeriod.Value)},{DmcFormat.Number(handle)}";
         if (MessagePort is { } port) yield return $"CF {port}";
         if (MessageMark is 1 or 2) yield return "CW " + DmcFormat.Number(MessageMark.Value);

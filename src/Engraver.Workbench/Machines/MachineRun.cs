@@ -42,6 +42,7 @@ public static class MachineRun
         {
             Mode = options.Mode,
             JournalPath = options.JournalPath,
+            Address = connection.Description,
             DrawingName = job.Drawing.FileName,
             DryRun = options.DryRun,
             SourceOf = job.Drawing.SourceOf,

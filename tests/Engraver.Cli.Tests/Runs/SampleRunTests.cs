@@ -76,7 +76,7 @@ public class SampleRunTests
         var report = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
 
         Assert.Equal(
-            ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "missingLength", "deviationSource", "journal"],
+            ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "missingLength", "deviationSource", "journal", "leftOut"],
             report.EnumerateObject().Select(field => field.Name));
         Assert.Equal((50000, 50000), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
         Assert.True(File.Exists(folder.PathOf("run.jsonl")));
@@ -102,7 +102,22 @@ public class SampleRunTests
         var accepted = await CliRun.Of("run", file, "--connect", "sim:", "--json", "--accept-errors", "--journal", folder.PathOf("b.jsonl"));
 
         Assert.Equal((ExitCode.DrawingError, "refused", 0), (refused.ExitCode, JsonText.Of(refused).GetProperty("outcome").GetString(), JsonText.Of(refused).GetProperty("segmentsSent").GetInt32()));
-        Assert.Equal((ExitCode.Done, "complete"), (accepted.ExitCode, JsonText.Of(accepted).GetProperty("outcome").GetString()));
+        Assert.Equal((ExitCode.DrawingError, "complete", 1), (accepted.ExitCode, JsonText.Of(accepted).GetProperty("outcome").GetString(), JsonText.Of(accepted).GetProperty("segmentsExecuted").GetInt32()));
+    }
+
+    [Fact]
+    public async Task What_an_accepted_error_leaves_out_is_counted_and_said()
+    {
+        using var folder = new TemporaryFolder();
+        var file = folder.WithFile("odd.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n4\n0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\nx\n0\nENDSEC\n0\nEOF\n");
+        var json = await CliRun.Of("run", file, "--connect", "sim:", "--json", "--accept-errors", "--journal", folder.PathOf("a.jsonl"));
+        var told = await CliRun.Of("run", file, "--connect", "sim:", "--accept-errors", "--journal", folder.PathOf("b.jsonl"));
+        var leftOut = JsonText.Of(json).GetProperty("leftOut");
+
+        Assert.Equal((1, System.Text.Json.JsonValueKind.Null), (leftOut.GetProperty("count").GetInt32(), leftOut.GetProperty("length").ValueKind));
+        Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError), (json.ExitCode, told.ExitCode));
+        Assert.Contains("1 of its entities could not be read and is LEFT OUT", told.Out, StringComparison.Ordinal);
+        Assert.DoesNotContain("nothing of it is missing", told.Out, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -40,6 +40,16 @@ public class BadInputTests
     }
 
     [Fact]
+    public async Task An_impossible_feed_is_the_fault_of_the_feed_and_not_of_the_profile()
+    {
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--feed", "1e9");
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("--feed 1000000000: the machine cuts 0.12 to 720000 mm/min", run.Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("profile", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task A_truncated_file_is_exit_1_and_what_stands_before_the_cut_is_read()
     {
         using var folder = new TemporaryFolder();

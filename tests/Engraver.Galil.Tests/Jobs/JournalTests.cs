@@ -13,7 +13,9 @@ public class JournalTests
     {
         var lines = await JournalOfAsync(MotionPrograms.TwoStrokes, SimulatedBench.Job with { Mode = mode, DrawingName = "two.dxf" });
 
-        Assert.Equal(["job", "progress", "progress", "end"], lines.Select(line => line.GetProperty("kind").GetString()));
+        Assert.Equal(["found", "job", "progress", "progress", "end"], lines.Select(line => line.GetProperty("kind").GetString()));
+        Assert.Equal("VAS=256000", lines[0].GetProperty("state").GetProperty("motion").EnumerateArray().Single(setting => setting.GetProperty("operand").GetString() == "_VAS").GetProperty("restoreCommand").GetString());
+        lines.RemoveAt(0);
         Assert.Equal(("two.dxf", "DMC2143 Rev 1.0o", 2), (lines[0].GetProperty("drawing").GetString(), lines[0].GetProperty("controller").GetString(), lines[0].GetProperty("segmentCount").GetInt32()));
         Assert.Equal((0, 7, 1), At(lines[1]));
         Assert.Equal((1, 3, 2), At(lines[2]));

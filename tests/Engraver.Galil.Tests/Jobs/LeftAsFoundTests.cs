@@ -35,6 +35,18 @@ public class LeftAsFoundTests
     }
 
     [Fact]
+    public async Task Run_after_run_no_setting_drifts_by_the_last_bit()
+    {
+        await using var bench = new SimulatedBench();
+        await bench.SendAsync("VR 0.3", "VF 7.1", "CAT", "VSS=6002");
+        var before = await bench.FingerprintAsync();
+
+        for (var run = 0; run < 3; run++) Assert.Empty((await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job)).NotRestored);
+
+        Assert.Equal(before, await bench.FingerprintAsync());
+    }
+
+    [Fact]
     public async Task An_empty_program_memory_is_empty_again()
     {
         await using var bench = new SimulatedBench();

@@ -71,7 +71,7 @@ public class RefusalTests
             var status = bench.Controller.Status;
             Assert.Equal((false, 0, 0), (status.IsMoving || status.IsSequenceOpen, status.Outputs, status.RunningThreads));
             if (result.Outcome == JobOutcome.Refused) refusals++;
-            else Assert.Equal(JobOutcome.Complete, result.Outcome);
+            else Assert.Equal((command, JobOutcome.Complete, result.Sentence), (command, result.Outcome, result.Sentence));
         }
 
         Assert.InRange(refusals, 50, 120);

@@ -54,7 +54,7 @@ internal sealed class SimulatedBench : IAsyncDisposable
     {
         string[] questions =
         [
-            "_CF", "_CW", "_DR0", "_VF", "_VSS", "_VAS", "_VDS", "_VRS", "_OP0", "_NO",
+            "_CF", "_CW", "_DR0", "_VF", "_VSS", "_VAS", "_VDS", "_VRS", "_OP0", "_NO", "_CA", "_VRS{$8.4}",
             .. "ABCD".SelectMany(axis => new[] { "_SP", "_AC", "_DC", "_MO" }.Select(name => name + axis)),
         ];
         await using var channel = OpenChannel();

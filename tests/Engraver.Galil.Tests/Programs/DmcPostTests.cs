@@ -17,7 +17,7 @@ public class DmcPostTests
         Assert.Equal(
             """
             #JOB
-            CB1;SHAB
+            CB1;SHAB;ox=_RPA;oy=_RPB
             CAS;VA 256000;VD 256000
             ACA=256000;ACB=256000;DCA=256000;DCB=256000
             SPA=5000;SPB=5000
@@ -51,7 +51,7 @@ public class DmcPostTests
             seq=seq+1
             EN
             #RAPID
-            PAA=x;PAB=y
+            PAA=ox+x;PAB=oy+y
             BGAB
             AMAB
             seq=seq+1
@@ -81,11 +81,11 @@ public class DmcPostTests
         Assert.Equal(
             """
             #JOB
-            CB1;SHAB
+            CB1;SHAB;ox=_RPA;oy=_RPB
             CAS;VA 256000;VD 256000
             ACA=256000;ACB=256000;DCA=256000;DCB=256000
             SPA=5000;SPB=5000
-            PAA=5000;PAB=5000;BGAB;AMAB
+            PAA=ox+5000;PAB=oy+5000;BGAB;AMAB
             VMAB;VS 2000
             VP 10000,0
             VE;SB1;WT 100;BGS;AMS
@@ -109,12 +109,12 @@ public class DmcPostTests
     }
 
     [Fact]
-    public void Rapids_count_from_what_the_controller_reads_at_the_start()
+    public void Only_the_first_chunk_takes_the_place_of_the_start()
     {
-        var options = DmcPostOptions.Default with { ControllerAtStart = new CountsPoint(-70, 30) };
+        var post = Post(Program(Rings(40), HundredCounts, MotionStyle.Continuous), DmcPostOptions.Default with { MemoryLines = 70 });
 
-        Assert.Contains("PAA=4930;PAB=5030;", DmcPost.Sequences(Program(Toolpaths.Paper, HundredCounts, MotionStyle.Continuous), options).Text, StringComparison.Ordinal);
-        Assert.Contains("x=4930;y=5030;JS#RAPID", DmcPost.Calls(Program(Toolpaths.Paper, HundredCounts, MotionStyle.Calls), options).Text, StringComparison.Ordinal);
+        Assert.True(post.Chunks.Count > 1);
+        Assert.Equal([.. Enumerable.Repeat(1, 1), .. Enumerable.Repeat(0, post.Chunks.Count - 1)], post.Chunks.Select(chunk => Lines(chunk).Count(line => line.Contains("ox=_RPA", StringComparison.Ordinal))));
     }
 
     [Fact]
@@ -216,7 +216,7 @@ public class DmcPostTests
         foreach (var chunk in post.Chunks)
         {
             var statements = Lines(chunk).SelectMany(line => line.Split(';')).ToList();
-            Assert.Equal(($"PAA={x}", $"PAB={y}"), (statements.Single(s => s.StartsWith("PAA=", StringComparison.Ordinal)), statements.Single(s => s.StartsWith("PAB=", StringComparison.Ordinal))));
+            Assert.Equal(($"PAA=ox{x:+0;-0}", $"PAB=oy{y:+0;-0}"), (statements.Single(s => s.StartsWith("PAA=", StringComparison.Ordinal)), statements.Single(s => s.StartsWith("PAB=", StringComparison.Ordinal))));
             var last = statements.Last(s => s.StartsWith("VP ", StringComparison.Ordinal))[3..].Split(',');
             x += int.Parse(last[0], System.Globalization.CultureInfo.InvariantCulture);
             y += int.Parse(last[1], System.Globalization.CultureInfo.InvariantCulture);

@@ -60,6 +60,24 @@ public class PostInControllerTests
     }
 
     [Theory]
+    [InlineData(MotionStyle.Calls)]
+    [InlineData(MotionStyle.Continuous)]
+    public async Task From_wherever_the_position_stands_the_start_point_of_the_drawing_is_there(MotionStyle style)
+    {
+        var (wave, profile) = Drawing("wave");
+        var toolpath = wave with { ToolStart = new Point2D(1.5, -2) };
+        var post = Post(MotionProgramGenerator.Generate(toolpath, profile, 0.001, null, style).Program!, 70);
+        await using var bench = new ControllerBench();
+        bench.Do("DP 7000,-3000");
+
+        foreach (var chunk in post.Chunks) bench.RunJob(chunk);
+
+        Assert.True(post.Chunks.Count > 2);
+        var drawn = bench.Record.Select(row => row with { A = row.A - 7000 + 1500, B = row.B + 3000 - 2000 }).ToList();
+        AssertCutAsDrawn(toolpath, profile.Scale, drawn);
+    }
+
+    [Theory]
     [InlineData(MotionStyle.Calls, "x=0;y=0;JS#LINEAR")]
     [InlineData(MotionStyle.Continuous, "VP 0,0;VP 999999999,0")]
     public async Task A_refused_line_ends_the_job_with_the_tool_off(MotionStyle style, string refused)

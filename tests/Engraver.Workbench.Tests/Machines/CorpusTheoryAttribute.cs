@@ -1,0 +1,13 @@
+using Engraver.TestKit;
+
+namespace Engraver.Workbench.Tests.Machines;
+
+/// <summary>A test on drawings of the corpus beside the project; skipped where that is not laid out. In CI its absence is a failure.</summary>
+[AttributeUsage(AttributeTargets.Method)]
+public sealed class CorpusTheoryAttribute : TheoryAttribute
+{
+    public CorpusTheoryAttribute()
+    {
+        if (RepositoryFolder.Corpus is null) Skip = "The corpus does not stand beside the project.";
+    }
+}

@@ -1,0 +1,70 @@
+using System.Globalization;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
+using Engraver.Simulator;
+using Engraver.TestKit;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Tests.Machines;
+
+/// <summary>A simulated controller at full speed behind a socket or a pseudo-terminal, and its record held against a drawing.</summary>
+/// <remarks>All clocks stand: only commands and bytes move the controller's time, so that a busy computer cannot, and the host takes it for one whose time runs ahead.</remarks>
+internal sealed class ServedController : IAsyncDisposable
+{
+    /// <summary>The fastest rate of the serial port: every byte still takes its time.</summary>
+    private const int Baud = 115200;
+
+    private readonly ManualTimeProvider _clock;
+    private readonly DirectoryInfo _folder;
+    private readonly SimulatedController _controller;
+    private readonly ControllerAddress _address;
+
+    private ServedController(ManualTimeProvider clock, DirectoryInfo folder, SimulatedController controller, ControllerAddress address)
+    {
+        _clock = clock;
+        _folder = folder;
+        _controller = controller;
+        _address = address;
+    }
+
+    /// <param name="link">tcp or serial.</param>
+    public static async Task<ServedController> StartAsync(string link)
+    {
+        var clock = new ManualTimeProvider();
+        var folder = Directory.CreateTempSubdirectory("engraver-test-");
+        var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = clock });
+        var address = link == "tcp" ? await ListenAsync(controller) : await ServeSerialAsync(controller, Path.Combine(folder.FullName, "tty"));
+        Assert.True(ControllerAddress.TryParse(address, out var parsed));
+        return new ServedController(clock, folder, controller, parsed);
+    }
+
+    /// <summary>Cuts the drawing over the link.</summary>
+    public async Task<(JobResult Result, RunJudgement Judged)> CutAsync(string drawing, JobMode mode)
+    {
+        var job = JobPreparation.Prepare(DrawingFile.Open(drawing, null, CancellationToken.None), new DrawingSettings(), MachineRunOptions.StyleOf(mode));
+        var options = new MachineRunOptions(_address, mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
+        var program = MachineRun.FitToLink(job.Motion.Program!, options, job.Drawing).Program;
+        var report = await MachineRun.RunAsync(job, program, options, _clock, null, CancellationToken.None);
+        return (report.Result, RunJudge.ByRecord(job, _controller.Record.Snapshot(), 0, 0));
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        await _controller.DisposeAsync();
+        _folder.Delete(recursive: true);
+    }
+
+    private static async Task<string> ListenAsync(SimulatedController controller)
+    {
+        var place = await controller.ListenTcpAsync(0, CancellationToken.None);
+        return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}");
+    }
+
+    private static async Task<string> ServeSerialAsync(SimulatedController controller, string path)
+    {
+        await controller.ServeSerialAsync(path, Baud, CancellationToken.None);
+        return string.Create(CultureInfo.InvariantCulture, $"serial://{path}?baud={Baud}");
+    }
+}
