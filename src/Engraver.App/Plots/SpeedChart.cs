@@ -15,13 +15,15 @@ public sealed class SpeedChart : Control
     private const double BottomRoom = 22;
     private const double TopRoom = 22;
     private const double RightRoom = 10;
+    private const double CursorWidth = 2;
 
     public static readonly StyledProperty<SpeedCurve?> CurveProperty = AvaloniaProperty.Register<SpeedChart, SpeedCurve?>(nameof(Curve));
     public static readonly StyledProperty<double> AtProperty = AvaloniaProperty.Register<SpeedChart, double>(nameof(At), defaultBindingMode: Avalonia.Data.BindingMode.TwoWay);
     public static readonly StyledProperty<IBrush?> LineBrushProperty = AvaloniaProperty.Register<SpeedChart, IBrush?>(nameof(LineBrush));
     public static readonly StyledProperty<IBrush?> GridBrushProperty = AvaloniaProperty.Register<SpeedChart, IBrush?>(nameof(GridBrush));
+    public static readonly StyledProperty<IBrush?> CursorBrushProperty = AvaloniaProperty.Register<SpeedChart, IBrush?>(nameof(CursorBrush));
 
-    static SpeedChart() => AffectsRender<SpeedChart>(CurveProperty, AtProperty, LineBrushProperty, GridBrushProperty, TextElement.ForegroundProperty);
+    static SpeedChart() => AffectsRender<SpeedChart>(CurveProperty, AtProperty, LineBrushProperty, GridBrushProperty, CursorBrushProperty, TextElement.ForegroundProperty);
 
     public SpeedCurve? Curve
     {
@@ -48,6 +50,13 @@ public sealed class SpeedChart : Control
         set => SetValue(GridBrushProperty, value);
     }
 
+    /// <summary>The moment of the tool.</summary>
+    public IBrush? CursorBrush
+    {
+        get => GetValue(CursorBrushProperty);
+        set => SetValue(CursorBrushProperty, value);
+    }
+
     private Rect Field => new(LeftRoom, TopRoom, Math.Max(1.0, Bounds.Width - LeftRoom - RightRoom), Math.Max(1.0, Bounds.Height - TopRoom - BottomRoom));
 
     public override void Render(DrawingContext context)
@@ -58,7 +67,7 @@ public sealed class SpeedChart : Control
         DrawGrid(context, field, curve);
         context.DrawGeometry(null, new Pen(LineBrush, 1.2), LineOf(curve, field));
         var x = field.X + (field.Width * Math.Clamp(At / curve.TotalSeconds, 0.0, 1.0));
-        context.DrawLine(new Pen(TextElement.GetForeground(this)), new Point(x, field.Y), new Point(x, field.Bottom));
+        context.DrawLine(new Pen(CursorBrush, CursorWidth), new Point(x, field.Y), new Point(x, field.Bottom));
     }
 
     protected override void OnPointerPressed(PointerPressedEventArgs e)

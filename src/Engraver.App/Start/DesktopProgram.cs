@@ -52,6 +52,8 @@ public static class DesktopProgram
         window.Opened += async (_, _) =>
         {
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
+            await window.CanvasFeed.Shown;
+            window.Canvas.RefineNow();
             if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, End);
