@@ -17,5 +17,16 @@ public sealed class ConsoleStreams(Stream output, TextWriter error, TextReader? 
     /// <summary>True when a person sits at both ends: keys are read one by one and replies are coloured.</summary>
     public bool Interactive { get; init; }
 
-    public void Dispose() => Out.Dispose();
+    /// <summary>What could not be written has been said when it was flushed.</summary>
+    public void Dispose()
+    {
+        try
+        {
+            Out.Dispose();
+        }
+        catch (IOException)
+        {
+            // The place is full or gone: disposing tries once more, in vain.
+        }
+    }
 }

@@ -13,6 +13,7 @@ internal static class EngraverCommandLine
         global.AddTo(root);
         var host = new VerbHost(streams, global);
         root.Subcommands.Add(InfoVerb.Build(host));
+        root.Subcommands.Add(MinimiseVerb.Build(host));
         root.Subcommands.Add(TableVerb.Build(host));
         root.Subcommands.Add(SequenceVerb.Build(host));
         root.Subcommands.Add(PlotVerb.Build(host));

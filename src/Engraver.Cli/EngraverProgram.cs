@@ -55,6 +55,10 @@ public static class EngraverProgram
         {
             return Say(streams, "Stopped by the operator.", ExitCode.StoppedByOperator);
         }
+        catch (IOException unwritable)
+        {
+            return Say(streams, $"the result cannot be written: {unwritable.Message}", ExitCode.DrawingError);
+        }
         catch (Exception bug)
         {
             return Say(streams, CrashReport.Write(bug, args), ExitCode.InternalError);
@@ -66,7 +70,7 @@ public static class EngraverProgram
         var global = new GlobalOptions();
         var root = EngraverCommandLine.Build(streams, global);
         var parsed = root.Parse(args);
-        if (parsed.Errors.Count > 0) return Say(streams, OneLine(parsed.Errors[0].Message) + " See engraver --help.", ExitCode.Usage);
+        if (parsed.Errors.Count > 0) return Say(streams, (VerbSuggestion.For(args, root) ?? OneLine(parsed.Errors[0].Message)) + " See engraver --help.", ExitCode.Usage);
         if (global.Culture(parsed) is { } culture) CultureInfo.CurrentUICulture = culture;
         var settings = new InvocationConfiguration
         {

@@ -117,6 +117,7 @@ public sealed partial class DrawingCanvas : Panel
         var arranged = base.ArrangeOverride(finalSize);
         if (finalSize.Width > 0.0 && finalSize.Height > 0.0) View?.SetAspect(finalSize.Width / finalSize.Height);
         UpdateView(finalSize);
+        UpdateContent();
         return arranged;
     }
 

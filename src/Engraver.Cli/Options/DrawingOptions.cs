@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Galil.Profiles;
@@ -18,6 +19,7 @@ internal sealed class DrawingOptions
     private readonly Option<IReadOnlyList<string>?> _layers = new("--layers") { HelpName = "A,B", Description = "Cut only these layers, even when they are off (default: visible, not frozen, plottable).", CustomParser = OptionValue.Names };
     private readonly Option<IReadOnlyList<string>?> _skip = new("--skip-layers") { HelpName = "A,B", Description = "Leave these layers out.", CustomParser = OptionValue.Names };
     private readonly Option<string> _units = Choice("--units", "auto", "Unit of the drawing, whatever it says itself.", "mm", "inch", "auto");
+    private readonly Option<CutChoice> _cut = new("--cut") { HelpName = "hatch,mline,leader,helix,solid", Description = "Construction that is to be cut all the same (default: none).", CustomParser = OptionValue.Choices };
     private readonly Option<double> _join = Number("--join-tolerance", "MM", s_defaults.JoinToleranceMm, "Ends this close are one point.", OptionValue.NumberFromZero);
     private readonly Option<double> _maxError = Number("--max-error", "MM", s_defaults.MaxErrorMm, "How far a chord may stand off its curve.", OptionValue.PositiveNumber);
     private readonly Option<Point2D> _start = new("--start") { HelpName = "X,Y", Description = "Drawing point where the tool stands (default 0,0).", CustomParser = OptionValue.Point };
@@ -36,7 +38,7 @@ internal sealed class DrawingOptions
     /// <summary>For a verb whose drawing is named by an option of its own.</summary>
     public void AddOptionsTo(Command command)
     {
-        foreach (var option in (Option[])[_layers, _skip, _units, _join, _maxError, _start, _enter, _order, _keepDuplicates, _machine, _feed]) command.Options.Add(option);
+        foreach (var option in (Option[])[_layers, _skip, _units, _cut, _join, _maxError, _start, _enter, _order, _keepDuplicates, _machine, _feed]) command.Options.Add(option);
     }
 
     public string File(ParseResult parsed) => parsed.GetRequiredValue(_file);
@@ -45,6 +47,7 @@ internal sealed class DrawingOptions
     public DrawingSettings Settings(ParseResult parsed) => new()
     {
         Unit = parsed.GetValue(_units) switch { "mm" => new LengthUnit(4, "mm", "option", 1.0), "inch" => new LengthUnit(1, "in", "option", 25.4), _ => null },
+        Cut = parsed.GetValue(_cut),
         Layers = parsed.GetValue(_layers),
         SkippedLayers = parsed.GetValue(_skip) ?? [],
         JoinToleranceMm = parsed.GetValue(_join),

@@ -35,7 +35,7 @@ internal sealed class GlobalOptions
         var name = result.Tokens[0].Value;
         try
         {
-            return CultureInfo.GetCultureInfo(name);
+            return CultureInfo.GetCultureInfo(name, predefinedOnly: true);
         }
         catch (CultureNotFoundException)
         {

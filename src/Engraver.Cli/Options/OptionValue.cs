@@ -1,5 +1,6 @@
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Cli.Options;
@@ -23,6 +24,19 @@ internal static class OptionValue
     {
         var parts = word.Split(',');
         return parts.Length == 2 && TryNumber(parts[0], out var x) && TryNumber(parts[1], out var y) ? new Point2D(x, y) : null;
+    }
+
+    /// <summary>The words of <see cref="CutChoice"/>, parted by commas.</summary>
+    public static CutChoice Choices(ArgumentResult result)
+    {
+        var choice = CutChoice.None;
+        foreach (var word in Names(result))
+        {
+            if (char.IsAsciiLetter(word[0]) && Enum.TryParse<CutChoice>(word, ignoreCase: true, out var one)) choice |= one;
+            else result.AddError($"{Name(result)}: '{word}' cannot be cut; name some of hatch, mline, leader, helix, solid.");
+        }
+
+        return choice;
     }
 
     public static IReadOnlyList<string> Names(ArgumentResult result) =>

@@ -16,6 +16,6 @@ internal static class ClDataOutput
     public static void Write(VerbHost host, string? path, Drawing read, SequencingResult sequence, DrawingSettings settings)
     {
         if (read.HasErrors && sequence.Contours == 0) return;
-        host.Write(path, writer => ClData.Write(JobPreparation.PathOf(sequence, settings), writer));
+        host.Write(path, writer => ClData.Write(sequence, settings.Start, writer));
     }
 }

@@ -17,7 +17,8 @@ internal sealed record InfoJson(
     InfoJson.LengthJson Length,
     InfoJson.BoundsJson? Bounds,
     IReadOnlyList<InfoJson.LayerJson> Layers,
-    IReadOnlyList<DiagnosticJson> Diagnostics)
+    IReadOnlyList<DiagnosticJson> Diagnostics,
+    IReadOnlyList<InfoJson.TextJson> Texts)
 {
     internal sealed record UnitsJson(int Code, string Name, string Source, double ToMillimetres);
 
@@ -33,6 +34,10 @@ internal sealed record InfoJson(
     internal sealed record LengthJson(double Line, double Arc, double Circle, double Ellipse, double Spline, double Total, double PlanTotal);
 
     internal sealed record BoundsJson(double MinX, double MinY, double MaxX, double MaxY);
+
+    /// <summary>A text with its place in drawing units; <c>column</c> and <c>row</c> are its alignment.</summary>
+    internal sealed record TextJson(
+        string Type, string Content, double X, double Y, double Height, double Rotation, double WidthFactor, bool Mirrored, string Column, string Row, string Style, string Font, string Layer, bool Hidden, string? Handle, long Line);
 
     internal sealed record LayerJson(string Name, bool On, bool Frozen, bool Plot, int Entities);
 }

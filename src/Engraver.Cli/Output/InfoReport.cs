@@ -1,3 +1,4 @@
+using System.Globalization;
 using Engraver.Core.Drawings;
 
 namespace Engraver.Cli.Output;
@@ -5,6 +6,9 @@ namespace Engraver.Cli.Output;
 /// <summary>What is in a drawing, for programs.</summary>
 internal static class InfoReport
 {
+    /// <summary>More are in the drawing, not in the report.</summary>
+    private const int ShownTexts = 10_000;
+
     public static InfoJson Json(Drawing drawing, DrawingSummary summary)
     {
         var balance = drawing.Balance;
@@ -25,8 +29,13 @@ internal static class InfoReport
             new InfoJson.LengthJson(length.Line, length.Arc, length.Circle, length.Ellipse, length.Spline, length.Total, length.PlanTotal),
             summary.Bounds is { } box ? new InfoJson.BoundsJson(box.MinX, box.MinY, box.MaxX, box.MaxY) : null,
             [.. drawing.Layers.Select((layer, index) => new InfoJson.LayerJson(layer.Name, layer.On, layer.Frozen, layer.Plot, Records(balance, index)))],
-            [.. drawing.Diagnostics.Select(DiagnosticJson.From)]);
+            [.. drawing.Diagnostics.Select(DiagnosticJson.From)],
+            [.. drawing.Texts.Take(ShownTexts).Select(text => Text(text, drawing.Layers))]);
     }
+
+    private static InfoJson.TextJson Text(PlacedText text, IReadOnlyList<Layer> layers) => new(
+        text.Type, text.Content, text.Position.X, text.Position.Y, text.Height, text.Rotation.Degrees, text.WidthFactor, text.Mirrored, text.Column.ToString().ToLowerInvariant(), text.Row.ToString().ToLowerInvariant(),
+        text.Style, text.Font, layers[text.Layer].Name, text.Hidden, text.Handle == 0 ? null : text.Handle.ToString("X", CultureInfo.InvariantCulture), text.SourceLine);
 
     private static IReadOnlyList<InfoJson.RefusedJson> Refused(IReadOnlyList<RefusedEntity> entities) => [.. entities.Select(InfoJson.RefusedJson.From)];
 

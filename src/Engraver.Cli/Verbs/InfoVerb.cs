@@ -2,6 +2,7 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
 
@@ -14,16 +15,24 @@ internal static class InfoVerb
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
+        var twice = new Option<bool>("--twice") { Description = "Read the file a second time with other, simpler code and compare; exit 1 when the two differ." };
         var command = new Command("info", "Says what is in a drawing and what was not read.");
         drawing.AddTo(command);
         command.Options.Add(json);
+        command.Options.Add(twice);
         command.SetAction((parsed, stop) =>
         {
-            var read = DrawingFile.Open(drawing.File(parsed), drawing.Settings(parsed).Unit, stop);
+            var settings = drawing.Settings(parsed);
+            var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
+            JobPreparation.CheckLayers(read, settings);
             var summary = DrawingSummary.Of(read);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary), ContractJson.Default.InfoJson);
             else DrawingText.Write(host.Out, read, summary);
-            return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
+            // The second reading knows curves only, not the outlines of --cut.
+            var curves = settings.Cut == CutChoice.None ? summary : DrawingSummary.Of(DrawingFile.Open(read.FileName, settings with { Cut = CutChoice.None }, stop));
+            var agrees = !parsed.GetValue(twice) || SecondOpinionReport.Write(host.Error, read, curves);
+            var code = host.Report(parsed, read.FileName, read.Diagnostics);
+            return Task.FromResult(agrees ? code : ExitCode.DrawingError);
         });
         return command;
     }

@@ -19,7 +19,7 @@ internal static class PlanVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
-            var read = DrawingFile.Open(drawing.File(parsed), settings.Unit, stop);
+            var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var job = JobPreparation.Prepare(read, settings, MotionStyle.Continuous);
             var plan = PlanReport.Json(job);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);

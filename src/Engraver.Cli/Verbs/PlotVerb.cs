@@ -21,7 +21,7 @@ internal static class PlotVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
-            var read = DrawingFile.Open(drawing.File(parsed), settings.Unit, stop);
+            var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var plot = DrawingPlot.Of(read, settings, parsed.GetValue(what) == "drawing");
             host.Write(parsed.GetValue(output), writer => SvgPlotWriter.Write(plot, writer));
             return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));

@@ -45,7 +45,7 @@ internal sealed class RunVerb
     {
         var settings = _drawing.Settings(parsed);
         var mode = Mode(parsed.GetValue(_mode));
-        var read = DrawingFile.Open(_drawing.File(parsed), settings.Unit, stop);
+        var read = DrawingFile.Open(_drawing.File(parsed), settings, stop);
         var job = JobPreparation.Prepare(read, settings, MachineRunOptions.StyleOf(mode));
         var code = _host.Report(parsed, read.FileName, job.Diagnostics);
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))

@@ -23,7 +23,7 @@ internal static class SequenceVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
-            var (read, readSeconds) = Timed(() => DrawingFile.Open(drawing.File(parsed), settings.Unit, stop));
+            var (read, readSeconds) = Timed(() => DrawingFile.Open(drawing.File(parsed), settings, stop));
             var options = JobPreparation.SequencingFor(read, settings);
             var (chained, chainSeconds) = Timed(() => Sequencer.Chain(JobPreparation.Analyse(read, settings), read, options));
             var (result, orderSeconds) = Timed(() => Sequencer.Order(chained, options));

@@ -21,7 +21,7 @@ internal static class TableVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
-            var read = DrawingFile.Open(drawing.File(parsed), settings.Unit, stop);
+            var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var analysed = JobPreparation.Analyse(read, settings);
             var table = parsed.GetValue(asDrawn) ? analysed : JobPreparation.Sequence(read, analysed, settings).Table;
             EntityTableFormat.Write(parsed.GetRequiredValue(format), table, host.Out);

@@ -36,7 +36,7 @@ internal sealed class VerifyVerb
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var settings = _drawing.Settings(parsed);
-        var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings.Unit, stop);
+        var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings, stop);
         var program = ReadBackFile.Open(parsed.GetRequiredValue(_program));
         var report = await ProgramVerification.VerifyAsync(program, drawing, settings, stop).ConfigureAwait(false);
         var json = VerifyJson.From(report);

@@ -1,4 +1,5 @@
 using System.Text;
+using Engraver.Core.Dxf;
 
 namespace Engraver.Core.Diagnostics;
 
@@ -18,6 +19,8 @@ public static class DiagnosticTable
             page.Append('|').Append(' ').Append(rule.Id).Append(" | ").Append(SeverityWord(rule.Severity)).Append(" | ").Append(Cell(rule.Sentence)).Append(" | ").Append(Cell(rule.Advice)).Append(" |\n");
         }
 
+        page.Append("\n## What becomes of each entity type\n\nA mesh among the polylines and every type that is not here is refused with its own line (DXF0016, DXF0012).\n\n");
+        foreach (var (fate, types) in RecordKinds.Fates()) page.Append("* ").Append(fate).Append(": ").AppendJoin(", ", types).Append('\n');
         return page.ToString();
     }
 

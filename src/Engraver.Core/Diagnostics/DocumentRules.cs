@@ -9,5 +9,11 @@ public static class DocumentRules
         "The file cannot be opened: {reason}.",
         "Check the name and the right to read it.");
 
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [Unreadable];
+    public static readonly DiagnosticRule NothingToPost = new(
+        "DOC0002",
+        Severity.Error,
+        "There is nothing to post: no curve of the drawing is cut.",
+        "Look at the drawing with engraver info; name layers with --layers, or have construction cut with --cut.");
+
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [Unreadable, NothingToPost];
 }

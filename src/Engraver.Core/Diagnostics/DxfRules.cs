@@ -106,6 +106,18 @@ public static class DxfRules
     public static readonly DiagnosticRule UnknownCodePage = new("DXF0036", Severity.Info,
         "The code page '{name}' is not known; names were read as Windows-1252 or UTF-8.", "Check the layer names.");
 
+    public static readonly DiagnosticRule OddNumber = new("DXF0037", Severity.Warning,
+        "{type} at {place} has a number in a foreign spelling: {value}.", "Compare the entity with the original drawing; DXF numbers have a decimal point and an E.");
+
+    public static readonly DiagnosticRule OutlineUnusable = new("DXF0038", Severity.Warning,
+        "{type} at {place} was left out: its outline cannot be taken ({why}).", "Explode it in the CAD program, or leave its type out of --cut.");
+
+    public static readonly DiagnosticRule TextsLeftOut = new("DXF0039", Severity.Info,
+        "The drawing has more texts than are kept; {count} are, the others are counted only.", "Reduce the arrays of blocks with text if the texts matter.");
+
+    public static readonly DiagnosticRule OtherFormat = new("DXF0040", Severity.Error,
+        "The file is {format}, not a DXF.", "Unpack it first when it is packed; otherwise open it in the program that made it and save or export it as DXF.");
+
     public static readonly DiagnosticRule SplineFromFitPoints = new("DXF0041", Severity.Info,
         "{type} at {place} has no control points; a cubic spline through its {count} fit points was used (chord lengths, its end tangents where it gives any).",
         "Compare its course with the CAD program's.");
@@ -116,6 +128,6 @@ public static class DxfRules
         EmptyFile, NotDxf, UnitsAssumed, DwgFile, Truncated, DamagedRecord, BadValue, MissingValue, RepeatedValue, NoLength, NegativeRadius, TypeNotRead,
         TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, NestedTooDeep, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
         WidthIgnored, NoExtrusion, NothingInserted, SplineWeights, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, SplineUnusable, BlockTwice, UnknownCodePage,
-        SplineFromFitPoints,
+        OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints,
     ];
 }

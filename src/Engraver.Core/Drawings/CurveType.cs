@@ -10,4 +10,13 @@ public enum CurveType : byte
     Spline,
     LwPolyline,
     Polyline,
+
+    /// <summary>A loop of a hatch boundary (this and the following only when the operator has them cut).</summary>
+    Hatch,
+    MLine,
+    Leader,
+    Helix,
+    Solid,
+    Trace,
+    Face3D,
 }

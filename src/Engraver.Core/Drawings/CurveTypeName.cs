@@ -15,6 +15,13 @@ public static class CurveTypeName
         CurveType.Spline => "SPLINE",
         CurveType.LwPolyline => "LWPOLYLINE",
         CurveType.Polyline => "POLYLINE",
+        CurveType.Hatch => "HATCH",
+        CurveType.MLine => "MLINE",
+        CurveType.Leader => "LEADER",
+        CurveType.Helix => "HELIX",
+        CurveType.Solid => "SOLID",
+        CurveType.Trace => "TRACE",
+        CurveType.Face3D => "3DFACE",
         _ => throw new UnreachableException(),
     };
 }

@@ -20,6 +20,9 @@ public sealed record Drawing(
     /// <summary>Side column of the parts that are ellipses or splines: the exact curves, drawing units.</summary>
     public IReadOnlyList<RationalCurve> Curves { get; init; } = [];
 
+    /// <summary>Every TEXT, MTEXT and ATTRIB with its content and place, blocks expanded (the first million).</summary>
+    public IReadOnlyList<PlacedText> Texts { get; init; } = [];
+
     /// <summary>True when a diagnostic of severity error stands against the drawing (exit code 1; a job does not start without consent).</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 

@@ -28,12 +28,12 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
         public void Add(ref DrawingEntity entity, Drawing drawing)
         {
             _curves[(int)entity.Type]++;
-            var isPolyline = entity.Type is CurveType.LwPolyline or CurveType.Polyline;
+            var isComposed = entity.Type >= CurveType.LwPolyline;
             for (var i = entity.FirstPart; i < entity.FirstPart + entity.PartCount; i++)
             {
                 ref var part = ref drawing.Parts[i];
-                var kind = !isPolyline ? entity.Type : part.Kind == SegmentKind.Line ? CurveType.Line : CurveType.Arc;
-                if (isPolyline) _polylineParts[(int)kind]++;
+                var kind = isComposed ? TypeOf(part.Kind, entity.Type) : entity.Type;
+                if (isComposed) _polylineParts[(int)kind]++;
                 var inPlan = drawing.SegmentOf(part);
                 _lengths[(int)kind] += drawing.SpaceLengthOf(part);
                 _planLength += inPlan.Length;
@@ -54,6 +54,15 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
             new CurveLengths(
                 Length(CurveType.Line), Length(CurveType.Arc), Length(CurveType.Circle), Length(CurveType.Ellipse), Length(CurveType.Spline), _planLength),
             _bounds.IsEmpty ? null : _bounds);
+
+        /// <summary>What a part of a polyline or an outline counts as. An arc of a polyline stays one, also where a block's scale has made an ellipse of it.</summary>
+        private static CurveType TypeOf(SegmentKind kind, CurveType whole) => kind switch
+        {
+            SegmentKind.Line => CurveType.Line,
+            SegmentKind.Ellipse when whole > CurveType.Polyline => CurveType.Ellipse,
+            SegmentKind.Spline => CurveType.Spline,
+            _ => CurveType.Arc,
+        };
 
         private int Pieces(CurveType type) => _curves[(int)type] + _polylineParts[(int)type];
 

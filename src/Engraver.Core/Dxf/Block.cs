@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
@@ -24,6 +25,9 @@ internal sealed class Block(string name, Vector3D basePoint, int firstCurve)
 
     /// <summary>Texts and points directly in it, by type.</summary>
     public Dictionary<string, long> Annotations { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>The same texts with content and place; those of attributes too.</summary>
+    public List<PlacedText> Texts { get; } = [];
 
     /// <summary>What the block amounts to with all that is nested in it; null until it has been weighed.</summary>
     public BlockWeight? Weight { get; set; }

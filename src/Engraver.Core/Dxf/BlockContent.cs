@@ -15,6 +15,15 @@ internal sealed class BlockContent(Block block, CurveColumns columns) : IContent
         block.Troubles.AddRange(shape.Oddities);
     }
 
+    public void AddCurves(EntityRecord record, IReadOnlyList<CurveShape> shapes)
+    {
+        foreach (var shape in shapes) AddCurve(record, shape);
+    }
+
+    public void AddText(PlacedText text) => block.Texts.Add(text);
+
+    public void Note(in Trouble oddity) => block.Troubles.Add(oddity);
+
     public void AddInsert(EntityRecord record, in BlockInsert insert, int attributes)
     {
         block.Inserts.Add(new NestedInsert(insert, columns.Count));

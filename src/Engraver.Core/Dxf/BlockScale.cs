@@ -53,6 +53,7 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, Block> blocks)
         long curves = block.EndCurve - block.FirstCurve;
         var steps = BlockWeight.Sum(curves + block.Inserts.Count, block.ExtraSteps);
         var depth = 1;
+        long textSteps = block.Texts.Count;
         var loses = block.Troubles.Exists(trouble => trouble.Refused);
         var annotations = new Dictionary<string, long>(block.Annotations, StringComparer.Ordinal);
         foreach (var nested in block.Inserts)
@@ -64,11 +65,12 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, Block> blocks)
             var copies = nested.Insert.Copies;
             curves = BlockWeight.Sum(curves, BlockWeight.Times(copies, child.Curves));
             if (child.Curves > 0) steps = BlockWeight.Sum(steps, BlockWeight.Times(copies, child.Steps + 1));
+            if (child.TextSteps > 0) textSteps = BlockWeight.Sum(textSteps, BlockWeight.Times(copies, child.TextSteps + 1));
             depth = Math.Max(depth, child.Depth + 1);
             AddAnnotations(annotations, child.Annotations, copies);
         }
 
-        return new BlockWeight(curves, steps, depth, loses, annotations);
+        return new BlockWeight(curves, steps, depth, loses, annotations, textSteps);
     }
 
     /// <summary>Adds texts and points, a copy's amount times the copies.</summary>

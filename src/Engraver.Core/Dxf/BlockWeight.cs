@@ -6,7 +6,8 @@ namespace Engraver.Core.Dxf;
 /// <param name="Depth">Levels of nesting, 1 for a block without inserts.</param>
 /// <param name="Loses">True when something in it was refused.</param>
 /// <param name="Annotations">Texts and points after full expansion, by type.</param>
-internal sealed record BlockWeight(long Curves, long Steps, int Depth, bool Loses, IReadOnlyDictionary<string, long> Annotations)
+/// <param name="TextSteps">Texts and the inserts on the way to them; 0 when there is no text in it.</param>
+internal sealed record BlockWeight(long Curves, long Steps, int Depth, bool Loses, IReadOnlyDictionary<string, long> Annotations, long TextSteps)
 {
     public const long Most = long.MaxValue / 4;
 

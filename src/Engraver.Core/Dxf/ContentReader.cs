@@ -1,13 +1,15 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Dxf;
 
 /// <summary>Reads the entities of a block or of model space, each with the records that belong to it, and hands them to a target.</summary>
-internal sealed class ContentReader(RecordReader records)
+internal sealed class ContentReader(RecordReader records, TextMapper texts, OutlineMapper outlines, CutChoice cut)
 {
     private readonly EntityRecord _record = new();
     private readonly EntityRecord _part = new();
     private readonly CurveMapper _mapper = new();
+    private readonly List<PlacedText> _attributes = [];
 
     /// <summary>Reads the next record and its parts. The caller has made sure that it is no end of block, section or file.</summary>
     public void ReadEntity(IContentTarget target)
@@ -44,7 +46,8 @@ internal sealed class ContentReader(RecordReader records)
                 AddInsert(target, attributes);
                 return;
             default:
-                AddOther(target);
+                if ((RecordKinds.ChoiceOf(_record.Kind) & cut) != 0) AddOutlines(target);
+                else AddOther(target);
                 return;
         }
 
@@ -58,6 +61,15 @@ internal sealed class ContentReader(RecordReader records)
         var insert = new BlockInsert(_record);
         if (_record.Fault is { } fault) target.Refuse(_record, fault);
         else target.AddInsert(_record, insert, attributes);
+        if (_record.Oddity is { } odd) target.Note(odd);
+        foreach (var text in _attributes) target.AddText(text);
+    }
+
+    private void AddOutlines(IContentTarget target)
+    {
+        outlines.Map(_record);
+        if (_record.Fault is { } fault) target.Refuse(_record, fault);
+        else target.AddCurves(_record, outlines.Shapes);
     }
 
     private void AddOther(IContentTarget target)
@@ -69,7 +81,12 @@ internal sealed class ContentReader(RecordReader records)
                 case RecordKind.Vertex or RecordKind.SequenceEnd:
                     _record.Refuse(DxfRules.PartAlone, _record.Line, "");
                     break;
-                case RecordKind.Text or RecordKind.Point or RecordKind.Attribute or RecordKind.Construction:
+                case RecordKind.Text or RecordKind.Attribute:
+                    target.AddConstruction(_record);
+                    if (texts.Map(_record) is { } text) target.AddText(text);
+                    return;
+                case RecordKind.Point or RecordKind.Construction:
+                case var kind when RecordKinds.IsOutline(kind):
                     target.AddConstruction(_record);
                     return;
                 default:
@@ -99,7 +116,13 @@ internal sealed class ContentReader(RecordReader records)
     private int ReadAttributes()
     {
         var count = 0;
-        for (; records.Next == RecordKind.Attribute; count++) records.Skip();
+        _attributes.Clear();
+        for (; records.Next == RecordKind.Attribute; count++)
+        {
+            records.Read(_part);
+            if (texts.Map(_part) is { } text) _attributes.Add(text);
+        }
+
         if (records.Next == RecordKind.SequenceEnd && (count > 0 || _record.Flags(66) == 1)) records.Skip();
         return count;
     }

@@ -24,7 +24,7 @@ internal sealed class CurveMapper
         var end = record.Point(11);
         // Without length, too: a drawing's box includes the spot (corpus convention).
         Shape.Add(DrawingPart.Line(0, start.X, start.Y, start.Z, end.X, end.Y, end.Z));
-        if (start == end) Note(record, DxfRules.NoLength, "");
+        if (start.X == end.X && start.Y == end.Y) Note(record, DxfRules.NoLength, start.Z == end.Z ? "" : " as seen from above");
         Finish(record);
     }
 
@@ -33,7 +33,7 @@ internal sealed class CurveMapper
         Shape.Begin(CurveType.Circle);
         Shape.Closed = true;
         AddArc(record, 0.0, 360.0);
-        ToWorld(record);
+        EntitySystem.Lift(record, Shape);
         Finish(record);
     }
 
@@ -44,7 +44,7 @@ internal sealed class CurveMapper
         var sweep = WholeTurns.Sweep(start, record.Required(51), 360.0);
         Shape.Closed = sweep == 360.0;
         AddArc(record, start, sweep);
-        ToWorld(record);
+        EntitySystem.Lift(record, Shape);
         Finish(record);
     }
 
@@ -79,7 +79,7 @@ internal sealed class CurveMapper
         TakeVertices(record);
         CheckCount(record, atEndOfFile);
         PolylineParts.Connect(CollectionsMarshal.AsSpan(_vertices), (record.Flags(70) & 1) != 0, Shape);
-        ToWorld(record);
+        EntitySystem.Lift(record, Shape);
         Finish(record);
     }
 
@@ -111,7 +111,7 @@ internal sealed class CurveMapper
         foreach (ref var vertex in CollectionsMarshal.AsSpan(_vertices)) vertex = flat ? vertex with { Z = record.Number(30, 0.0) } : vertex with { Bulge = 0.0 };
         PolylineParts.Connect(CollectionsMarshal.AsSpan(_vertices), (flags & PolylineFlags.Closed) != 0, Shape);
         if (record.Number(40, 0.0) != 0.0 || record.Number(41, 0.0) != 0.0) Note(record, DxfRules.WidthIgnored, "");
-        if (flat) ToWorld(record);
+        if (flat) EntitySystem.Lift(record, Shape);
         Finish(record);
     }
 
@@ -155,30 +155,10 @@ internal sealed class CurveMapper
         Note(record, DxfRules.VertexCount, string.Create(CultureInfo.InvariantCulture, $"announces {declared} vertices and has {_vertices.Count}"));
     }
 
-    private void ToWorld(EntityRecord record)
-    {
-        var direction = record.Extrusion();
-        if (direction == default)
-        {
-            Note(record, DxfRules.NoExtrusion, "");
-            return;
-        }
-
-        var system = Placement.OfExtrusion(direction);
-        if (system.IsIdentity) return;
-        var worst = PlacementOutcome.Exact;
-        foreach (ref var part in Shape.MutableParts)
-        {
-            worst = (PlacementOutcome)Math.Max((int)worst, (int)PlacedPart.Try(part, [], system, Shape.Curves, out part));
-        }
-
-        if (worst == PlacementOutcome.OutOfRange) record.Refuse(DxfRules.OutOfRange, record.Line, "");
-        else if (worst == PlacementOutcome.Tilted) Note(record, DxfRules.TiltedCurve, "");
-    }
-
     private void Finish(EntityRecord record)
     {
         if (Shape.Parts.IsEmpty) Note(record, DxfRules.NoLength, "");
+        if (record.Oddity is { } odd) Shape.Oddities.Add(odd);
         if (record.RepeatedCode != 0) Note(record, DxfRules.RepeatedValue, record.RepeatedCode.ToString(CultureInfo.InvariantCulture));
     }
 

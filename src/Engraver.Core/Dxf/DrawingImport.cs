@@ -16,6 +16,8 @@ internal sealed class DrawingImport
     private readonly RecordReader _records;
     private readonly ContentReader _content;
     private readonly LayerTable _layers;
+    private readonly StyleTable _styles = new();
+    private readonly TextExpander _texts;
     private readonly Dictionary<int, Block> _blocks = [];
     private readonly CurveColumns _blockCurves = new();
     private readonly CurveColumns _curves = new();
@@ -31,12 +33,15 @@ internal sealed class DrawingImport
         _tags = tags;
         _options = options;
         _log = new ImportLog(tags.IsBinary ? "byte" : "line");
-        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), cancellation);
-        _content = new ContentReader(_records);
+        if (tags.IsUtf8) _text.UseUtf8();
+        var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Of(tags, cancellation) : new MultiLineStyles();
+        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, cancellation);
+        _content = new ContentReader(_records, new TextMapper(_styles), new OutlineMapper(multiLines), options.Cut);
         _layers = new LayerTable(_records.Layers);
         _balance = new BalanceSheet(_log);
         var expander = new BlockExpander(_blocks, _records.Blocks, _blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
-        _modelSpace = new ModelSpace(_curves, expander, _balance, _log);
+        _texts = new TextExpander(_blocks, _layers, cancellation);
+        _modelSpace = new ModelSpace(_curves, expander, _texts, _balance, _log);
     }
 
     /// <summary>Reads everything; false when not one section was found, so that the file is no DXF.</summary>
@@ -61,11 +66,13 @@ internal sealed class DrawingImport
     public Drawing ToDrawing(string fileName, long bytes)
     {
         var unit = Unit();
+        if (_texts.LeftOut) _log.Add(DxfRules.TextsLeftOut, 0, _texts.Texts.Count.ToString(CultureInfo.InvariantCulture));
         if (_text.MetForeignBytes) _log.Add(DxfRules.ForeignText, 0, _header.CodePage ?? "UTF-8");
         var layers = _layers.ToLayers();
         return new Drawing(fileName, bytes, _header.Version, _tags.IsBinary ? "binary" : "ascii", unit, layers, _curves.Entities, _curves.Parts, _balance.ToBalance(layers.Count), _log.ToList())
         {
             Curves = _curves.Curves,
+            Texts = _texts.Texts,
         };
     }
 
@@ -123,14 +130,15 @@ internal sealed class DrawingImport
     {
         for (_records.Skip(); !AtSectionEnd();)
         {
-            if (_records.Next != RecordKind.LayerEntry)
+            if (_records.Next is not (RecordKind.LayerEntry or RecordKind.StyleEntry))
             {
                 _records.Skip();
                 continue;
             }
 
             _records.Read(_record);
-            if (_record.Fault is { } fault) _log.Add(fault);
+            if (_record.Kind == RecordKind.StyleEntry) _styles.Define(_record);
+            else if (_record.Fault is { } fault) _log.Add(fault);
             else if (_record.Name >= 0) _layers.Define(_record);
         }
     }

@@ -25,11 +25,18 @@ public static class DxfReader
         var bytes = file.Span;
         if (bytes.IsEmpty) return Unreadable(fileName, 0, DxfRules.EmptyFile.At(default));
         if (IsDwg(bytes)) return Unreadable(fileName, bytes.Length, DxfRules.DwgFile.At(default, Encoding.ASCII.GetString(bytes[..6])));
-        DxfTagSource tags = bytes.StartsWith(BinaryTagSource.Sentinel) ? new BinaryTagSource(file) : new AsciiTagSource(file);
-        var import = new DrawingImport(tags, options, cancellation);
+        if (ForeignFile.NameOf(bytes) is { } foreign) return Unreadable(fileName, bytes.Length, DxfRules.OtherFormat.At(default, foreign));
+        var import = new DrawingImport(TagsOf(file), options, cancellation);
         return import.ReadSections()
             ? import.ToDrawing(fileName, bytes.Length)
             : Unreadable(fileName, bytes.Length, DxfRules.NotDxf.At(default, Beginning(bytes)));
+    }
+
+    private static DxfTagSource TagsOf(ReadOnlyMemory<byte> file)
+    {
+        if (file.Span.StartsWith(BinaryTagSource.Sentinel)) return new BinaryTagSource(file);
+        var narrowed = WideText.ToUtf8(file.Span);
+        return new AsciiTagSource(narrowed is null ? file : narrowed) { IsUtf8 = narrowed is not null || file.Span.StartsWith("\uFEFF"u8) };
     }
 
     /// <summary>A DWG opens with AC and four digits or dots, then binary; in a DXF a version never stands in the first line.</summary>
@@ -37,16 +44,10 @@ public static class DxfReader
 
     private static string Beginning(ReadOnlySpan<byte> bytes)
     {
-        if (bytes is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..]) return "it is UTF-16 text";
         if (bytes.StartsWith(BinaryTagSource.Sentinel)) return "nothing follows the mark of a binary DXF";
         var start = Encoding.Latin1.GetString(bytes[..Math.Min(ShownStart, bytes.Length)]);
         return $"it begins with '{string.Concat(start.Select(c => char.IsControl(c) ? '.' : c))}' and has no section";
     }
 
-    private static Drawing Unreadable(string fileName, long bytes, Diagnostic why)
-    {
-        var nothing = new Dictionary<string, int>();
-        var balance = new DrawingBalance(nothing, 0, 0, [], [], nothing, 0);
-        return new Drawing(fileName, bytes, "", "ascii", LengthUnit.AssumedMillimetres, [], new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), balance, [why]);
-    }
+    private static Drawing Unreadable(string fileName, long bytes, Diagnostic why) => Drawing.Unusable(fileName, bytes, why);
 }

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Spells a directed segment as LINE, ARC or CIRCLE so that its direction reads back from the geometry alone.</summary>
+/// <summary>Spells a directed segment as LINE, ARC, CIRCLE, ELLIPSE or SPLINE so that its direction reads back from the geometry alone.</summary>
 /// <remarks>A DXF ARC always runs counter-clockwise in its own system. A clockwise one is therefore written under the extrusion 0,0,-1, whose system is the drawing seen
 /// from behind: x and angles are mirrored (x' = -x, angle' = 180 - angle; DXF reference, "Arbitrary Axis Algorithm"). A CIRCLE starts at angle 0 of its system; a
 /// circle that starts elsewhere is written as an ARC of a whole turn.</remarks>
@@ -13,7 +13,8 @@ internal static class DxfSegmentWriter
 
     public static void Write(DxfTagWriter tags, in Segment segment, string layer)
     {
-        if (segment.Kind == SegmentKind.Line || Math.Abs(segment.Arc.Sweep.Degrees) < SmallestSweep) Line(tags, segment, layer);
+        if (segment.IsFreeCurve) DxfCurveWriter.Write(Begin(tags, segment.Kind == SegmentKind.Ellipse ? "ELLIPSE" : "SPLINE", layer), segment.Curve);
+        else if (segment.Kind == SegmentKind.Line || Math.Abs(segment.Arc.Sweep.Degrees) < SmallestSweep) Line(tags, segment, layer);
         else Round(tags, segment.Arc, layer);
     }
 

@@ -31,6 +31,9 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
 
     public abstract bool IsBinary { get; }
 
+    /// <summary>True when the texts are known to be UTF-8, whatever the header says of them.</summary>
+    public bool IsUtf8 { get; init; }
+
     /// <summary>The value's bytes, without the line end; for a number of a binary file its raw bytes.</summary>
     public abstract ReadOnlySpan<byte> Value { get; }
 

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
@@ -14,10 +15,14 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
     {
         output.Write(code.ToString(CultureInfo.InvariantCulture));
         output.Write('\n');
-        output.Write(value);
+        output.Write(Ascii.IsValid(value) ? value : Escaped(value));
         output.Write('\n');
         return this;
     }
+
+    /// <summary>Every other character as \U+XXXX, which AutoCAD and its kin read in any code page.</summary>
+    private static string Escaped(string value) =>
+        string.Concat(value.Select(unit => char.IsAscii(unit) ? unit.ToString() : string.Create(CultureInfo.InvariantCulture, $@"\U+{(int)unit:X4}")));
 
     public DxfTagWriter Integer(int code, int value) => Text(code, value.ToString(CultureInfo.InvariantCulture));
 

@@ -6,8 +6,10 @@ namespace Engraver.Core.Dxf;
 /// <summary>Bytes of a name to text: UTF-8 from AC1021 on, before that the code page that $DWGCODEPAGE names; \U+XXXX escapes are resolved.</summary>
 internal sealed class DxfTextDecoder
 {
+    private static readonly int[] MultiByteCodePages = [932, 950, 949, 1361, 936];
     private static readonly Encoding StrictUtf8 = new UTF8Encoding(false, throwOnInvalidBytes: true);
     private bool _utf8;
+    private bool _forced;
     private Encoding? _codePage;
 
     /// <summary>True once a name was not valid in the encoding that the file declares.</summary>
@@ -17,6 +19,9 @@ internal sealed class DxfTextDecoder
     public void UseVersion(string version) =>
         _utf8 = version.Length == 6 && version.StartsWith("AC", StringComparison.OrdinalIgnoreCase)
             && int.TryParse(version.AsSpan(2), NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1021;
+
+    /// <summary>The bytes are known to be UTF-8 (the file was UTF-16, or begins with a byte order mark), whatever the header says.</summary>
+    public void UseUtf8() => _forced = true;
 
     /// <summary>Takes $DWGCODEPAGE; false when the name is not known (Windows-1252 is used then).</summary>
     public bool UseCodePage(string name)
@@ -29,6 +34,7 @@ internal sealed class DxfTextDecoder
     {
         if (Ascii.IsValid(bytes)) return Unescape(Encoding.ASCII.GetString(bytes));
         var validUtf8 = System.Text.Unicode.Utf8.IsValid(bytes);
+        if (_forced && validUtf8) return Unescape(StrictUtf8.GetString(bytes));
         var codePage = _codePage ?? Find(1252) ?? Encoding.Latin1;
         // Text in a single-byte code page is practically never valid UTF-8 by chance; a file that says 1252 and holds UTF-8 is common.
         var readAsUtf8 = validUtf8 && (_utf8 || _codePage is null || codePage.IsSingleByte);
@@ -50,6 +56,8 @@ internal sealed class DxfTextDecoder
             "BIG5" => 950,
             "KSC5601" => 949,
             "JOHAB" => 1361,
+            "GB18030" => 54936,
+            "TIS-620" or "TIS620" or "ISO8859-11" => 874,
             "MACINTOSH" or "MAC-ROMAN" => 10000,
             "UTF-8" or "UTF8" => 65001,
             "ASCII" or "ISO8859-1" => 28591,
@@ -64,17 +72,48 @@ internal sealed class DxfTextDecoder
 
     private static string Unescape(string text)
     {
-        var at = text.IndexOf(@"\U+", StringComparison.OrdinalIgnoreCase);
+        var at = NextEscape(text, 0);
         if (at < 0) return text;
         var result = new StringBuilder(text.Length);
         var done = 0;
-        for (; at >= 0; at = text.IndexOf(@"\U+", at + 1, StringComparison.OrdinalIgnoreCase))
+        for (; at >= 0; at = NextEscape(text, at + 1))
         {
-            if (at + 7 > text.Length || !ushort.TryParse(text.AsSpan(at + 3, 4), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out var unit)) continue;
-            result.Append(text, done, at - done).Append((char)unit);
-            done = at + 7;
+            var length = text[at + 1] is 'U' or 'u' ? UnicodeEscape(text.AsSpan(at), out var meant) : MultiByteEscape(text.AsSpan(at), out meant);
+            if (length == 0) continue;
+            result.Append(text, done, at - done).Append(meant);
+            done = at + length;
         }
 
         return result.Append(text, done, text.Length - done).ToString();
+    }
+
+    /// <summary>Where the next \U+ or \M+ stands; -1 when there is none.</summary>
+    private static int NextEscape(string text, int from)
+    {
+        for (var at = text.IndexOf('\\', from); at >= 0; at = text.IndexOf('\\', at + 1))
+        {
+            if (at + 2 < text.Length && text[at + 2] == '+' && text[at + 1] is 'U' or 'u' or 'M' or 'm') return at;
+        }
+
+        return -1;
+    }
+
+    /// <summary>\U+XXXX: a UTF-16 unit.</summary>
+    private static int UnicodeEscape(ReadOnlySpan<char> text, out string meant)
+    {
+        meant = "";
+        if (text.Length < 7 || !ushort.TryParse(text.Slice(3, 4), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out var unit)) return 0;
+        meant = ((char)unit).ToString();
+        return 7;
+    }
+
+    /// <summary>\M+nXXXX: two bytes in Shift-JIS (1), Big5 (2), Korean (3), Johab (4) or GBK (5).</summary>
+    private static int MultiByteEscape(ReadOnlySpan<char> text, out string meant)
+    {
+        meant = "";
+        if (text.Length < 8 || text[3] is < '1' or > '5' || !ushort.TryParse(text.Slice(4, 4), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out var pair)) return 0;
+        if (Find(MultiByteCodePages[text[3] - '1']) is not { } codePage) return 0;
+        meant = codePage.GetString(pair > byte.MaxValue ? [(byte)(pair >> 8), (byte)pair] : [(byte)pair]);
+        return 8;
     }
 }

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Writes a drawing of lines, arcs and circles as DXF AC1015 (AutoCAD 2000) in millimetres, with every table, block and object that a strict reader asks for.</summary>
+/// <summary>Writes a drawing of lines, arcs, circles, ellipses and splines as DXF AC1015 (AutoCAD 2000) in millimetres, with every table, block and object that a strict reader asks for.</summary>
 /// <remarks>Order and direction are kept: a clockwise arc stands under the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
 /// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
 public static class DxfWriter

@@ -9,6 +9,9 @@ internal sealed class EntityRecord
 {
     private const int CodeCount = 300;
 
+    /// <summary>What follows belongs to another object that is packed into this one (columns of an MTEXT, the MTEXT of an ATTRIB).</summary>
+    private const int EmbeddedObject = 101;
+
     /// <summary>Codes whose first value is kept: points, sizes, angles, scales, flags, counts, extrusion.</summary>
     private static readonly int[] KeptCodes =
         [10, 11, 12, 13, 20, 21, 22, 23, 30, 31, 32, 33, 38, 40, 41, 42, 43, 44, 45, 50, 51, 60, 62, 66, 67, 70, 71, 90, 210, 220, 230, 290];
@@ -17,6 +20,7 @@ internal sealed class EntityRecord
 
     private readonly double[] _values = new double[KeptCodes.Length];
     private ulong _seen;
+    private bool _embedded;
 
     public RecordKind Kind { get; private set; }
 
@@ -40,6 +44,12 @@ internal sealed class EntityRecord
     /// <summary>The first value that could not be read; the record must be refused then.</summary>
     public Trouble? Fault { get; private set; }
 
+    /// <summary>What is odd about the spelling of one of its values, though it could be read; null when nothing is.</summary>
+    public Trouble? Oddity { get; set; }
+
+    /// <summary>Texts in file order, of records that are kept pair by pair; a 100 stands in <see cref="Sequence"/> too, with its index here.</summary>
+    public List<CodedText> Texts { get; } = [];
+
     /// <summary>Numbers in file order, of types in which codes repeat.</summary>
     public List<CodedNumber> Sequence { get; } = [];
 
@@ -60,6 +70,9 @@ internal sealed class EntityRecord
         Name = -1;
         RepeatedCode = 0;
         Fault = null;
+        Oddity = null;
+        _embedded = false;
+        Texts.Clear();
         Sequence.Clear();
         _seen = 0;
     }
@@ -77,6 +90,38 @@ internal sealed class EntityRecord
 
         _seen |= bit;
         _values[slot] = value;
+    }
+
+    /// <summary>Keeps the pair in its place, and of a kept code also the first value. What is no number is left out: these records are construction, and junk in them harms nothing.</summary>
+    public void Collect(DxfTagSource tags, TextDecoding decode)
+    {
+        var code = tags.Code;
+        _embedded |= code == EmbeddedObject;
+        if (_embedded) return;
+        if (code is 1 or 2 or 3 or 4 or 7 or 100)
+        {
+            if (code == 100) Sequence.Add(new CodedNumber(code, Texts.Count));
+            Texts.Add(new CodedText(code, decode(tags.Value)));
+            return;
+        }
+
+        if (code is not ((>= 10 and < 100) or (>= 210 and <= 230)) || !tags.TryNumber(out var value)) return;
+        Sequence.Add(new CodedNumber(code, value));
+        if (Keeps(code) && !Has(code)) Set(code, value);
+    }
+
+    /// <summary>The texts of some codes joined in file order; "" when there is none.</summary>
+    public string TextOf(params int[] codes) => string.Concat(Texts.Where(text => codes.Contains(text.Code)).Select(text => text.Value));
+
+    /// <summary>The first value of a code of a collected record.</summary>
+    public double First(int code, double otherwise)
+    {
+        foreach (var coded in Sequence)
+        {
+            if (coded.Code == code) return coded.Value;
+        }
+
+        return otherwise;
     }
 
     public bool Has(int code) => (_seen & (1ul << Slots[code])) != 0;
@@ -98,6 +143,9 @@ internal sealed class EntityRecord
     /// <summary>The point of codes (<paramref name="xCode"/>, +10, +20); z may be missing.</summary>
     public Vector3D Point(int xCode) => new(Required(xCode), Required(xCode + 10), Number(xCode + 20, 0.0));
 
+    /// <summary>The point of a record that is not refused for the want of one.</summary>
+    public Vector3D PointOrOrigin(int xCode) => new(Number(xCode, 0.0), Number(xCode + 10, 0.0), Number(xCode + 20, 0.0));
+
     public Vector3D Extrusion() => new(Number(210, 0.0), Number(220, 0.0), Number(230, 1.0));
 
     public void Refuse(DiagnosticRule rule, int line, string detail) => Fault ??= Finding(rule, detail, refused: true) with { Line = line };
@@ -106,6 +154,7 @@ internal sealed class EntityRecord
     public void TakeFaultOf(EntityRecord part)
     {
         if (part.Fault is { } fault) Refuse(fault.Rule, fault.Line, fault.Detail);
+        Oddity ??= part.Oddity;
     }
 
     public Trouble Finding(DiagnosticRule rule, string detail, bool refused) => new(rule, Type, Handle, Line, detail, refused);

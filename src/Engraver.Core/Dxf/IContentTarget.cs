@@ -1,3 +1,5 @@
+using Engraver.Core.Drawings;
+
 namespace Engraver.Core.Dxf;
 
 /// <summary>Where the records of a BLOCK or of model space go.</summary>
@@ -8,10 +10,19 @@ internal interface IContentTarget
 
     void AddCurve(EntityRecord record, CurveShape shape);
 
+    /// <summary>Several curves of one record (the loops of a hatch boundary).</summary>
+    void AddCurves(EntityRecord record, IReadOnlyList<CurveShape> shapes);
+
     void AddInsert(EntityRecord record, in BlockInsert insert, int attributes);
 
     /// <summary>A text, point, dimension ...: drawn, not cut.</summary>
     void AddConstruction(EntityRecord record);
+
+    /// <summary>The content of a text that has been counted already.</summary>
+    void AddText(PlacedText text);
+
+    /// <summary>What is odd about a record though it was taken.</summary>
+    void Note(in Trouble oddity);
 
     /// <summary>A record that gives no curve though it should have.</summary>
     void Refuse(EntityRecord record, in Trouble trouble);

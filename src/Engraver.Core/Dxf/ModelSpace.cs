@@ -1,7 +1,9 @@
+using Engraver.Core.Drawings;
+
 namespace Engraver.Core.Dxf;
 
 /// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded where they stand.</summary>
-internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, BalanceSheet balance, ImportLog log) : IContentTarget
+internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, TextExpander texts, BalanceSheet balance, ImportLog log) : IContentTarget
 {
     public bool Takes(EntityRecord record) => !record.InPaperSpace;
 
@@ -12,11 +14,26 @@ internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, B
         foreach (var oddity in shape.Oddities) log.Add(oddity);
     }
 
+    public void AddCurves(EntityRecord record, IReadOnlyList<CurveShape> shapes)
+    {
+        balance.AddCut(record);
+        foreach (var shape in shapes)
+        {
+            columns.Add(shape.ToEntity(record), shape.Parts, shape.Curves);
+            foreach (var oddity in shape.Oddities) log.Add(oddity);
+        }
+    }
+
+    public void AddText(PlacedText text) => texts.Add(text);
+
+    public void Note(in Trouble oddity) => log.Add(oddity);
+
     public void AddInsert(EntityRecord record, in BlockInsert insert, int attributes)
     {
         if (attributes > 0) balance.AddAnnotation("ATTRIB", attributes);
         var before = columns.Count;
         var trouble = expander.Expand(insert);
+        texts.Expand(insert);
         if (columns.Count > before) balance.AddCut(record);
         else if (trouble is { } reason) balance.AddRefused(record, reason);
         else balance.AddConstruction(record);

@@ -21,7 +21,15 @@ internal enum RecordKind : byte
 
     /// <summary>Drawn for the reader of the drawing, not for the tool: dimensions, hatches, images, solids.</summary>
     Construction,
+    Hatch,
+    MultiLine,
+    Leader,
+    Helix,
+
+    /// <summary>SOLID, TRACE, 3DFACE.</summary>
+    Face,
     LayerEntry,
+    StyleEntry,
     Block,
     BlockEnd,
     Section,

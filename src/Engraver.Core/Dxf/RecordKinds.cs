@@ -7,19 +7,46 @@ internal static class RecordKinds
 {
     private static readonly string[] Construction =
     [
-        "HATCH", "MPOLYGON", "DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "LEADER", "MLEADER", "MULTILEADER", "MLINE", "SOLID", "TRACE",
-        "3DFACE", "3DSOLID", "MESH", "SURFACE", "EXTRUDEDSURFACE", "LOFTEDSURFACE", "REVOLVEDSURFACE", "SWEPTSURFACE", "PLANESURFACE", "NURBSURFACE",
-        "VIEWPORT", "RAY", "XLINE", "ACAD_TABLE", "TABLE", "IMAGE", "WIPEOUT", "HELIX", "TOLERANCE", "SHAPE", "LIGHT", "OLEFRAME", "OLE2FRAME",
+        "MPOLYGON", "DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "MLEADER", "MULTILEADER", "3DSOLID", "MESH", "SURFACE", "EXTRUDEDSURFACE", "LOFTEDSURFACE", "REVOLVEDSURFACE", "SWEPTSURFACE", "PLANESURFACE", "NURBSURFACE",
+        "VIEWPORT", "RAY", "XLINE", "ACAD_TABLE", "TABLE", "IMAGE", "WIPEOUT", "TOLERANCE", "SHAPE", "LIGHT", "OLEFRAME", "OLE2FRAME",
         "ACAD_PROXY_ENTITY", "PDFUNDERLAY", "DWFUNDERLAY", "DGNUNDERLAY", "POINTCLOUD", "POSITIONMARKER", "CAMERA",
     ];
 
     private static readonly FrozenDictionary<string, RecordKind> Known = Build();
 
+    /// <summary>The types of ENTITIES and BLOCKS that are known, with what becomes of each: for the page of diagnostics.</summary>
+    public static IEnumerable<(string Fate, IEnumerable<string> Types)> Fates() =>
+    [
+        ("cut", TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
+        ("cut with `--cut`, otherwise construction", TypesOf(IsOutline)),
+        ("text, kept with content and place, construction", TypesOf(kind => kind is RecordKind.Text or RecordKind.Attribute)),
+        ("construction: drawn for the reader of the drawing, not for the tool", TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point)),
+    ];
+
     public static RecordKind Of(string type) => Known.GetValueOrDefault(type, RecordKind.Unknown);
 
     /// <summary>True when the record's numbers matter; of the others only visibility and space are read, so that junk in a dimension harms nothing.</summary>
     public static bool HasNumbers(RecordKind kind) => kind is not (RecordKind.Unknown or RecordKind.Construction or RecordKind.Text or RecordKind.Point
-        or RecordKind.Attribute or RecordKind.SequenceEnd);
+        or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.StyleEntry) && !IsOutline(kind);
+
+    /// <summary>True for construction that an operator may want cut all the same (<see cref="CutChoice"/>).</summary>
+    public static bool IsOutline(RecordKind kind) => kind is RecordKind.Hatch or RecordKind.MultiLine or RecordKind.Leader or RecordKind.Helix or RecordKind.Face;
+
+    /// <summary>The choice that an outline belongs to; None for every other kind.</summary>
+    public static CutChoice ChoiceOf(RecordKind kind) => kind switch
+    {
+        RecordKind.Hatch => CutChoice.Hatch,
+        RecordKind.MultiLine => CutChoice.MLine,
+        RecordKind.Leader => CutChoice.Leader,
+        RecordKind.Helix => CutChoice.Helix,
+        RecordKind.Face => CutChoice.Solid,
+        _ => CutChoice.None,
+    };
+
+    /// <summary>True when the record is kept pair by pair: its codes repeat and mean different things in different places, or it has text.</summary>
+    public static bool IsCollected(RecordKind kind, CutChoice cut) => kind is RecordKind.Text or RecordKind.Attribute or RecordKind.StyleEntry || (ChoiceOf(kind) & cut) != 0;
+
+    private static IEnumerable<string> TypesOf(Func<RecordKind, bool> wanted) => Known.Where(pair => wanted(pair.Value)).Select(pair => pair.Key).Order(StringComparer.Ordinal);
 
     private static FrozenDictionary<string, RecordKind> Build()
     {
@@ -42,7 +69,15 @@ internal static class RecordKinds
             ["ATTDEF"] = RecordKind.Construction,
             ["RTEXT"] = RecordKind.Text,
             ["ARCALIGNEDTEXT"] = RecordKind.Text,
+            ["HATCH"] = RecordKind.Hatch,
+            ["MLINE"] = RecordKind.MultiLine,
+            ["LEADER"] = RecordKind.Leader,
+            ["HELIX"] = RecordKind.Helix,
+            ["SOLID"] = RecordKind.Face,
+            ["TRACE"] = RecordKind.Face,
+            ["3DFACE"] = RecordKind.Face,
             ["LAYER"] = RecordKind.LayerEntry,
+            ["STYLE"] = RecordKind.StyleEntry,
             ["BLOCK"] = RecordKind.Block,
             ["ENDBLK"] = RecordKind.BlockEnd,
             ["SECTION"] = RecordKind.Section,

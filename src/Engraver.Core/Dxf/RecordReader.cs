@@ -15,8 +15,13 @@ internal sealed class RecordReader
     private readonly int _layerZero;
     private int _nextType;
 
-    public RecordReader(DxfTagSource tags, NameTable layers, NameTable blocks, CancellationToken cancellation)
+    private readonly TextDecoding _decode;
+    private readonly CutChoice _cut;
+
+    public RecordReader(DxfTagSource tags, NameTable layers, NameTable blocks, TextDecoding decode, CutChoice cut, CancellationToken cancellation)
     {
+        _cut = cut;
+        _decode = decode;
         _tags = tags;
         _cancellation = cancellation;
         Layers = layers;
@@ -116,7 +121,8 @@ internal sealed class RecordReader
                 record.Name = Layers.IdOf(_tags.Value);
                 break;
             default:
-                AcceptNumber(record, _tags.Code);
+                if (RecordKinds.IsCollected(record.Kind, _cut)) record.Collect(_tags, _decode);
+                else AcceptNumber(record, _tags.Code);
                 break;
         }
     }
@@ -125,7 +131,7 @@ internal sealed class RecordReader
     {
         var repeats = (record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 30 or 40 or 41 or 42) || (record.Kind == RecordKind.Spline && code is 10 or 20 or 30 or 11 or 21 or 31 or 40 or 41);
         if (!EntityRecord.Keeps(code) || !(RecordKinds.HasNumbers(record.Kind) || code is 60 or 67)) return;
-        if (!_tags.TryNumber(out var value))
+        if (!_tags.TryNumber(out var value) && !TryOddNumber(record, code, out value))
         {
             record.Refuse(DxfRules.BadValue, _tags.ValueLine, string.Create(CultureInfo.InvariantCulture, $"group {code} is '{ShownText()}'"));
         }
@@ -137,6 +143,15 @@ internal sealed class RecordReader
         {
             record.Set(code, value);
         }
+    }
+
+    /// <summary>A decimal comma or a Fortran exponent: not DXF, but there is only one thing it can mean.</summary>
+    private bool TryOddNumber(EntityRecord record, int code, out double value)
+    {
+        value = 0.0;
+        if (_tags.IsBinary || !OddNumber.TryParse(_tags.Value, out value)) return false;
+        record.Oddity ??= record.Finding(DxfRules.OddNumber, string.Create(CultureInfo.InvariantCulture, $"'{ShownText()}' in group {code}, read as {value}"), refused: false) with { Line = _tags.ValueLine };
+        return true;
     }
 
     private string ShownText() => _tags.IsBinary

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.InteropServices;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 
@@ -13,11 +14,35 @@ internal sealed class SplineMapper
     private readonly List<Vector3D> _fitPoints = [];
     private readonly List<double> _knots = [];
     private readonly List<double> _weights = [];
+    private int _degree;
+    private bool _closedFlag;
+    private Vector3D? _startTangent;
+    private Vector3D? _endTangent;
 
     /// <summary>Adds the curve to the shape, or gives the record a fault.</summary>
     public void Map(EntityRecord record, CurveShape shape)
     {
-        Sort(record);
+        _degree = record.Has(71) ? record.Flags(71) : DegreeWithoutGroup;
+        _closedFlag = (record.Flags(70) & ClosedFlag) != 0;
+        _startTangent = Tangent(record, 12);
+        _endTangent = Tangent(record, 13);
+        Sort(CollectionsMarshal.AsSpan(record.Sequence), weightCode: 41);
+        Add(record, shape);
+    }
+
+    /// <summary>The same for a spline edge of a hatch boundary (DXF reference, "Boundary Path Data"): degree in 94, weights in 42, periodic in 74.</summary>
+    public void MapEdge(EntityRecord record, ReadOnlySpan<CodedNumber> edge, CurveShape shape)
+    {
+        _degree = (int)HatchEdge.Value(edge, 94, DegreeWithoutGroup);
+        _closedFlag = false;
+        _startTangent = HatchEdge.Vector(edge, 12);
+        _endTangent = HatchEdge.Vector(edge, 13);
+        Sort(edge, weightCode: 42);
+        Add(record, shape);
+    }
+
+    private void Add(EntityRecord record, CurveShape shape)
+    {
         var isTorn = _controls.Exists(point => double.IsNaN(point.Y)) || _fitPoints.Exists(point => double.IsNaN(point.Y));
         if (isTorn) record.Refuse(DxfRules.MissingValue, record.Line, "20 or 21 for one of its points");
         if (record.Fault is not null) return;
@@ -39,24 +64,24 @@ internal sealed class SplineMapper
         else if (points.Count > 0) points[^1] = axis == 1 ? points[^1] with { Y = value } : points[^1] with { Z = value };
     }
 
-    private void Sort(EntityRecord record)
+    private void Sort(ReadOnlySpan<CodedNumber> pairs, int weightCode)
     {
         _controls.Clear();
         _fitPoints.Clear();
         _knots.Clear();
         _weights.Clear();
-        foreach (var (code, value) in record.Sequence)
+        foreach (var (code, value) in pairs)
         {
             if (code is 10 or 20 or 30) Place(_controls, (code / 10) - 1, value);
             else if (code is 11 or 21 or 31) Place(_fitPoints, (code / 10) - 1, value);
             else if (code == 40) _knots.Add(value);
-            else _weights.Add(value);
+            else if (code == weightCode) _weights.Add(value);
         }
     }
 
     private RationalCurve? FromControls(EntityRecord record, CurveShape shape)
     {
-        var degree = record.Has(71) ? record.Flags(71) : DegreeWithoutGroup;
+        var degree = _degree;
         if (degree < 1 || degree > NurbsCurve.LargestDegree || _controls.Count <= degree)
         {
             record.Refuse(DxfRules.SplineUnusable, record.Line, string.Create(CultureInfo.InvariantCulture, $"degree {degree} with {_controls.Count} control points"));
@@ -91,7 +116,7 @@ internal sealed class SplineMapper
 
     private RationalCurve? FromFitPoints(EntityRecord record, CurveShape shape)
     {
-        var closed = (record.Flags(70) & ClosedFlag) != 0;
+        var closed = _closedFlag;
         var points = new List<Vector3D>();
         foreach (var point in _fitPoints)
         {
@@ -102,6 +127,6 @@ internal sealed class SplineMapper
         if (_fitPoints.Count < 2) record.Refuse(DxfRules.SplineUnusable, record.Line, string.Create(CultureInfo.InvariantCulture, $"no control points and {_fitPoints.Count} fit points"));
         if (points.Count < 2) return null;
         Note(record, shape, DxfRules.SplineFromFitPoints, string.Create(CultureInfo.InvariantCulture, $"{_fitPoints.Count}"));
-        return FitPointSpline.Through(points, Tangent(record, 12), Tangent(record, 13), closed && points.Count > 2);
+        return FitPointSpline.Through(points, _startTangent, _endTangent, closed && points.Count > 2);
     }
 }

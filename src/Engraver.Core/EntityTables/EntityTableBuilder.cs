@@ -36,6 +36,7 @@ public static class EntityTableBuilder
                 continue;
             }
 
+            if (drawn is { Kind: SegmentKind.Line } && drawn.A == drawn.D && drawn.B == drawn.E) continue; // nothing to cut; the reader has said so
             var slots = SlotsOf(drawn, drawing.Unit.ToMillimetres, hasDrawnAngles: entity.Type is CurveType.Arc or CurveType.Circle);
             table.Append(slots, entityIndex, null);
         }

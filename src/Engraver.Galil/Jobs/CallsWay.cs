@@ -8,6 +8,8 @@ namespace Engraver.Galil.Jobs;
 /// relative to where the machine really stands; a full stop after each. Progress is <c>seq</c>, for <c>done</c> alone races (F.3).</summary>
 internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : ISequenceWay
 {
+    private readonly AngleQuantum _quantum = new(machine.Profile.AngleQuantumDegrees);
+
     /// <summary>The server clears go and the arguments when it starts, and then sets the machine up: an empty call that comes back says that it has done both.</summary>
     public async ValueTask<JobStep> StartAsync()
     {
@@ -19,9 +21,11 @@ internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : ISequence
     public async ValueTask<JobStep> CutAsync(VectorSequence sequence)
     {
         if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } end) return end;
+        var start = sequence.Start;
         foreach (var segment in sequence.Segments)
         {
-            if (await CallAsync(segment, sequence.Speed).ConfigureAwait(false) is { Ends: true } broken) return broken;
+            if (await CallAsync(segment, start, sequence.Speed).ConfigureAwait(false) is { Ends: true } broken) return broken;
+            start = segment.End;
         }
 
         return JobStep.Done;
@@ -32,9 +36,10 @@ internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : ISequence
     {
     }
 
-    private async ValueTask<JobStep> CallAsync(VectorSegment segment, int speed)
+    private async ValueTask<JobStep> CallAsync(VectorSegment planned, CountsPoint start, int speed)
     {
         var here = machine.Here;
+        var segment = SegmentFromHere.Of(planned, start, here, _quantum);
         if (segment.Kind == VectorSegmentKind.Line && segment.End == here)
         {
             ledger.Confirm(segment);

@@ -29,7 +29,7 @@ internal sealed class StrokeGenerator
         _maxErrorMm = Math.Max(maxErrorMm, FinestSagitta / _scale.Largest);
         _aim = new ArcAim(new AngleQuantum(profile.AngleQuantumDegrees));
         _builder = new SequenceBuilder(start, profile.VectorSpeed, style);
-        _corners = new CornerWatch(profile.SharpCornerDegrees);
+        _corners = new CornerWatch(profile);
         _reached = start;
     }
 

@@ -22,19 +22,27 @@ internal static class BitmapDrawing
         if (part.IsEmpty)
             return;
         if (IsPixelForPixel(toDevice) && PixelBounds.Snapped(source).Intersect(bitmap.Bounds) == part)
-            Copy(state, bitmap, part, PixelBounds.Nearest(toDevice.M31), PixelBounds.Nearest(toDevice.M32), opacity);
+            Copy(state, bitmap, part, PixelBounds.Nearest(toDevice.M31), PixelBounds.Nearest(toDevice.M32), opacity, state.Options.BitmapBlendingMode);
         else if (toDevice.TryInvert(out var toImage))
-            state.FillRectangle(destination, Sampled(bitmap, toImage, part, ImageWrap.Clamp, ImageWrap.Clamp, IsSmooth(state.Options), opacity));
+            state.FillRectangle(destination, Sampled(bitmap, toImage, part, ImageWrap.Clamp, ImageWrap.Clamp, IsSmooth(state.Options), opacity, state.Options.BitmapBlendingMode));
     }
 
     /// <summary>Puts a group's pixels at their place; they are already in device pixels.</summary>
     public static void PutLayer(ContextStack state, SoftwareBitmap layer, PixelBounds bounds, double opacity) =>
-        Copy(state, layer, new PixelBounds(0, 0, bounds.Width, bounds.Height), bounds.Left, bounds.Top, opacity);
+        Copy(state, layer, new PixelBounds(0, 0, bounds.Width, bounds.Height), bounds.Left, bounds.Top, opacity, BitmapBlendingMode.SourceOver);
 
     public static bool IsSmooth(Avalonia.Media.RenderOptions options) => options.BitmapInterpolationMode != BitmapInterpolationMode.None;
 
     /// <summary>Takes a halved copy where several image pixels fall on one device pixel.</summary>
-    public static ImagePaint Sampled(SoftwareBitmap bitmap, Matrix toImage, PixelBounds part, ImageWrap wrapX, ImageWrap wrapY, bool isSmooth, double opacity)
+    public static ImagePaint Sampled(
+        SoftwareBitmap bitmap,
+        Matrix toImage,
+        PixelBounds part,
+        ImageWrap wrapX,
+        ImageWrap wrapY,
+        bool isSmooth,
+        double opacity,
+        BitmapBlendingMode mode = BitmapBlendingMode.SourceOver)
     {
         var step = Math.Sqrt(Math.Abs(toImage.GetDeterminant()));
         var halvings = isSmooth && step > 1 ? (int)Math.Round(Math.Log2(step)) : 0;
@@ -45,17 +53,17 @@ internal static class BitmapDrawing
         var ratioY = (double)readable.PixelSize.Height / bitmap.PixelSize.Height;
         var scaledPart = PixelBounds.Around(new Rect(part.Left * ratioX, part.Top * ratioY, part.Width * ratioX, part.Height * ratioY)).Intersect(readable.Bounds);
         return new ImagePaint(
-            readable.Source, toImage * Matrix.CreateScale(ratioX, ratioY), scaledPart, wrapX, wrapY, isSmooth, PixelArithmetic.OpacityByte(opacity));
+            readable.Source, toImage * Matrix.CreateScale(ratioX, ratioY), scaledPart, wrapX, wrapY, isSmooth, PixelArithmetic.OpacityByte(opacity)) { Mode = mode };
     }
 
     private static bool IsPixelForPixel(in Matrix matrix) =>
         Math.Abs(matrix.M11 - 1) < 1e-6 && Math.Abs(matrix.M22 - 1) < 1e-6 && Math.Abs(matrix.M12) < 1e-9 && Math.Abs(matrix.M21) < 1e-9
         && Math.Abs(matrix.M31 - Math.Round(matrix.M31)) < OnPixel && Math.Abs(matrix.M32 - Math.Round(matrix.M32)) < OnPixel;
 
-    private static void Copy(ContextStack state, SoftwareBitmap bitmap, PixelBounds part, int offsetX, int offsetY, double opacity)
+    private static void Copy(ContextStack state, SoftwareBitmap bitmap, PixelBounds part, int offsetX, int offsetY, double opacity, BitmapBlendingMode mode)
     {
         var readable = bitmap.ForReading(0);
-        var paint = new PixelCopyPaint(readable.Source, offsetX, offsetY, PixelArithmetic.OpacityByte(opacity));
+        var paint = new PixelCopyPaint(readable.Source, offsetX, offsetY, PixelArithmetic.OpacityByte(opacity)) { Mode = mode };
         var place = part.Offset(offsetX, offsetY);
         ShapeFiller.FillRectangle(state.Painter, new Rect(place.Left, place.Top, place.Width, place.Height), paint, state.Clip);
     }

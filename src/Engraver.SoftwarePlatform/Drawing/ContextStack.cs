@@ -28,14 +28,16 @@ internal sealed class ContextStack(SurfacePainter painter, DrawingScratch scratc
 
     public bool IsAxisAligned => Math.Abs(Transform.M12) < 1e-9 && Math.Abs(Transform.M21) < 1e-9;
 
-    public void FillPath(VectorPath path, Paint paint) => ShapeFiller.FillPath(Painter, scratch, path, Transform, paint, Clip);
+    private bool IsAliased => Options.EdgeMode == EdgeMode.Aliased;
+
+    public void FillPath(VectorPath path, Paint paint) => ShapeFiller.FillPath(Painter, scratch, path, Transform, paint, Clip, IsAliased);
 
     public void FillRectangle(Rect rectangle, Paint paint)
     {
         if (IsAxisAligned)
         {
             var device = rectangle.TransformToAABB(Transform);
-            ShapeFiller.FillRectangle(Painter, Options.EdgeMode == EdgeMode.Aliased ? Snapped(device) : device, paint, Clip);
+            ShapeFiller.FillRectangle(Painter, IsAliased ? Snapped(device) : device, paint, Clip);
             return;
         }
         var path = scratch.Path;

@@ -10,6 +10,8 @@ internal readonly record struct ShadowBlur(int First, int Second, int Third)
     /// <summary>How far anything spreads.</summary>
     public int Reach => (First + Second + Third) / 2 + 1;
 
+    public bool IsNone => First + Second + Third == 3;
+
     /// <param name="radius">Blur radius of a box shadow in device pixels; a Gaussian of 0.2887 radii plus half a pixel, as Avalonia has it.</param>
     public static ShadowBlur Of(double radius)
     {
@@ -27,7 +29,7 @@ internal readonly record struct ShadowBlur(int First, int Second, int Third)
 
     public void Apply(CoverageMask mask)
     {
-        if (First + Second + Third == 3)
+        if (IsNone)
             return;
         var longest = Math.Max(mask.Bounds.Width, mask.Bounds.Height);
         var line = ArrayPool<byte>.Shared.Rent(longest);

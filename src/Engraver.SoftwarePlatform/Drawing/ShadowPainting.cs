@@ -29,13 +29,46 @@ internal static class ShadowPainting
     private static void DrawOuter(ContextStack state, RoundedRect box, BoxShadow shadow, bool boxIsOpaque)
     {
         var paint = new SolidPaint(PixelArithmetic.Premultiplied(shadow.Color, state.Opacity));
-        var path = PathOf(box.Grown(shadow.Spread));
+        var grown = box.Grown(shadow.Spread);
         var transform = Matrix.CreateTranslation(shadow.OffsetX, shadow.OffsetY) * state.Transform;
         var blur = ShadowBlur.Of(shadow.Blur * state.Scale);
-        if (Bounds(path, transform) is not { } bounds || !state.Clip.Touches(bounds.Inflate(blur.Reach)))
+        if (Bounds(PathOf(grown), transform) is not { } bounds || !state.Clip.Touches(bounds.Inflate(blur.Reach)))
             return;
-        using var mask = ShapeFiller.MaskOf(state.Scratch, path, transform, bounds.Inflate(blur.Reach));
-        blur.Apply(mask);
+        if (!state.IsAxisAligned || blur.IsNone)
+        {
+            using var exact = ShapeFiller.MaskOf(state.Scratch, PathOf(grown), transform, bounds.Inflate(blur.Reach));
+            blur.Apply(exact);
+            PaintAround(state, box, exact, paint, boxIsOpaque);
+            return;
+        }
+        var stretched = Soft(state, grown, transform, blur);
+        if (boxIsOpaque)
+        {
+            stretched.Paint(state, paint);
+            return;
+        }
+        using var whole = stretched.ToMask();
+        PaintAround(state, box, whole, paint, boxIsOpaque);
+    }
+
+    /// <summary>A soft shadow may stand on whole pixels: nobody sees the difference, and its mask can be kept.</summary>
+    private static StretchedShadow Soft(ContextStack state, RoundedRect grown, in Matrix transform, ShadowBlur blur)
+    {
+        double scaleX = Math.Abs(transform.M11), scaleY = Math.Abs(transform.M22);
+        Vector Scaled(Vector radius) => new(radius.X * scaleX, radius.Y * scaleY);
+        var device = new RoundedRect(
+            grown.Rect.TransformToAABB(transform),
+            Scaled(grown.RadiiTopLeft),
+            Scaled(grown.RadiiTopRight),
+            Scaled(grown.RadiiBottomRight),
+            Scaled(grown.RadiiBottomLeft));
+        var pixels = PixelBounds.Snapped(device.Rect);
+        var mask = state.Scratch.Shadows.Get(ShadowShape.Smallest(device, pixels, blur), state.Scratch);
+        return new StretchedShadow(mask, pixels.Inflate(blur.Reach));
+    }
+
+    private static void PaintAround(ContextStack state, RoundedRect box, CoverageMask mask, Paint paint, bool boxIsOpaque)
+    {
         if (!boxIsOpaque)
             CutOut(state, mask, PathOf(box));
         Paint(state, mask, paint);

@@ -10,7 +10,7 @@ namespace Engraver.SoftwarePlatform.Rasteriser;
 /// <remarks>Buffers are kept between shapes and are all zero between them. Not for several threads at once.</remarks>
 internal sealed unsafe class CoverageAccumulator
 {
-    private const double CurveTolerance = 0.08;
+    private const double CurveTolerance = 0.02;
 
     private float[] _changes = [];
     private ulong[] _touched = [];

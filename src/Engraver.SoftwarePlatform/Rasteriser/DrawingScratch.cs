@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using Engraver.SoftwarePlatform.Drawing;
 
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
@@ -20,6 +21,8 @@ internal sealed class DrawingScratch
     public uint[] Shaded { get; } = new uint[LongestSpan];
 
     public byte[] Covered { get; } = new byte[LongestSpan];
+
+    public ShadowMasks Shadows { get; } = new();
 
     public static DrawingScratch Take() => s_free.TryTake(out var kept) ? kept : new DrawingScratch();
 

@@ -5,7 +5,8 @@ namespace Engraver.SoftwarePlatform.Rasteriser;
 /// <summary>Fills paths and rectangles on a surface, inside a clip.</summary>
 internal static class ShapeFiller
 {
-    public static void FillPath(SurfacePainter painter, DrawingScratch scratch, VectorPath path, in Matrix transform, Paint paint, ClipShape clip)
+    /// <param name="isAliased">Only whole pixels are drawn, without soft edges.</param>
+    public static void FillPath(SurfacePainter painter, DrawingScratch scratch, VectorPath path, in Matrix transform, Paint paint, ClipShape clip, bool isAliased)
     {
         if (path.ControlBounds(transform) is not { } box)
             return;
@@ -15,6 +16,12 @@ internal static class ShapeFiller
         scratch.Accumulator.Begin(visible);
         scratch.Accumulator.Add(path, transform);
         var sink = new PaintSink(painter, paint, clip);
+        if (isAliased)
+        {
+            var whole = new ThresholdSink<PaintSink>(sink);
+            scratch.Accumulator.Emit(ref whole, path.FillRule);
+            return;
+        }
         scratch.Accumulator.Emit(ref sink, path.FillRule);
     }
 

@@ -9,7 +9,7 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
     private const double StraightOn = 0.99999;
 
     /// <summary>Largest distance of a round join's or cap's chords from the circle, in device pixels.</summary>
-    private const double ArcTolerance = 0.1;
+    private const double ArcTolerance = 0.03;
 
     private readonly double _half = style.Width / 2;
     private readonly double _arcStep = 2 * Math.Acos(Math.Max(0.5, 1 - ArcTolerance / Math.Max(ArcTolerance * 2, style.Width / 2 * scale)));
@@ -100,15 +100,26 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
         }
         else if (turn < 0)
         {
-            // The inner side: through the corner itself, so that short segments leave no hole.
-            Add(corner + normal0);
-            Add(corner);
-            Add(corner + normal1);
+            AddInnerJoin(before, corner, after, normal0, normal1, cosine);
         }
         else
         {
             AddOuterJoin(corner, normal0, normal1, cosine);
         }
+    }
+
+    /// <summary>Where both borders cross; if a segment is too short for that, by way of the corner itself, so that no hole is left.</summary>
+    private void AddInnerJoin(Vector before, Vector corner, Vector after, Vector normal0, Vector normal1, double cosine)
+    {
+        var back = _half * Math.Sqrt(Math.Max(0, 1 - cosine) / Math.Max(1e-9, 1 + cosine));
+        if (back * back < Math.Min((corner - before).SquaredLength, (after - corner).SquaredLength))
+        {
+            Add(corner + (normal0 + normal1) / (1 + cosine));
+            return;
+        }
+        Add(corner + normal0);
+        Add(corner);
+        Add(corner + normal1);
     }
 
     private void AddOuterJoin(Vector corner, Vector normal0, Vector normal1, double cosine)

@@ -6,7 +6,7 @@ namespace Engraver.SoftwarePlatform.Rasteriser;
 /// <summary>Makes the outline of a drawn line; it is filled by the non-zero rule.</summary>
 internal static class Stroker
 {
-    private const double FlatteningTolerance = 0.1;
+    private const double FlatteningTolerance = 0.03;
 
     /// <param name="scale">Device pixels per unit of the path: curves are made as fine as that needs.</param>
     public static VectorPath Stroke(VectorPath path, StrokeStyle style, double scale)

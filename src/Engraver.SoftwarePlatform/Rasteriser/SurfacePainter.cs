@@ -38,7 +38,7 @@ internal sealed class SurfacePainter(PixelSurface surface, DrawingScratch scratc
 
     private void PaintRun(int y, int left, int right, byte coverage, Paint paint, CoverageMask? mask)
     {
-        if (mask is not null)
+        if (mask is not null || !paint.IsPlainOver)
         {
             var covered = scratch.Covered.AsSpan(0, right - left);
             covered.Fill(coverage);
@@ -79,7 +79,21 @@ internal sealed class SurfacePainter(PixelSurface surface, DrawingScratch scratc
         }
         var shaded = scratch.Shaded.AsSpan(0, right - left);
         paint.Shade(left, y, shaded);
+        if (!paint.IsPlainOver)
+        {
+            Mix(row, shaded, coverages, paint);
+            return;
+        }
         PixelRows.Scale(shaded, coverages);
         PixelRows.BlendPixels(row, shaded);
+    }
+
+    private static void Mix(Span<uint> row, ReadOnlySpan<uint> shaded, ReadOnlySpan<byte> coverages, Paint paint)
+    {
+        for (var i = 0; i < row.Length; i++)
+        {
+            var mixed = PixelBlending.Blend(paint.Mode, shaded[i], row[i]);
+            row[i] = PixelArithmetic.Scale(mixed, coverages[i]) + PixelArithmetic.Scale(row[i], 255u - coverages[i]);
+        }
     }
 }

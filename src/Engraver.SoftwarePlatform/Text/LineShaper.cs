@@ -1,3 +1,4 @@
+using Avalonia;
 using Avalonia.Media;
 using Avalonia.Media.TextFormatting;
 using Avalonia.Media.TextFormatting.Unicode;
@@ -12,10 +13,15 @@ internal sealed class LineShaper(TextShaperOptions options)
     private readonly GlyphTypeface _typeface = options.GlyphTypeface;
     private readonly PairKerning? _kerning = (options.GlyphTypeface.PlatformTypeface as SoftwareTypeface)?.Kerning;
     private readonly double _scale = options.FontRenderingEmSize / options.GlyphTypeface.Metrics.DesignEmHeight;
+    private readonly MarkPlacement? _placement = (options.GlyphTypeface.PlatformTypeface as SoftwareTypeface)?.Marks;
     private readonly List<GlyphInfo> _glyphs = [];
+    private readonly List<(int Mark, int Letter)> _marks = [];
 
     /// <summary>Glyph that the next one may be kerned to; -1 after anything but a letter.</summary>
     private int _previous = -1;
+
+    /// <summary>Where the glyph of <see cref="_previous"/> stands; marks may stand between.</summary>
+    private int _previousPlace;
 
     public IReadOnlyList<GlyphInfo> Glyphs => _glyphs;
 
@@ -34,6 +40,8 @@ internal sealed class LineShaper(TextShaperOptions options)
                 AddLetter(codepoint, index);
             index += length;
         }
+        foreach (var (mark, letter) in _marks)
+            Place(mark, letter);
     }
 
     private void AddTab(int cluster)
@@ -52,28 +60,44 @@ internal sealed class LineShaper(TextShaperOptions options)
         _previous = -1;
     }
 
-    /// <summary>Stands over what it follows, without an advance.</summary>
-    private void AddMark(Codepoint codepoint) => _glyphs.Add(new GlyphInfo(Glyph((int)codepoint.Value), _glyphs[^1].GlyphCluster, 0));
+    /// <summary>Stands over the letter that it follows, without an advance.</summary>
+    private void AddMark(Codepoint codepoint)
+    {
+        if (_previous >= 0)
+            _marks.Add((_glyphs.Count, _previousPlace));
+        _glyphs.Add(new GlyphInfo(Glyph((int)codepoint.Value), _glyphs[^1].GlyphCluster, 0));
+    }
+
+    /// <summary>After all advances are known: a mark is drawn where its letter ends or, in text that runs to the left, where it begins.</summary>
+    private void Place(int mark, int letter)
+    {
+        var (info, under) = (_glyphs[mark], _glyphs[letter]);
+        if (_placement?.Find(under.GlyphIndex, info.GlyphIndex) is not { } place)
+            return;
+        var back = (options.BidiLevel & 1) != 0 ? 0 : under.GlyphAdvance;
+        _glyphs[mark] = new GlyphInfo(info.GlyphIndex, info.GlyphCluster, 0, new Vector(place.X * _scale - back, -place.Y * _scale));
+    }
 
     private void AddLetter(Codepoint codepoint, int cluster)
     {
         var glyph = Glyph((int)codepoint.Value);
-        if (_previous >= 0)
-            Kern(_previous, glyph);
         _glyphs.Add(new GlyphInfo(glyph, cluster, Advance(glyph) + options.LetterSpacing));
+        if (_previous >= 0)
+            Kern(glyph);
         _previous = glyph;
+        _previousPlace = _glyphs.Count - 1;
     }
 
-    /// <summary>Pairs are given from left to right; in text that runs to the left the later glyph stands left.</summary>
-    private void Kern(int previous, int glyph)
+    /// <summary>Changes the advance of whichever of the last two letters stands left: in text that runs to the left, the later one.</summary>
+    private void Kern(int glyph)
     {
         var isRightToLeft = (options.BidiLevel & 1) != 0;
-        var units = isRightToLeft ? _kerning?.Between(glyph, previous) : _kerning?.Between(previous, glyph);
-        if (units is not (null or 0))
-        {
-            var last = _glyphs[^1];
-            _glyphs[^1] = new GlyphInfo(last.GlyphIndex, last.GlyphCluster, last.GlyphAdvance + units.Value * _scale, last.GlyphOffset);
-        }
+        var units = isRightToLeft ? _kerning?.Between(glyph, _previous) : _kerning?.Between(_previous, glyph);
+        if (units is null or 0)
+            return;
+        var place = isRightToLeft ? _glyphs.Count - 1 : _previousPlace;
+        var left = _glyphs[place];
+        _glyphs[place] = new GlyphInfo(left.GlyphIndex, left.GlyphCluster, left.GlyphAdvance + units.Value * _scale, left.GlyphOffset);
     }
 
     private ushort Glyph(int character) => _typeface.CharacterToGlyphMap[character];

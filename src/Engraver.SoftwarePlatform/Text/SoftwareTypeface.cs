@@ -10,15 +10,18 @@ namespace Engraver.SoftwarePlatform.Text;
 /// <summary>A face with its outlines, kerning and drawn glyphs.</summary>
 internal sealed class SoftwareTypeface : IPlatformTypeface
 {
+    private const uint CharacterMapTag = 0x636D6170;
+
     /// <summary>Slant of a face that has no italic of its own.</summary>
     private const double ObliqueSlant = 0.25;
 
-    /// <summary>A made bold grows by this part of the size on each side.</summary>
-    private const double BoldGrowth = 1.0 / 48;
+    /// <summary>A made bold grows to the right by this part of the size.</summary>
+    private const double BoldGrowth = 1.0 / 24;
 
     private readonly FontFile _file;
     private readonly Lazy<IGlyphOutlines> _outlines;
     private readonly Lazy<PairKerning> _kerning;
+    private readonly Lazy<MarkPlacement> _marks;
     private readonly ConcurrentDictionary<int, VectorPath> _paths = new();
 
     private SoftwareTypeface(FontFile file, FontSimulations simulations)
@@ -28,8 +31,10 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         UnitsPerEm = Math.Max(16, (int)file.Table("head").UInt16(18));
         _outlines = new Lazy<IGlyphOutlines>(() => file.Has("glyf") ? new GlyfOutlines(file) : new CffOutlines(file));
         _kerning = new Lazy<PairKerning>(() => PairKerning.Of(file));
+        _marks = new Lazy<MarkPlacement>(() => MarkPlacement.Of(file));
         Masks = new GlyphMasks(this);
         GlyphTypeface = new GlyphTypeface(this);
+        TryOut(GlyphTypeface, file);
         FamilyName = GlyphTypeface.FamilyName;
         Weight = GlyphTypeface.Weight;
         Style = GlyphTypeface.Style;
@@ -54,6 +59,8 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     public GlyphMasks Masks { get; }
 
     public PairKerning Kerning => _kerning.Value;
+
+    public MarkPlacement Marks => _marks.Value;
 
     /// <returns>Null for a font that cannot be used: broken, or without outlines.</returns>
     public static SoftwareTypeface? TryCreate(IFontSource source, int face, FontSimulations simulations)
@@ -87,7 +94,14 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         return true;
     }
 
-    public bool TryGetTable(OpenTypeTag tag, out ReadOnlyMemory<byte> table) => _file.TryGetTable((uint)tag, out table);
+    public bool TryGetTable(OpenTypeTag tag, out ReadOnlyMemory<byte> table)
+    {
+        if (!_file.TryGetTable((uint)tag, out table))
+            return false;
+        if ((uint)tag == CharacterMapTag)
+            table = CharacterMapUpgrade.Of(table);
+        return true;
+    }
 
     /// <summary>In font units, y up; empty for a glyph that is blank or broken.</summary>
     public VectorPath Outline(int glyph) => _paths.GetOrAdd(glyph, MakeOutline);
@@ -104,6 +118,15 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     {
     }
 
+    /// <summary>Avalonia's reader finds out only when it looks a character or a width up that its tables are broken; better now than while text is drawn.</summary>
+    private static void TryOut(GlyphTypeface typeface, FontFile file)
+    {
+        foreach (var character in (ReadOnlySpan<int>)[' ', 'A', 0x4E2D, 0xFFFF, 0x1F600])
+            _ = typeface.CharacterToGlyphMap[character];
+        foreach (var glyph in (ReadOnlySpan<int>)[0, Math.Max(0, file.Table("maxp").UInt16(4) - 1)])
+            _ = typeface.TryGetHorizontalGlyphAdvance((ushort)glyph, out _);
+    }
+
     private VectorPath MakeOutline(int glyph)
     {
         try
@@ -117,13 +140,12 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         }
     }
 
+    /// <summary>The shape and the same a little to the right: both turn the same way, so that together they are filled as one.</summary>
     private VectorPath Bold(VectorPath path)
     {
-        var style = new StrokeStyle(2 * BoldGrowth * UnitsPerEm, Join: PenLineJoin.Miter, MiterLimit: 2);
-        var grown = path.Transformed(Matrix.Identity);
-        grown.FillRule = FillRule.NonZero;
-        grown.Append(Stroker.Stroke(path, style, 32.0 / UnitsPerEm), Matrix.Identity);
-        return grown;
+        var wide = path.Transformed(Matrix.Identity);
+        wide.Append(path, Matrix.CreateTranslation(BoldGrowth * UnitsPerEm, 0));
+        return wide;
     }
 
     /// <summary>What Avalonia's and this reader throw for files that are no proper fonts.</summary>

@@ -10,6 +10,9 @@ internal sealed class WindowProperties(X11Desktop desktop, nint window)
 
     public SizeHints Hints { get; } = new();
 
+    /// <summary>True while a window manager runs (EWMH).</summary>
+    public bool IsManaged => Connection.GetLongs(Connection.Root, Atoms.NetSupportingWmCheck).Length > 0;
+
     private XConnection Connection => desktop.Drawing;
 
     private XAtoms Atoms => desktop.Atoms;
@@ -76,7 +79,7 @@ internal sealed class WindowProperties(X11Desktop desktop, nint window)
     {
         const nint fromApplication = 1;
         const int toParent = 2;
-        if (Connection.GetLongs(Connection.Root, Atoms.NetSupportingWmCheck).Length > 0)
+        if (IsManaged)
             Connection.SendMessage(Connection.Root, window, Atoms.NetActiveWindow, XEventMask.ToWindowManager, fromApplication, 0, 0);
         else Xlib.XSetInputFocus(Connection.Display, window, toParent, 0);
     }

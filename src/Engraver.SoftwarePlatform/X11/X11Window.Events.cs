@@ -39,6 +39,12 @@ internal sealed partial class X11Window
         LostFocus?.Invoke();
     }
 
+    /// <summary>Without a window manager nobody gives a new window the keyboard.</summary>
+    internal void OnMapped()
+    {
+        if (_open && !_properties.IsManaged) Activate();
+    }
+
     internal void OnExposed(PixelRect area)
     {
         if (!_open) return;

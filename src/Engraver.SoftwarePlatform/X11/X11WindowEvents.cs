@@ -62,6 +62,12 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
                 var state = XWindowState.Of(input.GetLongs(handle, desktop.Atoms.NetWmState), desktop.Atoms);
                 Queue(() => window.OnStateChanged(state));
                 break;
+            case XEventType.MapNotify:
+                Queue(window.OnMapped);
+                break;
+            case XEventType.DestroyNotify: // by another program; of our own doing nobody listens any more
+                Queue(window.Dispose);
+                break;
             case XEventType.ClientMessage when received.MessageType == desktop.Atoms.WmProtocols:
                 OnProtocol(ref received);
                 break;

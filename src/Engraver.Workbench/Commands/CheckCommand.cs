@@ -12,7 +12,7 @@ internal sealed class CheckCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var job = JobPreparation.Prepare(drawing, context.Document.Current.Settings, MotionStyle.Continuous, cancellation);
+        var job = JobPreparation.PrepareUnlessCancelled(drawing, context.Document.Current.Settings, MotionStyle.Continuous, cancellation);
         Findings.Say(context, drawing.FileName, job.Diagnostics, Severity.Info);
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         var warnings = job.Diagnostics.Count(found => found.Severity == Severity.Warning);

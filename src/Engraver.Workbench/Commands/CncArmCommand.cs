@@ -57,6 +57,6 @@ internal sealed class CncArmCommand : ICommand
     {
         if (context.Derivation is { IsCurrent: true, Current.Job: { } derived } && context.Derivation.Mode == mode && ReferenceEquals(derived.Drawing, context.Drawing)) return derived;
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
-        return await Task.Run(() => JobPreparation.Prepare(drawing, settings, MachineRunOptions.StyleOf(mode), cancellation), cancellation).ConfigureAwait(false);
+        return await Task.Run(() => JobPreparation.PrepareUnlessCancelled(drawing, settings, MachineRunOptions.StyleOf(mode), cancellation), cancellation).ConfigureAwait(false);
     }
 }

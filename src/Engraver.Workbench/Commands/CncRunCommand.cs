@@ -21,6 +21,7 @@ internal sealed class CncRunCommand : ICommand
             return;
         }
 
+        if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, "Nothing is armed; CNCARM first.");
         var (mode, dryRun) = (JobMode.Stream, false);
         while (true)
         {

@@ -89,6 +89,8 @@ public sealed class CommandContext
     /// <exception cref="CommandException">Scripts call each other too deep.</exception>
     public void QueueScript(string path, string text) => _session.QueueScript(path, text);
 
+    internal bool RunNeedsArming => _session.RunNeedsArming;
+
     /// <summary>A path for the journal of a run that starts now.</summary>
     internal string NewRunJournal(string drawing) => JournalFolder.NewJournal(drawing, _session.Environment.RunJournalFolder, Time);
 

@@ -27,6 +27,7 @@ public sealed class CommandSession : IAsyncDisposable
         Aliases = ReloadAliases();
         View.Change(state => SystemVariables.Restore(state, Settings.Current));
         Document.Changed += OnDocumentChanged;
+        Derivation.Changed += OnDerived;
     }
 
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
@@ -45,7 +46,7 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>Strokes, job, findings and plan of the document.</summary>
     public DerivationSession Derivation { get; }
 
-    /// <summary>The planned motion in time; the desktop loads it with what was derived.</summary>
+    /// <summary>The planned motion in time, of what was derived last.</summary>
     public PlaybackSession Playback { get; }
 
     public CommandCatalog Catalog { get; }
@@ -61,6 +62,9 @@ public sealed class CommandSession : IAsyncDisposable
         : PromptView.Idle;
 
     internal CommandEnvironment Environment { get; }
+
+    /// <summary>A script says what it means; a hand must arm first, where the environment wants that.</summary>
+    internal bool RunNeedsArming => Environment.RunNeedsArming && !_scripts.IsRunnable;
 
     internal Point2D LastPoint { get; set; }
 
@@ -113,6 +117,7 @@ public sealed class CommandSession : IAsyncDisposable
     {
         await EndAllAsync().ConfigureAwait(false);
         Document.Changed -= OnDocumentChanged;
+        Derivation.Changed -= OnDerived;
         Derivation.Dispose();
         await Machine.DisposeAsync().ConfigureAwait(false);
     }
@@ -143,6 +148,8 @@ public sealed class CommandSession : IAsyncDisposable
         Machine.Profile = state.Settings.Machine;
         if (Machine.Armed is { Job: var job } && (!ReferenceEquals(job.Drawing, state.Drawing) || job.Settings != state.Settings)) Machine.Disarm();
     }
+
+    private void OnDerived(object? sender, EventArgs e) => Playback.Load(Derivation.Current.Motion);
 
     private string Before() => _frames.Count > 1 ? new string('>', 2 * (_frames.Count - 1)) : "";
 

@@ -8,13 +8,14 @@ namespace Engraver.Workbench.Commands;
 /// <summary>What OPEN and RECENT do with a file: one document step, the view as it was left or all of it, the file remembered.</summary>
 internal static class DrawingOpening
 {
+    /// <param name="name">As the operator wrote it.</param>
     /// <exception cref="CommandException">Nothing could be read.</exception>
-    public static void Open(CommandContext context, string path, CancellationToken cancellation)
+    public static void Open(CommandContext context, string name, string path, CancellationToken cancellation)
     {
         var state = context.Document.Current;
         var drawing = DrawingFile.Open(path, state.Settings.Unit, cancellation);
         Findings.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
-        if (drawing.HasErrors && drawing.Entities.Count == 0) throw new CommandException(CommandFailure.Drawing, $"{path} was not opened: {drawing.Diagnostics.First(found => found.Severity == Severity.Error).Message}");
+        if (drawing.HasErrors && drawing.Entities.Count == 0) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {drawing.Diagnostics.First(found => found.Severity == Severity.Error).Message}");
         RememberView(context);
         context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
         context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));

@@ -10,6 +10,6 @@ internal sealed class OpenCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var name = await context.ValueAsync(new TextPrompt("Enter name of drawing to open")).ConfigureAwait(false);
-        DrawingOpening.Open(context, context.FileToRead(name), cancellation);
+        DrawingOpening.Open(context, name, context.FileToRead(name), cancellation);
     }
 }

@@ -13,7 +13,7 @@ internal sealed class RecentCommand : ICommand
         if (files.Count == 0) throw new CommandException(CommandFailure.Usage, "No drawing was opened yet.");
         context.SayResult(output => Write(files, output));
         var prompt = new NumberPrompt("Enter number of drawing to open") { EnterEnds = true, Least = 1, Most = files.Count, Whole = true };
-        if (await context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var number }) DrawingOpening.Open(context, files[(int)number - 1], cancellation);
+        if (await context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var number }) DrawingOpening.Open(context, files[(int)number - 1], files[(int)number - 1], cancellation);
     }
 
     private static void Write(IReadOnlyList<string> files, TextWriter output)

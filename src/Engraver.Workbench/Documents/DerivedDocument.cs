@@ -48,7 +48,7 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
         try
         {
             cancellation.ThrowIfCancellationRequested();
-            var job = JobPreparation.Prepare(drawing, state.Settings, MachineRunOptions.StyleOf(mode), cancellation);
+            var job = JobPreparation.PrepareUnlessCancelled(drawing, state.Settings, MachineRunOptions.StyleOf(mode), cancellation);
             return (derived with { Job = job }).WithMotion(job, cancellation);
         }
         catch (SettingException unfit)

@@ -15,9 +15,17 @@ public static class JobPreparation
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static EntityTable Analyse(Drawing drawing, DrawingSettings settings)
     {
+        CheckLayers(drawing, settings);
         var selection = new LayerSelection(settings.Layers ?? [], settings.SkippedLayers);
-        if (selection.UnknownNames(drawing.Layers) is { Count: > 0 } unknown) throw SettingException.UnknownLayers(unknown, drawing.Layers);
         return ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, selection));
+    }
+
+    /// <summary>Makes sure that the layers which the operator names are there. A drawing that could not be read has none, and has said so already.</summary>
+    /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
+    public static void CheckLayers(Drawing drawing, DrawingSettings settings)
+    {
+        var selection = new LayerSelection(settings.Layers ?? [], settings.SkippedLayers);
+        if (drawing.Layers.Count > 0 && selection.UnknownNames(drawing.Layers) is { Count: > 0 } unknown) throw SettingException.UnknownLayers(unknown, drawing.Layers);
     }
 
     /// <summary>Contours, order, discontinuities.</summary>
@@ -43,12 +51,12 @@ public static class JobPreparation
     /// <summary>All stages.</summary>
     /// <param name="style">Continuous for the stream and the posted sequences, calls for the paper's way.</param>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
-    public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style) => Prepare(drawing, settings, style, CancellationToken.None);
+    public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style) => PrepareUnlessCancelled(drawing, settings, style, CancellationToken.None);
 
     /// <summary>All stages; between two of them a cancellation is honoured.</summary>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
-    public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken cancellation)
+    public static PreparedJob PrepareUnlessCancelled(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken cancellation)
     {
         var analysed = Analyse(drawing, settings);
         cancellation.ThrowIfCancellationRequested();

@@ -25,9 +25,11 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
     public static PostedProgram Of(Drawing drawing, DrawingSettings settings, string target)
     {
+        if (drawing.Entities.Count == 0) return new PostedProgram(null, drawing.HasErrors ? drawing.Diagnostics : [.. drawing.Diagnostics, DocumentRules.NothingToPost.At(default)]);
         if (target == CutterLocation) return ClDataOf(drawing, settings);
         var calls = target == GalilCalls;
         var job = JobPreparation.Prepare(drawing, settings, calls ? MotionStyle.Calls : MotionStyle.Continuous);
+        if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]);
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics);
         var post = calls ? DmcPost.Calls(program, DmcPostOptions.Default, drawing.SourceOf) : DmcPost.Sequences(program, DmcPostOptions.Default, drawing.SourceOf);
         return new PostedProgram(post.Text, [.. job.Diagnostics, .. post.Diagnostics]);
@@ -36,9 +38,9 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     private static PostedProgram ClDataOf(Drawing drawing, DrawingSettings settings)
     {
         var sequence = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings);
-        if (drawing is { HasErrors: true, Entities.Count: 0 }) return new PostedProgram(null, drawing.Diagnostics); // an earlier result is not replaced by nothing
+        if (sequence.Contours == 0) return new PostedProgram(null, [.. drawing.Diagnostics, .. sequence.Diagnostics, DocumentRules.NothingToPost.At(default)]); // an earlier result is not replaced by nothing
         using var text = new StringWriter { NewLine = "\n" };
-        ClData.Write(JobPreparation.PathOf(sequence, settings), text);
+        ClData.Write(sequence, settings.Start, text);
         return new PostedProgram(text.ToString(), [.. drawing.Diagnostics, .. sequence.Diagnostics]);
     }
 }

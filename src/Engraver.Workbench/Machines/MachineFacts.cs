@@ -35,9 +35,12 @@ internal sealed record MachineFacts
 
     public string? LastRefusal { get; init; }
 
-    public MachineStatus ToStatus(MachineProfile profile, ArmedJob? armed, DateTimeOffset now)
+    /// <summary>When the controller was heard last.</summary>
+    public DateTimeOffset SeenAt { get; init; }
+
+    public MachineStatus ToStatus(MachineProfile profile, ArmedJob? armed)
     {
-        if (Link is null) return MachineStatus.Offline with { Time = now };
+        if (Link is null) return MachineStatus.Offline with { Time = SeenAt };
         var (state, reason) = StateOf(armed);
         var place = PlaceCounts();
         return new MachineStatus
@@ -59,7 +62,7 @@ internal sealed record MachineFacts
             LastRefusal = LastRefusal,
             Progress = Progress is { } told ? Engraved(profile, told) : null,
             ArmedUntil = state == MachineState.Armed ? armed?.Until : null,
-            Time = now,
+            Time = SeenAt,
         };
     }
 

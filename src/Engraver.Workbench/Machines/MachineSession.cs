@@ -15,20 +15,17 @@ public sealed class MachineSession : IAsyncDisposable
 {
     private readonly Lock _guard = new();
     private readonly TimeProvider _time;
-    private readonly ArmingSwitch _arming;
+    private readonly MachineBoard _board;
     private CancellationTokenSource? _job;
     private TaskCompletionSource? _jobEnded;
     private MachineConnection? _connection;
     private ControllerAddress? _address;
     private MachineWatch? _watch;
-    private MachineFacts _facts = MachineFacts.None;
-    private MachineProfile _profile = MachineProfile.Default;
 
     public MachineSession(TimeProvider time)
     {
         _time = time;
-        _arming = new ArmingSwitch(time, RaiseChanged);
-        Alarms = new AlarmLog(time);
+        _board = new MachineBoard(time, RaiseChanged);
         Terminal = new LiveTerminal(time, AnswerAsync);
     }
 
@@ -36,15 +33,9 @@ public sealed class MachineSession : IAsyncDisposable
     public event EventHandler? Changed;
 
     /// <summary>What is known now.</summary>
-    public MachineStatus Status
-    {
-        get
-        {
-            lock (_guard) return _facts.ToStatus(_profile, _arming.Armed, _time.GetUtcNow());
-        }
-    }
+    public MachineStatus Status => _board.Status;
 
-    public AlarmLog Alarms { get; }
+    public AlarmLog Alarms => _board.Alarms;
 
     /// <summary>The terminal's page.</summary>
     public LiveTerminal Terminal { get; }
@@ -52,26 +43,12 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>The machine by which counts become millimetres and the tool's output is known. Another one disarms.</summary>
     public MachineProfile Profile
     {
-        get
-        {
-            lock (_guard) return _profile;
-        }
-
-        set
-        {
-            ArgumentNullException.ThrowIfNull(value);
-            lock (_guard)
-            {
-                if (_profile == value) return;
-                _profile = value;
-            }
-
-            if (!_arming.Disarm()) RaiseChanged();
-        }
+        get => _board.Profile;
+        set => _board.Profile = value;
     }
 
     /// <summary>What START would run; null while nothing is armed.</summary>
-    public ArmedJob? Armed => _arming.Armed;
+    public ArmedJob? Armed => _board.Arming.Armed;
 
     /// <summary>Where the controller is; null while none is connected.</summary>
     public string? Description => _connection?.Description;
@@ -109,14 +86,10 @@ public sealed class MachineSession : IAsyncDisposable
             watch = await MachineWatch.OpenAsync(connection, _time, cancellation).ConfigureAwait(false);
             var poll = await watch.LookAsync(cancellation).ConfigureAwait(false);
             Identity = watch.Identity;
-            lock (_guard)
-            {
-                (_connection, _address, _watch) = (connection, address, watch);
-                _facts = new MachineFacts { Link = connection.Description, IsSimulation = connection.Simulator is not null, Identity = Identity };
-            }
-
-            Seen(poll);
-            watch.Resume(Seen, Lost);
+            lock (_guard) (_connection, _address, _watch) = (connection, address, watch);
+            _board.Connected(connection.Description, connection.Simulator is not null, Identity);
+            _board.Seen(poll);
+            watch.Resume(Seen, _board.Lost);
             return Identity;
         }
         finally
@@ -134,11 +107,11 @@ public sealed class MachineSession : IAsyncDisposable
         lock (_guard)
         {
             (connection, watch) = (_connection, _watch);
-            (_connection, _address, _watch, Identity, _facts) = (null, null, null, null, MachineFacts.None);
+            (_connection, _address, _watch, Identity) = (null, null, null, null);
         }
 
         if (connection is null) return;
-        _arming.Disarm();
+        _board.Disconnected();
         if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
         await connection.DisposeAsync().ConfigureAwait(false);
         RaiseChanged();
@@ -150,13 +123,13 @@ public sealed class MachineSession : IAsyncDisposable
     {
         ArgumentNullException.ThrowIfNull(checklist);
         return checklist.Passed && Status.State is MachineState.Ready or MachineState.Armed
-            ? _arming.Arm(job, mode, dryRun, checklist)
+            ? _board.Arming.Arm(job, mode, dryRun, checklist)
             : throw new InvalidOperationException("What was not checked cannot be armed.");
     }
 
     /// <summary>Takes START back.</summary>
     /// <returns>False when nothing was armed.</returns>
-    public bool Disarm() => _arming.Disarm();
+    public bool Disarm() => _board.Arming.Disarm();
 
     /// <summary>Runs a job on the connected controller. One at a time.</summary>
     /// <param name="options">How; the address is that of the session.</param>
@@ -165,7 +138,7 @@ public sealed class MachineSession : IAsyncDisposable
     public async Task<MachineRunReport> RunAsync(PreparedJob job, MotionProgram program, Func<ControllerAddress, MachineRunOptions> options, CancellationToken cancellation)
     {
         if (_connection is not { } connection || _address is not { } address) throw new InvalidOperationException("No controller is connected.");
-        return await RunOnAsync(connection, job, program, options(address), isMachine: true, cancellation).ConfigureAwait(false);
+        return await WithStopAsync(stop => RunWatchedAsync(connection, job, program, options(address), stop), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Runs a job on a simulated controller of its own, at full speed; what is connected is left alone.</summary>
@@ -174,28 +147,28 @@ public sealed class MachineSession : IAsyncDisposable
     {
         var address = new SimulatedAddress(double.PositiveInfinity);
         await using var connection = MachineConnection.To(address, _time);
-        return await RunOnAsync(connection, job, program, options(address), isMachine: false, cancellation).ConfigureAwait(false);
+        return await WithStopAsync(stop => MachineRun.RunAsync(job, program, connection, options(address), _time, new Listener(this, null), stop), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Stops the job under way: the machine brakes, the tool goes off, the job ends as stopped. With no job the axes of a connected machine brake all the same. Never waits, from any thread.</summary>
     /// <returns>False when no job runs.</returns>
     public bool Stop()
     {
-        var (job, watch, tool) = Urgent();
+        var (job, watch) = AtWork();
         if (job is not null) UrgentThread.Run(job.Cancel);
-        else if (watch is not null) UrgentThread.Run(() => _ = UrgentlyAsync(watch, watch.StopAsync(tool)));
-        RaiseChanged();
+        else if (watch is not null) UrgentThread.Run(() => _ = UrgentlyAsync(watch, watch.StopAsync(Profile.ToolOutput)));
+        _board.StopSent();
         return job is not null;
     }
 
     /// <summary>Halts every motion at once, without braking, and switches the motors off; a job ends as stopped. Never waits, from any thread.</summary>
-    /// <remarks>On a serial line, whose one wire the job has, a job is stopped as by <see cref="Stop"/> and the motors go off when it has ended.</remarks>
+    /// <remarks>On a serial line, whose one wire the job has, a job is stopped as by <see cref="Stop"/>: its axes brake, and the motors stay as they are.</remarks>
     public void Abort()
     {
-        var (job, watch, tool) = Urgent();
-        if (watch is not null) UrgentThread.Run(() => _ = UrgentlyAsync(watch, watch.AbortAsync(tool)));
+        var (job, watch) = AtWork();
+        if (watch is not null) UrgentThread.Run(() => _ = UrgentlyAsync(watch, watch.AbortAsync(Profile.ToolOutput)));
         if (job is not null) UrgentThread.Run(job.Cancel);
-        RaiseChanged();
+        _board.StopSent();
     }
 
     /// <summary>Switches the motors of both axes on or off.</summary>
@@ -205,30 +178,31 @@ public sealed class MachineSession : IAsyncDisposable
     public async Task<Rejected?> SetMotorsAsync(bool on, CancellationToken cancellation)
     {
         if (_watch is not { } watch || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
-        _arming.Disarm();
+        Disarm();
         var refused = await watch.SetMotorsAsync(on, cancellation).ConfigureAwait(false);
-        if (refused is not null) Refused(refused);
+        if (refused is not null) _board.Refused(refused);
         Seen(await watch.LookAsync(cancellation).ConfigureAwait(false));
         return refused;
     }
 
     public async ValueTask DisposeAsync()
     {
-        var ended = _jobEnded?.Task ?? Task.CompletedTask;
-        lock (_guard) _ = _job?.CancelAsync();
-        await ended.ConfigureAwait(false);
-        await DisconnectAsync().ConfigureAwait(false);
-        _arming.Dispose();
-    }
-
-    private (CancellationTokenSource? Job, MachineWatch? Watch, int ToolOutput) Urgent()
-    {
-        _arming.Disarm();
+        Task ended;
         lock (_guard)
         {
-            if (_job is not null) _facts = _facts with { Stopping = _facts.JobRuns };
-            return (_job, _watch, _profile.ToolOutput);
+            ended = _jobEnded?.Task ?? Task.CompletedTask;
+            _ = _job?.CancelAsync();
         }
+
+        await ended.ConfigureAwait(false);
+        await DisconnectAsync().ConfigureAwait(false);
+        _board.Dispose();
+    }
+
+    private (CancellationTokenSource? Job, MachineWatch? Watch) AtWork()
+    {
+        _board.StopAsked();
+        lock (_guard) return (_job, _watch);
     }
 
     private async Task UrgentlyAsync(MachineWatch watch, Task act)
@@ -239,57 +213,62 @@ public sealed class MachineSession : IAsyncDisposable
         }
         catch (ControllerException failure)
         {
-            if (ReferenceEquals(watch, _watch)) Lost(failure);
+            if (ReferenceEquals(watch, _watch)) _board.Lost(failure);
         }
     }
 
-    private async Task<MachineRunReport> RunOnAsync(
-        MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, bool isMachine, CancellationToken cancellation)
+    /// <summary>One job at a time, which <see cref="Stop"/> and the caller's token end.</summary>
+    private async Task<MachineRunReport> WithStopAsync(Func<CancellationToken, Task<MachineRunReport>> run, CancellationToken cancellation)
     {
         var stop = new CancellationTokenSource(); // not disposed: a stop may come at any moment, and it holds no timer
-        await using var outer = cancellation.Register(stop.Cancel).ConfigureAwait(false);
-        Begin(stop, isMachine);
-        try
-        {
-            if (isMachine) await GiveWayAsync(program).ConfigureAwait(false);
-            LastRun = await MachineRun.RunAsync(job, program, connection, options, _time, new Listener(this, isMachine), stop.Token).ConfigureAwait(false);
-            if (isMachine) Ended(LastRun.Result);
-            return LastRun;
-        }
-        finally
-        {
-            if (isMachine) await TakeBackAsync(connection).ConfigureAwait(false);
-            End();
-        }
-    }
-
-    private void Begin(CancellationTokenSource stop, bool isMachine)
-    {
+        var ended = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         lock (_guard)
         {
             if (_job is not null) throw new InvalidOperationException("A job runs already.");
-            (_job, _jobEnded) = (stop, new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously));
-            if (isMachine) _facts = _facts with { JobRuns = true, Stopping = false, Progress = null };
+            (_job, _jobEnded) = (stop, ended);
         }
 
-        _arming.Disarm();
         Progress = null;
-        if (isMachine) MachineAlarms.Begun(Alarms);
         RaiseChanged();
+        await using var outer = cancellation.Register(stop.Cancel).ConfigureAwait(false);
+        try
+        {
+            return LastRun = await run(stop.Token).ConfigureAwait(false);
+        }
+        finally
+        {
+            lock (_guard) _job = null;
+            _board.JobIsOver();
+            ended.TrySetResult();
+            RaiseChanged();
+        }
     }
 
-    /// <summary>The watch falls silent, or on a single wire goes, and what it saw last fixes the frame: the machine stands where the job starts.</summary>
-    private async Task GiveWayAsync(MotionProgram program)
+    private async Task<MachineRunReport> RunWatchedAsync(MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, CancellationToken stop)
+    {
+        _board.JobBegins();
+        await GiveWayAsync().ConfigureAwait(false);
+        _board.JobStartsFrom(program.Start);
+        try
+        {
+            var report = await MachineRun.RunAsync(job, program, connection, options, _time, new Listener(this, _board), stop).ConfigureAwait(false);
+            _board.JobEnds(report.Result);
+            return report;
+        }
+        finally
+        {
+            await TakeBackAsync(connection).ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>The watch falls silent, and on a single wire goes.</summary>
+    private async Task GiveWayAsync()
     {
         if (_watch is not { } watch) return;
         await watch.PauseAsync().ConfigureAwait(false);
-        lock (_guard)
-        {
-            if (_facts.Poll is { } at) _facts = _facts with { Frame = new CountsPoint(at.X - program.Start.X, at.Y - program.Start.Y) };
-            if (watch.IsSingleWire) _watch = null;
-        }
-
-        if (watch.IsSingleWire) await watch.DisposeAsync().ConfigureAwait(false);
+        if (!watch.IsSingleWire) return;
+        lock (_guard) _watch = null;
+        await watch.DisposeAsync().ConfigureAwait(false);
     }
 
     /// <summary>After a job the machine is watched again; a watch that was lost with the job's link is opened anew, once.</summary>
@@ -306,102 +285,40 @@ public sealed class MachineSession : IAsyncDisposable
             }
 
             Seen(await watch.LookAsync(CancellationToken.None).ConfigureAwait(false));
-            watch.Resume(Seen, Lost);
+            watch.Resume(Seen, _board.Lost);
         }
         catch (ControllerException failure)
         {
-            Lost(failure);
+            _board.Lost(failure);
         }
-    }
-
-    private void Ended(JobResult result)
-    {
-        lock (_guard)
-        {
-            if (result.FrameOrigin is { } frame) _facts = _facts with { Frame = frame };
-            if (result.Refusal is { } refused) _facts = _facts with { LastRefusal = refused.Explain() };
-        }
-
-        MachineAlarms.Ended(Alarms, result, Description ?? "");
-    }
-
-    private void End()
-    {
-        lock (_guard)
-        {
-            _job = null;
-            _facts = _facts with { JobRuns = false, Stopping = false };
-            _jobEnded?.TrySetResult();
-        }
-
-        RaiseChanged();
     }
 
     private void Seen(MachinePoll poll)
     {
-        MachinePoll? before;
-        lock (_guard)
-        {
-            before = _facts.Poll;
-            if (_facts.Link is null) return;
-            _facts = _facts with { Poll = poll, Lost = null };
-        }
-
         while (_watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message ?? "");
-        MachineAlarms.Seen(Alarms, poll, Description ?? "");
-        if (before is not null && poll.DiffersFrom(before) && _arming.Disarm()) return;
-        RaiseChanged();
-    }
-
-    private void Lost(ControllerException failure)
-    {
-        lock (_guard)
-        {
-            if (_facts.Link is null) return;
-            _facts = _facts with { Lost = failure.Message };
-        }
-
-        _arming.Disarm();
-        MachineAlarms.LinkLost(Alarms, Description ?? "", failure.Message);
-        RaiseChanged();
-    }
-
-    private void Refused(Rejected refused)
-    {
-        lock (_guard) _facts = _facts with { LastRefusal = refused.Explain() };
-        MachineAlarms.Refused(Alarms, refused, Description ?? "");
+        _board.Seen(poll);
     }
 
     private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {
         if (_watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "No controller is connected; CNCCONNECT first.")];
         if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "A job runs; nothing is sent beside it.")];
-        _arming.Disarm();
+        Disarm();
         var answers = await watch.Conversation.AnswerAsync(line, cancellation).ConfigureAwait(false);
-        if (answers.LastOrDefault(answer => answer.Kind == TerminalAnswerKind.Refusal) is { Text: { } refusal }) NoteRefusal(refusal);
+        if (answers.LastOrDefault(answer => answer.Kind == TerminalAnswerKind.Refusal) is { Text: { } refusal }) _board.NoteRefusal(refusal);
         return answers;
-    }
-
-    private void NoteRefusal(string text)
-    {
-        lock (_guard) _facts = _facts with { LastRefusal = text };
     }
 
     private void RaiseChanged() => Changed?.Invoke(this, EventArgs.Empty);
 
-    private void Tell(JobProgress progress, bool isMachine)
+    /// <param name="board">Null for a job that does not run on the connected machine.</param>
+    private sealed class Listener(MachineSession session, MachineBoard? board) : IProgress<JobProgress>
     {
-        Progress = progress;
-        if (isMachine)
+        public void Report(JobProgress value)
         {
-            lock (_guard) _facts = _facts with { Progress = progress };
+            session.Progress = value;
+            board?.JobTells(value);
+            session.RaiseChanged();
         }
-
-        RaiseChanged();
-    }
-
-    private sealed class Listener(MachineSession session, bool isMachine) : IProgress<JobProgress>
-    {
-        public void Report(JobProgress value) => session.Tell(value, isMachine);
     }
 }

@@ -57,6 +57,6 @@ public sealed record MachineStatus
     /// <summary>Until when START works; null while not armed.</summary>
     public DateTimeOffset? ArmedUntil { get; init; }
 
-    /// <summary>When all this was known.</summary>
+    /// <summary>When the controller said so last.</summary>
     public DateTimeOffset Time { get; init; }
 }

@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Galil.Profiles;
@@ -10,6 +11,9 @@ public sealed record DrawingSettings
 {
     /// <summary>Unit to take whatever the drawing says; null: the drawing's own.</summary>
     public LengthUnit? Unit { get; init; }
+
+    /// <summary>Construction that is cut all the same: hatch boundaries, multilines, leaders, helices, the edges of solids.</summary>
+    public CutChoice Cut { get; init; }
 
     /// <summary>Only these layers (even when switched off); null: visible, not frozen, plottable.</summary>
     public IReadOnlyList<string>? Layers { get; init; }

@@ -21,7 +21,7 @@ public static class ProgramVerification
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static async Task<VerificationReport> VerifyAsync(ReadBackProgram program, Drawing drawing, DrawingSettings settings, CancellationToken cancellation)
     {
-        var job = JobPreparation.Prepare(drawing, settings, MotionStyle.Calls, cancellation);
+        var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
         var replay = program.Diagnostics.Count > 0
             ? new ProgramReplay([], program.Diagnostics)
             : await ProgramReplayer.RunAsync(program, Longest(job), cancellation).ConfigureAwait(false);

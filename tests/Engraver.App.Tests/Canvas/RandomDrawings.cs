@@ -10,9 +10,8 @@ internal static class RandomDrawings
     public static Drawing Of(int seed, int count)
     {
         var random = new Random(seed);
-        var drawing = new DrawingBuilder();
+        var drawing = new DrawingBuilder().Line(1e5, 1e5, 1e5 + 1.0, 1e5); // the stray
         for (var i = 0; i < count; i++) Add(drawing, random, i);
-        drawing.Line(1e5, 1e5, 1e5 + 1.0, 1e5); // a stray
         drawing.OnLayer(new Layer("frozen", On: true, Frozen: true, Plot: true)).Line(-50.0, -50.0, 150.0, 150.0);
         return drawing.Build();
     }

@@ -102,6 +102,12 @@ public class BadInputTests
     [InlineData("simulate", "--tcp", "99999")]
     [InlineData("simulate", "--speed", "fast")]
     [InlineData("info", "FILE", "--culture", "Klingon!!")]
+    [InlineData("info", "FILE", "--culture", "xx-NOPE-ZZ")]
+    [InlineData("info", "FILE", "--layers", "NOPE")]
+    [InlineData("info", "FILE", "--cut", "dimension")]
+    [InlineData("info", "FILE", "--cut", "3")]
+    [InlineData("minimise", "FILE")]
+    [InlineData("minimise", "FILE", "--keep", "DXF9999")]
     public async Task What_cannot_be_understood_is_exit_2_with_a_sentence(params string[] words)
     {
         var run = await CliRun.Of([.. words.Select(word => word == "FILE" ? SampleDrawing.PathOf("paper-001") : word)]);
@@ -133,6 +139,52 @@ public class BadInputTests
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("feeed", run.Error, StringComparison.Ordinal);
         Assert.Contains("(3)", run.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("inof", "did you mean 'info'?")]
+    [InlineData("sequnce", "did you mean 'sequence'?")]
+    [InlineData("PLOT", "did you mean 'plot'?")]
+    [InlineData("xyzzyx", "there are info, ")]
+    public async Task A_word_that_is_no_verb_is_answered_with_the_nearest_one(string word, string answer)
+    {
+        var run = await CliRun.Of(word, "drawing.dxf");
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains(answer, Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("galil")]
+    [InlineData("galil-calls")]
+    [InlineData("cldata")]
+    public async Task Nothing_to_cut_is_nothing_to_post(string target)
+    {
+        using var folder = new TemporaryFolder();
+        var points = folder.WithFile("points.dxf", "0\nSECTION\n2\nENTITIES\n0\nPOINT\n8\n0\n10\n0\n20\n0\n0\nENDSEC\n0\nEOF\n");
+        var earlier = folder.WithFile("job.out", "earlier");
+
+        var nothing = await CliRun.Of("post", points, "--target", target, "-o", earlier);
+        var missing = await CliRun.Of("post", folder.PathOf("nowhere.dxf"), "--target", target, "-o", earlier);
+
+        Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError), (nothing.ExitCode, missing.ExitCode));
+        Assert.Contains("error DOC0002", nothing.Error, StringComparison.Ordinal);
+        AssertOneError(missing, "DOC0001");
+        Assert.Equal("earlier", await File.ReadAllTextAsync(earlier));
+    }
+
+    [Fact]
+    public async Task A_result_that_cannot_be_written_is_one_sentence_and_exit_1()
+    {
+        await using var error = new StringWriter();
+        int code;
+        using (var streams = new ConsoleStreams(new FullStream(), error))
+        {
+            code = await EngraverProgram.RunAsync(["info", SampleDrawing.PathOf("paper-001"), "--quiet"], streams, CancellationToken.None);
+        }
+
+        Assert.Equal(ExitCode.DrawingError, code);
+        Assert.Equal("engraver: the result cannot be written: No space left on device", error.ToString().TrimEnd());
     }
 
     private static void AssertOneError(CliRun run, string id)

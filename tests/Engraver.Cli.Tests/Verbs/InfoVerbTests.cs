@@ -8,7 +8,7 @@ public class InfoVerbTests
         var info = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("nameplate"), "--json"));
 
         Assert.Equal(
-            ["file", "bytes", "dxfVersion", "encoding", "units", "entities", "balance", "primitives", "leaf", "text", "length", "bounds", "layers", "diagnostics"],
+            ["file", "bytes", "dxfVersion", "encoding", "units", "entities", "balance", "primitives", "leaf", "text", "length", "bounds", "layers", "diagnostics", "texts"],
             info.EnumerateObject().Select(field => field.Name));
         Assert.Equal("AC1032", info.GetProperty("dxfVersion").GetString());
         Assert.Equal(1.0, info.GetProperty("units").GetProperty("toMillimetres").GetDouble());
@@ -53,6 +53,53 @@ public class InfoVerbTests
         Assert.Equal("2F", refused.GetProperty("handle").GetString());
         Assert.Equal(5, refused.GetProperty("line").GetInt32());
         Assert.Equal(5.0, JsonText.Of(run).GetProperty("length").GetProperty("total").GetDouble());
+    }
+
+    [Fact]
+    public async Task Texts_are_told_with_content_and_place()
+    {
+        var text = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("nameplate"), "--json")).GetProperty("texts")[0];
+
+        Assert.Equal("TEXT", text.GetProperty("type").GetString());
+        Assert.NotEmpty(text.GetProperty("content").GetString()!);
+        Assert.True(text.GetProperty("height").GetDouble() > 0.0);
+    }
+
+    [Fact]
+    public async Task Construction_is_cut_when_it_is_named()
+    {
+        using var folder = new TemporaryFolder();
+        var file = folder.WithFile("solid.dxf", "0\nSECTION\n2\nENTITIES\n0\nSOLID\n10\n0\n20\n0\n11\n3\n21\n0\n12\n0\n22\n4\n0\nENDSEC\n0\nEOF\n");
+        var without = JsonText.Of(await CliRun.Of("info", file, "--json", "--units", "mm"));
+        var with = JsonText.Of(await CliRun.Of("info", file, "--json", "--units", "mm", "--cut", "hatch,solid"));
+
+        Assert.Equal((0, 1), (without.GetProperty("balance").GetProperty("cut").GetInt32(), without.GetProperty("balance").GetProperty("construction").GetInt32()));
+        Assert.Equal((1, 0), (with.GetProperty("balance").GetProperty("cut").GetInt32(), with.GetProperty("balance").GetProperty("construction").GetInt32()));
+        Assert.Equal(12.0, with.GetProperty("length").GetProperty("total").GetDouble(), 12);
+        Assert.Equal(3, JsonText.Of(await CliRun.Of("sequence", file, "--json", "--cut", "solid")).GetProperty("segments").GetInt32());
+    }
+
+    [Fact]
+    public async Task A_second_reading_agrees_with_every_sample()
+    {
+        foreach (var name in SampleDrawing.Names)
+        {
+            var run = await CliRun.Of("info", SampleDrawing.PathOf(name), "--twice", "--json");
+
+            Assert.Contains("the second reading agrees", run.Error, StringComparison.Ordinal);
+            Assert.Equal(ExitCode.Done, run.ExitCode);
+        }
+    }
+
+    [Fact]
+    public async Task Where_the_two_readings_differ_it_is_said_and_is_exit_1()
+    {
+        using var folder = new TemporaryFolder();
+        var comma = folder.WithFile("comma.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n1,5\n20\n0\n11\n3\n21\n0\n0\nENDSEC\n0\nEOF\n");
+        var run = await CliRun.Of("info", comma, "--twice", "--units", "mm");
+
+        Assert.Equal(ExitCode.DrawingError, run.ExitCode);
+        Assert.Contains("second reading differs: LINE: 1 curves, the second reading has 0", run.Error, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -8,6 +8,7 @@ namespace Engraver.Core.Tests.Dxf;
 /// <summary>Real drawings and made ones, against what an independent reader found in them (corpus/README.md).</summary>
 public class CorpusTests
 {
+    private const int MostRefused = 1;
     private const double Tolerance = 1e-6;
 
     /// <summary>Its only spline has five knots where eight belong: the independent reader gives up, we take uniform ones and say so.</summary>
@@ -42,6 +43,23 @@ public class CorpusTests
 
         Assert.True(compared > 350, $"only {compared} drawings compared");
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
+    }
+
+    /// <summary>What is left out of real drawings, so that a type that stops being read is noticed at once.</summary>
+    [Fact]
+    public void Of_real_drawings_hardly_an_entity_is_refused()
+    {
+        if (RepositoryFolder.Corpus is not { } corpus) return;
+        var (read, refused) = (0, new List<string>());
+        foreach (var path in Directory.EnumerateFiles(Path.Combine(corpus, "files"), "*", SearchOption.AllDirectories).Where(IsDxf))
+        {
+            var balance = Reading.Of(File.ReadAllBytes(path)).Balance;
+            read += balance.Read;
+            refused.AddRange(balance.Refused.Select(one => $"{one.Type} {one.DiagnosticId}"));
+        }
+
+        var counted = string.Join(", ", refused.GroupBy(one => one).OrderByDescending(group => group.Count()).Select(group => $"{group.Count()} {group.Key}"));
+        Assert.True(read > 12_000 && refused.Count <= MostRefused, $"of {read} entities {refused.Count} were refused: {counted}");
     }
 
     private static bool IsDxf(string path) => path.EndsWith(".dxf", StringComparison.OrdinalIgnoreCase);

@@ -15,12 +15,12 @@ public class DiagnosticTests
     private static readonly Dictionary<string, byte[]> Cases = new()
     {
         ["DXF0001"] = [],
-        ["DXF0002"] = "<html><body>404</body></html>\n"u8.ToArray(),
+        ["DXF0002"] = "Dear Sir or Madam,\n"u8.ToArray(),
         ["DXF0003"] = new DxfText().Section("ENTITIES", Line).End().ToAscii(),
         ["DXF0004"] = "AC1015\0\0\0\0\0\u0001"u8.ToArray(),
         ["DXF0005"] = new DxfText().Section("ENTITIES", Line).ToAscii(),
         ["DXF0006"] = Encoding.ASCII.GetBytes("0\nSECTION\n2\nENTITIES\n0\nLINE\nabc\nxyz\n10\n0\n0\nENDSEC\n0\nEOF\n"),
-        ["DXF0007"] = Entities((0, "LINE"), (10, "1,5"), (20, 0), (11, 1), (21, 0)),
+        ["DXF0007"] = Entities((0, "LINE"), (10, "wide"), (20, 0), (11, 1), (21, 0)),
         ["DXF0008"] = Entities((0, "LINE"), (10, 0), (11, 1), (21, 0)),
         ["DXF0009"] = Entities([.. Line, (10, 777)]),
         ["DXF0010"] = Entities((0, "LINE"), (10, 1), (20, 0), (11, 1), (21, 0)),
@@ -48,6 +48,10 @@ public class DiagnosticTests
         ["DXF0034"] = Entities((0, "SPLINE"), (71, 3), (10, 1), (20, 0)),
         ["DXF0035"] = new DxfText().Section("BLOCKS", (0, "BLOCK"), (2, "B"), (0, "ENDBLK"), (0, "BLOCK"), (2, "b"), (0, "ENDBLK")).End().ToAscii(),
         ["DXF0036"] = new DxfText().Section("HEADER", (9, "$DWGCODEPAGE"), (3, "KLINGON")).End().ToAscii(),
+        ["DXF0037"] = Entities((0, "LINE"), (10, "1,5"), (20, 0), (11, 1), (21, 0)),
+        ["DXF0038"] = Entities((0, "HATCH"), (91, 0)),
+        ["DXF0039"] = Inserting([(0, "TEXT"), (10, 0), (20, 0), (40, 1), (1, "x")], (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (70, 32767), (71, 32767)),
+        ["DXF0040"] = "%PDF-1.7\n"u8.ToArray(),
         ["DXF0041"] = Entities((0, "SPLINE"), (71, 3), (11, 1), (21, 0), (11, 2), (21, 2), (11, 5), (21, 0)),
     };
 
@@ -57,7 +61,7 @@ public class DiagnosticTests
     [MemberData(nameof(Ids))]
     public void Every_rule_has_a_file_that_shows_it(string id)
     {
-        var found = Reading.Of(Cases[id]).Diagnostics.First(diagnostic => diagnostic.Id == id);
+        var found = Reading.Of(Cases[id], new DxfReadOptions(Cut: CutChoice.Hatch)).Diagnostics.First(diagnostic => diagnostic.Id == id);
 
         Assert.DoesNotContain('?', found.Message);
         Assert.DoesNotContain('{', found.Message);

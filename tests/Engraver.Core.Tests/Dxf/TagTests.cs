@@ -74,7 +74,23 @@ public class TagTests
         Assert.Equal(value, Reading.Entities((0, "LINE"), (10, text), (20, 0), (11, 1), (21, 1)).Parts[0].A);
 
     [Theory]
-    [InlineData("12,5")]
+    [InlineData("12,5", 12.5)]
+    [InlineData("-,5", -0.5)]
+    [InlineData("1.25D+01", 12.5)]
+    [InlineData("1,5d-3", 0.0015)]
+    public void A_decimal_comma_and_a_Fortran_exponent_are_read_with_a_warning(string text, double value)
+    {
+        var drawing = Reading.Entities((0, "LINE"), (5, "A1"), (10, text), (20, 0), (11, 1), (21, 1));
+
+        Assert.Equal(value, drawing.Parts[0].A);
+        var warning = Assert.Single(drawing.Diagnostics);
+        Assert.Equal(("DXF0037", 24L, "A1"), (warning.Id, warning.Source.Line, warning.Source.Handle));
+        Assert.Contains($"'{text}'", warning.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("1,234.5")]
+    [InlineData("1,2,3")]
     [InlineData("")]
     [InlineData("NaN")]
     [InlineData("-Infinity")]
@@ -82,7 +98,7 @@ public class TagTests
     [InlineData("1e101")]
     [InlineData("0x10")]
     [InlineData("1_0")]
-    [InlineData("1.25D+01")]
+    [InlineData("1.25D+01E")]
     [InlineData("1.2.3")]
     [InlineData("-")]
     [InlineData("1e")]

@@ -72,6 +72,17 @@ public class MotionProgramGeneratorTests
         Assert.Single(Only(Program(Toolpaths.OfStroke(bend))).Sequences);
     }
 
+    /// <summary>At full feed a motor sample comes every 20 counts: it would pass the small bend inside, farther away than anything may be from the drawing.</summary>
+    [Theory]
+    [InlineData(0.006, 2)]
+    [InlineData(0.050, 1)]
+    public void A_smooth_bend_that_fits_between_two_samples_is_a_corner(double radius, int sequences)
+    {
+        var stroke = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Arc(10, radius, radius, -90, 90), Toolpaths.Line(10 + radius, radius, 10 + radius, 10));
+
+        Assert.Equal(sequences, Only(Program(stroke)).Sequences.Count);
+    }
+
     [Fact]
     public void A_speck_of_another_direction_inside_a_straight_is_no_corner()
     {

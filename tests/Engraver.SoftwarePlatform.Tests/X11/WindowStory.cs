@@ -1,8 +1,10 @@
+using System.Diagnostics;
 using System.Globalization;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Input.Platform;
+using Avalonia.Media;
 using Avalonia.Threading;
 using Avalonia.VisualTree;
 
@@ -114,6 +116,9 @@ internal sealed class WindowStory : IDisposable
                 _demo!.Cursor = new Cursor(Enum.Parse<StandardCursorType>(rest));
                 Say("cursor set");
                 break;
+            case "animate":
+                Animate(int.Parse(rest, CultureInfo.InvariantCulture));
+                break;
             case "quit":
                 _demo!.Close();
                 break;
@@ -133,6 +138,22 @@ internal sealed class WindowStory : IDisposable
         answer.Click += (_, _) => dialog.Close("yes");
         dialog.Activated += (_, _) => Say("dialog active");
         Say($"dialog answered {await dialog.ShowDialog<string>(_demo!)}");
+    }
+
+    /// <summary>Paints the whole window in another colour in each frame, and says what that took. A measure for people: no test compares it.</summary>
+    private void Animate(int frames)
+    {
+        var watch = Stopwatch.StartNew();
+        var before = Process.GetCurrentProcess().TotalProcessorTime;
+        var left = frames;
+        _demo!.RequestAnimationFrame(Paint);
+
+        void Paint(TimeSpan time)
+        {
+            _demo.Background = new SolidColorBrush(Color.FromRgb((byte)left, 40, 60));
+            if (--left > 0) _demo.RequestAnimationFrame(Paint);
+            else Say($"animated {frames} frames of {_demo.ClientSize} in {watch.ElapsedMilliseconds} ms, processor {(Process.GetCurrentProcess().TotalProcessorTime - before).TotalMilliseconds / frames:F1} ms a frame");
+        }
     }
 
     /// <summary>Where the controls are on the screen, in pixels.</summary>

@@ -117,6 +117,8 @@ public class ArmingTests
         await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCMOTORS", "OFF");
 
         Assert.Equal(CommandFailure.Refused, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
+        await talk.TypeAsync("CNCSTATUS");
+        Assert.Contains("state MotorsOff (motor off: AB), machine 0,0 mm", talk.Said, StringComparison.Ordinal);
         Assert.Contains("NOT OK The motors are off; CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCMOTORS", "ON");
         Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));

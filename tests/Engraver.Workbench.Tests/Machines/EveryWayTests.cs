@@ -21,7 +21,7 @@ public class EveryWayTests
         "KLayout+klayout/633e57271740_dxf5_au.dxf",
         "qcad+qcad/5806efabed39_splines.dxf",
         "openscad+openscad/8d1d4192a988_transform-insert.dxf",
-        "CadQuery+cadquery/ea47d2c2ec1c_genshi.dxf",
+        "panzergame+dxfplotter/503f79462339_branche.dxf",
         "LibreDWG+libredwg/2c8bc7de7ab9_entities-2d.dxf",
         "qcad+qcad/f3a3b16e210a_ExplodeTest02_000.dxf",
     ];

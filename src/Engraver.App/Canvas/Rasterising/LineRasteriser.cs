@@ -7,9 +7,18 @@ namespace Engraver.App.Canvas.Rasterising;
 /// <remarks>A pixel's coverage depends on the line alone, not on where the tile begins, so tiles meet without a seam. Works in double: ends may lie a billion pixels away.</remarks>
 internal static class LineRasteriser
 {
+    /// <summary>Lines no longer than this in x and y go the short way, pixels.</summary>
+    private const double ShortLine = 3.0;
+
     /// <summary>Pixel coordinates of the picture; colour 0xAARRGGBB with A = 255.</summary>
     public static void Draw(PixelTile tile, double fromX, double fromY, double toX, double toY, uint colour, LinePen pen)
     {
+        if (!pen.IsDashed && Math.Abs(toX - fromX) <= ShortLine && Math.Abs(toY - fromY) <= ShortLine)
+        {
+            DrawShort(tile, fromX, fromY, toX, toY, colour & 0xFFFFFF, pen.Reach);
+            return;
+        }
+
         var steep = Math.Abs(toY - fromY) > Math.Abs(toX - fromX);
         var bar = steep
             ? new Bar(fromY, fromX, toY, toX, pen)
@@ -21,6 +30,33 @@ internal static class LineRasteriser
         if (first > last) return;
         Fill(tile.Layer, area, bar, first, last, colour & 0xFFFFFF);
         var (top, bottom) = steep ? (first, last) : bar.Rows(area, first, last);
+        tile.Touch(top - tile.Top, bottom - tile.Top);
+    }
+
+    /// <summary>The few pixels around a line of at most <see cref="ShortLine"/>: a large drawing seen whole consists of nothing else.</summary>
+    private static void DrawShort(PixelTile tile, double fromX, double fromY, double toX, double toY, uint colour, double reach)
+    {
+        var left = Math.Max(tile.Left, (int)Math.Ceiling(Math.Max(Math.Min(fromX, toX), tile.Left - 100.0) - reach - 0.5));
+        var right = Math.Min(tile.Left + tile.Width - 1, (int)Math.Floor(Math.Min(Math.Max(fromX, toX), tile.Left + 1000.0) + reach - 0.5));
+        var top = Math.Max(tile.Top, (int)Math.Ceiling(Math.Max(Math.Min(fromY, toY), tile.Top - 100.0) - reach - 0.5));
+        var bottom = Math.Min(tile.Top + tile.Height - 1, (int)Math.Floor(Math.Min(Math.Max(fromY, toY), tile.Top + 1000.0) + reach - 0.5));
+        if (left > right || top > bottom) return;
+        var (wayX, wayY) = (toX - fromX, toY - fromY);
+        var squared = (wayX * wayX) + (wayY * wayY);
+        var (shareX, shareY) = squared > 0.0 ? (wayX / squared, wayY / squared) : (0.0, 0.0);
+        for (var row = top; row <= bottom; row++)
+        {
+            var line = tile.Layer.AsSpan(((row - tile.Top) * PixelTile.Side) + left - tile.Left, right - left + 1);
+            var (offX, offY) = (left + 0.5 - fromX, row + 0.5 - fromY);
+            for (var i = 0; i < line.Length; i++, offX += 1.0)
+            {
+                var share = Math.Clamp((offX * shareX) + (offY * shareY), 0.0, 1.0);
+                var (restX, restY) = (offX - (share * wayX), offY - (share * wayY));
+                var away = (restX * restX) + (restY * restY);
+                if (away < reach * reach) Raise(ref line[i], colour, reach - Math.Sqrt(away));
+            }
+        }
+
         tile.Touch(top - tile.Top, bottom - tile.Top);
     }
 

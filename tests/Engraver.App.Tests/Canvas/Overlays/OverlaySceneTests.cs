@@ -40,6 +40,11 @@ public class OverlaySceneTests
         var first = s_scene.Rapids.Primitives.Single(primitive => primitive.Entity == 0);
         Assert.Equal((0.0, 0.0), (first.A, first.B));
         Assert.True(s_scene.StartMarks[0].Place.IsNear(new Point2D(first.C, first.D), 1e-9));
+        var second = s_scene.Rapids.Primitives.Single(primitive => primitive.Entity == 1);
+        var (end, scale) = (s_job.Toolpath.Strokes[0].End, 1.0 / 25.4);
+        Assert.True(new Point2D(second.A, second.B).IsNear(new Point2D(end.X * scale, end.Y * scale), 1e-9));
+        var last = s_scene.Rapids.Primitives.Single(primitive => primitive.Entity == 2);
+        Assert.Contains(last.C, new[] { 10.0, 12.0 });
     }
 
     [Fact]

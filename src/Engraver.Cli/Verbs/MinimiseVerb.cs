@@ -1,0 +1,79 @@
+using System.CommandLine;
+using System.Text;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
+using Engraver.Core.Minimising;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver minimise</c>: the smallest drawing that still shows a fault, to read it or to send it.</summary>
+internal static class MinimiseVerb
+{
+    private const string Crash = "crash";
+
+    public static Command Build(VerbHost host)
+    {
+        var file = new Argument<string>("FILE") { Description = "A drawing that shows the fault." };
+        var keep = new Option<string>("--keep") { Required = true, HelpName = "ID|crash", Description = "The fault: a diagnostic id (DXF0007), or crash for an internal error." };
+        var output = new Option<string?>("-o", "--output") { HelpName = "OUT.dxf", Description = "File to write (default: standard output)." };
+        var command = new Command("minimise", "Shrinks a drawing to the smallest one that still shows a fault.") { file, keep, output };
+        command.SetAction((parsed, stop) => Task.FromResult(Run(host, parsed.GetRequiredValue(file), parsed.GetRequiredValue(keep), parsed.GetValue(output), stop)));
+        return command;
+    }
+
+    private static int Run(VerbHost host, string path, string fault, string? output, CancellationToken stop)
+    {
+        if (fault != Crash && DiagnosticTable.All.All(rule => rule.Id != fault)) throw new UsageException($"--keep: '{fault}' is neither a diagnostic id (docs/diagnostics.md) nor the word crash.");
+        if (Read(host, path) is not { } bytes) return ExitCode.DrawingError;
+        Predicate<byte[]> shows = fault == Crash ? candidate => Crashes(candidate, stop) : candidate => Diagnostics(candidate, fault, stop).Any(found => found.Id == fault);
+        if (!shows(bytes))
+        {
+            host.Error.WriteLine($"engraver: {path} does not show {fault}; there is nothing to keep.");
+            return ExitCode.DrawingError;
+        }
+
+        var smallest = DrawingMinimiser.Minimise(bytes, shows, stop);
+        host.Write(output, writer => writer.Write(Encoding.Latin1.GetString(smallest)));
+        host.Error.WriteLine($"engraver: {bytes.Length} bytes became {smallest.Length} that still show {fault}.");
+        return ExitCode.Done;
+    }
+
+    private static byte[]? Read(VerbHost host, string path)
+    {
+        try
+        {
+            return File.ReadAllBytes(path);
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            host.Error.WriteLine($"engraver: {unreadable.Message}");
+            return null;
+        }
+    }
+
+    private static IReadOnlyList<Diagnostic> Diagnostics(byte[] candidate, string fault, CancellationToken stop)
+    {
+        var drawing = DxfReader.Read(candidate, "candidate.dxf", DxfReadOptions.Default, stop);
+        if (fault.StartsWith("DXF", StringComparison.Ordinal)) return drawing.Diagnostics;
+        var settings = new DrawingSettings();
+        return [.. drawing.Diagnostics, .. JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings).Diagnostics];
+    }
+
+    /// <summary>A crash is whatever should not have left the reader and the first stages, so here every exception counts but the operator's stop.</summary>
+    private static bool Crashes(byte[] candidate, CancellationToken stop)
+    {
+        try
+        {
+            DrawingSummary.Of(DxfReader.Read(candidate, "candidate.dxf", DxfReadOptions.Default, stop));
+            _ = Diagnostics(candidate, Crash, stop);
+            return false;
+        }
+        catch (Exception bug) when (bug is not OperationCanceledException)
+        {
+            return true;
+        }
+    }
+}

@@ -1,0 +1,58 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Drawings;
+
+/// <summary>A text of the drawing, decoded and placed, drawing units: what a single-line font needs to engrave it. It is no curve yet.</summary>
+public sealed record PlacedText
+{
+    /// <summary>TEXT, MTEXT or ATTRIB.</summary>
+    public required string Type { get; init; }
+
+    /// <summary>What is to be read: codes resolved, formatting left out, lines parted by LF.</summary>
+    public required string Content { get; init; }
+
+    /// <summary>The reference point of the alignment.</summary>
+    public required Vector3D Position { get; init; }
+
+    /// <summary>The other end of an aligned or fitted text; null for every other alignment.</summary>
+    public Vector3D? End { get; init; }
+
+    /// <summary>Height of capital letters.</summary>
+    public required double Height { get; init; }
+
+    public required Angle Rotation { get; init; }
+
+    /// <summary>Width of the letters against those of the font.</summary>
+    public double WidthFactor { get; init; } = 1.0;
+
+    /// <summary>Lean of the letters, clockwise positive.</summary>
+    public Angle Oblique { get; init; }
+
+    /// <summary>True when the letters read from the back (a mirrored block, a negative extrusion).</summary>
+    public bool Mirrored { get; init; }
+
+    /// <summary>Width of the frame in which an MTEXT wraps; 0 when it does not.</summary>
+    public double FrameWidth { get; init; }
+
+    /// <summary>Factor on the usual line distance of an MTEXT.</summary>
+    public double LineSpacing { get; init; } = 1.0;
+
+    public TextColumnAlignment Column { get; init; }
+
+    public TextRowAlignment Row { get; init; }
+
+    public required string Style { get; init; }
+
+    /// <summary>Font file of the style; "" when the drawing does not say.</summary>
+    public required string Font { get; init; }
+
+    /// <summary>Index into <see cref="Drawing.Layers"/>.</summary>
+    public required int Layer { get; init; }
+
+    public ulong Handle { get; init; }
+
+    public long SourceLine { get; init; }
+
+    /// <summary>Invisible itself or by the insert that brought it.</summary>
+    public bool Hidden { get; init; }
+}

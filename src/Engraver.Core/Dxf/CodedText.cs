@@ -1,0 +1,4 @@
+namespace Engraver.Core.Dxf;
+
+/// <summary>A text with its group code.</summary>
+internal readonly record struct CodedText(int Code, string Value);

@@ -1,0 +1,110 @@
+namespace Engraver.Core.SecondOpinions;
+
+/// <summary>A record as smooth pieces, each a function of 0 to 1. Null: no curve.</summary>
+internal static class SecondCurves
+{
+    public static List<Func<double, SecondPoint>>? Of(SecondRecord record) => record.Type switch
+    {
+        "LINE" => Lines([record.Point(10), record.Point(11)]),
+        "CIRCLE" => Arc(record, 0.0, 360.0),
+        "ARC" => Arc(record, record.Number(50, double.NaN), Sweep(record.Number(50, double.NaN), record.Number(51, double.NaN), 360.0)),
+        "ELLIPSE" => Ellipse(record),
+        "LWPOLYLINE" => Polyline(LwVertices(record), ((int)record.Number(70, 0.0) & 1) != 0, SecondFrame.OfExtrusion(record)),
+        "POLYLINE" => OldPolyline(record),
+        "SPLINE" => SecondSplines.Of(record),
+        _ => null,
+    };
+
+    public static List<Func<double, SecondPoint>> Lines(IReadOnlyList<SecondPoint> points)
+    {
+        var lines = new List<Func<double, SecondPoint>>();
+        for (var i = 1; i < points.Count; i++)
+        {
+            var (a, b) = (points[i - 1], points[i]);
+            lines.Add(t => a + (t * (b - a)));
+        }
+
+        return lines;
+    }
+
+    private static double Sweep(double start, double end, double turn)
+    {
+        if (Math.Abs(end - start) <= 1e-9) return 0.0;
+        var sweep = (((end - start) % turn) + turn) % turn;
+        return sweep <= 1e-9 || sweep >= turn - 1e-9 ? turn : sweep;
+    }
+
+    private static List<Func<double, SecondPoint>> Arc(SecondRecord record, double start, double sweep)
+    {
+        var r = Math.Abs(record.Number(40, double.NaN));
+        return Round(SecondFrame.OfExtrusion(record), record.Point(10), new SecondPoint(r, 0, 0), new SecondPoint(0, r, 0), start * Math.PI / 180.0, sweep * Math.PI / 180.0);
+    }
+
+    private static List<Func<double, SecondPoint>> Ellipse(SecondRecord record)
+    {
+        var (major, up, ratio) = (record.Point(11), SecondFrame.OfExtrusion(record).Z, record.Number(40, double.NaN));
+        var minor = ratio * new SecondPoint((up.Y * major.Z) - (up.Z * major.Y), (up.Z * major.X) - (up.X * major.Z), (up.X * major.Y) - (up.Y * major.X));
+        var start = record.Number(41, 0.0);
+        return Round(SecondFrame.World, record.Point(10), major, minor, start, Sweep(start, record.Number(42, Math.Tau), Math.Tau));
+    }
+
+    /// <summary>Quarter turns or less of centre + u cos + v sin.</summary>
+    private static List<Func<double, SecondPoint>> Round(SecondFrame frame, SecondPoint centre, SecondPoint u, SecondPoint v, double start, double sweep)
+    {
+        var pieces = new List<Func<double, SecondPoint>>();
+        var count = sweep == 0.0 ? 0 : (int)Math.Ceiling(Math.Abs(sweep) / (Math.PI / 2.0));
+        for (var i = 0; i < count; i++)
+        {
+            var (from, step) = (start + (sweep * i / count), sweep / count);
+            pieces.Add(t => frame.At(centre + (Math.Cos(from + (step * t)) * u) + (Math.Sin(from + (step * t)) * v)));
+        }
+
+        return pieces;
+    }
+
+    private static List<(SecondPoint Place, double Bulge)> LwVertices(SecondRecord record)
+    {
+        var (vertices, z) = (new List<(SecondPoint Place, double Bulge)>(), record.Number(38, 0.0));
+        foreach (var (code, text) in record.Tags)
+        {
+            if (code == 10) vertices.Add((new SecondPoint(SecondTags.Number(text), double.NaN, z), 0.0));
+            else if (code == 20 && vertices.Count > 0) vertices[^1] = (vertices[^1].Place with { Y = SecondTags.Number(text) }, vertices[^1].Bulge);
+            else if (code == 42 && vertices.Count > 0) vertices[^1] = (vertices[^1].Place, SecondTags.Number(text));
+        }
+
+        return vertices;
+    }
+
+    private static List<Func<double, SecondPoint>>? OldPolyline(SecondRecord record)
+    {
+        var flags = (int)record.Number(70, 0.0);
+        if ((flags & (16 | 64)) != 0) return null;
+        var flat = (flags & 8) == 0;
+        var drawn = record.Vertices.Where(vertex => ((int)vertex.Number(70, 0.0) & 16) == 0);
+        var vertices = drawn.Select(vertex => (flat ? vertex.Point(10) with { Z = record.Number(30, 0.0) } : vertex.Point(10), flat ? vertex.Number(42, 0.0) : 0.0)).ToList();
+        return Polyline(vertices, (flags & 1) != 0, flat ? SecondFrame.OfExtrusion(record) : SecondFrame.World);
+    }
+
+    private static List<Func<double, SecondPoint>> Polyline(List<(SecondPoint Place, double Bulge)> vertices, bool closed, SecondFrame frame)
+    {
+        var pieces = new List<Func<double, SecondPoint>>();
+        for (var i = 0; i < vertices.Count - (closed ? 0 : 1); i++)
+        {
+            var ((a, bulge), (b, _)) = (vertices[i], vertices[(i + 1) % vertices.Count]);
+            if (a == b) continue;
+            if (Math.Abs(bulge) < 1e-8 || (a.X == b.X && a.Y == b.Y)) pieces.AddRange(Lines([frame.At(a), frame.At(b)]));
+            else pieces.AddRange(Bulge(frame, a, b, bulge));
+        }
+
+        return pieces;
+    }
+
+    /// <summary>The centre lies on the perpendicular of the chord, (1/b - b)/2 half chords to its left.</summary>
+    private static List<Func<double, SecondPoint>> Bulge(SecondFrame frame, SecondPoint a, SecondPoint b, double bulge)
+    {
+        var (half, lift) = (0.5 * (b - a), ((1.0 / bulge) - bulge) / 2.0);
+        var centre = a + half + (lift * new SecondPoint(-half.Y, half.X, 0.0));
+        var (u, v) = (a - centre, new SecondPoint(-(a.Y - centre.Y), a.X - centre.X, 0.0));
+        return Round(frame, centre, u with { Z = 0.0 }, v, 0.0, 4.0 * Math.Atan(bulge));
+    }
+}

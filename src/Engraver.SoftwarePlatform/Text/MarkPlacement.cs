@@ -1,0 +1,57 @@
+using Avalonia;
+
+namespace Engraver.SoftwarePlatform.Text;
+
+/// <summary>Where accents stand over or under their letters: GPOS mark-to-base attachment (OpenType 1.9, GPOS, lookup type 4).</summary>
+internal sealed class MarkPlacement
+{
+    private const int MarkToBase = 4;
+
+    private readonly List<FontBytes> _subtables;
+
+    private MarkPlacement(List<FontBytes> subtables) => _subtables = subtables;
+
+    public static MarkPlacement Of(FontFile file)
+    {
+        try
+        {
+            return new MarkPlacement(file.Has("GPOS") ? LayoutLookups.Subtables(file.Table("GPOS"), "mark", MarkToBase) : []);
+        }
+        catch (BrokenFontException)
+        {
+            return new MarkPlacement([]);
+        }
+    }
+
+    /// <summary>From the letter's origin to the mark's, in font units, y up. Null where the font does not say.</summary>
+    public Vector? Find(int letter, int mark)
+    {
+        try
+        {
+            foreach (var subtable in _subtables)
+            {
+                int markIndex = LayoutCoverage.Index(subtable.Linked(2), mark), letterIndex = LayoutCoverage.Index(subtable.Linked(4), letter);
+                if (markIndex >= 0 && letterIndex >= 0 && Between(subtable, letterIndex, markIndex) is { } place)
+                    return place;
+            }
+        }
+        catch (BrokenFontException)
+        {
+            return null;
+        }
+        return null;
+    }
+
+    /// <summary>The anchor of the mark and the anchor of the letter for the mark's class come to lie on each other.</summary>
+    private static Vector? Between(FontBytes subtable, int letterIndex, int markIndex)
+    {
+        FontBytes marks = subtable.Linked(8), letters = subtable.Linked(10);
+        int classes = subtable.UInt16(6), markClass = marks.UInt16(2 + 4 * markIndex);
+        var anchor = 2 + 2 * (letterIndex * classes + markClass);
+        if (letters.UInt16(anchor) == 0)
+            return null;
+        return Anchor(letters.Linked(anchor)) - Anchor(marks.Linked(2 + 4 * markIndex + 2));
+    }
+
+    private static Vector Anchor(FontBytes anchor) => new(anchor.Int16(2), anchor.Int16(4));
+}

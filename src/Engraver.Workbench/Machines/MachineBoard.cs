@@ -1,0 +1,153 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>What is known of the machine, gathered from the watch and from jobs, with the alarms and the arming that follow from it. Any thread; it sends nothing.</summary>
+internal sealed class MachineBoard : IDisposable
+{
+    private readonly Lock _guard = new();
+    private readonly TimeProvider _time;
+    private readonly Action _changed;
+    private MachineFacts _facts = MachineFacts.None;
+    private MachineProfile _profile = MachineProfile.Default;
+
+    public MachineBoard(TimeProvider time, Action changed)
+    {
+        (_time, _changed) = (time, changed);
+        Arming = new ArmingSwitch(time, changed);
+        Alarms = new AlarmLog(time);
+    }
+
+    public ArmingSwitch Arming { get; }
+
+    public AlarmLog Alarms { get; }
+
+    public MachineStatus Status
+    {
+        get
+        {
+            lock (_guard) return _facts.ToStatus(_profile, Arming.Armed);
+        }
+    }
+
+    /// <summary>Another one disarms.</summary>
+    public MachineProfile Profile
+    {
+        get
+        {
+            lock (_guard) return _profile;
+        }
+
+        set
+        {
+            ArgumentNullException.ThrowIfNull(value);
+            lock (_guard)
+            {
+                if (_profile == value) return;
+                _profile = value;
+            }
+
+            DisarmOrTell();
+        }
+    }
+
+    private string Link
+    {
+        get
+        {
+            lock (_guard) return _facts.Link ?? "";
+        }
+    }
+
+    public void Connected(string link, bool isSimulation, ControllerIdentity identity) => Change(_ => new MachineFacts { Link = link, IsSimulation = isSimulation, Identity = identity, SeenAt = _time.GetUtcNow() });
+
+    public void Disconnected()
+    {
+        Change(_ => MachineFacts.None with { SeenAt = _time.GetUtcNow() });
+        DisarmOrTell();
+    }
+
+    /// <summary>The watch has looked. What differs from before disarms.</summary>
+    public void Seen(MachinePoll poll)
+    {
+        MachinePoll? before;
+        lock (_guard)
+        {
+            if (_facts.Link is null) return;
+            before = _facts.Poll;
+            _facts = _facts with { Poll = poll, Lost = null, SeenAt = _time.GetUtcNow() };
+        }
+
+        MachineAlarms.Seen(Alarms, poll, Link);
+        if (before is not null && poll.DiffersFrom(before)) DisarmOrTell();
+        else _changed();
+    }
+
+    public void Lost(ControllerException failure)
+    {
+        lock (_guard)
+        {
+            if (_facts.Link is null) return;
+            _facts = _facts with { Lost = failure.Message };
+        }
+
+        MachineAlarms.LinkLost(Alarms, Link, failure.Message);
+        DisarmOrTell();
+    }
+
+    /// <summary>A command of the operator's was refused.</summary>
+    public void Refused(Rejected refused)
+    {
+        NoteRefusal(refused.Explain());
+        MachineAlarms.Refused(Alarms, refused, Link);
+    }
+
+    /// <summary>A typed line was refused: the operator sees it where it was typed, it is no alarm.</summary>
+    public void NoteRefusal(string text) => Change(facts => facts with { LastRefusal = text });
+
+    public void JobBegins()
+    {
+        Change(facts => facts with { JobRuns = true, Stopping = false, Progress = null });
+        MachineAlarms.Begun(Alarms);
+        DisarmOrTell();
+    }
+
+    /// <summary>The machine stands where the job starts, as the watch saw it last.</summary>
+    /// <param name="start">The same place in the job's frame.</param>
+    public void JobStartsFrom(CountsPoint start) =>
+        Change(facts => facts.Poll is { } at ? facts with { Frame = new CountsPoint(at.X - start.X, at.Y - start.Y) } : facts);
+
+    public void JobTells(JobProgress progress) => Change(facts => facts with { Progress = progress, SeenAt = _time.GetUtcNow() });
+
+    public void JobEnds(JobResult result)
+    {
+        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Explain() ?? facts.LastRefusal });
+        MachineAlarms.Ended(Alarms, result, Link);
+    }
+
+    /// <summary>The machine is nobody's again.</summary>
+    public void JobIsOver() => Change(facts => facts with { JobRuns = false, Stopping = false });
+
+    /// <summary>A stop is asked for. Nobody is told yet: the stop itself comes first (<see cref="StopSent"/>).</summary>
+    public void StopAsked() => Change(facts => facts with { Stopping = facts.JobRuns });
+
+    /// <summary>The stop is on its way.</summary>
+    public void StopSent() => DisarmOrTell();
+
+    public void Dispose() => Arming.Dispose();
+
+    private void Change(Func<MachineFacts, MachineFacts> change)
+    {
+        lock (_guard) _facts = change(_facts);
+    }
+
+    /// <summary>Disarming tells by itself.</summary>
+    private void DisarmOrTell()
+    {
+        if (!Arming.Disarm()) _changed();
+    }
+}

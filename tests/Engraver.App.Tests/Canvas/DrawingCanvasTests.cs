@@ -1,0 +1,165 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Media;
+using Engraver.App.Canvas;
+using Engraver.App.Canvas.Colours;
+using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Geometry;
+using Engraver.SoftwarePlatform.Headless;
+using Engraver.TestKit;
+using Engraver.Workbench.Views;
+
+namespace Engraver.App.Tests.Canvas;
+
+/// <summary>The control in a window, with hands. The window is 400 by 300 and shows one unit to a pixel, the origin in the middle.</summary>
+[Collection(DesktopCollection.Name)]
+public sealed class DrawingCanvasTests(DesktopFixture fixture)
+{
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
+    private static readonly Engraver.Core.Drawings.Drawing s_drawing = new DrawingBuilder().Line(-100.0, 50.0, 100.0, 50.0).Circle(0.0, -50.0, 40.0).Build();
+
+    [Fact]
+    public Task The_picture_comes_by_itself_and_is_sharp() => With((canvas, _, hands, _) =>
+    {
+        fixture.Desktop.StepUntil(() => canvas.IsFresh, s_patience);
+        Draw();
+
+        Assert.Equal(Colors.White, hands.PixelAt(160, 100));
+        Assert.Equal(Color.FromUInt32(CanvasTheme.Dark.Background), hands.PixelAt(160, 103));
+        Assert.NotEqual(Color.FromUInt32(CanvasTheme.Dark.Background), hands.PixelAt(160, 200));
+    });
+
+    [Fact]
+    public Task A_zoom_shows_the_old_picture_larger_at_once_and_the_new_one_when_the_hand_is_still() => With((canvas, view, hands, _) =>
+    {
+        canvas.RefineNow();
+        hands.Wheel(new Point(200, 100), new Vector(0, 6));
+        Draw();
+        Assert.Equal(Colors.White, hands.PixelAt(20, 100));
+        Assert.Equal(Colors.White, hands.PixelAt(200, 101));
+
+        fixture.Desktop.StepUntil(() => canvas.IsFresh, s_patience);
+        Draw();
+
+        Assert.Equal(Colors.White, hands.PixelAt(20, 100));
+        Assert.NotEqual(Colors.White, hands.PixelAt(20, 101));
+        Assert.True(canvas.PixelView.ToDrawing(new Point2D(200.0, 100.0)).IsNear(new Point2D(0.0, 50.0), 1e-9));
+        Assert.True(view.Current.Height < 100.0);
+    });
+
+    [Fact]
+    public Task The_wheel_pressed_moves_the_drawing_with_the_hand() => With((canvas, view, hands, heard) =>
+    {
+        hands.Drag(new Point(200, 150), new Point(230, 140), button: MouseButton.Middle);
+        hands.DoubleClick(new Point(200, 150), MouseButton.Middle);
+
+        Assert.True(view.Current.Centre.IsNear(new Point2D(-30.0, -10.0), 1e-9));
+        Assert.Contains("extents", heard.Heard);
+    });
+
+    [Fact]
+    public Task Clicks_pick_what_is_under_the_pickbox_and_boxes_select() => With((_, _, hands, heard) =>
+    {
+        hands.Click(new Point(250, 102));
+        hands.Click(new Point(240, 200), modifiers: RawInputModifiers.Shift);
+        hands.Drag(new Point(50, 50), new Point(350, 140));
+        hands.Drag(new Point(350, 140), new Point(50, 50));
+
+        Assert.Equal(["pick 0", "unpick 1", "window", "crossing"], heard.Heard);
+        Assert.True(heard.Points[0].IsNear(new Point2D(-150.0, 100.0), 1e-9) && heard.Points[1].IsNear(new Point2D(150.0, 10.0), 1e-9));
+    });
+
+    [Fact]
+    public Task A_point_that_is_asked_for_snaps_to_the_end_of_the_line() => With((_, view, hands, heard) =>
+    {
+        heard.AsksForPoint = true;
+        hands.Click(new Point(297, 104));
+        view.Change(state => state with { ObjectSnap = false, Snap = true, SnapSpacing = 10.0 });
+        hands.Click(new Point(298, 103));
+
+        Assert.Equal([new Point2D(100.0, 50.0), new Point2D(100.0, 50.0)], heard.Points);
+        Assert.Equal(["point", "point"], heard.Heard);
+    });
+
+    [Fact]
+    public Task The_crosshair_follows_and_a_selection_lights_up() => With((canvas, _, hands, _) =>
+    {
+        hands.MovePointer(new Point(60, 60));
+        canvas.Selection = [0];
+        canvas.RefineNow();
+        Draw();
+
+        Assert.Equal(Colors.White, hands.PixelAt(60 - 8, 60));
+        Assert.Equal(Color.FromUInt32(CanvasTheme.Dark.Selected), hands.PixelAt(150, 100));
+        Assert.Equal(Color.FromUInt32(0xFF007FFF), hands.PixelAt(100, 100));
+    });
+
+    [Fact]
+    public Task Esc_ends_a_box_before_it_reaches_the_command() => With((canvas, _, hands, heard) =>
+    {
+        hands.Click(new Point(50, 50));
+        canvas.Escape();
+        canvas.Escape();
+
+        Assert.Equal(["cancel"], heard.Heard);
+    });
+
+    [Fact]
+    public Task The_light_theme_is_white_with_black_lines_and_switched_off_layers_are_gone() => With((canvas, view, hands, _) =>
+    {
+        view.Change(state => state with { Theme = DesktopTheme.Light });
+        canvas.RefineNow();
+        Draw();
+        Assert.Equal(Colors.Black, hands.PixelAt(200, 100));
+        Assert.Equal(Colors.White, hands.PixelAt(203, 103));
+
+        view.Change(state => state with { Shown = CanvasLayers.None });
+        canvas.RefineNow();
+        Draw();
+        Assert.Equal(Colors.White, hands.PixelAt(200, 100));
+    });
+
+    [Fact]
+    public Task On_a_dense_screen_the_picture_has_its_pixels() => With((canvas, _, hands, _) =>
+    {
+        hands.SetScale(2.0);
+        canvas.RefineNow();
+        Draw();
+
+        Assert.Equal(new PixelSize(800, 600), canvas.PixelView.Size);
+        Assert.Equal(Colors.White, hands.PixelAt(400, 200));
+        Assert.NotEqual(Colors.White, hands.PixelAt(400, 204));
+        hands.SetScale(1.0);
+    });
+
+    /// <summary>One step for what was asked for, one for the frame that shows it.</summary>
+    private void Draw()
+    {
+        fixture.Desktop.Step();
+        fixture.Desktop.Step();
+    }
+
+    private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => fixture.Runner.RunAsync(() =>
+    {
+        var (view, heard) = (new ViewSession(), new HeardCommands());
+        view.Change(state => state with { Grid = false, Shown = CanvasLayers.Drawing });
+        var canvas = new DrawingCanvas { View = view, Scene = CanvasScene.Of(s_drawing), Commands = heard };
+        var window = new Window { Width = 400.0, Height = 300.0, Content = canvas };
+        window.Show();
+        fixture.Desktop.Step();
+        view.SetCentre(Point2D.Origin, 300.0);
+        fixture.Desktop.Step();
+        try
+        {
+            test(canvas, view, fixture.Desktop.Windows[^1], heard);
+        }
+        finally
+        {
+            window.Close();
+            fixture.Desktop.Step();
+        }
+
+        return Task.CompletedTask;
+    });
+}

@@ -1,0 +1,38 @@
+using Engraver.App.Canvas;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.Tests.Canvas;
+
+/// <summary>Writes down what the canvas asked for.</summary>
+internal sealed class HeardCommands : ICanvasCommands
+{
+    public List<string> Heard { get; } = [];
+
+    public List<Point2D> Points { get; } = [];
+
+    public bool AsksForPoint { get; set; }
+
+    public void PickAt(Point2D place, int entity, bool remove) => Heard.Add(remove ? $"unpick {entity}" : $"pick {entity}");
+
+    public void SelectBox(Point2D from, Point2D to, bool crossing, bool remove)
+    {
+        Heard.Add(crossing ? "crossing" : "window");
+        Points.AddRange([from, to]);
+    }
+
+    public void Cancel() => Heard.Add("cancel");
+
+    public void PointGiven(Point2D place)
+    {
+        Heard.Add("point");
+        Points.Add(place);
+    }
+
+    public void ZoomExtents() => Heard.Add("extents");
+
+    public void Menu(Point2D place) => Heard.Add("menu");
+
+    public void CursorAt(Point2D? place)
+    {
+    }
+}

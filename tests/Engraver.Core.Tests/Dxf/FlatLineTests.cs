@@ -1,0 +1,22 @@
+using Engraver.Core.EntityTables;
+using Engraver.Core.Sequencing;
+
+namespace Engraver.Core.Tests.Dxf;
+
+/// <summary>Lines of which nothing is left to cut.</summary>
+public class FlatLineTests
+{
+    [Theory]
+    [InlineData(0.0, "has no length;")]
+    [InlineData(5.0, "has no length as seen from above;")]
+    public void A_line_that_is_a_spot_from_above_is_one_finding_and_no_row_of_the_table(double height, string words)
+    {
+        var drawing = Reading.Entities((0, "LINE"), (10, 1), (20, 2), (30, 0), (11, 1), (21, 2), (31, height), (0, "LINE"), (10, 0), (20, 0), (11, 3), (21, 4));
+        var table = EntityTableBuilder.Build(drawing, LayerSelection.Default);
+        var sequence = Sequencer.Sequence(ArcAnalysis.Analyse(table), drawing, new SequencingOptions());
+
+        Assert.Equal((2, 1, 5.0), (drawing.Entities.Count, table.Count, sequence.PathLength));
+        Assert.Contains(words, Assert.Single(drawing.Diagnostics).Message, StringComparison.Ordinal);
+        Assert.DoesNotContain(sequence.Diagnostics, found => found.Id == "SEQ0004");
+    }
+}

@@ -1,0 +1,63 @@
+using System.Globalization;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
+using Engraver.TestKit;
+
+namespace Engraver.Core.Tests.Dxf;
+
+/// <summary>Damaged drawings by the thousand. A million: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Core.Tests -c Release --filter FuzzTests; ENGRAVER_FUZZ_FIRST names the first seed.</summary>
+public class FuzzTests
+{
+    private const int LargestOriginal = 24_000;
+
+    /// <summary>Small, so that array bombs are refused and not drawn.</summary>
+    private const int MostCurves = 20_000;
+
+    [Fact]
+    public void No_damage_makes_the_reader_throw_lose_count_or_give_a_number_that_is_none()
+    {
+        var fuzzer = new DrawingFuzzer(Originals());
+        var first = Setting("ENGRAVER_FUZZ_FIRST", 1);
+        for (var seed = first; seed < first + Setting("ENGRAVER_FUZZ_CASES", 20_000); seed++)
+        {
+            var file = fuzzer.Case(seed);
+            var drawing = Read(file, seed);
+            Assert.True(drawing.Balance.Read == drawing.Balance.Cut + drawing.Balance.Construction + drawing.Balance.Refused.Count, $"seed {seed}: the balance does not hold");
+            AssertUsable(drawing, seed);
+            if (seed % 10 == 0) Assert.True(Reading.Fingerprint(drawing) == Reading.Fingerprint(Read(file, seed)), $"seed {seed}: read differently the second time");
+        }
+    }
+
+    private static Drawing Read(byte[] file, int seed)
+    {
+        try
+        {
+            return Reading.Of(file, new DxfReadOptions(MaxExpandedCurves: MostCurves, Cut: seed % 2 == 0 ? CutChoice.None : (CutChoice)31));
+        }
+        catch (Exception thrown)
+        {
+            throw new InvalidOperationException(string.Create(CultureInfo.InvariantCulture, $"seed {seed} throws"), thrown);
+        }
+    }
+
+    private static void AssertUsable(Drawing drawing, int seed)
+    {
+        var summary = DrawingSummary.Of(drawing);
+        Assert.True(double.IsFinite(summary.Length.Total) && double.IsFinite(summary.Length.PlanTotal), $"seed {seed}: the length is no number");
+        if (summary.Bounds is { } box) Assert.True(double.IsFinite(box.Width) && double.IsFinite(box.Height) && double.IsFinite(box.MinX + box.MinY), $"seed {seed}: the box is no box");
+        Assert.True(drawing.Texts.All(text => double.IsFinite(text.Position.X + text.Position.Y + text.Height)), $"seed {seed}: a text lies nowhere");
+        Assert.True(drawing.Diagnostics.All(found => found.Message.Length > 0), $"seed {seed}: a finding says nothing");
+    }
+
+    private static List<byte[]> Originals()
+    {
+        var everything = OddDrawings.OneOfEverything();
+        var files = new List<byte[]> { everything.ToAscii(), everything.ToBinary(oneByteCodes: false), everything.ToBinary(oneByteCodes: true) };
+        files.AddRange(Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Order(StringComparer.Ordinal).Select(File.ReadAllBytes).Where(file => file.Length <= LargestOriginal));
+        if (RepositoryFolder.Corpus is not { } corpus) return files;
+        files.AddRange(Directory.GetFiles(Path.Combine(corpus, "files"), "*.dxf", SearchOption.AllDirectories).Order(StringComparer.Ordinal).Where(path => new FileInfo(path).Length <= LargestOriginal).Select(File.ReadAllBytes));
+        return files;
+    }
+
+    private static int Setting(string name, int otherwise) => int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : otherwise;
+}

@@ -1,0 +1,51 @@
+using Avalonia;
+using Avalonia.Media;
+using Avalonia.Media.TextFormatting;
+using Engraver.SoftwarePlatform.Text;
+
+namespace Engraver.SoftwarePlatform.Tests.Text;
+
+public class MarkTests
+{
+    /// <summary>Glyph 1 is letter and mark at once: its anchor as a letter is (250, 700), as a mark (300, 100).</summary>
+    private static readonly SoftwareTypeface s_font = Font();
+
+    [Fact]
+    public void A_mark_is_moved_until_its_anchor_lies_on_the_letters()
+    {
+        Assert.Equal(new Vector(-50, 600), s_font.Marks.Find(1, 1));
+        Assert.Null(s_font.Marks.Find(0, 1));
+        Assert.Null(s_font.Marks.Find(1, 0));
+    }
+
+    [Theory]
+    [InlineData(0, -50 - 600)]
+    [InlineData(1, -50)]
+    public void A_shaped_mark_stands_on_its_letter_in_both_directions(sbyte bidiLevel, double offset)
+    {
+        var options = new TextShaperOptions(s_font.GlyphTypeface, 1000, bidiLevel, null, 0, 0);
+        var glyphs = new SoftwareTextShaper().ShapeText("A\u0301".AsMemory(), options);
+        var mark = glyphs[bidiLevel == 0 ? 1 : 0];
+
+        Assert.Equal(0, mark.GlyphAdvance);
+        Assert.Equal(offset, mark.GlyphOffset.X, 6);
+        Assert.Equal(-600, mark.GlyphOffset.Y, 6);
+    }
+
+    private static SoftwareTypeface Font()
+    {
+        byte[] coverage = [.. U(1), .. U(1), .. U(1)];
+        byte[] marks = [.. U(1), .. U(0), .. U(6), .. Anchor(300, 100)];
+        byte[] letters = [.. U(1), .. U(4), .. Anchor(250, 700)];
+        byte[] attachment = [.. U(1), .. U(12), .. U(12), .. U(1), .. U(18), .. U(18 + marks.Length), .. coverage, .. marks, .. letters];
+        byte[] lookup = [.. U(4), .. U(0), .. U(1), .. U(8), .. attachment];
+        byte[] features = [.. U(1), .. "mark"u8, .. U(8), .. U(0), .. U(1), .. U(0)];
+        byte[] table = [.. U(1), .. U(0), .. U(0), .. U(10), .. U(10 + features.Length), .. features, .. U(1), .. U(4), .. lookup];
+        var file = FontBuilder.TrueType("Marked", 4, 'A', 0x301).With("GPOS", table).Build();
+        return SoftwareTypeface.TryCreate(new MemoryFontSource(file), 0, FontSimulations.None)!;
+    }
+
+    private static byte[] Anchor(int x, int y) => [.. U(1), .. U(x), .. U(y)];
+
+    private static byte[] U(int value) => FontBuilder.U16(value);
+}

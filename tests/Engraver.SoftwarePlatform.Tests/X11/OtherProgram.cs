@@ -1,0 +1,74 @@
+using System.Text;
+using Engraver.SoftwarePlatform.X11;
+
+namespace Engraver.SoftwarePlatform.Tests.X11;
+
+/// <summary>Another program on the same server, as far as the protocol shows it: asks windows to close, and drags files.</summary>
+internal sealed unsafe class OtherProgram : IDisposable
+{
+    private readonly XConnection _connection;
+    private readonly XAtoms _atoms;
+    private readonly nint _window;
+
+    public OtherProgram(XServer server)
+    {
+        _connection = XConnection.Open(server.Display);
+        _atoms = new XAtoms(_connection.Display);
+        XSetWindowAttributes none;
+        _window = Xlib.XCreateWindow(_connection.Display, _connection.Root, 0, 0, 1, 1, 0, 0, 0, 0, 0, &none);
+    }
+
+    public void AskToClose(nint window)
+    {
+        _connection.SendMessage(_connection.Root, window, Xlib.XInternAtom(_connection.Display, "_NET_CLOSE_WINDOW", 0), XEventMask.ToWindowManager, 0, 1);
+        _connection.Flush();
+    }
+
+    /// <summary>Drags over a place and lets go there. True when the window said that it took the files.</summary>
+    public bool Drop(nint onto, int rootX, int rootY, string uriList)
+    {
+        Xlib.XSetSelectionOwner(_connection.Display, _atoms.XdndSelection, _window, 0);
+        _connection.SendMessage(onto, onto, _atoms.XdndEnter, 0, _window, XdndTarget.Version << 24, _atoms.UriList, 0, 0);
+        _connection.SendMessage(onto, onto, _atoms.XdndPosition, 0, _window, 0, (rootX << 16) | rootY, 0, _atoms.XdndActionCopy);
+        AnswerRequest(uriList);
+        var status = WaitFor(XEventType.ClientMessage);
+        Assert.Equal(_atoms.XdndStatus, status.MessageType);
+        Assert.Equal(1, status.Data[1] & 1);
+        _connection.SendMessage(onto, onto, _atoms.XdndDrop, 0, _window, 0, 0);
+        var finished = WaitFor(XEventType.ClientMessage);
+        Assert.Equal(_atoms.XdndFinished, finished.MessageType);
+        return (finished.Data[1] & 1) == 1;
+    }
+
+    public void Dispose() => _connection.Close();
+
+    private void AnswerRequest(string uriList)
+    {
+        var request = WaitFor(XEventType.SelectionRequest);
+        _connection.SetBytes(request.Requestor, request.RequestProperty, request.RequestTarget, Encoding.UTF8.GetBytes(uriList));
+        var notice = new XEvent
+        {
+            Type = XEventType.SelectionNotify, Window = request.Requestor, Selection = request.RequestSelection, Target = request.RequestTarget,
+            AnswerProperty = request.RequestProperty, AnswerTime = request.RequestTime,
+        };
+        Xlib.XSendEvent(_connection.Display, request.Requestor, 0, 0, &notice);
+    }
+
+    /// <summary>Fails, and does not hang, when nothing comes.</summary>
+    private XEvent WaitFor(XEventType type)
+    {
+        const int patienceMs = 30_000;
+        while (true)
+        {
+            while (Xlib.XPending(_connection.Display) > 0)
+            {
+                XEvent received;
+                Xlib.XNextEvent(_connection.Display, &received);
+                if (received.Type == type) return received;
+            }
+
+            var watched = new Libc.PollFd { Descriptor = Xlib.XConnectionNumber(_connection.Display), Asked = Libc.PollIn };
+            Assert.True(Libc.poll(&watched, 1, patienceMs) == 1, $"{type} never came.");
+        }
+    }
+}

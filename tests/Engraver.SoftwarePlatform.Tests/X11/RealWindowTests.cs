@@ -1,0 +1,206 @@
+using System.Globalization;
+
+namespace Engraver.SoftwarePlatform.Tests.X11;
+
+/// <summary>A real window under a real X server and window manager, driven by another program's hands.</summary>
+public sealed class RealWindowTests : IDisposable
+{
+    private readonly XServer _server = new();
+    private readonly ShownWindow _window;
+
+    public RealWindowTests() => _window = new ShownWindow(_server);
+
+    private ToldProcess Told => _window.Told;
+
+    public void Dispose()
+    {
+        _window.Dispose();
+        _server.Dispose();
+    }
+
+    [XServerFact]
+    public void A_click_presses_and_typed_text_arrives()
+    {
+        _server.Click(_window.Counter.X, _window.Counter.Y);
+        Told.WaitFor("pressed 1");
+
+        TypeInto("xdotool", "Feed 12.5 mm/s (X_1) + 2");
+        Told.WaitFor("text Feed 12.5 mm/s (X_1) + 2");
+    }
+
+    [XServerFact]
+    public void The_wheel_scrolls()
+    {
+        _server.Click(_window.Rows.X, _window.Rows.Y, button: 5);
+
+        Told.WaitFor("scrolled");
+    }
+
+    [XServerFact]
+    public void The_window_follows_a_resize()
+    {
+        _server.Run("xdotool", "windowsize", _window.Id, "901", "602");
+
+        Told.WaitFor("size 901 602");
+    }
+
+    [XServerFact]
+    public void The_clipboard_goes_out_and_comes_in()
+    {
+        Told.Ask("copy größe ✓");
+        Told.WaitFor("copied");
+        Assert.Equal("größe ✓", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "UTF8_STRING"));
+        Assert.Contains("text/plain;charset=utf-8", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "TARGETS"), StringComparison.Ordinal);
+
+        _server.OfferClipboard("von außen ✓");
+        Told.Ask("paste");
+        Assert.Equal("clipboard von außen ✓", Told.WaitFor("clipboard"));
+    }
+
+    [XServerFact]
+    public void A_clipboard_larger_than_one_request_goes_in_pieces()
+    {
+        Told.Ask("copylong 700000");
+        Told.WaitFor("copied");
+        Assert.Equal(new string('ä', 700_000), _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "UTF8_STRING"));
+
+        _server.OfferClipboard(new string('ß', 1_500_000));
+        Told.Ask("pastelong");
+        Assert.Equal("clipboard length 1500000", Told.WaitFor("clipboard"));
+    }
+
+    [XServerFact]
+    public void Another_layout_brings_its_letters_and_dead_keys()
+    {
+        _server.Run("setxkbmap", "de");
+        _server.Click(_window.Entry.X, _window.Entry.Y);
+        Told.WaitFor("entry focused");
+        _server.Run("xdotool", "key", "odiaeresis", "ssharp", "y", "dead_acute", "e", "dead_grave", "a");
+
+        Told.WaitFor("text ößyéà");
+    }
+
+    [XServerFact]
+    public void Keys_mean_what_the_layout_says()
+    {
+        _server.Run("setxkbmap", "de");
+        _server.Run("xdotool", "key", "--clearmodifiers", "z");
+        Told.WaitFor("filter Z down");
+        _server.Press("ctrl+space");
+        Told.WaitFor("filter Space down Control");
+        Told.WaitFor("key Space");
+    }
+
+    /// <summary>The order says it: the filter has answered before the user interface is released.</summary>
+    [XServerFact]
+    public void The_key_filter_is_called_while_the_user_interface_is_blocked()
+    {
+        Told.Ask("block");
+        Told.WaitFor("blocked");
+        _server.Press("Pause");
+        Told.WaitFor("filter Pause down");
+        Assert.DoesNotContain("released", Told.Heard);
+
+        Told.Ask("release");
+        Told.WaitFor("released");
+        _server.Press("F5");
+        Told.WaitFor("key F5");
+        Assert.DoesNotContain("key Pause", Told.Heard);
+    }
+
+    [XServerFact]
+    public void A_region_answers_while_the_user_interface_is_blocked()
+    {
+        Told.Ask("region");
+        Told.WaitFor("region added");
+        Told.Ask("block");
+        Told.WaitFor("blocked");
+        _server.Click(_window.Counter.X, _window.Counter.Y);
+        Told.WaitFor("region pressed");
+        Assert.DoesNotContain("released", Told.Heard);
+
+        Told.Ask("release");
+        Told.WaitFor("released");
+        _server.Press("F5");
+        Told.WaitFor("key F5");
+        Assert.DoesNotContain("pressed 1", Told.Heard);
+    }
+
+    [XServerFact]
+    public void A_modal_dialog_stops_its_owner_and_gives_its_answer()
+    {
+        Told.Ask("dialog");
+        Told.WaitFor("dialog active");
+        _server.Click(_window.Counter.X - 30, _window.Counter.Y);
+        _server.Press("Return");
+
+        Told.WaitFor("dialog answered yes");
+        Assert.DoesNotContain("pressed 1", Told.Heard);
+    }
+
+    [XServerFact]
+    public void The_window_manager_s_states_come_and_go()
+    {
+        Told.Ask("state Maximized");
+        Told.WaitFor("size 1280 ");
+        Told.Ask("state FullScreen");
+        Told.WaitFor("size 1280 900");
+        Told.Ask("state Normal");
+        Told.WaitFor("size 800 520");
+    }
+
+    [XServerFact]
+    public void Files_dragged_from_another_program_arrive()
+    {
+        using var other = new OtherProgram(_server);
+        var taken = other.Drop(nint.Parse(_window.Id, CultureInfo.InvariantCulture), _window.Rows.X, _window.Rows.Y, "file:///tmp/gr%C3%B6%C3%9Fe.dxf\r\nfile:///tmp/b.dxf\r\n");
+
+        Assert.Equal("dropped /tmp/größe.dxf|/tmp/b.dxf", Told.WaitFor("dropped"));
+        Assert.True(taken);
+    }
+
+    [XServerFact]
+    public void Closing_is_asked_of_the_window()
+    {
+        using var other = new OtherProgram(_server);
+        other.AskToClose(nint.Parse(_window.Id, CultureInfo.InvariantCulture));
+        Told.WaitFor("closing");
+
+        Assert.Equal(0, Told.WaitForExit());
+    }
+
+    [XServerFact]
+    public void A_window_destroyed_by_another_program_ends_as_if_closed()
+    {
+        _server.Run("xdotool", "windowclose", _window.Id);
+
+        Assert.Equal(0, Told.WaitForExit());
+    }
+
+    [XServerFact]
+    public void Title_and_process_are_told_to_the_window_manager()
+    {
+        var told = _server.Run("xprop", "-id", _window.Id, "_NET_WM_NAME", "WM_CLASS", "WM_PROTOCOLS", "XdndAware");
+
+        Assert.Contains("\"Software platform: größe ✓\"", told, StringComparison.Ordinal);
+        Assert.Contains("WM_CLASS(STRING) = \"demo\", \"demo\"", told, StringComparison.Ordinal);
+        Assert.Contains("WM_DELETE_WINDOW, _NET_WM_PING", told, StringComparison.Ordinal);
+        Assert.Contains("XdndAware(ATOM) = BITMAP", told, StringComparison.Ordinal); // the atom numbered 5
+    }
+
+    [XServerFact]
+    public void A_server_that_goes_away_ends_the_program_in_order()
+    {
+        _server.Kill();
+
+        Told.WaitFor("lost The X display has gone");
+        Assert.Equal(1, Told.WaitForExit());
+    }
+
+    private void TypeInto(string program, string text)
+    {
+        _server.Click(_window.Entry.X, _window.Entry.Y);
+        Told.WaitFor("entry focused");
+        _server.Run(program, "type", "--delay", "1", text);
+    }
+}

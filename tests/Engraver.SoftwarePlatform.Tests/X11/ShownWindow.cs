@@ -1,0 +1,37 @@
+using System.Globalization;
+
+namespace Engraver.SoftwarePlatform.Tests.X11;
+
+/// <summary>The demo window in a process of its own, shown and active, and where its controls are.</summary>
+internal sealed class ShownWindow : IDisposable
+{
+    public ShownWindow(XServer server, double scale = 1.0)
+    {
+        Told = new ToldProcess("dotnet", server.Display, typeof(ShownWindow).Assembly.Location, scale.ToString(CultureInfo.InvariantCulture));
+        Told.WaitFor("active");
+        Told.Ask("where");
+        Counter = Place(Told.WaitFor("at counter"));
+        Entry = Place(Told.WaitFor("at entry"));
+        Rows = Place(Told.WaitFor("at rows"));
+        Id = Told.WaitFor("window").Split(' ')[1];
+    }
+
+    public ToldProcess Told { get; }
+
+    public (int X, int Y) Counter { get; }
+
+    public (int X, int Y) Entry { get; }
+
+    public (int X, int Y) Rows { get; }
+
+    /// <summary>The window's number on the server.</summary>
+    public string Id { get; }
+
+    public void Dispose() => Told.Dispose();
+
+    private static (int X, int Y) Place(string line)
+    {
+        var words = line.Split(' ');
+        return (int.Parse(words[2], CultureInfo.InvariantCulture), int.Parse(words[3], CultureInfo.InvariantCulture));
+    }
+}

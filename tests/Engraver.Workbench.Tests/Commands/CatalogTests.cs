@@ -1,0 +1,50 @@
+using Engraver.TestKit;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+public class CatalogTests
+{
+    [Fact]
+    public void Every_command_that_is_built_is_in_the_catalogue_and_says_what_it_does()
+    {
+        var catalog = CommandCatalog.Built();
+        var listed = catalog.All.Select(info => catalog.Find(info.Name)!.GetType()).ToHashSet();
+        var built = typeof(ICommand).Assembly.GetTypes().Where(type => type is { IsClass: true, IsAbstract: false } && typeof(ICommand).IsAssignableFrom(type));
+
+        Assert.All(built, type => Assert.Contains(type, listed));
+        Assert.All(catalog.All, info => Assert.Matches("^[A-Z0-9][^\n]+\\.$", info.Summary));
+        Assert.All(catalog.All, info => Assert.Equal(info.Name.ToUpperInvariant(), info.Name));
+    }
+
+    [Fact]
+    public async Task Every_short_name_stands_for_a_command_and_none_of_a_letter_or_two_moves_anything()
+    {
+        await using var talk = new CommandTalk();
+        Assert.All(talk.Session.Aliases.Commands, pair => Assert.NotNull(talk.Session.Catalog.Find(pair.Value)));
+        Assert.DoesNotContain(talk.Session.Aliases.Commands, pair => pair.Key.Length < 3 && talk.Session.Catalog.Find(pair.Value)!.Info.StartsMotion);
+    }
+
+    [Fact]
+    public async Task Where_a_hand_starts_it_must_arm_first_and_a_script_is_asked_as_always()
+    {
+        var folder = Directory.CreateTempSubdirectory("engraver-arm-");
+        try
+        {
+            var environment = new CommandEnvironment { Folder = folder.FullName, RunJournalFolder = folder.FullName, RunNeedsArming = true };
+            await using var session = new CommandSession(environment, CommandCatalog.Built());
+            session.Document.Take("OPEN", new Engraver.Workbench.Documents.DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });
+            await File.WriteAllTextAsync(Path.Combine(folder.FullName, "a.scr"), "CNCRUN\nYes\n");
+            foreach (var input in new[] { "CNCCONNECT", "sim:" }) await session.FeedAsync(input, CancellationToken.None);
+
+            Assert.Contains("CNCARM", Assert.IsType<FeedResult.Failed>(await session.FeedAsync("CNCRUN", CancellationToken.None)).Sentence, StringComparison.Ordinal);
+            await session.FeedAsync("SCRIPT", CancellationToken.None);
+            Assert.IsType<FeedResult.Done>(await session.FeedAsync("a.scr", CancellationToken.None));
+            Assert.NotNull(session.Machine.LastRun);
+        }
+        finally
+        {
+            folder.Delete(recursive: true);
+        }
+    }
+}

@@ -1,0 +1,71 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+using Engraver.TestKit;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Tests.Machines;
+
+public class MachineFactsTests
+{
+    private static readonly MachinePoll s_rest = new(0, 0, 0, 0, Moves: false, MotorsOff: "");
+
+    private static readonly MachineFacts s_idle = new() { Link = "tcp://a", Poll = s_rest };
+
+    [Fact]
+    public void Each_fact_has_its_state_and_the_graver_one_wins()
+    {
+        Assert.Equal(MachineState.Offline, State(MachineFacts.None));
+        Assert.Equal(MachineState.Connected, State(s_idle with { Poll = null }));
+        Assert.Equal(MachineState.Ready, State(s_idle));
+        Assert.Equal(MachineState.MotorsOff, State(With(s_rest with { MotorsOff = "B" })));
+        Assert.Equal(MachineState.Busy, State(With(s_rest with { MotorsOff = "B", ProgramRuns = true })));
+        Assert.Equal(MachineState.Busy, State(With(s_rest with { Moves = true })));
+        Assert.Equal(MachineState.Fault, State(With(s_rest with { Moves = true, LostPosition = "A" })));
+        Assert.Equal(MachineState.Fault, State(With(s_rest with { Limit = "the reverse limit of axis B" })));
+        Assert.Equal(MachineState.EmergencyStopOpen, State(With(s_rest with { Limit = "the reverse limit of axis B", AbortInput = true })));
+        Assert.Equal(MachineState.Fault, State(s_idle with { Lost = "gone" }));
+        Assert.Equal(MachineState.Running, State(s_idle with { Lost = "gone", JobRuns = true }));
+        Assert.Equal(MachineState.Stopping, State(s_idle with { JobRuns = true, Stopping = true }));
+    }
+
+    [Fact]
+    public void What_is_armed_is_armed_only_at_a_machine_that_is_ready()
+    {
+        var job = JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 1, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
+        var armed = new ArmedJob(job, JobMode.Stream, false, new ArmingChecklist([]), DateTimeOffset.UnixEpoch);
+
+        Assert.Equal((MachineState.Armed, armed.Until), (s_idle.ToStatus(MachineProfile.Default, armed).State, s_idle.ToStatus(MachineProfile.Default, armed).ArmedUntil));
+        var off = With(s_rest with { MotorsOff = "A" }).ToStatus(MachineProfile.Default, armed);
+        Assert.Equal((MachineState.MotorsOff, null), (off.State, off.ArmedUntil));
+    }
+
+    [Fact]
+    public void Counts_become_millimetres_of_the_profile_with_its_mirrored_axis()
+    {
+        var profile = MachineProfile.Default with { CountsPerMillimetreX = -500, CountsPerMillimetreY = 2000, ToolOutput = 3 };
+        var status = (With(new MachinePoll(1000, 4000, 5, -20, false, "") { Outputs = 4, Speed = 2000, Inputs = 255 }) with { Frame = new CountsPoint(500, 2000) }).ToStatus(profile, null);
+
+        Assert.Equal((-2.0, 2.0), (status.MachinePosition!.Value.X, status.MachinePosition.Value.Y));
+        Assert.Equal((-1.0, 1.0), (status.WorkPosition!.Value.X, status.WorkPosition.Value.Y));
+        Assert.Equal((-0.01, -0.01), (status.FollowingError!.Value.X, status.FollowingError.Value.Y));
+        Assert.Equal((true, 0.0, 255), (status.ToolCommanded!.Value, status.Speed!.Value, status.Inputs!.Value));
+    }
+
+    [Fact]
+    public void While_a_job_runs_the_place_is_what_the_job_says()
+    {
+        var facts = s_idle with { JobRuns = true, Frame = new CountsPoint(10_000, 0), Progress = new JobProgress(2, 9, 7, 20, 3000, 4000, true, 1.5) };
+        var status = facts.ToStatus(MachineProfile.Default, null);
+
+        Assert.Equal((13.0, 3.0, 4.0), (status.MachinePosition!.Value.X, status.WorkPosition!.Value.X, status.WorkPosition.Value.Y));
+        Assert.Equal((2, 7, 0.35), (status.Progress!.Stroke, status.Progress.SegmentsDone, status.Progress.Fraction));
+        Assert.Equal((true, null), (status.ToolCommanded!.Value, status.Inputs));
+    }
+
+    private static MachineFacts With(MachinePoll poll) => s_idle with { Poll = poll };
+
+    private static MachineState State(MachineFacts facts) => facts.ToStatus(MachineProfile.Default, null).State;
+}
