@@ -24,6 +24,7 @@ internal sealed class DesktopVerb
     {
         var verb = new DesktopVerb();
         var command = new Command("desktop", "Opens the operator desktop (exit code 6 without a display).");
+        verb._file.Validators.Add(NoOption);
         command.Arguments.Add(verb._file);
         foreach (var option in (Option[])[verb._script, verb._headless, verb._screenshot, verb._size, verb._scale]) command.Options.Add(option);
         command.SetAction(verb.RunAsync);
@@ -52,6 +53,15 @@ internal sealed class DesktopVerb
         await using var asked = stop.Register(() => AskToEnd(desktop.Id)).ConfigureAwait(false);
         await desktop.WaitForExitAsync(CancellationToken.None).ConfigureAwait(false);
         return desktop.ExitCode;
+    }
+
+    /// <summary>A word that begins like an option is one that is not there, and no drawing.</summary>
+    private static void NoOption(ArgumentResult result)
+    {
+        foreach (var token in result.Tokens)
+        {
+            if (token.Value.StartsWith("--", StringComparison.Ordinal)) result.AddError($"Unrecognized option '{token.Value}'.");
+        }
     }
 
     /// <summary>The runtime this program itself runs on.</summary>

@@ -145,6 +145,24 @@ public sealed class ShellTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task A_box_to_the_right_takes_what_is_inside_and_to_the_left_what_it_touches() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Until(() => here.Window.Canvas.IsFresh);
+        var canvas = here.Window.Canvas;
+        var middle = here.MiddleOf(canvas);
+        var above = new Point(middle.X, canvas.TranslatePoint(new Point(0, 4), here.Window)!.Value.Y);
+        var right = new Point(canvas.TranslatePoint(new Point(canvas.Bounds.Width - 4, 0), here.Window)!.Value.X, middle.Y);
+        here.Hands.Drag(above, right);
+        here.Rest();
+        Assert.Empty(here.Commands.Document.Current.Selection);
+        here.Hands.Drag(right, above);
+        here.Rest();
+
+        Assert.NotEmpty(here.Commands.Document.Current.Selection);
+    });
+
+    [Fact]
     public Task The_window_lives_while_a_large_drawing_is_opened() => fixture.WithOperator(here =>
     {
         var file = Path.GetTempFileName();
