@@ -1,5 +1,10 @@
 using Avalonia;
 using Avalonia.Markup.Xaml;
+using Avalonia.Styling;
+using Engraver.App.Desk;
+using Engraver.App.Safety;
+using Engraver.App.Shell;
+using Engraver.Workbench.Views;
 
 namespace Engraver.App;
 
@@ -7,4 +12,15 @@ namespace Engraver.App;
 public partial class App : Application
 {
     public override void Initialize() => AvaloniaXamlLoader.Load(this);
+
+    /// <summary>The window on a desk; the theme follows the desk's view.</summary>
+    public ShellWindow OpenShell(WorkDesk desk, StopKeys stopKeys)
+    {
+        ArgumentNullException.ThrowIfNull(desk);
+        Follow();
+        desk.Changed += Follow;
+        return new ShellWindow(desk, stopKeys);
+
+        void Follow() => RequestedThemeVariant = desk.Session.View.Current.Theme == DesktopTheme.Light ? ThemeVariant.Light : ThemeVariant.Dark;
+    }
 }

@@ -25,6 +25,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(SimulateVerb.Build(host));
         root.Subcommands.Add(BenchVerb.Build(host));
         root.Subcommands.Add(ScriptVerb.Build(host));
+        root.Subcommands.Add(DesktopVerb.Build());
         return root;
     }
 }

@@ -1,0 +1,35 @@
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.Alarms;
+
+/// <summary>The alarms, newest first. Acknowledging says "seen" and resets nothing.</summary>
+public sealed class AlarmsModel : Observable
+{
+    private readonly WorkDesk _desk;
+    private IReadOnlyList<Alarm> _shown = [];
+
+    public AlarmsModel(WorkDesk desk)
+    {
+        _desk = desk;
+        AcknowledgeAll = new Act(() => desk.Session.Machine.Alarms.AcknowledgeAll());
+        desk.Changed += Look;
+        Look();
+    }
+
+    public Act AcknowledgeAll { get; }
+
+    public IReadOnlyList<AlarmRow> Rows { get; private set; } = [];
+
+    public bool IsEmpty => Rows.Count == 0;
+
+    private void Look()
+    {
+        var alarms = _desk.Session.Machine.Alarms.All;
+        if (alarms.SequenceEqual(_shown)) return;
+        _shown = alarms;
+        Rows = [.. alarms.Reverse().Select(alarm => new AlarmRow(alarm, new Act(() => _desk.Session.Machine.Alarms.Acknowledge(alarm.Number))))];
+        Tell(null);
+    }
+}

@@ -1,0 +1,21 @@
+using System.Windows.Input;
+
+namespace Engraver.App.Binding;
+
+/// <summary>Something a button or a menu item does.</summary>
+public sealed class Act(Action<object?> what, Func<bool>? possible = null) : ICommand
+{
+    public Act(Action what, Func<bool>? possible = null)
+        : this(_ => what(), possible)
+    {
+    }
+
+    public event EventHandler? CanExecuteChanged;
+
+    public bool CanExecute(object? parameter) => possible?.Invoke() ?? true;
+
+    public void Execute(object? parameter) => what(parameter);
+
+    /// <summary>Asks everyone who shows it to look again whether it is possible.</summary>
+    public void Reconsider() => CanExecuteChanged?.Invoke(this, EventArgs.Empty);
+}

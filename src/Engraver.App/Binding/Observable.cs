@@ -1,0 +1,22 @@
+using System.ComponentModel;
+using System.Runtime.CompilerServices;
+
+namespace Engraver.App.Binding;
+
+/// <summary>State for one view; tells when it has changed. UI thread only.</summary>
+public abstract class Observable : INotifyPropertyChanged
+{
+    public event PropertyChangedEventHandler? PropertyChanged;
+
+    /// <returns>True when the value is another one now.</returns>
+    protected bool Set<T>(ref T field, T value, [CallerMemberName] string? name = null)
+    {
+        if (EqualityComparer<T>.Default.Equals(field, value)) return false;
+        field = value;
+        Tell(name);
+        return true;
+    }
+
+    /// <param name="name">Null: everything may have changed.</param>
+    protected void Tell(string? name) => PropertyChanged?.Invoke(this, new PropertyChangedEventArgs(name));
+}

@@ -1,0 +1,53 @@
+using System.Collections;
+
+namespace Engraver.App.Binding;
+
+/// <summary>Rows that are made when they are looked at: a list of a million costs nothing until it is scrolled. Read-only, as a list control wants it.</summary>
+/// <typeparam name="T">A row; two of the same place must be equal.</typeparam>
+public sealed class RowList<T>(int count, Func<int, T> make, Func<T, int> placeOf) : IReadOnlyList<T>, IList
+    where T : class
+{
+    public int Count => count;
+
+    bool IList.IsFixedSize => true;
+
+    bool IList.IsReadOnly => true;
+
+    bool ICollection.IsSynchronized => false;
+
+    object ICollection.SyncRoot => this;
+
+    public T this[int index] => (uint)index < (uint)count ? make(index) : throw new ArgumentOutOfRangeException(nameof(index));
+
+    object? IList.this[int index]
+    {
+        get => this[index];
+        set => throw new NotSupportedException();
+    }
+
+    int IList.Add(object? value) => throw new NotSupportedException();
+
+    void IList.Clear() => throw new NotSupportedException();
+
+    bool IList.Contains(object? value) => ((IList)this).IndexOf(value) >= 0;
+
+    int IList.IndexOf(object? value) => value is T row && placeOf(row) is var place && (uint)place < (uint)count && make(place).Equals(row) ? place : -1;
+
+    void IList.Insert(int index, object? value) => throw new NotSupportedException();
+
+    void IList.Remove(object? value) => throw new NotSupportedException();
+
+    void IList.RemoveAt(int index) => throw new NotSupportedException();
+
+    void ICollection.CopyTo(Array array, int index)
+    {
+        for (var at = 0; at < count; at++) array.SetValue(make(at), index + at);
+    }
+
+    public IEnumerator<T> GetEnumerator()
+    {
+        for (var at = 0; at < count; at++) yield return make(at);
+    }
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+}

@@ -1,0 +1,151 @@
+using System.Collections.ObjectModel;
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.CommandWindow;
+
+/// <summary>The command window: history, prompt with its options, the line being typed, suggestions.</summary>
+public sealed class CommandWindowModel : Observable
+{
+    private const int MostLines = 5000;
+    private const int MostSuggestions = 10;
+    private readonly WorkDesk _desk;
+    private readonly InputHistory _inputs = new();
+    private PromptView _shown = PromptView.Idle;
+    private string _line = "";
+    private IReadOnlyList<CommandSuggestion> _suggestions = [];
+    private int _suggested = -1;
+
+    public CommandWindowModel(WorkDesk desk)
+    {
+        _desk = desk;
+        Choose = new Act(option => _ = desk.FeedAsync(((Keyword)option!).Name));
+        desk.Said += OnSaid;
+        desk.Changed += OnChanged;
+    }
+
+    public ObservableCollection<HistoryLine> History { get; } = [];
+
+    /// <summary>A click on an option of the prompt.</summary>
+    public Act Choose { get; }
+
+    /// <summary>Instruction and default without the options, which stand beside it to be clicked.</summary>
+    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Of("Command.Working") : WithoutOptions(_desk.Prompt.Text);
+
+    public IReadOnlyList<Keyword> Options => _desk.Prompt.Options;
+
+    public bool HasOptions => Options.Count > 0;
+
+    /// <summary>What is being typed.</summary>
+    public string Line
+    {
+        get => _line;
+        set
+        {
+            if (!Set(ref _line, value ?? "")) return;
+            Suggest();
+        }
+    }
+
+    /// <summary>Completions of a command name; empty while a prompt waits for something else.</summary>
+    public IReadOnlyList<CommandSuggestion> Suggestions
+    {
+        get => _suggestions;
+        private set
+        {
+            Set(ref _suggestions, value);
+            Tell(nameof(HasSuggestions));
+        }
+    }
+
+    public bool HasSuggestions => _suggestions.Count > 0;
+
+    /// <summary>Index of the suggestion that Tab would take; -1 for none.</summary>
+    public int Suggested
+    {
+        get => _suggested;
+        set => Set(ref _suggested, value);
+    }
+
+    /// <summary>True when Space ends the input, as Enter does: everywhere but in an answer that may hold spaces.</summary>
+    public bool SpaceSubmits => !_desk.Prompt.TakesSpaces;
+
+    /// <summary>Enter (or Space): the line goes to the command session.</summary>
+    public void Submit()
+    {
+        var input = Line;
+        _inputs.Add(input);
+        Line = "";
+        _ = _desk.FeedAsync(input);
+    }
+
+    public void Take(CommandSuggestion suggestion)
+    {
+        Line = "";
+        _inputs.Add(suggestion.Command.Name);
+        _ = _desk.FeedAsync(suggestion.Command.Name);
+    }
+
+    /// <summary>Tab: the line becomes the next suggestion.</summary>
+    public void Complete()
+    {
+        if (_suggestions.Count == 0) return;
+        var (suggestions, next) = (_suggestions, (_suggested + 1) % _suggestions.Count);
+        Set(ref _line, suggestions[next].Command.Name, nameof(Line));
+        (Suggestions, Suggested) = (suggestions, next);
+    }
+
+    public void Back() => Recall(_inputs.Back(Line));
+
+    public void Forward() => Recall(_inputs.Forward(Line));
+
+    /// <summary>Esc: first what is typed, then what asks.</summary>
+    public void Cancel()
+    {
+        Line = "";
+        _ = _desk.CancelAsync();
+    }
+
+    private void Recall(string line)
+    {
+        Set(ref _line, line, nameof(Line));
+        Suggestions = [];
+    }
+
+    private void Suggest()
+    {
+        var wanted = _desk.Prompt.Command is null || _line.StartsWith('\'');
+        Suggestions = wanted ? [.. _desk.Session.Suggest(_line).DistinctBy(suggestion => suggestion.Text).Take(MostSuggestions)] : [];
+        Suggested = -1;
+    }
+
+    private void OnSaid(IReadOnlyList<CommandMessage> messages)
+    {
+        foreach (var message in messages)
+        {
+            foreach (var line in HistoryLine.Of(message)) History.Add(line);
+        }
+
+        while (History.Count > MostLines) History.RemoveAt(0);
+    }
+
+    private void OnChanged()
+    {
+        Tell(nameof(Instruction));
+        if (ReferenceEquals(_shown.Options, _desk.Prompt.Options)) return;
+        _shown = _desk.Prompt;
+        Tell(nameof(Options));
+        Tell(nameof(HasOptions));
+    }
+
+    private static string WithoutOptions(string prompt)
+    {
+        var open = prompt.IndexOf(" [", StringComparison.Ordinal);
+        var close = open < 0 ? -1 : prompt.IndexOf(']', open);
+        if (close < 0) return prompt;
+        var before = prompt[..open];
+        return (before.EndsWith(" or", StringComparison.Ordinal) ? before[..^3] : before) + prompt[(close + 1)..];
+    }
+}

@@ -1,0 +1,91 @@
+using System.Collections.Specialized;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Interactivity;
+using Avalonia.Threading;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.CommandWindow;
+
+/// <summary>The command window. Typing anywhere in the shell arrives at <see cref="Type"/>.</summary>
+public partial class CommandWindowView : UserControl
+{
+    private bool _scrolling;
+
+    public CommandWindowView()
+    {
+        InitializeComponent();
+        LineBox.AddHandler(KeyDownEvent, OnLineKey, RoutingStrategies.Tunnel);
+        LineBox.AddHandler(TextInputEvent, OnLineText, RoutingStrategies.Tunnel);
+        SuggestionList.AddHandler(PointerReleasedEvent, OnSuggestionClick, RoutingStrategies.Tunnel | RoutingStrategies.Bubble, handledEventsToo: true);
+        HistoryList.Items.CollectionChanged += OnHistory;
+    }
+
+    private CommandWindowModel Model => (CommandWindowModel)DataContext!;
+
+    /// <summary>Text that was typed somewhere else goes into the line; Space may end it.</summary>
+    public void Type(string text)
+    {
+        if (text == " " && Model.SpaceSubmits)
+        {
+            Model.Submit();
+            return;
+        }
+
+        Model.Line += text;
+        LineBox.Focus();
+        LineBox.CaretIndex = Model.Line.Length;
+    }
+
+    /// <summary>A key that was pressed somewhere else.</summary>
+    /// <returns>True when it was one for the command line.</returns>
+    public bool Press(Key key)
+    {
+        switch (key)
+        {
+            case Key.Enter: Model.Submit(); break;
+            case Key.Up when Model.HasSuggestions: Model.Suggested = Math.Max(0, Model.Suggested - 1); break;
+            case Key.Down when Model.HasSuggestions: Model.Suggested = Math.Min(Model.Suggestions.Count - 1, Model.Suggested + 1); break;
+            case Key.Up: Model.Back(); break;
+            case Key.Down: Model.Forward(); break;
+            case Key.Tab when Model.HasSuggestions: Model.Complete(); break;
+            default: return false;
+        }
+
+        LineBox.CaretIndex = Model.Line.Length;
+        return true;
+    }
+
+    private void OnLineKey(object? sender, KeyEventArgs e)
+    {
+        if (e.Key == Key.Enter && Model is { HasSuggestions: true, Suggested: >= 0 and var chosen }) Model.Take(Model.Suggestions[chosen]);
+        else if (e.KeyModifiers != KeyModifiers.None || !Press(e.Key)) return;
+        e.Handled = true;
+    }
+
+    private void OnLineText(object? sender, TextInputEventArgs e)
+    {
+        if (e.Text != " " || !Model.SpaceSubmits) return;
+        Model.Submit();
+        e.Handled = true;
+    }
+
+    private void OnSuggestionClick(object? sender, PointerReleasedEventArgs e)
+    {
+        if ((e.Source as Control)?.DataContext is CommandSuggestion suggestion) Model.Take(suggestion);
+    }
+
+    /// <summary>The last line is always seen; however many lines come at once, one scroll follows.</summary>
+    private void OnHistory(object? sender, NotifyCollectionChangedEventArgs e)
+    {
+        if (_scrolling) return;
+        _scrolling = true;
+        Dispatcher.UIThread.Post(ScrollToEnd, DispatcherPriority.Loaded);
+    }
+
+    private void ScrollToEnd()
+    {
+        _scrolling = false;
+        if (HistoryList.ItemCount > 0) HistoryList.ScrollIntoView(HistoryList.ItemCount - 1);
+    }
+}

@@ -1,0 +1,23 @@
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.CommandWindow;
+
+/// <summary>A line of the history as it is shown; a message of several lines becomes several.</summary>
+public sealed record HistoryLine(MessageKind Kind, string Text)
+{
+    /// <summary>A result of a million lines is not for reading in a window.</summary>
+    private const int MostLinesOfOneMessage = 2000;
+
+    public bool IsError => Kind == MessageKind.Error;
+
+    public bool IsWarning => Kind == MessageKind.Warning;
+
+    public bool IsNote => Kind == MessageKind.Note;
+
+    public static IEnumerable<HistoryLine> Of(CommandMessage message)
+    {
+        var lines = message.Text.Split('\n', MostLinesOfOneMessage + 1);
+        for (var at = 0; at < Math.Min(lines.Length, MostLinesOfOneMessage); at++) yield return new HistoryLine(message.Kind, lines[at]);
+        if (lines.Length > MostLinesOfOneMessage) yield return new HistoryLine(MessageKind.Note, Texts.Text.Of("Command.MoreLines", lines[^1].AsSpan().Count('\n') + 1));
+    }
+}

@@ -1,0 +1,29 @@
+namespace Engraver.App.CommandWindow;
+
+/// <summary>What was typed before, for the Up and Down keys. Walking back keeps what stood in the line and gives it back at the end.</summary>
+public sealed class InputHistory
+{
+    private readonly List<string> _inputs = [];
+    private int _at;
+    private string _unfinished = "";
+
+    public void Add(string input)
+    {
+        if (input.Length > 0 && (_inputs.Count == 0 || _inputs[^1] != input)) _inputs.Add(input);
+        _at = _inputs.Count;
+    }
+
+    public string Back(string line)
+    {
+        if (_at == _inputs.Count) _unfinished = line;
+        if (_at > 0) _at--;
+        return _at < _inputs.Count ? _inputs[_at] : line;
+    }
+
+    public string Forward(string line)
+    {
+        if (_at >= _inputs.Count) return line;
+        _at++;
+        return _at == _inputs.Count ? _unfinished : _inputs[_at];
+    }
+}

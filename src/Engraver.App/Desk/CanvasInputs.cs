@@ -1,0 +1,50 @@
+using Engraver.App.Canvas.Overlays;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Playback;
+
+namespace Engraver.App.Desk;
+
+/// <summary>What the layers of meaning show besides the job: planned speeds, places of findings. For a thread of the pool.</summary>
+internal static class CanvasInputs
+{
+    /// <summary>A picture of more moves is read at a glance, not by speed.</summary>
+    private const int MostSpeeds = 200_000;
+
+    /// <summary>Handles are searched for one by one; more marks than this cover each other anyway.</summary>
+    private const int MostFindings = 300;
+
+    public static OverlayInputs Of(DerivedDocument derived) => new()
+    {
+        MoveSpeeds = derived is { Motion: { } motion, Sequence: { } sequence } && sequence.Table.Count <= MostSpeeds ? SpeedsOf(motion, sequence.Table.Count) : [],
+        Findings = derived.State.Drawing is { } drawing ? PlacesOf(derived, drawing) : [],
+    };
+
+    /// <summary>Speed in the middle of each row, as a part of the fastest.</summary>
+    private static double[] SpeedsOf(PlannedMotion motion, int rows)
+    {
+        var speeds = new double[rows];
+        for (var row = 0; row < rows; row++)
+        {
+            var start = motion.TimeOfRow(row);
+            var end = row + 1 < rows ? motion.TimeOfRow(row + 1) : motion.DurationSeconds;
+            if (start is { } from && end is { } to) speeds[row] = motion.At((from + to) / 2.0).Speed;
+        }
+
+        var fastest = rows == 0 ? 0.0 : speeds.Max();
+        for (var row = 0; row < rows && fastest > 0.0; row++) speeds[row] /= fastest;
+        return speeds;
+    }
+
+    private static List<Point2D> PlacesOf(DerivedDocument derived, Drawing drawing)
+    {
+        var places = new List<Point2D>();
+        foreach (var finding in derived.Findings.Take(MostFindings))
+        {
+            if (finding.Source.Handle is { } handle && drawing.IndexOfHandle(handle) is { } entity && drawing.Entities[entity].PartCount > 0) places.Add(drawing.SegmentOf(drawing.Parts[drawing.Entities[entity].FirstPart]).Start);
+        }
+
+        return places;
+    }
+}

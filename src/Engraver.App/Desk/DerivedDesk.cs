@@ -1,0 +1,81 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Sequencing;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Playback;
+
+namespace Engraver.App.Desk;
+
+/// <summary>What follows from the document, and where the tool of the playback stands in it, as the palettes want it. UI thread only.</summary>
+public sealed class DerivedDesk(CommandSession session)
+{
+    private DmcLines _lines = DmcLines.None;
+
+    /// <summary>The tool of the playback stands somewhere else.</summary>
+    public event Action? Moved;
+
+    public DerivedDocument Current { get; private set; } = DerivedDocument.Nothing;
+
+    public PreparedJob? Job => Current.Job;
+
+    public SequencingResult? Sequence => Current.Sequence;
+
+    public IReadOnlyList<Diagnostic> Findings => Current.Findings;
+
+    public double TotalSeconds => Current.Motion?.DurationSeconds ?? 0.0;
+
+    public double AtSeconds => Moment?.Seconds ?? 0.0;
+
+    /// <summary>What the tool does where it stands; null without a plan.</summary>
+    public PlaybackMoment? Moment { get; private set; }
+
+    /// <summary>Row of the sequenced table; -1 for none.</summary>
+    public int RowUnderTool => Moment?.Row ?? -1;
+
+    public int StrokeUnderTool => Moment?.Stroke ?? -1;
+
+    /// <summary>Index into <see cref="ProgramLines"/>; -1 for none.</summary>
+    public int LineUnderTool => (Moment?.Line ?? 0) - 1;
+
+    /// <summary>The posted program in lines; the same list as long as it is the same program.</summary>
+    public IReadOnlyList<string> ProgramLines() => (_lines = _lines.Of(Current.Program)).Lines;
+
+    public void MoveToRow(int row)
+    {
+        if (row != RowUnderTool) session.Playback.GoToRow(row);
+    }
+
+    public void MoveToStroke(int stroke)
+    {
+        if (stroke != StrokeUnderTool) session.Playback.GoToStroke(stroke);
+    }
+
+    public void MoveToLine(int line)
+    {
+        if (line != LineUnderTool) session.Playback.GoToLine(line + 1);
+    }
+
+    public void MoveToEntity(int entity) => session.Playback.GoToEntity(entity);
+
+    public void MoveTo(double seconds)
+    {
+        if (seconds != AtSeconds) session.Playback.Scrub(seconds);
+    }
+
+    /// <summary>Takes what is there now.</summary>
+    internal void Look()
+    {
+        Current = session.Derivation.Current;
+        if (!ReferenceEquals(session.Playback.Motion, Current.Motion)) session.Playback.Load(Current.Motion);
+        LookWhereToolIs();
+    }
+
+    /// <summary>Asks the playback where the tool is.</summary>
+    internal void LookWhereToolIs()
+    {
+        var moment = session.Playback.Moment;
+        if (moment == Moment) return;
+        Moment = moment;
+        Moved?.Invoke();
+    }
+}

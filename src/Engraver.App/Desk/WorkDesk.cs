@@ -1,0 +1,215 @@
+using System.Collections.Concurrent;
+using Avalonia.Threading;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Views;
+
+namespace Engraver.App.Desk;
+
+/// <summary>Between the windows and the one command session: inputs go to it one after the other on a thread of their own, what it tells comes back on the UI thread. Decides nothing.</summary>
+/// <remarks>All members are for the UI thread, <see cref="StopNow"/> for any.</remarks>
+public sealed class WorkDesk : IAsyncDisposable
+{
+    /// <summary>A finding is shown with this many times its size around it.</summary>
+    private const double RoomAround = 4.0;
+
+    /// <summary>... and never nearer than this part of the drawing.</summary>
+    private const double LeastPart = 0.02;
+
+    private readonly ConcurrentQueue<CommandMessage> _said = new();
+    private readonly CancellationTokenSource _closing = new();
+    private Task _feeding = Task.CompletedTask;
+    private Task _working = Task.CompletedTask;
+    private int _posted;
+
+    public WorkDesk(CommandSession session, TimeProvider time)
+    {
+        (Session, Time) = (session, time);
+        Prompt = session.Prompt;
+        Derived = new DerivedDesk(session);
+        session.Said += OnSaid;
+        session.Document.Changed += (_, _) => Post();
+        session.Machine.Changed += (_, _) => Post();
+        session.Machine.Alarms.Changed += (_, _) => Post();
+        session.View.Changed += (_, _) => Post();
+        session.Settings.Changed += (_, _) => Post();
+        session.Playback.Changed += (_, _) => Post();
+        session.Derivation.Changed += (_, _) => Post();
+        session.Derivation.KeepsUp = true;
+    }
+
+    /// <summary>Lines of the history that are new.</summary>
+    public event Action<IReadOnlyList<CommandMessage>>? Said;
+
+    /// <summary>The session stands otherwise than before: prompt, document or machine.</summary>
+    public event Action? Changed;
+
+    public CommandSession Session { get; }
+
+    public TimeProvider Time { get; }
+
+    /// <summary>What follows from the document.</summary>
+    public DerivedDesk Derived { get; }
+
+    /// <summary>What is waited for, as of the last change.</summary>
+    public PromptView Prompt { get; private set; }
+
+    /// <summary>True while an input is being worked on.</summary>
+    public bool IsBusy { get; private set; }
+
+    /// <summary>True while a job runs or anything of the machine moves.</summary>
+    public bool IsMoving => Moves(Session.Machine);
+
+    /// <summary>Ends when everything that was fed so far is through.</summary>
+    public Task Idle => _feeding;
+
+    /// <summary>True while a job runs or anything moves; from any thread.</summary>
+    public static bool Moves(MachineSession machine) => machine.IsRunning || machine.Status.State is MachineState.Running or MachineState.Stopping or MachineState.Busy;
+
+    /// <summary>Waits until everything that was fed is through and what follows from the document is computed and delivered.</summary>
+    public async Task SettleAsync()
+    {
+        await _feeding;
+        try
+        {
+            await Session.Derivation.ForCurrentAsync(_closing.Token);
+        }
+        catch (OperationCanceledException)
+        {
+            // the document changed meanwhile: who waits will be told of the next one
+        }
+
+        Deliver();
+    }
+
+    /// <summary>Takes one input as typed. While a command is at work it is heard beside it, where the command is one of those; otherwise inputs wait for each other.</summary>
+    public Task<FeedResult> FeedAsync(string input)
+    {
+        if (IsBusy && Session.IsBusy) return Task.Run(() => Session.FeedAsync(input, _closing.Token));
+        return Enqueue(() => Session.FeedAsync(input, _closing.Token));
+    }
+
+    /// <summary>Runs a command with its first answers, as a menu or a switch does: what asks is ended first, unless the command may run inside it.</summary>
+    public Task<FeedResult> RunAsync(params string[] inputs)
+    {
+        if (IsBusy && Session.IsBusy) return FeedAsync(inputs[0]);
+        return Enqueue(() => RunNowAsync(inputs));
+    }
+
+    /// <summary>START: runs what is armed.</summary>
+    public Task<FeedResult> StartArmedAsync() => RunAsync("CNCRUN");
+
+    /// <summary>Selects without a command, as a click on the canvas does: what is found is added, or taken out.</summary>
+    public Task SelectAsync(Func<Drawing, IReadOnlyList<int>> find, bool remove) => Enqueue(() => Task.FromResult<FeedResult>(SelectNow(find, remove)));
+
+    /// <summary>Brings the place of a finding into the middle of the canvas, near enough to see it.</summary>
+    public void ShowPlaceOf(Diagnostic finding)
+    {
+        if (Session.Document.Current.Drawing is not { } drawing || finding.Source.Handle is not { } handle || drawing.IndexOfHandle(handle) is not { } entity) return;
+        var box = DrawingExtents.Of(drawing, [entity]);
+        if (box.IsEmpty) return;
+        var everything = Session.View.ExtentsOf(drawing);
+        var height = Math.Max(RoomAround * Math.Max(box.Width, box.Height), LeastPart * Math.Max(everything.Width, everything.Height));
+        Session.View.FocusOn(new ViewFocus(new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0), finding.Sentence), height > 0.0 ? height : null);
+    }
+
+    /// <summary>Esc.</summary>
+    public async Task CancelAsync()
+    {
+        if (IsBusy) await Task.Run(Session.CancelAsync);
+        else await Enqueue(CancelNowAsync);
+    }
+
+    /// <summary>The operator's stop. Straight to the machine, from any thread; waits for nothing.</summary>
+    public void StopNow() => Session.Machine.Stop();
+
+    public async ValueTask DisposeAsync()
+    {
+        Session.Said -= OnSaid;
+        await _closing.CancelAsync().ConfigureAwait(false);
+        await _working.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+        await Session.DisposeAsync().ConfigureAwait(false);
+    }
+
+    private async Task<FeedResult> RunNowAsync(string[] inputs)
+    {
+        var transparent = Session.Catalog.Find(inputs[0]) is { Info.Transparent: true };
+        var inside = transparent && Session.Prompt.Command is not null;
+        if (!inside && Session.Prompt.Command is not null) await Session.CancelAsync().ConfigureAwait(false);
+        FeedResult result = new FeedResult.Asking();
+        for (var at = 0; at < inputs.Length && result is FeedResult.Asking; at++)
+        {
+            result = await Session.FeedAsync(at == 0 && inside ? "'" + inputs[0] : inputs[at], _closing.Token).ConfigureAwait(false);
+        }
+
+        if (result is FeedResult.NotUnderstood && inputs.Length > 1) await Session.CancelAsync().ConfigureAwait(false);
+        return result;
+    }
+
+    private async Task<FeedResult> CancelNowAsync()
+    {
+        await Session.CancelAsync().ConfigureAwait(false);
+        return new FeedResult.Cancelled();
+    }
+
+    private FeedResult.Done SelectNow(Func<Drawing, IReadOnlyList<int>> find, bool remove)
+    {
+        var state = Session.Document.Current;
+        if (state.Drawing is not { } drawing || Session.Prompt.Command is not null) return new FeedResult.Done();
+        var found = find(drawing);
+        var known = (remove ? found : state.Selection).ToHashSet();
+        Session.Document.Select(remove ? [.. state.Selection.Where(entity => !known.Contains(entity))] : [.. state.Selection, .. found.Where(entity => !known.Contains(entity))], state.Previous);
+        return new FeedResult.Done();
+    }
+
+    private Task<FeedResult> Enqueue(Func<Task<FeedResult>> work)
+    {
+        var after = AfterAsync(_feeding, work);
+        _feeding = after;
+        return after;
+    }
+
+    private async Task<FeedResult> AfterAsync(Task before, Func<Task<FeedResult>> work)
+    {
+        await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+        IsBusy = true;
+        Changed?.Invoke();
+        try
+        {
+            var working = Task.Run(work);
+            _working = working;
+            return await working;
+        }
+        finally
+        {
+            IsBusy = false;
+            Deliver();
+        }
+    }
+
+    private void OnSaid(object? sender, CommandMessage message)
+    {
+        _said.Enqueue(message);
+        Post();
+    }
+
+    /// <summary>However often the session calls, one delivery waits in the UI queue.</summary>
+    private void Post()
+    {
+        if (Interlocked.Exchange(ref _posted, 1) == 0) Dispatcher.UIThread.Post(Deliver, DispatcherPriority.Input);
+    }
+
+    private void Deliver()
+    {
+        Volatile.Write(ref _posted, 0);
+        Prompt = Session.Prompt;
+        var lines = new List<CommandMessage>();
+        while (_said.TryDequeue(out var message)) lines.Add(message);
+        if (lines.Count > 0) Said?.Invoke(lines);
+        Derived.Look();
+        Changed?.Invoke();
+    }
+}

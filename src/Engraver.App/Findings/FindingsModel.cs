@@ -1,0 +1,46 @@
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.App.Findings;
+
+/// <summary>Everything doubtful between the drawing and its motion, worst first; a click shows the place.</summary>
+public sealed class FindingsModel : Observable
+{
+    private readonly WorkDesk _desk;
+    private IReadOnlyList<Diagnostic>? _shown;
+    private FindingRow? _chosen;
+
+    public FindingsModel(WorkDesk desk)
+    {
+        _desk = desk;
+        desk.Changed += Look;
+        Look();
+    }
+
+    public IReadOnlyList<FindingRow> Rows { get; private set; } = [];
+
+    public string Summary { get; private set; } = "";
+
+    /// <summary>The finding that was clicked: the canvas goes there.</summary>
+    public FindingRow? Chosen
+    {
+        get => _chosen;
+        set
+        {
+            if (Set(ref _chosen, value) && value is not null) _desk.ShowPlaceOf(value.Diagnostic);
+        }
+    }
+
+    private void Look()
+    {
+        var findings = _desk.Derived.Findings;
+        if (ReferenceEquals(findings, _shown)) return;
+        _shown = findings;
+        Rows = [.. findings.OrderByDescending(found => found.Severity).Select(found => new FindingRow(found))];
+        Summary = Text.Of("Findings.Summary", Rows.Count(row => row.IsError), Rows.Count(row => row.IsWarning), Rows.Count);
+        Tell(nameof(Rows));
+        Tell(nameof(Summary));
+    }
+}

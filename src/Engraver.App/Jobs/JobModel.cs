@@ -1,0 +1,67 @@
+using System.Globalization;
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Properties;
+using Engraver.App.Texts;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.Jobs;
+
+/// <summary>The job before it starts: what was checked, how long it takes, where it begins.</summary>
+public sealed class JobModel : Observable
+{
+    private readonly WorkDesk _desk;
+
+    public JobModel(WorkDesk desk)
+    {
+        _desk = desk;
+        Check = new Act(() => _ = desk.RunAsync("CHECK"));
+        Simulate = new Act(() => _ = desk.RunAsync("CNCSIM"));
+        desk.Changed += Look;
+        Look();
+    }
+
+    public Act Check { get; }
+
+    public Act Simulate { get; }
+
+    public IReadOnlyList<CheckLine> Checks { get; private set; } = [];
+
+    public IReadOnlyList<PropertyLine> Figures { get; private set; } = [];
+
+    public bool HasJob => _desk.Derived.Job is not null;
+
+    private void Look()
+    {
+        var (checks, figures) = (ChecksNow(), FiguresNow());
+        if (checks.SequenceEqual(Checks) && figures.SequenceEqual(Figures)) return;
+        (Checks, Figures) = (checks, figures);
+        Tell(null);
+    }
+
+    private IReadOnlyList<CheckLine> ChecksNow() => _desk.Derived.Job is { } job
+        ? [.. ArmingChecklist.Of(job, _desk.Session.Machine.Status, errorsAccepted: false).Checks.Select(check => new CheckLine(check.Passed, check.Sentence))]
+        : [];
+
+    private List<PropertyLine> FiguresNow()
+    {
+        var settings = _desk.Session.Document.Current.Settings;
+        var figures = new List<PropertyLine>
+        {
+            new(Text.Of("Job.Start"), string.Create(CultureInfo.InvariantCulture, $"{settings.Start.X:0.###}, {settings.Start.Y:0.###}")),
+            new(Text.Of("Job.Order"), settings.Order.ToString()),
+            new(Text.Of("Job.Feed"), Text.Of("Job.MillimetresPerMinute", settings.Machine.FeedMmPerMinute)),
+            new(Text.Of("Job.Rapid"), Text.Of("Job.MillimetresPerMinute", settings.Machine.RapidMmPerMinute)),
+        };
+        if (_desk.Derived.Sequence is { } sequence)
+        {
+            figures.Add(new(Text.Of("Job.Contours"), Text.Of("Job.ContourCount", sequence.Contours, sequence.Closed, sequence.Open)));
+            figures.Add(new(Text.Of("Job.Segments"), sequence.Segments.ToString(CultureInfo.InvariantCulture)));
+            figures.Add(new(Text.Of("Job.CutLength"), Text.Of("Job.Millimetres", sequence.PathLength)));
+            figures.Add(new(Text.Of("Job.Travel"), Text.Of("Job.Millimetres", sequence.Travel)));
+        }
+
+        if (_desk.Derived.TotalSeconds is > 0.0 and var seconds) figures.Insert(0, new(Text.Of("Job.Time"), ClockText.Of(seconds)));
+        return figures;
+    }
+}

@@ -1,0 +1,30 @@
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.Core.Drawings;
+
+namespace Engraver.App.Layers;
+
+/// <summary>A layer with its switches; each runs the LAYER command.</summary>
+public sealed class LayerRow(Layer layer, int curves, WorkDesk desk)
+{
+    public string Name => layer.Name;
+
+    public int Curves => curves;
+
+    public bool On => layer.On;
+
+    public bool Thawed => !layer.Frozen;
+
+    public bool Plot => layer.Plot;
+
+    /// <summary>False: nothing of it is cut.</summary>
+    public bool IsCut => layer.CutByDefault;
+
+    public Act SwitchOn { get; } = Switch(layer.On ? "OFF" : "ON", layer, desk);
+
+    public Act SwitchThawed { get; } = Switch(layer.Frozen ? "Thaw" : "Freeze", layer, desk);
+
+    public Act SwitchPlot { get; } = Switch(layer.Plot ? "Noplot" : "Plot", layer, desk);
+
+    private static Act Switch(string option, Layer layer, WorkDesk desk) => new(() => _ = desk.RunAsync("LAYER", option, layer.Name, ""));
+}

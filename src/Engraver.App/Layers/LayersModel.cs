@@ -1,0 +1,37 @@
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.Core.Drawings;
+
+namespace Engraver.App.Layers;
+
+/// <summary>The layers of the drawing.</summary>
+public sealed class LayersModel : Observable
+{
+    private readonly WorkDesk _desk;
+    private IReadOnlyList<Layer>? _shown;
+
+    public LayersModel(WorkDesk desk)
+    {
+        _desk = desk;
+        desk.Changed += Look;
+        Look();
+    }
+
+    public IReadOnlyList<LayerRow> Layers { get; private set; } = [];
+
+    private void Look()
+    {
+        var drawing = _desk.Session.Document.Current.Drawing;
+        if (ReferenceEquals(drawing?.Layers, _shown)) return;
+        _shown = drawing?.Layers;
+        Layers = drawing is null ? [] : Rows(drawing);
+        Tell(nameof(Layers));
+    }
+
+    private List<LayerRow> Rows(Drawing drawing)
+    {
+        var curves = new int[drawing.Layers.Count];
+        for (var index = 0; index < drawing.Entities.Count; index++) curves[drawing.Entities[index].Layer]++;
+        return [.. drawing.Layers.Select((layer, index) => new LayerRow(layer, curves[index], _desk))];
+    }
+}

@@ -1,0 +1,80 @@
+using System.Globalization;
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.MachineStrip;
+
+/// <summary>The machine in one line: state as text, shape and colour, position, feed, tool, progress, and the keys.</summary>
+public sealed class MachineStripModel : Observable
+{
+    private const string Unknown = "–";
+    private readonly WorkDesk _desk;
+    private MachineStatus _status = MachineStatus.Offline;
+
+    public MachineStripModel(WorkDesk desk)
+    {
+        _desk = desk;
+        Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => _status.State is not (MachineState.Offline or MachineState.Armed or MachineState.Running or MachineState.Stopping));
+        Start = new Act(() => _ = desk.StartArmedAsync(), () => _status.State is MachineState.Armed);
+        Stop = new Act(desk.StopNow);
+        desk.Changed += Look;
+        Look();
+    }
+
+    public Act Arm { get; }
+
+    /// <summary>Works only when armed.</summary>
+    public Act Start { get; }
+
+    public Act Stop { get; }
+
+    public string State => Text.Of("State." + _status.State);
+
+    /// <summary>Name of the geometry that stands before the state.</summary>
+    public string ShapeKey => "Shape." + _status.State;
+
+    /// <summary>Name of the brush of the shape; grey as long as nothing is unusual.</summary>
+    public string LampKey => _status.State switch
+    {
+        MachineState.Running => "NormalLampBrush",
+        MachineState.Armed => "ActLampBrush",
+        MachineState.Stopping or MachineState.Busy or MachineState.MotorsOff => "AbnormalLampBrush",
+        MachineState.Fault or MachineState.EmergencyStopOpen => "DangerLampBrush",
+        _ => "NeutralLampBrush",
+    };
+
+    /// <summary>Why the state is what it is, or until when it lasts.</summary>
+    public string Reason => _status.State == MachineState.Armed && _status.ArmedUntil is { } until
+        ? Text.Of("Machine.ArmedFor", Math.Max(0, Math.Ceiling((until - _desk.Time.GetUtcNow()).TotalSeconds)))
+        : _status.Reason.Length > 0 ? _status.Reason : _status.Controller ?? Text.Of("Machine.NoController");
+
+    public bool IsSimulation => _status.IsSimulation;
+
+    public string X => Figure(_status.WorkPosition?.X ?? _status.MachinePosition?.X);
+
+    public string Y => Figure(_status.WorkPosition?.Y ?? _status.MachinePosition?.Y);
+
+    public string MachinePlace => _status.MachinePosition is { } place ? Text.Of("Machine.Place", Figure(place.X), Figure(place.Y)) : "";
+
+    public string Feed => _status.Speed is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;
+
+    public string Tool => _status.ToolCommanded switch { true => Text.Of("Machine.ToolOn"), false => Text.Of("Machine.ToolOff"), null => Unknown };
+
+    public double Progress => _status.Progress?.Fraction ?? 0.0;
+
+    public string ProgressText => _status.Progress is { } at
+        ? string.Create(CultureInfo.InvariantCulture, $"{at.Fraction * 100.0:0} %   {at.SegmentsDone} / {at.SegmentCount}   {TimeSpan.FromSeconds(at.Seconds):mm\\:ss}")
+        : Unknown;
+
+    private void Look()
+    {
+        _status = _desk.Session.Machine.Status;
+        Tell(null);
+        Arm.Reconsider();
+        Start.Reconsider();
+    }
+
+    private static string Figure(double? millimetres) => millimetres is { } value ? value.ToString("0.000", CultureInfo.InvariantCulture) : Unknown;
+}

@@ -1,0 +1,48 @@
+using System.Windows.Input;
+using Avalonia.Controls;
+using Avalonia.Layout;
+using Engraver.App.Texts;
+
+namespace Engraver.App.Menus;
+
+/// <summary>Makes the menus of the layout. The items of a menu are made when it is first opened.</summary>
+/// <param name="typed">What is typed for a command, shown at the right so that clicking teaches typing.</param>
+/// <param name="act">What an entry does.</param>
+public sealed class MenuBuilder(Func<string, string> typed, Func<string, ICommand> act)
+{
+    public IReadOnlyList<MenuItem> Build(IEnumerable<MenuSection> sections) => [.. sections.Where(section => section.Entries.Count > 0).Select(Top)];
+
+    private MenuItem Top(MenuSection section)
+    {
+        var item = new MenuItem { Header = Text.Of("Menu." + section.Key), Name = section.Key + "Menu" };
+        item.Items.Add(new MenuItem());
+        item.SubmenuOpened += Fill;
+        return item;
+
+        void Fill(object? sender, EventArgs e)
+        {
+            item.SubmenuOpened -= Fill;
+            item.Items.Clear();
+            foreach (var entry in Entries(section.Entries)) item.Items.Add(entry);
+        }
+    }
+
+    /// <summary>Items for entries of a layout.</summary>
+    public IEnumerable<Control> Entries(IEnumerable<string> names) => names.Select(name => name.Length == 0 ? new Separator() : (Control)Entry(name));
+
+    private MenuItem Entry(string name)
+    {
+        var isCommand = !name.Contains('.', StringComparison.Ordinal);
+        var row = new Grid { ColumnDefinitions = new ColumnDefinitions("*,Auto"), MinWidth = 210 };
+        row.Children.Add(new TextBlock { Text = isCommand ? MenuTitle.Of(name) : Text.Of(name), VerticalAlignment = VerticalAlignment.Center });
+        if (isCommand) row.Children.Add(Hint(typed(name)));
+        return new MenuItem { Header = row, Command = act(name), Tag = name };
+    }
+
+    private static TextBlock Hint(string text)
+    {
+        var hint = new TextBlock { Text = text, Margin = new Avalonia.Thickness(24, 0, 0, 0), VerticalAlignment = VerticalAlignment.Center, FontSize = 11, Classes = { "quiet" } };
+        Grid.SetColumn(hint, 1);
+        return hint;
+    }
+}

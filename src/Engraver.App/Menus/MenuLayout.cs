@@ -1,0 +1,60 @@
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.Menus;
+
+/// <summary>Which command stands in which menu. Every command of the catalogue has a place: those that are not named here stand at the end of the menu of their group.</summary>
+public static class MenuLayout
+{
+    private const string Separator = "";
+
+    private static readonly IReadOnlyList<MenuSection> s_wished =
+    [
+        new("File", ["OPEN", "RECENT", "CLOSE", Separator, "SAVEAS", "EXPORT", Separator, "SCRIPT", "REINIT", "OPTIONS", Separator, "Window.Exit"]),
+        new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", Separator, "ERASE", "MOVE", "ROTATE", "SCALE", "MIRROR", "ARRAY", "EXPLODE", "REVERSE", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS"]),
+        new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "OSNAP", "DYNAMICINPUT", Separator, "SHOW", "THEME", Separator, "Window.Palettes", "Window.Pages", "Window.History"]),
+        new("Drawing", ["LAYER", "PROPERTIES", "LIST", Separator, "DIST", "ID", "AREA", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN"]),
+        new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "ENTER", "TOOLSTART", "STARTPOINT", "PIN", "LEADIN", "LINK", Separator, "OFFSET", "POCKET"]),
+        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCARM", "CNCRUN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "ALARMS", "CNCTERMINAL"]),
+        new("Plot", ["PLOT", "POST", "AGIEPOST", "TABLE", "VERIFY"]),
+        new("Help", ["HELP"]),
+    ];
+
+    /// <summary>The right button on the canvas.</summary>
+    public static IReadOnlyList<string> OnCanvas { get; } = ["SELECT", "PROPERTIES", "LIST", Separator, "MOVE", "ROTATE", "ERASE", Separator, "ENTER", "TOOLSTART", Separator, "ZOOM", "REGEN", Separator, "U", "REDO"];
+
+    /// <summary>The menus of what is built.</summary>
+    public static IReadOnlyList<MenuSection> For(CommandCatalog catalog)
+    {
+        var named = s_wished.SelectMany(section => section.Entries).ToHashSet(StringComparer.Ordinal);
+        var homeless = catalog.All.Where(info => !named.Contains(info.Name)).GroupBy(info => HomeOf(info.Group)).ToDictionary(group => group.Key, group => group.Select(info => info.Name).ToList());
+        return [.. s_wished.Select(section => section with { Entries = Tidy([.. section.Entries.Where(entry => IsBuilt(catalog, entry)), Separator, .. homeless.GetValueOrDefault(section.Key, [])]) })];
+    }
+
+    private static bool IsBuilt(CommandCatalog catalog, string entry) => entry.Length == 0 || entry.Contains('.', StringComparison.Ordinal) || catalog.Find(entry) is not null;
+
+    private static string HomeOf(CommandGroup group) => group switch
+    {
+        CommandGroup.File => "File",
+        CommandGroup.Ask => "Drawing",
+        CommandGroup.Drawing => "Edit",
+        CommandGroup.Sequence => "Toolpath",
+        CommandGroup.Output => "Plot",
+        CommandGroup.Machine => "Machine",
+        CommandGroup.Setting => "Toolpath",
+        CommandGroup.View => "View",
+        _ => "View",
+    };
+
+    /// <summary>No separator at an end or beside another.</summary>
+    private static List<string> Tidy(IReadOnlyList<string> entries)
+    {
+        var tidy = new List<string>();
+        foreach (var entry in entries)
+        {
+            if (entry.Length > 0 || (tidy.Count > 0 && tidy[^1].Length > 0)) tidy.Add(entry);
+        }
+
+        if (tidy.Count > 0 && tidy[^1].Length == 0) tidy.RemoveAt(tidy.Count - 1);
+        return tidy;
+    }
+}

@@ -1,0 +1,66 @@
+using Avalonia;
+using Avalonia.Dialogs;
+using Engraver.App.Shell;
+using Engraver.App.Start;
+using Engraver.SoftwarePlatform;
+using Engraver.SoftwarePlatform.Headless;
+
+namespace Engraver.App.Platforms;
+
+/// <summary>Avalonia on the software platform of this repository: X11 windows, or windows in memory. Stop keys and the on-screen STOP are seen on the thread that reads the input.</summary>
+/// <remarks>One of two files of the same class; the project takes the one of its back end.</remarks>
+internal static class DesktopPlatform
+{
+    /// <summary>A job on a machine may be in the script.</summary>
+    private static readonly TimeSpan s_longestScript = TimeSpan.FromHours(24);
+
+    /// <summary>The builder for real windows.</summary>
+    public static AppBuilder OnDisplay(AppBuilder builder, DesktopSession session, DesktopOptions options) => On(builder, session, new FrontEnd.X11(), options.Scale ?? 0.0);
+
+    /// <summary>The builder for a desktop in memory.</summary>
+    public static AppBuilder InMemory(AppBuilder builder, DesktopSession session, HeadlessDesktop desktop, double scale) => On(builder, session, new FrontEnd.Headless(desktop), scale);
+
+    /// <summary>The on-screen STOP of a window that is open answers without the UI thread from now on.</summary>
+    public static void WatchStop(ShellWindow window, DesktopSession session)
+    {
+        var region = ((InputRegions)session.PlatformState!).Add(window, window.StopArea, () => session.StopKeys.PressStop());
+        window.LayoutUpdated += (_, _) => region.Area = window.StopArea;
+        window.Closed += (_, _) => region.Dispose();
+    }
+
+    /// <summary>Opens, runs the script, takes the picture, ends.</summary>
+    /// <returns>The sentence of what failed; null when all went well.</returns>
+    public static string? RunHeadless(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open)
+    {
+        var desktop = new HeadlessDesktop();
+        var builder = InMemory(AppBuilder.Configure<App>(), session, desktop, options.Scale ?? 1.0).WithInterFont().SetupWithoutStarting();
+        var window = open(builder);
+        window.Show();
+        desktop.Step();
+        var opening = DesktopStart.OpenAsync(session.Desk, options);
+        desktop.StepUntil(() => opening.IsCompleted && window.CanvasFeed.Shown.IsCompleted, s_longestScript);
+        desktop.StepUntil(() => window.Canvas.IsFresh, s_longestScript);
+        desktop.Step();
+        if (options.Screenshot is { } path) desktop.Windows[0].CaptureToFile(path);
+        window.Close();
+        return opening.GetAwaiter().GetResult();
+    }
+
+    /// <summary>Null when it was no display that failed.</summary>
+    public static string? NoDisplay(Exception failure) => (failure as DisplayUnavailableException)?.Message;
+
+    private static AppBuilder On(AppBuilder builder, DesktopSession session, FrontEnd frontEnd, double scale)
+    {
+        var regions = new InputRegions();
+        session.PlatformState = regions;
+        if (OperatingSystem.IsLinux()) builder = builder.UseManagedSystemDialogs();
+        return builder.UseSoftwarePlatform(new SoftwarePlatformOptions
+        {
+            FrontEnd = frontEnd,
+            Scale = scale,
+            ApplicationName = "engraver-desktop",
+            Filter = (in KeyPress press) => press is { IsDown: true, IsRepeat: false } && session.StopKeys.Press(press.Key, press.Modifiers),
+            Regions = regions,
+        });
+    }
+}

@@ -1,0 +1,104 @@
+using Avalonia.Threading;
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+
+namespace Engraver.App.Playback;
+
+/// <summary>The planned path in time: play, step, scrub. While it plays, a timer of the window asks where the tool is.</summary>
+public sealed class PlaybackModel : Observable
+{
+    private const double FramesASecond = 60.0;
+    private const double PagesOfTheWhole = 20.0;
+    private readonly WorkDesk _desk;
+    private readonly DispatcherTimer _timer;
+
+    public PlaybackModel(WorkDesk desk)
+    {
+        _desk = desk;
+        _timer = new DispatcherTimer(TimeSpan.FromSeconds(1.0 / FramesASecond), DispatcherPriority.Render, (_, _) => Tick());
+        _timer.Stop();
+        Speeds = [new(Text.Of("Playback.Slow"), 1.0, this), new(Text.Of("Playback.Fast"), 10.0, this), new(Text.Of("Playback.Max"), double.PositiveInfinity, this)];
+        ToStart = new Act(() => At = 0.0);
+        ToEnd = new Act(() => At = Total);
+        StepBack = new Act(() => StepStroke(-1));
+        StepForward = new Act(() => StepStroke(1));
+        PlayOrPause = new Act(Toggle);
+        desk.Changed += Look;
+        desk.Derived.Moved += Look;
+    }
+
+    public IReadOnlyList<PlaybackSpeed> Speeds { get; }
+
+    public Act ToStart { get; }
+
+    public Act ToEnd { get; }
+
+    /// <summary>To the beginning of the contour before.</summary>
+    public Act StepBack { get; }
+
+    public Act StepForward { get; }
+
+    public Act PlayOrPause { get; }
+
+    public bool HasPlan => Total > 0.0;
+
+    public bool IsPlaying => Session.IsPlaying;
+
+    /// <summary>Seconds.</summary>
+    public double Total => _desk.Derived.TotalSeconds;
+
+    public double Page => Total / PagesOfTheWhole;
+
+    /// <summary>Seconds; setting it moves the tool.</summary>
+    public double At
+    {
+        get => _desk.Derived.AtSeconds;
+        set
+        {
+            _desk.Derived.MoveTo(value);
+            _desk.Derived.LookWhereToolIs();
+        }
+    }
+
+    public string Time => Text.Of("Playback.Time", ClockText.Of(At), ClockText.Of(Total));
+
+    public double Speed
+    {
+        get => Session.Speed;
+        set
+        {
+            Session.Speed = value;
+            foreach (var speed in Speeds) speed.Look();
+        }
+    }
+
+    private Workbench.Playback.PlaybackSession Session => _desk.Session.Playback;
+
+    private void Toggle()
+    {
+        if (Session.IsPlaying) Session.Pause();
+        else Session.Play();
+        Tick();
+    }
+
+    private void StepStroke(int by)
+    {
+        var stroke = _desk.Derived.StrokeUnderTool + by;
+        if (stroke < 0) At = 0.0;
+        else if (!Session.GoToStroke(stroke)) At = Total;
+        _desk.Derived.LookWhereToolIs();
+    }
+
+    private void Tick()
+    {
+        _desk.Derived.LookWhereToolIs();
+        Look();
+    }
+
+    private void Look()
+    {
+        if (_timer.IsEnabled != IsPlaying) _timer.IsEnabled = IsPlaying;
+        Tell(null);
+    }
+}

@@ -1,0 +1,35 @@
+using Avalonia.Input;
+
+namespace Engraver.App.Safety;
+
+/// <summary>The keys that stop the machine: Pause and Ctrl+Space always, Esc while anything moves. Asked on the thread that reads the input, so a busy window does not delay them.</summary>
+/// <param name="isMoving">From any thread.</param>
+/// <param name="stop">From any thread; waits for nothing.</param>
+public sealed class StopKeys(Func<bool> isMoving, Action stop)
+{
+    /// <summary>The on-screen STOP was pressed; the press goes on to the window, so that the key is seen going down.</summary>
+    public bool PressStop()
+    {
+        stop();
+        return false;
+    }
+
+    /// <summary>A key went down.</summary>
+    /// <returns>True when it was one of the stop keys and means nothing else.</returns>
+    public bool Press(Key key, KeyModifiers modifiers)
+    {
+        if (key == Key.Pause || (key == Key.Space && modifiers.HasFlag(KeyModifiers.Control)))
+        {
+            stop();
+            return true;
+        }
+
+        if (key == Key.Escape && isMoving())
+        {
+            stop();
+            return true;
+        }
+
+        return false;
+    }
+}

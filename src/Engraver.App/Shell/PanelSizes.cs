@@ -1,0 +1,86 @@
+using Avalonia.Controls;
+using Engraver.App.Desk;
+using Engraver.App.Tabs;
+
+namespace Engraver.App.Shell;
+
+/// <summary>The rooms of the palettes and the pages: sized by hand, folded to their strip of tabs, kept between two starts.</summary>
+public sealed class PanelSizes
+{
+    private const string PagesName = "pages";
+    private const string PalettesName = "palettes";
+    private const double FoldedPagesHeight = 29;
+    private const double FoldedPalettesWidth = 30;
+    private const double LeastPagesHeight = 110;
+    private const double LeastPalettesWidth = 240;
+    private const double HistoryHeight = 420;
+    private readonly WorkDesk _desk;
+    private readonly RowDefinition _pagesRow;
+    private readonly ColumnDefinition _palettesColumn;
+    private readonly PageTabs _pages;
+    private readonly PageTabs _palettes;
+
+    public PanelSizes(WorkDesk desk, RowDefinition pagesRow, ColumnDefinition palettesColumn, PageTabs pages, PageTabs palettes)
+    {
+        (_desk, _pagesRow, _palettesColumn, _pages, _palettes) = (desk, pagesRow, palettesColumn, pages, palettes);
+        pages.FoldWanted += (_, _) => FoldPages();
+        palettes.FoldWanted += (_, _) => FoldPalettes();
+        ShowPages(IsFolded(PagesName));
+        ShowPalettes(IsFolded(PalettesName));
+    }
+
+    public void FoldPages()
+    {
+        var folded = !IsFolded(PagesName);
+        Keep();
+        _desk.Session.Settings.Change(settings => settings.WithPanelFolded(PagesName, folded));
+        ShowPages(folded);
+    }
+
+    public void FoldPalettes()
+    {
+        var folded = !IsFolded(PalettesName);
+        Keep();
+        _desk.Session.Settings.Change(settings => settings.WithPanelFolded(PalettesName, folded));
+        ShowPalettes(folded);
+    }
+
+    /// <summary>F2: the history gets much room, and gives it back.</summary>
+    public void ExpandHistory()
+    {
+        if (IsFolded(PagesName)) FoldPages();
+        _pages.Show("Command");
+        var usual = SizeOf(PagesName, DefaultPagesHeight);
+        _pagesRow.Height = new GridLength(_pagesRow.Height.Value >= HistoryHeight ? Math.Min(usual, DefaultPagesHeight) : HistoryHeight);
+    }
+
+    /// <summary>Remembers the sizes as they are.</summary>
+    public void Keep() => _desk.Session.Settings.Change(settings =>
+    {
+        if (!IsFolded(PagesName)) settings = settings.WithPanelSize(PagesName, _pagesRow.Height.Value);
+        if (!IsFolded(PalettesName)) settings = settings.WithPanelSize(PalettesName, _palettesColumn.Width.Value);
+        return settings;
+    });
+
+    private const double DefaultPagesHeight = 190;
+    private const double DefaultPalettesWidth = 380;
+
+    private bool IsFolded(string panel) => _desk.Session.Settings.Current.FoldedPanels.Contains(panel);
+
+    private double SizeOf(string panel, double otherwise) => _desk.Session.Settings.Current.PanelSizes.GetValueOrDefault(panel, otherwise);
+
+    private void ShowPages(bool folded)
+    {
+        _pagesRow.MinHeight = folded ? FoldedPagesHeight : LeastPagesHeight;
+        _pagesRow.Height = new GridLength(folded ? FoldedPagesHeight : SizeOf(PagesName, DefaultPagesHeight));
+        _pages.ShowFolded(folded, "FoldUpIcon", "FoldDownIcon");
+    }
+
+    private void ShowPalettes(bool folded)
+    {
+        _palettesColumn.MinWidth = folded ? FoldedPalettesWidth : LeastPalettesWidth;
+        _palettesColumn.Width = new GridLength(folded ? FoldedPalettesWidth : SizeOf(PalettesName, DefaultPalettesWidth));
+        _palettes.ShowFolded(folded, "FoldLeftIcon", "FoldRightIcon");
+        _palettes.HideStrip(folded);
+    }
+}

@@ -1,0 +1,25 @@
+using Avalonia.Input;
+
+namespace Engraver.App.Shell;
+
+/// <summary>The keys that have a meaning of their own, as AutoCAD has them. None of them starts motion.</summary>
+public static class ShellKeys
+{
+    /// <summary>The command or the act of the window that a key stands for; null for none.</summary>
+    public static string? CommandOf(KeyEventArgs e) => (e.KeyModifiers, e.Key) switch
+    {
+        (KeyModifiers.None, Key.F1) => "HELP",
+        (KeyModifiers.None, Key.F2) => "Window.History",
+        (KeyModifiers.None, Key.F3) => "Switch.OSNAP",
+        (KeyModifiers.None, Key.F7) => "Switch.GRID",
+        (KeyModifiers.None, Key.F8) => "Switch.ORTHO",
+        (KeyModifiers.None, Key.F9) => "Switch.SNAP",
+        (KeyModifiers.None, Key.F12) => "Switch.DYNAMICINPUT",
+        (KeyModifiers.Control, Key.O) => "OPEN",
+        (KeyModifiers.Control, Key.Z) => "U",
+        (KeyModifiers.Control, Key.Y) => "REDO",
+        (KeyModifiers.Control, Key.D1) => "Window.Palettes",
+        (KeyModifiers.Control, Key.D9) => "Window.Pages",
+        _ => null,
+    };
+}

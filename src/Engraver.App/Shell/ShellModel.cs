@@ -1,0 +1,72 @@
+using System.Windows.Input;
+using Engraver.App.Alarms;
+using Engraver.App.Binding;
+using Engraver.App.CommandWindow;
+using Engraver.App.Contours;
+using Engraver.App.Desk;
+using Engraver.App.Findings;
+using Engraver.App.Jobs;
+using Engraver.App.Layers;
+using Engraver.App.MachineStrip;
+using Engraver.App.Playback;
+using Engraver.App.Plots;
+using Engraver.App.Programs;
+using Engraver.App.Properties;
+using Engraver.App.StatusBar;
+using Engraver.App.Tables;
+using Engraver.App.Tabs;
+using Engraver.App.Terminals;
+using Engraver.App.Texts;
+
+namespace Engraver.App.Shell;
+
+/// <summary>The state of the one window: its parts, each with a model of its own, and its title.</summary>
+public sealed class ShellModel : Observable
+{
+    /// <param name="act">What a menu entry or a tool does; the window adds what only a window can (a file dialog).</param>
+    public ShellModel(WorkDesk desk, Func<string, ICommand> act)
+    {
+        Desk = desk;
+        Machine = new MachineStripModel(desk);
+        Status = new StatusBarModel(desk);
+        Command = new CommandWindowModel(desk);
+        Playback = new PlaybackModel(desk);
+        Tools = ToolColumn.For(desk, act);
+        desk.Changed += () => Tell(nameof(Title));
+    }
+
+    public WorkDesk Desk { get; }
+
+    public MachineStripModel Machine { get; }
+
+    public StatusBarModel Status { get; }
+
+    public CommandWindowModel Command { get; }
+
+    public PlaybackModel Playback { get; }
+
+    public IReadOnlyList<ToolButton> Tools { get; }
+
+    public string Title => Desk.Session.Document.Current.Drawing is { } drawing ? Text.Of("Window.TitleOf", Path.GetFileName(drawing.FileName)) : Text.Of("Window.Title");
+
+    /// <summary>The palettes at the right; made when they are first shown.</summary>
+    public IReadOnlyList<PageTab> Palettes() =>
+    [
+        new("Layers", () => new LayersView { DataContext = new LayersModel(Desk) }),
+        new("Properties", () => new PropertiesView { DataContext = new PropertiesModel(Desk) }),
+        new("Contours", () => new ContoursView { DataContext = new ContoursModel(Desk) }),
+        new("Job", () => new JobView { DataContext = new JobModel(Desk) }),
+        new("Program", () => new ProgramView { DataContext = new ProgramModel(Desk) }),
+        new("Plots", () => new PlotView { DataContext = new PlotModel(Desk) }),
+    ];
+
+    /// <summary>The pages at the bottom.</summary>
+    public IReadOnlyList<PageTab> Pages() =>
+    [
+        new("Command", () => new CommandWindowView { DataContext = Command }),
+        new("Table", () => new TableView { DataContext = new TableModel(Desk) }),
+        new("Findings", () => new FindingsView { DataContext = new FindingsModel(Desk) }),
+        new("Alarms", () => new AlarmsView { DataContext = new AlarmsModel(Desk) }),
+        new("Terminal", () => new TerminalView { DataContext = new TerminalModel(Desk) }),
+    ];
+}

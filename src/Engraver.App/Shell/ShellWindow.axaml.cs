@@ -1,0 +1,100 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Interactivity;
+using Engraver.App.Binding;
+using Engraver.App.Canvas;
+using Engraver.App.CommandWindow;
+using Engraver.App.Desk;
+using Engraver.App.Menus;
+using Engraver.App.Safety;
+
+namespace Engraver.App.Shell;
+
+/// <summary>The one window. Whatever is typed in it belongs to the command line, unless a text box has the keyboard.</summary>
+public partial class ShellWindow : Window
+{
+    private readonly WorkDesk _desk;
+    private readonly StopKeys _stopKeys;
+    private readonly FileQuestions _files;
+    private readonly PanelSizes _panels;
+
+    public ShellWindow(WorkDesk desk, StopKeys stopKeys)
+    {
+        (_desk, _stopKeys) = (desk, stopKeys);
+        InitializeComponent();
+        _files = new FileQuestions(desk, this);
+        DataContext = Model = new ShellModel(desk, ActOf);
+        var menus = new MenuBuilder(name => MenuTitle.Typed(desk.Session, name), ActOf);
+        MainMenu.ItemsSource = menus.Build(MenuLayout.For(desk.Session.Catalog));
+        Palettes.SetPages(Model.Palettes(), "Layers");
+        Pages.SetPages(Model.Pages(), "Command");
+        CanvasPlace.Child = Canvas;
+        Canvas.Commands = new CanvasDesk(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
+        CanvasFeed = new CanvasFeed(desk, Canvas);
+        _panels = new PanelSizes(desk, Rows.RowDefinitions[2], Columns.ColumnDefinitions[3], Pages, Palettes);
+        (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
+        if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
+        AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
+        AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
+    }
+
+    public ShellModel Model { get; }
+
+    public DrawingCanvas Canvas { get; } = new();
+
+    public CanvasFeed CanvasFeed { get; }
+
+    /// <summary>Where STOP stands in the window.</summary>
+    public Rect StopArea => MachineStrip.StopAreaIn(this);
+
+    private CommandWindowView CommandLine => (CommandWindowView)Pages.Pages[0].Page;
+
+    protected override void OnClosing(WindowClosingEventArgs e)
+    {
+        base.OnClosing(e);
+        _panels.Keep();
+        var maximised = WindowState == WindowState.Maximized;
+        _desk.Session.Settings.Change(settings => maximised ? settings with { WindowMaximised = true } : settings with { WindowMaximised = false, WindowWidth = Width, WindowHeight = Height });
+    }
+
+    /// <summary>What an entry of the menus and tools does.</summary>
+    private Act ActOf(string name) => name switch
+    {
+        "Window.Exit" => new Act(() => Close()),
+        "Window.Palettes" => new Act(() => _panels.FoldPalettes()),
+        "Window.Pages" => new Act(() => _panels.FoldPages()),
+        "Window.History" => new Act(() => _panels.ExpandHistory()),
+        _ when name.StartsWith("Switch.", StringComparison.Ordinal) => Model.Status.Switches.First(toggle => toggle.Command == name["Switch.".Length..]).Switch,
+        _ => new Act(() => _ = _files.RunAsync(name)),
+    };
+
+    /// <summary>True where the keyboard belongs to something else: a text box, an open menu.</summary>
+    private static bool HasKeyboard(object? source) => source is TextBox or MenuItem or Slider;
+
+    private void OnTyped(object? sender, TextInputEventArgs e)
+    {
+        if (HasKeyboard(e.Source) || string.IsNullOrEmpty(e.Text)) return;
+        CommandLine.Type(e.Text);
+        e.Handled = true;
+    }
+
+    private void OnKey(object? sender, KeyEventArgs e)
+    {
+        e.Handled = _stopKeys.Press(e.Key, e.KeyModifiers);
+        if (e.Handled || e.Source is MenuItem) return;
+        e.Handled = e.Key == Key.Escape ? Escape() : ShellKeys.CommandOf(e) is { } command ? Run(command) : !HasKeyboard(e.Source) && e.KeyModifiers == KeyModifiers.None && CommandLine.Press(e.Key);
+    }
+
+    private bool Escape()
+    {
+        Canvas.Escape();
+        return true;
+    }
+
+    private bool Run(string command)
+    {
+        ActOf(command).Execute(null);
+        return true;
+    }
+}

@@ -1,0 +1,40 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Media;
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Menus;
+using Engraver.App.Texts;
+
+namespace Engraver.App.Shell;
+
+/// <summary>What stands in the tool column, of what is built.</summary>
+public static class ToolColumn
+{
+    private static readonly IReadOnlyList<(string Command, string[] Answers, string Icon, bool EndsGroup)> s_tools =
+    [
+        ("OPEN", [], "OpenIcon", false),
+        ("U", [], "UndoIcon", false),
+        ("REDO", [], "RedoIcon", true),
+        ("ZOOM", ["Extents"], "ExtentsIcon", false),
+        ("ZOOM", ["Window"], "ZoomWindowIcon", false),
+        ("ZOOM", ["Previous"], "ZoomPreviousIcon", true),
+        ("SELECT", [], "SelectIcon", false),
+        ("CHECK", [], "CheckIcon", true),
+        ("AUTOSEQUENCE", [], "OrderIcon", false),
+        ("ENTER", [], "EnterIcon", true),
+        ("CNCSIM", [], "SimulateIcon", false),
+        ("CNCCONNECT", [], "ConnectIcon", false),
+    ];
+
+    public static IReadOnlyList<ToolButton> For(WorkDesk desk, Func<string, System.Windows.Input.ICommand> act) =>
+        [.. s_tools.Where(tool => desk.Session.Catalog.Find(tool.Command) is not null).Select(tool => Make(tool.Command, tool.Answers, tool.Icon, tool.EndsGroup, desk, act))];
+
+    private static ToolButton Make(string command, string[] answers, string icon, bool endsGroup, WorkDesk desk, Func<string, System.Windows.Input.ICommand> act)
+    {
+        var name = answers.Length == 0 ? command : $"{command}.{answers[0]}";
+        var tip = Text.Of("Tool.Tip", MenuTitle.Of(name), MenuTitle.Typed(desk.Session, command));
+        var does = answers.Length == 0 ? act(command) : new Act(() => _ = desk.RunAsync([command, .. answers]));
+        return new ToolButton(command, (Geometry)Application.Current!.FindResource(icon)!, tip, does, endsGroup);
+    }
+}

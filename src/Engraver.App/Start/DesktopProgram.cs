@@ -1,0 +1,78 @@
+using System.Runtime.InteropServices;
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Controls.ApplicationLifetimes;
+using Avalonia.Threading;
+using Engraver.App.Platforms;
+using Engraver.App.Shell;
+using Engraver.App.Texts;
+
+namespace Engraver.App.Start;
+
+/// <summary>One run of the desktop.</summary>
+public static class DesktopProgram
+{
+    private const int Done = 0;
+    private const int Failed = 1;
+    private const int Stopped = 5;
+    private const int NoDisplay = 6;
+
+    /// <returns>The exit code of the runner's contract.</returns>
+    public static int Run(DesktopOptions options, TextWriter error)
+    {
+        var session = new DesktopSession(DesktopSession.OfUser());
+        try
+        {
+            return options.Headless ? RunHeadless(session, options, error) : RunOnDisplay(session, options, error);
+        }
+        catch (Exception none) when (DesktopPlatform.NoDisplay(none) is not null)
+        {
+            error.WriteLine(Text.Of("Start.NoDisplay", DesktopPlatform.NoDisplay(none)));
+            return NoDisplay;
+        }
+        finally
+        {
+            session.DisposeAsync().AsTask().GetAwaiter().GetResult();
+        }
+    }
+
+    private static int RunHeadless(DesktopSession session, DesktopOptions options, TextWriter error)
+    {
+        if (DesktopPlatform.RunHeadless(session, options, builder => Open(builder, session, options)) is not { } failed) return Done;
+        error.WriteLine(Text.Of("Start.Failed", failed));
+        return Failed;
+    }
+
+    private static int RunOnDisplay(DesktopSession session, DesktopOptions options, TextWriter error)
+    {
+        var lifetime = new ClassicDesktopStyleApplicationLifetime { ShutdownMode = ShutdownMode.OnMainWindowClose };
+        var builder = DesktopPlatform.OnDisplay(AppBuilder.Configure<App>(), session, options).WithInterFont().SetupWithLifetime(lifetime);
+        var window = Open(builder, session, options);
+        lifetime.MainWindow = window;
+        window.Opened += async (_, _) =>
+        {
+            if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
+            await window.CanvasFeed.Shown;
+            window.Canvas.RefineNow();
+            if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
+        };
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, End);
+        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, End);
+        return lifetime.Start([]);
+
+        void End(PosixSignalContext signal)
+        {
+            signal.Cancel = true;
+            session.StopKeys.PressStop();
+            Dispatcher.UIThread.Post(() => lifetime.Shutdown(Stopped));
+        }
+    }
+
+    private static ShellWindow Open(AppBuilder builder, DesktopSession session, DesktopOptions options)
+    {
+        var window = ((App)builder.Instance!).OpenShell(session.Desk, session.StopKeys);
+        if (options.Size is { } size) (window.Width, window.Height) = (size.Width, size.Height);
+        window.Opened += (_, _) => DesktopPlatform.WatchStop(window, session);
+        return window;
+    }
+}

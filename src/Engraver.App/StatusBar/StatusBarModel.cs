@@ -1,0 +1,53 @@
+using System.Globalization;
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+using Engraver.Core.Geometry;
+
+namespace Engraver.App.StatusBar;
+
+/// <summary>The line at the bottom: coordinates, drafting switches, the settings that decide accuracy, profile and link.</summary>
+public sealed class StatusBarModel : Observable
+{
+    private readonly WorkDesk _desk;
+    private string _coordinates = "";
+
+    public StatusBarModel(WorkDesk desk)
+    {
+        _desk = desk;
+        Switches = StatusSwitch.All(desk);
+        desk.Changed += Look;
+        Point(Point2D.Origin);
+    }
+
+    public IReadOnlyList<StatusSwitch> Switches { get; }
+
+    public string Coordinates
+    {
+        get => _coordinates;
+        private set => Set(ref _coordinates, value);
+    }
+
+    public string Unit => _desk.Session.Document.Current.Drawing?.Unit.Name ?? Text.Of("Status.Millimetres");
+
+    public string JoinTolerance => Text.Of("Status.Join", _desk.Session.Document.Current.Settings.JoinToleranceMm);
+
+    public string MaxError => Text.Of("Status.MaxError", _desk.Session.Document.Current.Settings.MaxErrorMm);
+
+    public string Profile => _desk.Session.Settings.Current.LastProfile is { } file ? Path.GetFileNameWithoutExtension(file) : Text.Of("Status.DefaultProfile");
+
+    public string Link => _desk.Session.Machine.Description ?? Text.Of("Status.NoLink");
+
+    /// <summary>The cursor stands at a place of the drawing.</summary>
+    public void Point(Point2D place) => Coordinates = string.Create(CultureInfo.InvariantCulture, $"{place.X:0.0000}, {place.Y:0.0000}");
+
+    private void Look()
+    {
+        Tell(nameof(Unit));
+        Tell(nameof(JoinTolerance));
+        Tell(nameof(MaxError));
+        Tell(nameof(Profile));
+        Tell(nameof(Link));
+        foreach (var toggle in Switches) toggle.Look();
+    }
+}

@@ -1,0 +1,31 @@
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.Workbench.Views;
+
+namespace Engraver.App.StatusBar;
+
+/// <summary>One drafting switch; a click runs its command.</summary>
+/// <param name="name">As it is shown.</param>
+/// <param name="command">The command that switches it.</param>
+public sealed class StatusSwitch(string name, string command, Func<ViewState, bool> isOn, WorkDesk desk) : Observable
+{
+    public string Name => name;
+
+    public string Command => command;
+
+    public bool IsOn => isOn(desk.Session.View.Current);
+
+    public Act Switch { get; } = new(() => _ = desk.RunAsync(command, isOn(desk.Session.View.Current) ? "OFF" : "ON"));
+
+    /// <summary>The switches of the status bar, as AutoCAD names them.</summary>
+    public static IReadOnlyList<StatusSwitch> All(WorkDesk desk) =>
+    [
+        new("SNAP", "SNAP", view => view.Snap, desk),
+        new("GRID", "GRID", view => view.Grid, desk),
+        new("ORTHO", "ORTHO", view => view.Ortho, desk),
+        new("OSNAP", "OSNAP", view => view.ObjectSnap, desk),
+        new("DYN", "DYNAMICINPUT", view => view.DynamicInput, desk),
+    ];
+
+    public void Look() => Tell(nameof(IsOn));
+}

@@ -1,0 +1,45 @@
+using System.Globalization;
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Controls.Documents;
+using Avalonia.Media;
+using Engraver.Core.EntityTables;
+
+namespace Engraver.App.Tables;
+
+/// <summary>One line of the table drawn as one control: number and 16 cells, or their names. Scrolling makes no controls.</summary>
+public sealed class SlotCells : Control
+{
+    public const double NumberWidth = 64;
+    public const double CellWidth = 76;
+    public const double AllWidth = NumberWidth + (EntitySlot.Count * CellWidth);
+
+    public static readonly StyledProperty<TableRow?> RowProperty = AvaloniaProperty.Register<SlotCells, TableRow?>(nameof(Row));
+
+    static SlotCells() => AffectsRender<SlotCells>(RowProperty, TextElement.ForegroundProperty, TextElement.FontSizeProperty);
+
+    /// <summary>Null: the names of the slots.</summary>
+    public TableRow? Row
+    {
+        get => GetValue(RowProperty);
+        set => SetValue(RowProperty, value);
+    }
+
+    public override void Render(DrawingContext context)
+    {
+        Write(context, Row is { } numbered ? (numbered.Index + 1).ToString(CultureInfo.InvariantCulture) : "#", NumberWidth - 10);
+        for (var slot = 0; slot < EntitySlot.Count; slot++)
+        {
+            Write(context, Row?.Figure(slot) ?? SlotNames.All[slot], NumberWidth + ((slot + 1) * CellWidth) - 10);
+        }
+    }
+
+    protected override Size MeasureOverride(Size availableSize) => new(AllWidth, 20);
+
+    private void Write(DrawingContext context, string text, double right)
+    {
+        var typeface = new Typeface(TextElement.GetFontFamily(this));
+        var line = new FormattedText(text, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, typeface, TextElement.GetFontSize(this), TextElement.GetForeground(this));
+        context.DrawText(line, new Point(right - line.Width, (Bounds.Height - line.Height) / 2));
+    }
+}

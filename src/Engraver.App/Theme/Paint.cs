@@ -1,0 +1,28 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Controls.Primitives;
+
+namespace Engraver.App.Theme;
+
+/// <summary>Foreground by the name of a brush of the theme, so that a view model names a meaning and never a colour, and the theme may change under it.</summary>
+public sealed class Paint
+{
+    public static readonly AttachedProperty<string?> ForegroundProperty = AvaloniaProperty.RegisterAttached<Paint, Control, string?>("Foreground");
+
+    static Paint() => ForegroundProperty.Changed.AddClassHandler<Control>((control, _) => Apply(control));
+
+    private Paint()
+    {
+    }
+
+    public static string? GetForeground(Control control) => control.GetValue(ForegroundProperty);
+
+    public static void SetForeground(Control control, string? key) => control.SetValue(ForegroundProperty, key);
+
+    private static void Apply(Control control)
+    {
+        if (GetForeground(control) is not { } key) return;
+        AvaloniaProperty property = control is TextBlock ? TextBlock.ForegroundProperty : TemplatedControl.ForegroundProperty;
+        control[!property] = control.GetResourceObservable(key).ToBinding();
+    }
+}

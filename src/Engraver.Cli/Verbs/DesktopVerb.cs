@@ -1,0 +1,89 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Diagnostics;
+using System.Globalization;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver desktop</c>: starts the operator desktop, the program beside this one, and becomes its exit code.</summary>
+internal sealed class DesktopVerb
+{
+    private const string Program = "engraver-desktop";
+    private readonly Argument<string?> _file = new("FILE") { Description = "A drawing to open.", Arity = ArgumentArity.ZeroOrOne };
+    private readonly Option<string?> _script = new("--script") { Description = "Commands to run once the window stands.", HelpName = "FILE.scr" };
+    private readonly Option<bool> _headless = new("--headless") { Description = "Needs no display; ends when script and picture are done." };
+    private readonly Option<string?> _screenshot = new("--screenshot") { Description = "Where a picture of the window is written after the script.", HelpName = "OUT.png" };
+    private readonly Option<string?> _size = new("--size") { Description = "Size of the window.", HelpName = "1280x800" };
+    private readonly Option<double?> _scale = new("--scale") { Description = "Pixels for each unit.", HelpName = "1.0" };
+
+    private DesktopVerb()
+    {
+    }
+
+    public static Command Build()
+    {
+        var verb = new DesktopVerb();
+        var command = new Command("desktop", "Opens the operator desktop (exit code 6 without a display).");
+        verb._file.Validators.Add(NoOption);
+        command.Arguments.Add(verb._file);
+        foreach (var option in (Option[])[verb._script, verb._headless, verb._screenshot, verb._size, verb._scale]) command.Options.Add(option);
+        command.SetAction(verb.RunAsync);
+        return command;
+    }
+
+    /// <summary>Where the desktop may be, seen from this program: published into the same folder, into the folder beside, or built beside it.</summary>
+    /// <param name="here">This program's folder.</param>
+    internal static IEnumerable<string> Candidates(string here)
+    {
+        var folder = here.TrimEnd(Path.DirectorySeparatorChar);
+        var kind = Path.GetFileName(folder);
+        yield return Path.Combine(folder, Program + ".dll");
+        yield return Path.Combine(folder, "..", "desktop", Program + ".dll");
+        yield return Path.Combine(folder, "..", "..", "Engraver.App", kind, Program + ".dll");
+    }
+
+    private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
+    {
+        var program = Candidates(AppContext.BaseDirectory).FirstOrDefault(File.Exists)
+            ?? throw new UsageException($"The desktop is not there: {Program} was not found beside {AppContext.BaseDirectory}. Build or publish Engraver.App.");
+        var start = new ProcessStartInfo(Dotnet()) { UseShellExecute = false };
+        start.ArgumentList.Add(Path.GetFullPath(program));
+        foreach (var word in Words(parsed)) start.ArgumentList.Add(word);
+        using var desktop = Process.Start(start) ?? throw new UsageException($"{program} could not be started.");
+        await using var asked = stop.Register(() => AskToEnd(desktop.Id)).ConfigureAwait(false);
+        await desktop.WaitForExitAsync(CancellationToken.None).ConfigureAwait(false);
+        return desktop.ExitCode;
+    }
+
+    /// <summary>A word that begins like an option is one that is not there, and no drawing.</summary>
+    private static void NoOption(ArgumentResult result)
+    {
+        foreach (var token in result.Tokens)
+        {
+            if (token.Value.StartsWith("--", StringComparison.Ordinal)) result.AddError($"Unrecognized option '{token.Value}'.");
+        }
+    }
+
+    /// <summary>The runtime this program itself runs on.</summary>
+    private static string Dotnet() => Path.GetFileNameWithoutExtension(Environment.ProcessPath) == "dotnet" ? Environment.ProcessPath! : "dotnet";
+
+    private IEnumerable<string> Words(ParseResult parsed)
+    {
+        if (parsed.GetValue(_file) is { } file) yield return file;
+        if (parsed.GetValue(_headless)) yield return "--headless";
+        foreach (var (name, value) in new[] { ("--script", parsed.GetValue(_script)), ("--screenshot", parsed.GetValue(_screenshot)), ("--size", parsed.GetValue(_size)), ("--scale", parsed.GetValue(_scale)?.ToString(CultureInfo.InvariantCulture)) })
+        {
+            if (value is null) continue;
+            yield return name;
+            yield return value;
+        }
+    }
+
+    /// <summary>The desktop stops the machine before it ends, so it is asked and waited for, however long that takes.</summary>
+    private static void AskToEnd(int id)
+    {
+        if (OperatingSystem.IsWindows()) return; // Ctrl-C reaches every program of the console by itself
+        using var kill = Process.Start(new ProcessStartInfo("kill") { ArgumentList = { "-TERM", id.ToString(CultureInfo.InvariantCulture) }, UseShellExecute = false });
+        kill?.WaitForExit();
+    }
+}

@@ -1,0 +1,134 @@
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.App.Tests.CommandWindow;
+
+[Collection(DesktopCollection.Name)]
+public sealed class TypingTests(DesktopFixture fixture)
+{
+    [Fact]
+    public Task Typing_needs_no_click_into_the_command_line() => fixture.WithOperator(here =>
+    {
+        Assert.IsNotType<TextBox>(here.Window.FocusManager?.GetFocusedElement());
+        here.Hands.Type("dist");
+
+        Assert.Equal("dist", here.Window.Model.Command.Line);
+    });
+
+    [Fact]
+    public Task Space_is_enter_until_an_answer_may_hold_spaces() => fixture.WithOperator(here =>
+    {
+        here.Hands.Type("open ");
+        here.Rest();
+        Assert.Equal("OPEN", here.Desk.Prompt.Command);
+
+        here.Hands.Type("no such drawing.dxf");
+
+        Assert.Equal("no such drawing.dxf", here.Window.Model.Command.Line);
+    });
+
+    [Fact]
+    public Task Enter_alone_repeats_the_last_command() => fixture.WithOperator(here =>
+    {
+        here.Enter("CNCSTATUS");
+        here.Enter("");
+
+        Assert.Equal(2, here.History.Count(line => line == "OFFLINE"));
+    });
+
+    [Fact]
+    public Task The_arrow_keys_walk_through_what_was_typed() => fixture.WithOperator(here =>
+    {
+        here.Enter("CNCSTATUS", "CNCSTOP");
+        here.Hands.Type("x");
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+        here.Hands.Press(Key.Up);
+        here.Hands.Press(Key.Up);
+        Assert.Equal("CNCSTATUS", here.Window.Model.Command.Line);
+        here.Hands.Press(Key.Down);
+
+        Assert.Equal("CNCSTOP", here.Window.Model.Command.Line);
+    });
+
+    [Fact]
+    public Task Suggestions_say_the_alias_first_and_tab_takes_one() => fixture.WithOperator(here =>
+    {
+        here.Hands.Type("m");
+        Assert.Equal("M (MOVE)", here.Window.Model.Command.Suggestions[0].Text);
+        Assert.True(here.Find<TextBlock>("PromptText").IsEffectivelyVisible);
+        here.Hands.Press(Key.Tab);
+
+        Assert.Equal("MOVE", here.Window.Model.Command.Line);
+    });
+
+    [Fact]
+    public Task A_suggestion_is_chosen_with_the_arrow_and_enter() => fixture.WithOperator(here =>
+    {
+        here.Hands.Type("cncsta");
+        here.Hands.Press(Key.Down);
+        here.Hands.Press(Key.Enter);
+        here.Rest();
+
+        Assert.Contains("OFFLINE", here.History);
+    });
+
+    [Fact]
+    public Task A_click_on_an_option_is_an_answer() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("CNCORDER");
+        var drawn = here.Find<ItemsControl>("OptionList").GetVisualDescendants().OfType<Button>().Single(button => button.DataContext is Keyword { Name: "Drawn" });
+        here.Click(drawn);
+        here.Rest();
+
+        Assert.Equal("Drawn", here.Commands.Document.Current.Settings.Order.ToString());
+        Assert.Null(here.Desk.Prompt.Command);
+    });
+
+    [Fact]
+    public Task Escape_ends_what_asks() => fixture.WithOperator(here =>
+    {
+        here.Enter("OPEN");
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+
+        Assert.Null(here.Desk.Prompt.Command);
+        Assert.Contains("*Cancel*", here.History);
+    });
+
+    [Fact]
+    public Task A_transparent_command_runs_inside_another() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("MOVE", "'CNCSTATUS");
+
+        Assert.Contains("OFFLINE", here.History);
+        Assert.Equal("MOVE", here.Desk.Prompt.Command);
+    });
+
+    [Fact]
+    public Task F2_gives_the_history_room_and_takes_it_back() => fixture.WithOperator(here =>
+    {
+        var before = here.Find<ListBox>("HistoryList").Bounds.Height;
+        here.Hands.Press(Key.F2);
+        here.Step();
+        var expanded = here.Find<ListBox>("HistoryList").Bounds.Height;
+        here.Hands.Press(Key.F2);
+        here.Step();
+
+        Assert.True(expanded > before + 150, $"{before} to {expanded}");
+        Assert.Equal(before, here.Find<ListBox>("HistoryList").Bounds.Height);
+    });
+
+    [Fact]
+    public Task A_script_is_run_from_the_command_line() => fixture.WithOperator(here =>
+    {
+        here.Enter("SCRIPT", "first-job.scr");
+        here.Rest();
+
+        Assert.NotNull(here.Commands.Document.Current.Drawing);
+    });
+}

@@ -1,0 +1,46 @@
+using Avalonia;
+using Engraver.SoftwarePlatform;
+using Engraver.SoftwarePlatform.Headless;
+
+namespace Engraver.App.Tests;
+
+/// <summary>The one application of this test process: the real one, on a desktop in memory.</summary>
+public sealed class DesktopFixture : IDisposable
+{
+    public DesktopFixture()
+    {
+        var options = new SoftwarePlatformOptions { FrontEnd = new FrontEnd.Headless(Desktop), Filter = FilterKey, Regions = Regions };
+        Runner = new HeadlessRunner(Desktop, () => AppBuilder.Configure<App>().UseSoftwarePlatform(options).WithInterFont());
+    }
+
+    public HeadlessDesktop Desktop { get; } = new();
+
+    public InputRegions Regions { get; } = new();
+
+    public HeadlessRunner Runner { get; }
+
+    internal Operator? Operator { get; private set; }
+
+    public void Dispose() => Runner.Dispose();
+
+    /// <summary>Puts an operator before a new window, on the user interface thread, and closes everything when the test ends.</summary>
+    internal Task WithOperator(Action<Operator> test, string? folder = null) => Runner.RunAsync(() =>
+    {
+        var kept = folder ?? Directory.CreateTempSubdirectory("desktop-").FullName;
+        Operator = new Operator(this, kept);
+        try
+        {
+            test(Operator);
+        }
+        finally
+        {
+            Operator.Leave();
+            Operator = null;
+            if (folder is null) Directory.Delete(kept, recursive: true);
+        }
+
+        return Task.CompletedTask;
+    });
+
+    private bool FilterKey(in KeyPress press) => press is { IsDown: true, IsRepeat: false } && Operator is { } here && here.Session.StopKeys.Press(press.Key, press.Modifiers);
+}

@@ -1,0 +1,153 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Engraver.Galil.Jobs;
+using Engraver.Simulator;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.Tests.MachineStrip;
+
+[Collection(DesktopCollection.Name)]
+public sealed class MachineTests(DesktopFixture fixture)
+{
+    private const string Slowly = "sim:?speed=1";
+
+    [Fact]
+    public Task A_simulated_machine_frames_the_whole_window() => fixture.WithOperator(here =>
+    {
+        Assert.Equal("OFFLINE", here.Find<TextBlock>("StateText").Text);
+        Assert.False(here.Find<TextBlock>("SimulationWord").IsEffectivelyVisible);
+        here.Enter("CNCCONNECT", "sim:");
+
+        Assert.Equal("READY", here.Find<TextBlock>("StateText").Text);
+        Assert.True(here.Find<TextBlock>("SimulationWord").IsEffectivelyVisible);
+        Assert.Equal(new Thickness(4), here.Find<Border>("Frame").BorderThickness);
+    });
+
+    [Fact]
+    public Task The_job_is_armed_and_started_with_the_keys_of_the_strip() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("CNCCONNECT", "sim:");
+        Assert.False(here.Find<Button>("StartKey").IsEffectivelyEnabled);
+        here.Click(here.Find<Button>("ArmKey"));
+        here.Rest();
+        Assert.Equal("ARMED", here.Find<TextBlock>("StateText").Text);
+        here.Click(here.Find<Button>("StartKey"));
+        here.Rest();
+
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal(1.0, here.Window.Model.Machine.Progress);
+        Assert.Equal(here.Window.Canvas.Overlay!.MoveCount, here.Window.Canvas.EngravedMoves);
+        Assert.Equal("READY", here.Find<TextBlock>("StateText").Text);
+    });
+
+    [Fact]
+    public Task Enter_and_space_never_start_motion() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("CNCCONNECT", "sim:", "CNCARM", "Stream");
+        here.Hands.Press(Key.Enter);
+        here.Rest();
+        Assert.Null(here.Commands.Machine.LastRun);
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+        here.Enter("CNCRUN");
+        Assert.NotNull(here.Commands.Machine.LastRun);
+        var first = here.Commands.Machine.LastRun;
+        here.Hands.Press(Key.Enter);
+        here.Rest();
+
+        Assert.Same(first, here.Commands.Machine.LastRun);
+    });
+
+    [Theory]
+    [InlineData(Key.Pause, RawInputModifiers.None)]
+    [InlineData(Key.Space, RawInputModifiers.Control)]
+    [InlineData(Key.Escape, RawInputModifiers.None)]
+    public Task A_stop_key_stops_a_job(Key key, RawInputModifiers modifiers) => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        here.Hands.Press(key, modifiers);
+        here.Rest();
+
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+    });
+
+    [Fact]
+    public Task Stop_acts_when_it_is_pressed_not_when_it_is_let_go() => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        var stop = here.Find<Button>("StopKey");
+        Assert.True(stop.Bounds.Width >= 64 && stop.Bounds.Height >= 64);
+        here.Hands.PressButton(here.MiddleOf(stop));
+        here.Rest();
+
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        here.Hands.ReleaseButton(here.MiddleOf(stop));
+    });
+
+    /// <summary>The user interface thread does nothing here but wait: the stop comes over the input thread.</summary>
+    [Fact]
+    public Task Stop_does_not_wait_for_a_busy_window() => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        var place = here.MiddleOf(here.Find<Button>("StopKey"));
+        using var stopped = new ManualResetEventSlim();
+        here.Commands.Machine.Changed += (_, _) =>
+        {
+            if (!here.Commands.Machine.IsRunning) stopped.Set();
+        };
+        var press = new Thread(() => here.Hands.PressButton(place));
+        press.Start();
+
+        Assert.True(stopped.Wait(TimeSpan.FromSeconds(30)), "the job went on while the window was busy");
+        press.Join();
+        here.Rest();
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+    });
+
+    [Fact]
+    public Task A_lost_link_is_an_alarm_that_stays_until_it_is_seen() => fixture.WithOperator(here =>
+    {
+        var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        var listening = controller.ListenTcpAsync(0, CancellationToken.None);
+        here.Until(() => listening.IsCompleted);
+        here.Enter("CNCCONNECT", FormattableString.Invariant($"tcp://127.0.0.1:{listening.Result.Port}"));
+        Assert.False(here.Window.Model.Machine.IsSimulation);
+        var ending = controller.DisposeAsync().AsTask();
+        here.Until(() => here.Commands.Machine.Alarms.Open.Count > 0 && ending.IsCompleted);
+        here.Step();
+
+        Assert.Equal("FAULT", here.Find<TextBlock>("StateText").Text);
+        here.Show("Alarms");
+        Assert.Equal(1, here.Find<ListBox>("AlarmList").ItemCount);
+        here.Click(here.Find<Button>("AcknowledgeAllButton"));
+        here.Step();
+        Assert.DoesNotContain(here.Commands.Machine.Alarms.All, alarm => alarm.NeedsAcknowledging);
+        Assert.NotEqual(MachineState.Ready, here.Commands.Machine.Status.State);
+    });
+
+    [Fact]
+    public Task The_terminal_talks_to_the_connected_controller() => fixture.WithOperator(here =>
+    {
+        here.Enter("CNCCONNECT", "sim:");
+        here.Show("Terminal");
+        here.Click(here.Find<TextBox>("LineBox"));
+        here.Hands.Type("MG 2+3");
+        here.Hands.Press(Key.Enter);
+        here.Until(() => here.Commands.Machine.Terminal.Lines.Count > 1);
+
+        Assert.Contains(here.Commands.Machine.Terminal.Lines, line => line.Text.Contains("5.0000", StringComparison.Ordinal));
+        Assert.Equal("", here.Window.Model.Command.Line);
+    });
+
+    private static void StartSlowly(Operator here)
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", Slowly, "CNCARM", "Stream");
+        here.Hands.Type("CNCRUN");
+        here.Hands.Press(Key.Enter);
+        here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Progress is { SegmentsSent: > 0 });
+    }
+}

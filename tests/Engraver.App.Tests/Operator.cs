@@ -1,0 +1,102 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using Engraver.App.Desk;
+using Engraver.App.Platforms;
+using Engraver.App.Shell;
+using Engraver.App.Start;
+using Engraver.App.Tabs;
+using Engraver.SoftwarePlatform.Headless;
+using Engraver.TestKit;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.Tests;
+
+/// <summary>A person before the desktop: hands, eyes and patience. On the user interface thread.</summary>
+internal sealed class Operator
+{
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
+    private readonly DesktopFixture _fixture;
+
+    public Operator(DesktopFixture fixture, string folder)
+    {
+        _fixture = fixture;
+        Session = new DesktopSession(new CommandEnvironment { Folder = RepositoryFolder.Samples, SettingsFile = Path.Combine(folder, "desktop.json"), RunJournalFolder = folder }) { PlatformState = fixture.Regions };
+        Window = ((App)Application.Current!).OpenShell(Session.Desk, Session.StopKeys);
+        Window.Opened += (_, _) => DesktopPlatform.WatchStop(Window, Session);
+        Window.Show();
+        Step();
+        Hands = fixture.Desktop.Windows[^1];
+    }
+
+    public DesktopSession Session { get; }
+
+    public WorkDesk Desk => Session.Desk;
+
+    public CommandSession Commands => Desk.Session;
+
+    public ShellWindow Window { get; }
+
+    public HeadlessWindow Hands { get; }
+
+    /// <summary>The lines of the history.</summary>
+    public IEnumerable<string> History => Window.Model.Command.History.Select(line => line.Text);
+
+    public void Step() => _fixture.Desktop.Step();
+
+    public void Until(Func<bool> condition) => _fixture.Desktop.StepUntil(condition, s_patience);
+
+    /// <summary>Types words with Enter after each, and waits until all is worked on.</summary>
+    public void Enter(params ReadOnlySpan<string> words)
+    {
+        foreach (var word in words)
+        {
+            Hands.Type(word);
+            Hands.Press(Key.Enter);
+            Rest();
+        }
+    }
+
+    /// <summary>Waits until every input is worked on and everything that follows is shown.</summary>
+    public void Rest()
+    {
+        Until(() => !Desk.IsBusy && Desk.Idle.IsCompleted);
+        var settled = Desk.SettleAsync();
+        Until(() => settled.IsCompleted && Window.CanvasFeed.Shown.IsCompleted);
+        Step();
+    }
+
+    public void Open(string sample)
+    {
+        Enter("OPEN", sample);
+        Until(() => Window.Canvas.Scene is not null);
+    }
+
+    public T Find<T>(string name)
+        where T : Control => Window.GetVisualDescendants().OfType<T>().First(control => control.Name == name);
+
+    public Point MiddleOf(Visual control) => control.TranslatePoint(new Point(control.Bounds.Width / 2, control.Bounds.Height / 2), Window)!.Value;
+
+    public void Click(Visual control)
+    {
+        Hands.Click(MiddleOf(control));
+        Step();
+    }
+
+    /// <summary>Brings a page or a palette to the front.</summary>
+    public void Show(string key)
+    {
+        var tabs = Window.GetVisualDescendants().OfType<PageTabs>().First(tabs => tabs.Pages.Any(page => page.Key == key));
+        Click(tabs.GetVisualDescendants().OfType<ListBoxItem>().First(item => item.DataContext is PageTab tab && tab.Key == key));
+        Step();
+    }
+
+    public void Leave()
+    {
+        Window.Close();
+        Step();
+        var leaving = Session.DisposeAsync().AsTask();
+        Until(() => leaving.IsCompleted);
+    }
+}

@@ -1,0 +1,107 @@
+using Avalonia;
+using Avalonia.Input;
+
+namespace Engraver.App.Tests;
+
+/// <summary>Pictures of the real program in the states an operator meets. With ENGRAVER_PICTURES they are kept in that folder, to be looked at.</summary>
+[Collection(DesktopCollection.Name)]
+public sealed class PictureTests(DesktopFixture fixture)
+{
+    private static readonly string? s_folder = Environment.GetEnvironmentVariable("ENGRAVER_PICTURES");
+
+    [Fact]
+    public Task A_drawing_is_open() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1600, 1000));
+        here.Open("nameplate.dxf");
+        Take(here, "drawing");
+        here.Show("Contours");
+        here.Enter("SHOW", "All");
+        here.Show("Table");
+        Take(here, "order-and-rapids");
+        here.Show("Command");
+        here.Enter("SHOW", "None");
+    });
+
+    [Fact]
+    public Task The_playback_stands_in_the_middle() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1600, 1000));
+        here.Open("gasket.dxf");
+        here.Show("Program");
+        here.Show("Table");
+        here.Window.Model.Playback.At = here.Window.Model.Playback.Total / 2;
+        here.Step();
+        Take(here, "playback");
+        here.Show("Plots");
+        Take(here, "speed-plot");
+    });
+
+    [Fact]
+    public Task A_small_window_loses_nothing() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1024, 700));
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", "sim:");
+        here.Hands.Type("Z");
+        here.Step();
+        Take(here, "small");
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+        here.Enter("MOVE");
+        Take(here, "small-options");
+    });
+
+    [Fact]
+    public Task The_simulated_machine_is_armed() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1600, 1000));
+        here.Open("nameplate.dxf");
+        here.Enter("CNCCONNECT", "sim:");
+        here.Show("Job");
+        here.Enter("CNCARM", "Stream");
+        Take(here, "armed");
+    });
+
+    [Fact]
+    public Task The_light_theme() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1280, 800));
+        here.Open("clock-dial.dxf");
+        here.Enter("THEME", "Light");
+        here.Show("Contours");
+        Take(here, "light");
+        here.Show("Findings");
+        here.Show("Properties");
+        here.Enter("SELECT", "ALL", "");
+        Take(here, "light-properties");
+        here.Enter("THEME", "Dark");
+    });
+
+    [Theory]
+    [InlineData(1.5)]
+    [InlineData(2.0)]
+    public Task Fine_screens(double scale) => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1100, 720));
+        here.Hands.SetScale(scale);
+        here.Open("pcb-outline.dxf");
+        here.Click(here.Find<Avalonia.Controls.MenuItem>("MachineMenu"));
+        Take(here, FormattableString.Invariant($"scale-{scale * 100:0}"));
+        here.Hands.Press(Key.Escape);
+        here.Hands.SetScale(1.0);
+    });
+
+    /// <summary>A picture must show the whole window in its scale, and not be one colour.</summary>
+    private static void Take(Operator here, string name)
+    {
+        here.Until(() => here.Window.Canvas.IsFresh || here.Window.Canvas.Scene is null);
+        here.Step();
+        using var picture = new MemoryStream();
+        here.Hands.CapturePng(picture);
+        if (s_folder is not null) File.WriteAllBytes(Path.Combine(s_folder, name + ".png"), picture.ToArray());
+        var canvas = here.MiddleOf(here.Window.Canvas);
+        var strip = here.MiddleOf(here.Find<Avalonia.Controls.Control>("MachineStrip"));
+        Assert.NotEqual(here.Hands.PixelAt((int)canvas.X, (int)canvas.Y), here.Hands.PixelAt((int)strip.X, 34));
+    }
+}

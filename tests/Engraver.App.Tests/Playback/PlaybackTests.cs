@@ -1,0 +1,107 @@
+using Avalonia.Controls;
+using Avalonia.VisualTree;
+
+namespace Engraver.App.Tests.Playback;
+
+[Collection(DesktopCollection.Name)]
+public sealed class PlaybackTests(DesktopFixture fixture)
+{
+    [Fact]
+    public Task Row_contour_line_and_tool_move_together() => fixture.WithOperator(here =>
+    {
+        Prepare(here);
+        var before = here.Window.Canvas.ToolPosition;
+        here.Window.Model.Playback.At = here.Window.Model.Playback.Total * 0.6;
+        here.Step();
+
+        var moment = here.Desk.Derived.Moment!.Value;
+        Assert.Equal(moment.Row, here.Find<ListBox>("RowList").SelectedIndex);
+        Assert.Equal(moment.Stroke, here.Find<ListBox>("ContourList").SelectedIndex);
+        Assert.True(moment.Row > 0 && moment.Stroke > 0);
+        Assert.Equal(moment.Entity, here.Window.Canvas.Highlight);
+        Assert.NotEqual(before, here.Window.Canvas.ToolPosition);
+        here.Show("Program");
+        Assert.Equal(moment.Line - 1, here.Find<ListBox>("LineList").SelectedIndex);
+    });
+
+    [Fact]
+    public Task A_click_on_a_row_moves_the_tool_to_its_beginning() => fixture.WithOperator(here =>
+    {
+        Prepare(here);
+        here.Click(RowAt(here, "RowList", 3));
+
+        Assert.Equal(here.Commands.Derivation.Current.Motion!.TimeOfRow(3)!.Value, here.Desk.Derived.AtSeconds, 6);
+        Assert.Equal(3, here.Desk.Derived.RowUnderTool);
+    });
+
+    [Fact]
+    public Task A_click_on_a_contour_or_a_program_line_moves_the_tool_there() => fixture.WithOperator(here =>
+    {
+        Prepare(here);
+        here.Click(RowAt(here, "ContourList", 2));
+        Assert.Equal(2, here.Desk.Derived.StrokeUnderTool);
+
+        here.Show("Program");
+        var lines = here.Find<ListBox>("LineList");
+        var first = lines.GetRealizedContainers().Select(lines.IndexFromContainer).Min();
+        here.Click(lines.ContainerFromIndex(first + 1)!);
+
+        Assert.Equal(here.Commands.Derivation.Current.Motion!.TimeOfLine(first + 2)!.Value, here.Desk.Derived.AtSeconds, 6);
+    });
+
+    [Fact]
+    public Task A_picked_entity_is_selected_and_the_tool_goes_there() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Until(() => here.Window.Canvas.IsFresh);
+        var canvas = here.Window.Canvas;
+        var entity = here.Commands.Derivation.Current.Sequence!.Table.EntityIndexOf(2);
+        canvas.Commands!.PickAt(default, entity, remove: false);
+        here.Rest();
+
+        Assert.Equal([entity], here.Commands.Document.Current.Selection);
+        Assert.Equal(here.Commands.Derivation.Current.Motion!.TimeOfEntity(entity)!.Value, here.Desk.Derived.AtSeconds, 6);
+    });
+
+    [Fact]
+    public Task At_full_speed_it_plays_to_the_end() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Click(SpeedButton(here, "max"));
+        here.Click(here.Find<Button>("PlayButton"));
+        here.Until(() => !here.Commands.Playback.IsPlaying);
+        here.Step();
+
+        Assert.Equal(here.Window.Model.Playback.Total, here.Window.Model.Playback.At, 6);
+        Assert.Equal(here.Window.Model.Playback.Total, here.Find<Slider>("Scrub").Value, 3);
+    });
+
+    [Fact]
+    public Task Steps_go_from_contour_to_contour() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Click(here.Find<Button>("ForwardButton"));
+        here.Click(here.Find<Button>("ForwardButton"));
+        Assert.Equal(2, here.Desk.Derived.StrokeUnderTool);
+        here.Click(here.Find<Button>("BackButton"));
+
+        Assert.Equal(1, here.Desk.Derived.StrokeUnderTool);
+    });
+
+    private static void Prepare(Operator here)
+    {
+        here.Open("gasket.dxf");
+        here.Show("Contours");
+        here.Show("Table");
+    }
+
+    private static Control RowAt(Operator here, string list, int index)
+    {
+        here.Find<ListBox>(list).ScrollIntoView(index);
+        here.Step();
+        return here.Find<ListBox>(list).ContainerFromIndex(index)!;
+    }
+
+    private static Avalonia.Controls.Primitives.ToggleButton SpeedButton(Operator here, string name) =>
+        here.Find<ItemsControl>("SpeedList").GetVisualDescendants().OfType<Avalonia.Controls.Primitives.ToggleButton>().Single(button => button.Content as string == name);
+}

@@ -1,0 +1,189 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Styling;
+using Avalonia.VisualTree;
+using Engraver.App.Properties;
+using Engraver.App.Shell;
+using Engraver.App.StatusBar;
+using Engraver.App.Tables;
+using Engraver.App.Tabs;
+using Engraver.Galil.Jobs;
+
+namespace Engraver.App.Tests.Shell;
+
+[Collection(DesktopCollection.Name)]
+public sealed class ShellTests(DesktopFixture fixture)
+{
+    [Fact]
+    public Task The_main_job_is_done_with_the_keyboard_alone() => fixture.WithOperator(here =>
+    {
+        here.Enter("OPEN", "nameplate.dxf", "CHECK", "CNCORDER", "Nearest", "CNCCONNECT", "sim:", "CNCARM", "Stream", "CNCRUN");
+
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Contains("nameplate.dxf", here.Window.Title, StringComparison.Ordinal);
+    });
+
+    [Fact]
+    public Task Settings_are_kept_between_two_starts()
+    {
+        var folder = Directory.CreateTempSubdirectory("desktop-");
+        return fixture.WithOperator(Change, folder.FullName).ContinueWith(_ => fixture.WithOperator(Look, folder.FullName), TaskScheduler.Default).Unwrap().ContinueWith(
+            done =>
+            {
+                folder.Delete(recursive: true);
+                return done;
+            },
+            TaskScheduler.Default).Unwrap();
+
+        static void Change(Operator here)
+        {
+            here.Open("gasket.dxf");
+            here.Enter("THEME", "Light", "ORTHO", "ON");
+            here.Hands.Resize(new Size(1400, 900));
+            here.Hands.Press(Key.D1, RawInputModifiers.Control);
+            here.Step();
+        }
+
+        static void Look(Operator here)
+        {
+            here.Step();
+            Assert.Equal(ThemeVariant.Light, Application.Current!.RequestedThemeVariant);
+            Assert.True(here.Commands.View.Current.Ortho);
+            Assert.Equal(1400, here.Window.Width);
+            Assert.Contains("gasket.dxf", here.Commands.Settings.Current.RecentFiles.Single(), StringComparison.Ordinal);
+            Assert.True(here.Find<PageTabs>("Palettes").Bounds.Width < 40);
+            here.Hands.Press(Key.D1, RawInputModifiers.Control);
+            here.Step();
+            Assert.True(here.Find<PageTabs>("Palettes").Bounds.Width > 200);
+            here.Enter("THEME", "Dark");
+        }
+    }
+
+    [Fact]
+    public Task Pages_are_made_when_they_are_first_shown() => fixture.WithOperator(here =>
+    {
+        var made = here.Window.GetVisualDescendants().OfType<PageTabs>().SelectMany(tabs => tabs.Pages).Where(page => page.IsMade).Select(page => page.Key);
+        Assert.Equal(["Command", "Layers"], made.Order(StringComparer.Ordinal));
+
+        here.Show("Job");
+
+        Assert.True(here.Find<PageTabs>("Palettes").Pages.Single(page => page.Key == "Job").IsMade);
+    });
+
+    [Fact]
+    public Task Status_switches_and_function_keys_do_the_same() => fixture.WithOperator(here =>
+    {
+        var grid = here.Commands.View.Current.Grid;
+        here.Click(here.Find<ItemsControl>("SwitchList").GetVisualDescendants().OfType<Avalonia.Controls.Primitives.ToggleButton>().Single(button => button.DataContext is StatusSwitch { Name: "GRID" }));
+        here.Rest();
+        Assert.Equal(!grid, here.Commands.View.Current.Grid);
+        here.Hands.Press(Key.F7);
+        here.Rest();
+
+        Assert.Equal(grid, here.Commands.View.Current.Grid);
+    });
+
+    [Fact]
+    public Task The_smallest_window_cuts_nothing_off() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1024, 700));
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", "sim:");
+        var whole = new Rect(0, 0, 1024, 700);
+        foreach (var name in new[] { "ArmKey", "StartKey", "StopKey", "PlayButton", "TimeText", "CoordinateText", "SwitchList", "XText", "YText", "ProgressText", "MainMenu" })
+        {
+            var control = here.Find<Control>(name);
+            var box = new Rect(control.Bounds.Size).TransformToAABB(control.TransformToVisual(here.Window)!.Value);
+            Assert.True(box.Width > 0 && whole.Contains(box), $"{name} at {box}");
+        }
+
+        var column = here.Find<ItemsControl>("ToolColumn");
+        var last = column.GetVisualDescendants().OfType<Button>().Last();
+        var bottom = last.TranslatePoint(new Point(0, last.Bounds.Height), column)!.Value.Y;
+        Assert.True(bottom <= column.Bounds.Height, FormattableString.Invariant($"{bottom} of tools in {column.Bounds.Height}"));
+    });
+
+    [Fact]
+    public Task A_tool_runs_its_command() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("ZOOM", "Scale", "0.1");
+        var far = here.Commands.View.Current.Height;
+        here.Click(here.Find<ItemsControl>("ToolColumn").GetVisualDescendants().OfType<Button>().First(button => button.DataContext is ToolButton { Command: "ZOOM" }));
+        here.Rest();
+
+        Assert.True(here.Commands.View.Current.Height < far / 2);
+    });
+
+    [Fact]
+    public Task The_wheel_zooms_at_the_cursor() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        var before = here.Commands.View.Current.Height;
+        here.Hands.Wheel(here.MiddleOf(here.Window.Canvas), new Vector(0, 1));
+        here.Step();
+
+        Assert.True(here.Commands.View.Current.Height < before);
+    });
+
+    [Fact]
+    public Task A_window_over_everything_selects_all_and_the_properties_name_the_slots() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Show("Properties");
+        var canvas = here.Window.Canvas;
+        var corner = canvas.TranslatePoint(new Point(4, 4), here.Window)!.Value;
+        var opposite = canvas.TranslatePoint(new Point(canvas.Bounds.Width - 4, canvas.Bounds.Height - 4), here.Window)!.Value;
+        here.Hands.Drag(corner, opposite);
+        here.Rest();
+
+        Assert.Equal(4, here.Commands.Document.Current.Selection.Count);
+        Assert.Contains("4", here.Find<TextBlock>("SummaryText").Text, StringComparison.Ordinal);
+        var names = here.Find<ListBox>("LineList").Items.Cast<PropertyLine>().Select(line => line.Name).ToList();
+        Assert.All(SlotNames.All, slot => Assert.Contains(slot, names));
+    });
+
+    [Fact]
+    public Task A_box_to_the_right_takes_what_is_inside_and_to_the_left_what_it_touches() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Until(() => here.Window.Canvas.IsFresh);
+        var canvas = here.Window.Canvas;
+        var middle = here.MiddleOf(canvas);
+        var above = new Point(middle.X, canvas.TranslatePoint(new Point(0, 4), here.Window)!.Value.Y);
+        var right = new Point(canvas.TranslatePoint(new Point(canvas.Bounds.Width - 4, 0), here.Window)!.Value.X, middle.Y);
+        here.Hands.Drag(above, right);
+        here.Rest();
+        Assert.Empty(here.Commands.Document.Current.Selection);
+        here.Hands.Drag(right, above);
+        here.Rest();
+
+        Assert.NotEmpty(here.Commands.Document.Current.Selection);
+    });
+
+    [Fact]
+    public Task The_window_lives_while_a_large_drawing_is_opened() => fixture.WithOperator(here =>
+    {
+        var file = Path.GetTempFileName();
+        using (var dxf = new StreamWriter(file) { NewLine = "\n" })
+        {
+            dxf.Write("0\nSECTION\n2\nENTITIES\n");
+            for (var i = 0; i < 150_000; i++) dxf.Write(FormattableString.Invariant($"0\nLINE\n8\n0\n10\n{i}\n20\n0\n11\n{i + 0.5}\n21\n1\n"));
+            dxf.Write("0\nENDSEC\n0\nEOF\n");
+        }
+
+        here.Enter("OPEN");
+        here.Hands.Type(file);
+        here.Hands.Press(Key.Enter);
+        Assert.True(here.Desk.IsBusy);
+        here.Hands.Type("cncstatus");
+        Assert.Equal("cncstatus", here.Window.Model.Command.Line);
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+        File.Delete(file);
+
+        Assert.Contains(here.History, line => line.Contains("Enter name of drawing", StringComparison.Ordinal));
+        Assert.False(here.Desk.IsBusy);
+    });
+}

@@ -1,0 +1,69 @@
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using Engraver.TestKit;
+
+namespace Engraver.App.Tests.Texts;
+
+public sealed class TextsTests
+{
+    private static readonly string s_app = Path.Combine(RepositoryFolder.Root, "src", "Engraver.App");
+    private static readonly string[] s_spoken = ["Text", "Content", "Header", "ToolTip.Tip", "PlaceholderText", "Title", "AutomationProperties.Name"];
+
+    private static HashSet<string> Names => [.. XDocument.Load(Path.Combine(s_app, "Texts", "Texts.resx")).Root!.Elements("data").Select(data => data.Attribute("name")!.Value)];
+
+    [Fact]
+    public void No_window_holds_words_of_its_own()
+    {
+        var literal = from file in Directory.EnumerateFiles(s_app, "*.axaml", SearchOption.AllDirectories)
+                      from element in XDocument.Load(file).Descendants()
+                      from attribute in element.Attributes()
+                      where s_spoken.Contains(attribute.Name.LocalName) && !attribute.Value.StartsWith('{')
+                      select $"{Path.GetFileName(file)}: {attribute}";
+
+        Assert.Empty(literal);
+        Assert.Empty(from file in Directory.EnumerateFiles(s_app, "*.axaml", SearchOption.AllDirectories)
+                     from text in XDocument.Load(file).DescendantNodes().OfType<XText>()
+                     where text.Parent!.Name.LocalName != "StreamGeometry" && text.Value.Trim().Length > 0
+                     select $"{Path.GetFileName(file)}: {text.Value.Trim()}");
+    }
+
+    [Fact]
+    public void Every_text_that_is_asked_for_is_there()
+    {
+        var names = Names;
+        var asked = from file in Directory.EnumerateFiles(s_app, "*.*", SearchOption.AllDirectories)
+                    where file.EndsWith(".axaml", StringComparison.Ordinal) || file.EndsWith(".cs", StringComparison.Ordinal)
+                    from Match match in Regex.Matches(File.ReadAllText(file), """(?:\{t:Say |Text\.Of\(")([A-Za-z0-9.]+)(?:\}|"[,)])""")
+                    select match.Groups[1].Value;
+
+        Assert.DoesNotContain(asked, name => !names.Contains(name));
+        Assert.True(asked.Count() > 80, "the scan found too few");
+    }
+
+    [Fact]
+    public void Every_state_of_the_machine_and_every_alarm_state_has_a_word_and_a_shape()
+    {
+        var names = Names;
+        var icons = File.ReadAllText(Path.Combine(s_app, "Theme", "Icons.axaml"));
+        foreach (var state in Enum.GetNames<Engraver.Workbench.Machines.MachineState>())
+        {
+            Assert.Contains("State." + state, names);
+            Assert.Contains($"\"Shape.{state}\"", icons, StringComparison.Ordinal);
+        }
+
+        Assert.All(Enum.GetNames<Engraver.Workbench.Machines.AlarmState>(), state => Assert.Contains("AlarmState." + state, names));
+        Assert.All(Enum.GetNames<Engraver.Core.Diagnostics.Severity>(), severity => Assert.Contains("Severity." + severity, names));
+    }
+
+    [Fact]
+    public void A_text_with_figures_is_written_with_a_point() =>
+        Assert.Equal("join 0.01", Engraver.App.Texts.Text.Of("Status.Join", 0.01));
+
+    [Theory]
+    [InlineData(0, "00:00")]
+    [InlineData(41.4, "00:41")]
+    [InlineData(310, "05:10")]
+    [InlineData(9000, "2:30:00")]
+    [InlineData(-1, "00:00")]
+    public void Durations_read_like_a_clock(double seconds, string expected) => Assert.Equal(expected, Engraver.App.Texts.ClockText.Of(seconds));
+}
