@@ -1,8 +1,0 @@
-namespace Engraver.App.Tests.Canvas;
-
-/// <summary>Tests that share the one application run one after the other.</summary>
-[CollectionDefinition(Name)]
-public sealed class DesktopCollection : ICollectionFixture<DesktopFixture>
-{
-    public const string Name = "The headless desktop";
-}
