@@ -39,7 +39,8 @@ internal static class DesktopPlatform
         desktop.Step();
         var opening = DesktopStart.OpenAsync(session.Desk, options);
         desktop.StepUntil(() => opening.IsCompleted && window.CanvasFeed.Shown.IsCompleted, s_longestScript);
-        desktop.StepUntil(() => window.Canvas.IsFresh, s_longestScript);
+        desktop.Step(); // what the script changed in the layout comes first
+        window.Canvas.RefineNow();
         desktop.Step();
         if (options.Screenshot is { } path) desktop.Windows[0].CaptureToFile(path);
         window.Close();

@@ -20,7 +20,7 @@ public static class DesktopProgram
     /// <returns>The exit code of the runner's contract.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
-        var session = new DesktopSession(DesktopSession.OfUser());
+        var session = new DesktopSession(options.Headless ? DesktopSession.OfNobody() : DesktopSession.OfUser());
         try
         {
             return options.Headless ? RunHeadless(session, options, error) : RunOnDisplay(session, options, error);

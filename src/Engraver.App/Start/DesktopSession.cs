@@ -33,5 +33,8 @@ public sealed class DesktopSession : IAsyncDisposable
     /// <summary>The operator's own files.</summary>
     public static CommandEnvironment OfUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettings };
 
+    /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
+    public static CommandEnvironment OfNobody() => OfUser() with { SettingsFile = null };
+
     public ValueTask DisposeAsync() => _desk?.DisposeAsync() ?? _session.DisposeAsync();
 }
