@@ -29,6 +29,9 @@ internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms
         OnCleared();
     }
 
+    /// <summary>Asks the server: word that another program took the clipboard may still be on its way. On the event thread.</summary>
+    public bool StillOwns() => _owns && Xlib.XGetSelectionOwner(connection.Display, atoms.Clipboard) == helper;
+
     /// <summary>Another program owns the clipboard now.</summary>
     public void OnCleared()
     {

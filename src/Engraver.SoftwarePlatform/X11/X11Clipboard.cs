@@ -33,7 +33,7 @@ internal sealed class X11Clipboard(X11Desktop desktop) : IOwnedClipboardImpl
 
     public async Task<IAsyncDataTransfer?> TryGetDataAsync()
     {
-        if (desktop.Owner.Owns && _data is not null) return new SharedDataTransfer(_data);
+        if (_data is not null && desktop.Events.Invoke(desktop.Owner.StillOwns)) return new SharedDataTransfer(_data);
         var text = await ReadTextAsync().ConfigureAwait(true);
         if (text is null) return null;
         var data = new DataTransfer();

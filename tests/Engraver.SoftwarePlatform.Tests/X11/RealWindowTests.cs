@@ -53,6 +53,7 @@ public sealed class RealWindowTests : IDisposable
         Assert.Contains("text/plain;charset=utf-8", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "TARGETS"), StringComparison.Ordinal);
 
         _server.OfferClipboard("von außen ✓");
+        Assert.Equal("von außen ✓", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "UTF8_STRING"));
         Told.Ask("paste");
         Assert.Equal("clipboard von außen ✓", Told.WaitFor("clipboard"));
     }
