@@ -31,7 +31,7 @@ public sealed class DesktopSession : IAsyncDisposable
     public WorkDesk Desk => _desk ??= new WorkDesk(_session, Time);
 
     /// <summary>The operator's own files.</summary>
-    public static CommandEnvironment OfUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettings };
+    public static CommandEnvironment OfUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettings, RunNeedsArming = true };
 
     /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
     public static CommandEnvironment OfNobody() => OfUser() with { SettingsFile = null };

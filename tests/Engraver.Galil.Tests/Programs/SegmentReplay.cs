@@ -55,7 +55,8 @@ internal sealed class SegmentReplay(double angleQuantum)
         (X, Y) = (Track[^1].Place.X, Track[^1].Place.Y);
     }
 
-    private double Kept(double degrees) => Math.Round(degrees / angleQuantum) * angleQuantum;
+    /// <summary>A number in a command is cut off at 1/65536; CR may hold it more coarsely.</summary>
+    private double Kept(double degrees) => Math.Round(Math.Truncate(Math.Round(degrees * 65536.0, 6)) / 65536.0 / angleQuantum) * angleQuantum;
 
     private static int Steps(double length) => (int)Math.Clamp(length / LongestStep, 32, 720);
 }
