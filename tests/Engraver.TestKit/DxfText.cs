@@ -68,7 +68,7 @@ public sealed class DxfText
             case (>= 60 and <= 79) or (>= 170 and <= 179) or (>= 270 and <= 289) or (>= 370 and <= 389) or (>= 1060 and <= 1070):
                 BinaryPrimitives.WriteInt16LittleEndian(buffer, Convert.ToInt16(value, CultureInfo.InvariantCulture));
                 return buffer[..2];
-            case >= 90 and <= 99:
+            case (>= 90 and <= 99) or (>= 420 and <= 429):
                 BinaryPrimitives.WriteInt32LittleEndian(buffer, Convert.ToInt32(value, CultureInfo.InvariantCulture));
                 return buffer[..4];
             case >= 290 and <= 299:

@@ -1,12 +1,17 @@
+using Avalonia.Media;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.Core.Drawings;
+using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Layers;
 
-/// <summary>A layer with its switches; each runs the LAYER command.</summary>
+/// <summary>A layer with its switches and its colour; each runs the LAYER command.</summary>
 public sealed class LayerRow(Layer layer, int curves, WorkDesk desk)
 {
+    /// <summary>Red to white, dark and light grey.</summary>
+    private const int StandardColours = 9;
+
     public string Name => layer.Name;
 
     public int Curves => curves;
@@ -25,6 +30,13 @@ public sealed class LayerRow(Layer layer, int curves, WorkDesk desk)
     public Act SwitchThawed { get; } = Switch(layer.Frozen ? "Thaw" : "Freeze", layer, desk);
 
     public Act SwitchPlot { get; } = Switch(layer.Plot ? "Noplot" : "Plot", layer, desk);
+
+    public IBrush Colour { get; } = ColourChoice.BrushOf(layer.Colour);
+
+    public string ColourText { get; } = ColourName.Of(layer.Colour);
+
+    public IReadOnlyList<ColourChoice> Choices { get; } =
+        [.. Enumerable.Range(1, StandardColours).Select(index => new ColourChoice(DrawingColour.FromCode62(index), name => _ = desk.RunAsync("LAYER", "Color", name, layer.Name, "")))];
 
     private static Act Switch(string option, Layer layer, WorkDesk desk) => new(() => _ = desk.RunAsync("LAYER", option, layer.Name, ""));
 }

@@ -40,6 +40,13 @@ public sealed record Drawing(
         return new SourceRef(entity.SourceLine, entity.Handle == 0 ? null : entity.Handle.ToString("X", CultureInfo.InvariantCulture));
     }
 
+    /// <summary>The colour of an entity with its layer taken in: an index or a true colour.</summary>
+    public DrawingColour ColourOf(int entityIndex)
+    {
+        ref var entity = ref Entities[entityIndex];
+        return entity.Colour.Resolved(Layers[entity.Layer].Colour, DrawingColour.Foreground);
+    }
+
     /// <summary>A part in plan (z dropped), drawing units.</summary>
     public Segment SegmentOf(in DrawingPart part) => part.IsFreeCurve ? Segment.FromCurve(Curves[part.CurveIndex]) : part.InPlan();
 

@@ -18,6 +18,9 @@ public struct DrawingEntity
     /// <summary>Index into <see cref="Drawing.Layers"/>: the layer that counts (block content on layer 0 takes the insert's layer).</summary>
     public int Layer;
 
+    /// <summary>As written; by block is resolved inside blocks, so that it is left only on an entity that stands in no block.</summary>
+    public DrawingColour Colour;
+
     public CurveType Type;
 
     /// <summary>True when the entity is invisible itself (code 60) or by the insert that brought it (frozen or off layer of the insert).</summary>

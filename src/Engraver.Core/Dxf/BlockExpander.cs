@@ -36,7 +36,7 @@ internal sealed class BlockExpander(
         if (weight.Curves > 0)
         {
             _steps += steps;
-            PlaceCopies(insert, block, Placement.Identity, insert.Layer, hidden: false);
+            PlaceCopies(insert, block, Placement.Identity, new InsertStyle(insert.Layer, Hidden: false, insert.Colour.IsByBlock ? DrawingColour.Foreground : insert.Colour));
         }
 
         return weight.Loses || weight.Curves > 0 ? insert.Finding(DxfRules.NothingInserted, name) : null;
@@ -58,31 +58,31 @@ internal sealed class BlockExpander(
         }
     }
 
-    private void PlaceCopies(in BlockInsert insert, Block block, in Placement outer, int layer, bool hidden)
+    private void PlaceCopies(in BlockInsert insert, Block block, in Placement outer, InsertStyle style)
     {
         cancellation.ThrowIfCancellationRequested();
-        hidden |= insert.Invisible || layers.IsFrozen(layer);
+        style = style with { Hidden = style.Hidden || insert.Invisible || layers.IsFrozen(style.Layer) };
         for (var row = 0; row < insert.Rows; row++)
         {
-            for (var column = 0; column < insert.Columns; column++) Place(block, outer.After(insert.Copy(column, row, block.BasePoint)), layer, hidden);
+            for (var column = 0; column < insert.Columns; column++) Place(block, outer.After(insert.Copy(column, row, block.BasePoint)), style);
         }
     }
 
-    private void Place(Block block, in Placement at, int layer, bool hidden)
+    private void Place(Block block, in Placement at, in InsertStyle style)
     {
         var curve = block.FirstCurve;
         foreach (var nested in block.Inserts)
         {
-            for (; curve < nested.BeforeCurve; curve++) PlaceCurve(curve, at, layer, hidden);
+            for (; curve < nested.BeforeCurve; curve++) PlaceCurve(curve, at, style);
             if (nested.Obstacle is not null) continue;
             var child = blocks[nested.Insert.Block];
-            if (child.Weight!.Curves > 0) PlaceCopies(nested.Insert, child, at, Effective(nested.Insert.Layer, layer), hidden);
+            if (child.Weight!.Curves > 0) PlaceCopies(nested.Insert, child, at, Inside(nested.Insert, style));
         }
 
-        for (; curve < block.EndCurve; curve++) PlaceCurve(curve, at, layer, hidden);
+        for (; curve < block.EndCurve; curve++) PlaceCurve(curve, at, style);
     }
 
-    private void PlaceCurve(int index, in Placement at, int layer, bool hidden)
+    private void PlaceCurve(int index, in Placement at, in InsertStyle style)
     {
         var entity = blockCurves.Entities[index];
         _parts.Clear();
@@ -95,8 +95,9 @@ internal sealed class BlockExpander(
             if (entity.Type == CurveType.Line || !IsPoint(part)) _parts.Add(part);
         }
 
-        entity.Layer = Effective(entity.Layer, layer);
-        entity.Hidden |= hidden;
+        entity.Layer = Effective(entity.Layer, style.Layer);
+        entity.Colour = Effective(entity.Colour, entity.Layer, style);
+        entity.Hidden |= style.Hidden;
         drawing.Add(entity, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_parts), _curves);
     }
 
@@ -114,6 +115,21 @@ internal sealed class BlockExpander(
     }
 
     private int Effective(int layer, int layerOfInsert) => layer == layers.Zero ? layerOfInsert : layer;
+
+    /// <param name="own">As written.</param>
+    /// <param name="layer">The layer that counts.</param>
+    /// <param name="style">Of the insert around. Where that is coloured by a layer that is not this one, the layer's colour is taken as it is now.</param>
+    private DrawingColour Effective(DrawingColour own, int layer, in InsertStyle style)
+    {
+        if (!own.IsByBlock) return own;
+        return style.Colour.IsByLayer && style.Layer != layer ? layers.ColourOf(style.Layer) : style.Colour;
+    }
+
+    private InsertStyle Inside(in BlockInsert nested, in InsertStyle style)
+    {
+        var layer = Effective(nested.Layer, style.Layer);
+        return style with { Layer = layer, Colour = Effective(nested.Colour, layer, style) };
+    }
 
     /// <summary>Reports a block's curve once, however often it is placed.</summary>
     private void Tell(int index, PlacementOutcome outcome)

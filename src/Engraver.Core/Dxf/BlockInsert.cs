@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
@@ -12,6 +13,7 @@ internal readonly record struct BlockInsert
         Type = record.Type;
         Block = record.Name;
         Layer = record.Layer;
+        Colour = record.Colour;
         Handle = record.Handle;
         Line = record.Line;
         Invisible = record.Invisible;
@@ -32,6 +34,8 @@ internal readonly record struct BlockInsert
     public int Block { get; }
 
     public int Layer { get; }
+
+    public DrawingColour Colour { get; }
 
     public ulong Handle { get; }
 

@@ -29,6 +29,7 @@ internal sealed class CurveShape
         SourceLine = record.Line,
         Handle = record.Handle,
         Layer = record.Layer,
+        Colour = record.Colour,
         Type = Type,
         Hidden = record.Invisible,
         Closed = Closed,

@@ -2,11 +2,16 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>What <see cref="DxfWriter"/> writes: layers, and curves in order, in millimetres.</summary>
-/// <param name="Layers">Besides layer 0, which every drawing has.</param>
+/// <summary>What <see cref="DxfWriter"/> writes: layers, and curves in order, in one unit.</summary>
+/// <param name="Layers">Layer 0, which every drawing has, is written in colour 7 when it is not among them.</param>
 /// <param name="Entities">In the order in which they are to stand in the file.</param>
 public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList<DxfSheetEntity> Entities)
 {
+    /// <summary>$INSUNITS, 1 to 24.</summary>
+    public int InsUnits { get; init; } = 4;
+
+    internal bool HasTrueColours => Layers.Any(layer => layer.Rgb is not null) || Entities.Any(entity => entity.Colour.Rgb is not null);
+
     /// <summary>Tight box of the curves; empty when there is none.</summary>
-    public Bounds2D Bounds => Entities.Aggregate(Bounds2D.Empty, (box, entity) => box.Union(entity.Segment.Bounds));
+    public Bounds2D Bounds => Entities.Aggregate(Bounds2D.Empty, (box, entity) => entity.Segments.Aggregate(box, (all, segment) => all.Union(segment.Bounds)));
 }

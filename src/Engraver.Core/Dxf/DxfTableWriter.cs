@@ -3,11 +3,13 @@ namespace Engraver.Core.Dxf;
 /// <summary>Writes the TABLES section: all nine tables, most with the one row that every drawing has (DXF reference, "TABLES Section").</summary>
 internal sealed class DxfTableWriter(DxfTagWriter tags)
 {
+    private const int Frozen = 1;
+
     public void Write(IReadOnlyList<DxfSheetLayer> layers)
     {
         Table("VPORT", ["*Active"], ViewPort);
         Table("LTYPE", ["ByBlock", "ByLayer", "Continuous"], LineType);
-        Table("LAYER", [new DxfSheetLayer("0", 7), .. layers], Layer);
+        Table<DxfSheetLayer>("LAYER", layers.Any(layer => layer.Name == "0") ? [.. layers] : [new DxfSheetLayer("0", 7), .. layers], Layer);
         Table("STYLE", ["Standard"], TextStyle);
         Table<string>("VIEW", [], (_, _) => { });
         Table<string>("UCS", [], (_, _) => { });
@@ -34,8 +36,8 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
     private void OpenTable(string name, int handle, int rows) =>
         tags.Text(0, "TABLE").Text(2, name).Handle(5, handle).Handle(330, DxfHandles.None).Class("AcDbSymbolTable").Integer(70, rows);
 
-    private DxfTagWriter Row(string type, string marker, string name, int table) =>
-        tags.Begin(type, table).Class("AcDbSymbolTableRecord").Class(marker).Text(2, name).Integer(70, 0);
+    private DxfTagWriter Row(string type, string marker, string name, int table, int flags = 0) =>
+        tags.Begin(type, table).Class("AcDbSymbolTableRecord").Class(marker).Text(2, name).Integer(70, flags);
 
     private void ViewPort(string name, int table) => Row("VPORT", "AcDbViewportTableRecord", name, table)
         .Real(10, 0.0).Real(20, 0.0).Real(11, 1.0).Real(21, 1.0).Real(12, 0.0).Real(22, 0.0).Real(13, 0.0).Real(23, 0.0)
@@ -48,7 +50,9 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
 
     private void Layer(DxfSheetLayer layer, int table)
     {
-        Row("LAYER", "AcDbLayerTableRecord", layer.Name, table).Integer(62, layer.Colour).Text(6, "Continuous");
+        Row("LAYER", "AcDbLayerTableRecord", layer.Name, table, layer.Frozen ? Frozen : 0).Integer(62, layer.On ? layer.Colour : -layer.Colour);
+        if (layer.Rgb is { } rgb) tags.Integer(EntityRecord.TrueColour, (int)rgb);
+        tags.Text(6, "Continuous");
         if (!layer.Plots) tags.Integer(290, 0);
         tags.Integer(370, -3);
     }

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Writes a drawing of lines, arcs, circles, ellipses and splines as DXF AC1015 (AutoCAD 2000) in millimetres, with every table, block and object that a strict reader asks for.</summary>
+/// <summary>Writes a drawing of lines, arcs, circles, ellipses and splines as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader asks for.</summary>
 /// <remarks>Order and direction are kept: a clockwise arc stands under the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
 /// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
 public static class DxfWriter
@@ -10,7 +10,8 @@ public static class DxfWriter
     /// <summary>Name under which the extended data is registered.</summary>
     public const string Application = "CNCENGRAVER";
 
-    private const int Millimetres = 4;
+    /// <summary>Codes of $INSUNITS that are English.</summary>
+    private static readonly int[] s_english = [1, 2, 3, 8, 9, 10, 21, 22, 23, 24];
 
     /// <summary>The same sheet gives the same text. LF line ends, ASCII.</summary>
     public static void Write(DxfSheet sheet, TextWriter output)
@@ -28,10 +29,10 @@ public static class DxfWriter
     private static void Header(DxfTagWriter tags, DxfSheet sheet)
     {
         var box = sheet.Bounds.IsEmpty ? Bounds2D.Of(default, default) : sheet.Bounds;
-        tags.Text(9, "$ACADVER").Text(1, "AC1015");
+        tags.Text(9, "$ACADVER").Text(1, sheet.HasTrueColours ? "AC1018" : "AC1015");
         tags.Text(9, "$DWGCODEPAGE").Text(3, "ANSI_1252");
-        tags.Text(9, "$INSUNITS").Integer(70, Millimetres);
-        tags.Text(9, "$MEASUREMENT").Integer(70, 1);
+        tags.Text(9, "$INSUNITS").Integer(70, sheet.InsUnits);
+        tags.Text(9, "$MEASUREMENT").Integer(70, s_english.Contains(sheet.InsUnits) ? 0 : 1);
         tags.Text(9, "$EXTMIN").Point(10, new Point2D(box.MinX, box.MinY));
         tags.Text(9, "$EXTMAX").Point(10, new Point2D(box.MaxX, box.MaxY));
         tags.Text(9, "$HANDSEED").Handle(5, DxfHandles.FirstEntity + sheet.Entities.Count);
@@ -51,7 +52,7 @@ public static class DxfWriter
     {
         foreach (var entity in sheet.Entities)
         {
-            DxfSegmentWriter.Write(tags, entity.Segment, entity.Layer);
+            DxfSegmentWriter.Write(tags, entity);
             if (entity.Role is { } role) tags.Text(1001, Application).Text(1000, role).Integer(1071, entity.Sequence).Integer(1071, entity.Stroke);
         }
     }

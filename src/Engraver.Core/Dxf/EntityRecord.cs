@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
@@ -7,14 +8,17 @@ namespace Engraver.Core.Dxf;
 /// <summary>One record of the file (LINE, VERTEX, LAYER ...): its type and the values that any of the types we read asks for. Filled again for every record.</summary>
 internal sealed class EntityRecord
 {
-    private const int CodeCount = 300;
+    /// <summary>A colour as 0x00RRGGBB.</summary>
+    public const int TrueColour = 420;
+
+    private const int CodeCount = TrueColour + 1;
 
     /// <summary>What follows belongs to another object that is packed into this one (columns of an MTEXT, the MTEXT of an ATTRIB).</summary>
     private const int EmbeddedObject = 101;
 
-    /// <summary>Codes whose first value is kept: points, sizes, angles, scales, flags, counts, extrusion.</summary>
+    /// <summary>Codes whose first value is kept: points, sizes, angles, scales, flags, counts, extrusion, colours.</summary>
     private static readonly int[] KeptCodes =
-        [10, 11, 12, 13, 20, 21, 22, 23, 30, 31, 32, 33, 38, 40, 41, 42, 43, 44, 45, 50, 51, 60, 62, 66, 67, 70, 71, 90, 210, 220, 230, 290];
+        [10, 11, 12, 13, 20, 21, 22, 23, 30, 31, 32, 33, 38, 40, 41, 42, 43, 44, 45, 50, 51, 60, 62, 66, 67, 70, 71, 90, 210, 220, 230, 290, TrueColour];
 
     private static readonly sbyte[] Slots = BuildSlots();
 
@@ -56,6 +60,9 @@ internal sealed class EntityRecord
     public bool InPaperSpace => Number(67, 0.0) == 1.0;
 
     public bool Invisible => Number(60, 0.0) == 1.0;
+
+    /// <summary>As written; a true colour stands above an index.</summary>
+    public DrawingColour Colour => Has(TrueColour) ? DrawingColour.FromCode420(Bits(TrueColour)) : Has(62) ? DrawingColour.FromCode62(Flags(62)) : default;
 
     public static bool Keeps(int code) => (uint)code < CodeCount && Slots[code] >= 0;
 
@@ -105,6 +112,7 @@ internal sealed class EntityRecord
             return;
         }
 
+        if (code == TrueColour && tags.TryNumber(out var colour) && !Has(code)) Set(code, colour);
         if (code is not ((>= 10 and < 100) or (>= 210 and <= 230)) || !tags.TryNumber(out var value)) return;
         Sequence.Add(new CodedNumber(code, value));
         if (Keeps(code) && !Has(code)) Set(code, value);
@@ -131,6 +139,9 @@ internal sealed class EntityRecord
 
     /// <summary>A flag word; what does not fit is read as 0.</summary>
     public int Flags(int code) => Number(code, 0.0) is var value && Math.Abs(value) <= int.MaxValue ? (int)value : 0;
+
+    /// <summary>32 bits, which some write with and some without a sign.</summary>
+    private int Bits(int code) => Number(code, 0.0) is var value && Math.Abs(value) <= uint.MaxValue ? unchecked((int)(long)value) : 0;
 
     /// <summary>The value of a code without which the record makes no sense; a missing one becomes the <see cref="Fault"/>.</summary>
     public double Required(int code)

@@ -11,19 +11,21 @@ internal sealed class LayerTable(NameTable names)
     /// <summary>Content of a block on this layer takes the layer of the insert.</summary>
     public int Zero { get; } = names.IdOf("0");
 
-    /// <summary>Takes a LAYER entry: 70 bit 1 frozen, 62 negative off, 290 zero not plotted.</summary>
+    /// <summary>Takes a LAYER entry: 70 bit 1 frozen, 62 the colour and negative off, 420 a true colour, 290 zero not plotted.</summary>
     public void Define(EntityRecord entry)
     {
         Grow();
-        _states[entry.Name] = new LayerState((entry.Flags(70) & FrozenFlag) != 0, entry.Number(62, 7.0) < 0.0, entry.Number(290, 1.0) == 0.0);
+        _states[entry.Name] = new LayerState((entry.Flags(70) & FrozenFlag) != 0, entry.Number(62, 7.0) < 0.0, entry.Number(290, 1.0) == 0.0, entry.Colour);
     }
 
     public bool IsFrozen(int layer) => layer < _states.Count && _states[layer].Frozen;
 
+    public DrawingColour ColourOf(int layer) => layer < _states.Count ? _states[layer].Colour.OrForeground() : DrawingColour.Foreground;
+
     public IReadOnlyList<Layer> ToLayers()
     {
         Grow();
-        return [.. _states.Select((state, id) => new Layer(names[id], !state.Off, state.Frozen, !state.NotPlotted))];
+        return [.. _states.Select((state, id) => new Layer(names[id], !state.Off, state.Frozen, !state.NotPlotted) { Colour = state.Colour.OrForeground() })];
     }
 
     private void Grow()
@@ -31,5 +33,5 @@ internal sealed class LayerTable(NameTable names)
         while (_states.Count < names.Count) _states.Add(default);
     }
 
-    private readonly record struct LayerState(bool Frozen, bool Off, bool NotPlotted);
+    private readonly record struct LayerState(bool Frozen, bool Off, bool NotPlotted, DrawingColour Colour);
 }

@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
 using Engraver.Galil.Profiles;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
@@ -25,6 +26,8 @@ internal sealed class SettingCommand : ISettingCommand
         new SettingCommand("CNCJOINTOL", "Ends this close are one point, mm.", 0.0, 1e3, whole: false, s => s.JoinToleranceMm, (s, v) => s with { JoinToleranceMm = v }),
         new SettingCommand("CNCDUPLICATES", "1: lines that were drawn twice are cut twice.", 0, 1, whole: true, s => s.KeepDuplicates ? 1 : 0, (s, v) => s with { KeepDuplicates = v == 1 }),
         new SettingCommand("CNCUNITS", "Unit for the next OPEN as a code of $INSUNITS (1 inch, 4 mm ...); 0: what the drawing says.", 0, 24, whole: true, s => s.Unit?.Code ?? 0, (s, v) => s with { Unit = LengthUnits.FromInsUnits(v) is { } unit ? unit with { Source = "option" } : null }),
+        new SettingCommand("CNCCUT", "Construction that the next OPEN takes for curves: 1 hatch boundaries, 2 multilines, 4 leaders, 8 helices, 16 edges of solids, added together.", 0, 31, whole: true, s => (int)s.Cut, (s, v) => s with { Cut = (CutChoice)(int)v }),
+        new SettingCommand("CNCRECOVER", "1: lines that approximate an arc within CNCMAXERR are cut as that arc.", 0, 1, whole: true, s => s.RecoverArcs ? 1 : 0, (s, v) => s with { RecoverArcs = v == 1 }),
         new SettingCommand("CNCFEED", "Cutting speed along the path, mm/min.", 1e-6, 1e9, whole: false, s => s.Machine.FeedMmPerMinute, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v } }),
         new SettingCommand("CNCVS", "Vector speed, counts/s: the feed in the controller's words.", 1e-3, 1e12, whole: false, s => s.Machine.FeedMmPerMinute / 60.0 * CoarserAxis(s.Machine), (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v * 60.0 / CoarserAxis(s.Machine) } }),
         new SettingCommand("CNCRAPID", "Speed of each axis between strokes, mm/min.", 1e-6, 1e9, whole: false, s => s.Machine.RapidMmPerMinute, (s, v) => s with { Machine = s.Machine with { RapidMmPerMinute = v } }),

@@ -7,49 +7,32 @@ namespace Engraver.Workbench.Documents;
 /// <summary>A drawing as it stands after edits, made ready to be written.</summary>
 public static class EditedDrawing
 {
-    /// <summary>AutoCAD's white or black.</summary>
     private const int Foreground = 7;
 
-    /// <summary>Every curve that is not hidden, in file order and direction, in millimetres on its layer. A layer that is not cut is written as one that is not plotted.</summary>
-    /// <returns>Null when the drawing has ellipses or splines, which the writer cannot spell.</returns>
-    public static DxfSheet? SheetOf(Drawing drawing)
-    {
-        var names = Names(drawing.Layers);
-        var entities = new List<DxfSheetEntity>();
-        for (var index = 0; index < drawing.Entities.Count; index++)
-        {
-            var entity = drawing.Entities[index];
-            if (entity.Hidden) continue;
-            for (var part = entity.FirstPart; part < entity.FirstPart + entity.PartCount; part++)
-            {
-                if (drawing.Parts[part].IsFreeCurve) return null;
-                entities.Add(new DxfSheetEntity(InMillimetres(drawing.Parts[part].InPlan(), drawing.Unit.ToMillimetres), names[entity.Layer], null, 0, 0));
-            }
-        }
+    /// <summary>$INSUNITS of a drawing that was read as millimetres because it did not say.</summary>
+    private const int Millimetres = 4;
 
-        var layers = drawing.Layers.Select((layer, i) => new DxfSheetLayer(names[i], Foreground, layer.CutByDefault)).Where(layer => layer.Name != "0");
-        return new DxfSheet([.. layers], entities);
+    /// <summary>Every curve in file order and direction, in the drawing's unit, with its layers and colours as they are. Heights are left out.</summary>
+    /// <param name="hiddenObjects">What the operator hid for the moment: written as visible. All else that is invisible is written so.</param>
+    public static DxfSheet SheetOf(Drawing drawing, IReadOnlyList<int> hiddenObjects)
+    {
+        var shown = hiddenObjects.ToHashSet();
+        var entities = new List<DxfSheetEntity>(drawing.Entities.Count);
+        for (var index = 0; index < drawing.Entities.Count; index++) entities.AddRange(Written(drawing, index, drawing.Entities[index].Hidden && !shown.Contains(index)));
+        return new DxfSheet([.. drawing.Layers.Select(LayerOf)], entities) { InsUnits = drawing.Unit.Code is > 0 and var code ? code : Millimetres };
     }
 
-    /// <summary>Letters, digits and underscores, each once: the names that every reader of AC1015 takes.</summary>
-    private static string[] Names(IReadOnlyList<Layer> layers)
+    private static DxfSheetLayer LayerOf(Layer layer) =>
+        new(layer.Name, layer.Colour.Index ?? Foreground, layer.Plot) { On = layer.On, Frozen = layer.Frozen, Rgb = layer.Colour.Rgb };
+
+    /// <summary>The entity, or its parts one by one where DXF has no polyline like it.</summary>
+    private static IEnumerable<DxfSheetEntity> Written(Drawing drawing, int index, bool hidden)
     {
-        var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
-        var names = new string[layers.Count];
-        for (var i = 0; i < names.Length; i++)
-        {
-            var plain = string.Concat(layers[i].Name.Select(letter => char.IsAsciiLetterOrDigit(letter) ? letter : '_'));
-            var name = plain.Length == 0 ? "_" : plain;
-            for (var number = 2; !taken.Add(name); number++) name = FormattableString.Invariant($"{plain}_{number}");
-            names[i] = name;
-        }
+        var entity = drawing.Entities[index];
+        Segment[] segments = [.. Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => drawing.SegmentOf(drawing.Parts[part]))];
+        if (entity.Type is CurveType.LwPolyline or CurveType.Polyline && DxfPolylineWriter.CanWrite(segments, entity.Closed)) return [Made(segments[0]) with { Run = segments, Closed = entity.Closed }];
+        return segments.Select(Made);
 
-        return names;
+        DxfSheetEntity Made(Segment segment) => new(segment, drawing.Layers[entity.Layer].Name, null, 0, 0) { Colour = entity.Colour, Hidden = hidden };
     }
-
-    private static Segment InMillimetres(in Segment segment, double scale) => segment.Kind == SegmentKind.Line
-        ? Segment.FromLine(Scaled(segment.Start, scale), Scaled(segment.End, scale))
-        : Segment.FromArc(new ArcSegment(Scaled(segment.Arc.Centre, scale), segment.Arc.Radius * scale, segment.Arc.Start, segment.Arc.Sweep));
-
-    private static Point2D Scaled(Point2D point, double scale) => new(point.X * scale, point.Y * scale);
 }

@@ -31,6 +31,21 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task Where_a_red_line_is_the_picture_is_red_whether_its_layer_or_itself_says_so() => With((canvas, _, hands, _) =>
+    {
+        var red = new Core.Drawings.Layer("RED", On: true, Frozen: false, Plot: true) { Colour = Core.Drawings.DrawingColour.FromCode62(1) };
+        var drawing = new DrawingBuilder().Line(-100.0, -50.0, 100.0, -50.0).OnLayer(red).Line(-100.0, 50.0, 100.0, 50.0).Line(-100.0, 0.0, 100.0, 0.0).Build();
+        drawing.Entities[2].Colour = Core.Drawings.DrawingColour.FromCode420(0x2040FF);
+        canvas.Scene = CanvasScene.Of(drawing);
+        canvas.RefineNow();
+        Draw();
+
+        Assert.Equal(Colors.Red, hands.PixelAt(160, 100));
+        Assert.Equal(Color.FromUInt32(0xFF2040FF), hands.PixelAt(160, 150));
+        Assert.Equal(Colors.White, hands.PixelAt(160, 200));
+    });
+
+    [Fact]
     public Task A_zoom_shows_the_old_picture_larger_at_once_and_the_new_one_when_the_hand_is_still() => With((canvas, view, hands, _) =>
     {
         canvas.RefineNow();

@@ -38,6 +38,28 @@ public sealed class LayersTests(DesktopFixture fixture)
         Assert.False(Layer(here, "INSIDE").Frozen);
     });
 
+    [Fact]
+    public Task The_swatch_offers_nine_colours_and_the_canvas_follows() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        var swatch = here.Find<ListBox>("LayerList").GetVisualDescendants().OfType<Button>().First(button => button is { Name: "Swatch", DataContext: LayerRow { Name: "VENTS" } });
+        var row = (LayerRow)swatch.DataContext!;
+        Assert.Equal(["red", "yellow", "green", "cyan", "blue", "magenta", "white", "8", "9"], row.Choices.Select(choice => choice.Name));
+
+        here.Click(swatch);
+        Assert.True(swatch.Flyout!.IsOpen);
+        swatch.Flyout.Hide();
+        row.Choices[5].Take.Execute(null);
+        here.Rest();
+
+        Assert.Equal(6, Layer(here, "VENTS").Colour.Index);
+        var scene = here.Window.Canvas.Scene!;
+        var vent = Enumerable.Range(0, scene.Drawing.Entities.Count).First(entity => scene.Drawing.Layers[scene.Drawing.Entities[entity].Layer].Name == "VENTS");
+        Assert.Equal(6, scene.Colours[vent]);
+        here.Enter("U");
+        Assert.NotEqual(6, Layer(here, "VENTS").Colour.Index);
+    });
+
     private static Core.Drawings.Layer Layer(Operator here, string name) => here.Commands.Document.Current.Drawing!.Layers.Single(layer => layer.Name == name);
 
     private static List<CheckBox> SwitchesOf(Operator here, string name) =>

@@ -167,6 +167,39 @@ public class DrawingCommandTests
         Assert.All(talk.State.Drawing!.Layers.Where(layer => layer.Name == "Rahmen"), layer => Assert.True(layer.On));
     }
 
+    [Theory]
+    [InlineData("red", 1, null)]
+    [InlineData("White", 7, null)]
+    [InlineData("42", 42, null)]
+    [InlineData("255, 128,0", null, 0xFF8000u)]
+    public async Task A_layer_takes_a_colour_and_undo_takes_it_back(string typed, int? index, uint? rgb)
+    {
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
+        var before = talk.State.Drawing!.Layers.ToArray();
+        await talk.TypeAsync("LAYER", "Color", typed, "VENTS", "?", "");
+
+        var layer = talk.State.Drawing!.Layers.Single(layer => layer.Name == "VENTS");
+        Assert.Equal((index, rgb), (layer.Colour.Index, layer.Colour.Rgb));
+        Assert.Contains($"{ColourName.Of(layer.Colour),-11}  VENTS", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("U");
+        Assert.Equal(before, talk.State.Drawing!.Layers);
+    }
+
+    [Theory]
+    [InlineData("0")]
+    [InlineData("256")]
+    [InlineData("1,2")]
+    [InlineData("1,2,256")]
+    [InlineData("1,2,3,x")]
+    [InlineData("mauve")]
+    public async Task What_is_no_colour_is_said_to_be_none(string typed)
+    {
+        await using var talk = CommandTalk.WithDrawing();
+
+        Assert.Contains("is no color", Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task List_and_properties_tell_what_is_there()
     {

@@ -23,19 +23,77 @@ public class FileCommandTests
     }
 
     [Fact]
-    public async Task An_inch_drawing_is_saved_in_millimetres_and_layers_keep_what_they_mean()
+    public async Task Units_layers_and_colours_are_saved_as_they_are()
     {
         await using var talk = new CommandTalk();
         var drawing = new DrawingBuilder { Unit = LengthUnits.FromInsUnits(1)! }.Line(0, 0, 1, 0)
-            .OnLayer(new Layer("SCHRIFT Ä", On: true, Frozen: false, Plot: true)).Line(0, 0, 0, 2)
-            .OnLayer(new Layer("off", On: false, Frozen: false, Plot: true)).Line(0, 0, 3, 3).Build();
+            .OnLayer(new Layer("SCHRIFT Ä", On: true, Frozen: false, Plot: true) { Colour = DrawingColour.FromCode62(3) }).Line(0, 0, 0, 2)
+            .OnLayer(new Layer("Контур 輪郭 😀", On: true, Frozen: true, Plot: true) { Colour = DrawingColour.FromCode420(0xFF8000) }).Line(0, 0, 3, 0)
+            .OnLayer(new Layer("off", On: false, Frozen: false, Plot: false) { Colour = DrawingColour.FromCode62(1) }).Line(0, 0, 3, 3).Build();
         talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing });
         await talk.TypeAsync("SAVEAS", "out.dxf", "OPEN", "out.dxf");
 
-        Assert.Equal(25.4, talk.State.Drawing!.Parts[0].D, precision: 9);
-        Assert.Equal(["0", "SCHRIFT__", "off"], talk.State.Drawing.Layers.Select(layer => layer.Name).Order(StringComparer.Ordinal));
-        Assert.Equal([false], talk.State.Drawing.Layers.Where(layer => layer.Name == "off").Select(layer => layer.CutByDefault));
+        Assert.Equal(("in", 1.0), (talk.State.Drawing!.Unit.Name, talk.State.Drawing.Parts[0].D));
+        Assert.Equal(drawing.Layers, talk.State.Drawing.Layers);
+        Assert.Equal([0, 1, 2, 3], Entities(talk.State.Drawing).Select(entity => entity.Layer));
     }
+
+    [Fact]
+    public async Task Entities_keep_their_colours_and_what_was_invisible_stays_so()
+    {
+        await using var talk = new CommandTalk();
+        await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), DxfText.WithEntities(
+            (0, "LINE"), (62, 5), (10, 0.0), (20, 0.0), (11, 1.0), (21, 0.0),
+            (0, "LINE"), (420, 0x112233), (10, 0.0), (20, 1.0), (11, 1.0), (21, 1.0),
+            (0, "LINE"), (60, 1), (10, 0.0), (20, 2.0), (11, 1.0), (21, 2.0)).ToAscii());
+        await talk.TypeAsync("OPEN", "in.dxf", "HIDEOBJECTS", "0,1", "", "SAVEAS", "out.dxf", "OPEN", "out.dxf");
+
+        var read = talk.State.Drawing!;
+        Assert.Equal([5, null, 7], Enumerable.Range(0, 3).Select(index => read.ColourOf(index).Index));
+        Assert.Equal(0x112233u, read.ColourOf(1).Rgb);
+        Assert.Equal([false, false, true], Entities(read).Select(entity => entity.Hidden));
+    }
+
+    [Fact]
+    public async Task Curves_are_saved_as_what_they_are()
+    {
+        await using var talk = new CommandTalk();
+        var slot = new[] { Segment.FromLine(new(0, 0), new(10, 0)), Arc(10, 2.5, 2.5, -90, 180), Segment.FromLine(new(10, 5), new(0, 5)), Arc(0, 2.5, 2.5, 90, 180) };
+        var drawing = new DrawingBuilder().Curve(CurveType.LwPolyline, slot).Circle(3, 3, 1).Arc(0, 0, 7, 350, 20)
+            .Curve(CurveType.LwPolyline, Segment.FromLine(new(0, 0), new(3, 1)), Segment.FromLine(new(3, 1), new(3, 5)))
+            .Free(FreeCurves.Spline(3, [new(0, 0), new(1, 2), new(3, 2), new(4, 0)], [1, 2, 1, 1]))
+            .Free(new EllipseArc(new(3, 4, 0), new(5, 0, 0), new(0, 2, 0), Angle.FromDegrees(20), Angle.FromDegrees(200)).ToCurve()).Build();
+        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = drawing });
+        await talk.TypeAsync("SAVEAS", "out.dxf", "OPEN", "out.dxf");
+
+        var read = talk.State.Drawing!;
+        Assert.Empty(read.Diagnostics);
+        Assert.Equal(Entities(drawing).Select(entity => (entity.Type, entity.PartCount)), Entities(read).Select(entity => (entity.Type, entity.PartCount)));
+        foreach (var (before, after) in Segments(drawing).Zip(Segments(read)))
+        {
+            Assert.Equal(before.Kind, after.Kind);
+            Assert.Equal(before.Length, after.Length, 1e-9);
+            Assert.True(before.Start.IsNear(after.Start, 1e-9) && before.End.IsNear(after.End, 1e-9));
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(SampleDrawings))]
+    public async Task Every_sample_comes_back_from_saveas(string sample)
+    {
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample(sample));
+        var before = talk.State.Drawing!;
+        await talk.TypeAsync("SAVEAS", "out.dxf", "OPEN", "out.dxf");
+        var after = talk.State.Drawing!;
+
+        Assert.Equal(before.Parts.Count, after.Parts.Count);
+        Assert.Equal(before.Layers, after.Layers);
+        Assert.Equal(before.Unit.ToMillimetres, after.Unit.ToMillimetres);
+        foreach (var (old, read) in Segments(before).Zip(Segments(after))) Assert.Equal((old.Kind, 1.0), (read.Kind, Math.Round(read.Length / old.Length, 9)));
+    }
+
+    public static TheoryData<string> SampleDrawings => [.. Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Select(file => Path.GetFileName(file))];
 
     [Fact]
     public async Task A_file_that_is_there_is_replaced_only_when_that_is_said()
@@ -50,12 +108,18 @@ public class FileCommandTests
     }
 
     [Fact]
-    public async Task A_drawing_with_splines_is_not_saved_as_something_else()
+    public async Task What_the_console_cuts_with_an_option_the_commands_open_with_a_setting()
     {
         await using var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 1, 0).Free(FreeCurves.Spline(3, [new(0, 0), new(1, 2), new(3, 2), new(4, 0)], [1, 1, 1, 1])).Build() });
+        await File.WriteAllBytesAsync(talk.PathOf("solid.dxf"), DxfText.WithEntities(
+            (0, "SOLID"), (10, 0.0), (20, 0.0), (11, 4.0), (21, 0.0), (12, 0.0), (22, 3.0), (13, 4.0), (23, 3.0)).ToAscii());
+        await talk.TypeAsync("OPEN", "solid.dxf");
+        Assert.Equal(0, talk.State.Drawing!.Entities.Count);
 
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("SAVEAS")).Why);
+        await talk.TypeAsync("CNCCUT", "16", "OPEN", "solid.dxf");
+        Assert.Equal(CurveType.Solid, Assert.Single(Entities(talk.State.Drawing!)).Type);
+        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCRECOVER", "1"));
+        Assert.True(talk.State.Settings.RecoverArcs);
     }
 
     [Theory]
@@ -91,6 +155,10 @@ public class FileCommandTests
         Assert.IsType<FeedResult.Done>(await talk.TypeAsync("RECENT", ""));
         Assert.Contains(" 1  ", talk.Said, StringComparison.Ordinal);
     }
+
+    private static Segment Arc(double x, double y, double radius, double start, double sweep) => Segment.FromArc(new ArcSegment(new(x, y), radius, Angle.FromDegrees(start), Angle.FromDegrees(sweep)));
+
+    private static DrawingEntity[] Entities(Drawing drawing) => [.. Enumerable.Range(0, drawing.Entities.Count).Select(index => drawing.Entities[index])];
 
     private static IEnumerable<Segment> Segments(Drawing drawing) => Enumerable.Range(0, drawing.Parts.Count).Select(part => drawing.SegmentOf(drawing.Parts[part]));
 }

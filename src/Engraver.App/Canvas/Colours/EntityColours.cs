@@ -17,13 +17,11 @@ public sealed class EntityColours
     /// <summary>Palette index of an entity; an entity beyond the last known one has the foreground colour.</summary>
     public ushort this[int entity] => entity < _indices.Length ? _indices[entity] : (ushort)AciPalette.Foreground;
 
-    /// <summary>Colours of the layers for every entity.</summary>
-    public static EntityColours ByLayer(Drawing drawing, Func<Layer, DrawingColour> colourOf)
+    /// <summary>The colours that the drawing states.</summary>
+    public static EntityColours Of(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        ArgumentNullException.ThrowIfNull(colourOf);
-        DrawingColour[] layers = [.. drawing.Layers.Select(colourOf)];
-        return Of(drawing.Entities.Count, entity => DrawingColour.ByLayer.Resolved(layers[drawing.Entities[entity].Layer], default));
+        return Of(drawing.Entities.Count, drawing.ColourOf);
     }
 
     /// <param name="count">Number of entities.</param>

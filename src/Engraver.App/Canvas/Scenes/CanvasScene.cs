@@ -27,11 +27,11 @@ public sealed class CanvasScene
 
     internal PrimitiveStore Store { get; }
 
-    /// <param name="colours">Colours of the entities; null: all in colour 7.</param>
+    /// <param name="colours">Colours of the entities; null: those that the drawing states.</param>
     public static CanvasScene Of(Drawing drawing, EntityColours? colours = null)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        var known = colours ?? EntityColours.White;
+        var known = colours ?? EntityColours.Of(drawing);
         return new CanvasScene(drawing, known, DrawingPrimitives.Of(drawing, known));
     }
 }

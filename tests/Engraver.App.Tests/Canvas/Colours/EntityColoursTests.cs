@@ -10,18 +10,6 @@ public class EntityColoursTests
     private static readonly DrawingColour s_orange = DrawingColour.FromCode420(0xFF8000);
 
     [Fact]
-    public void By_layer_takes_the_layer_and_by_block_the_insert()
-    {
-        Assert.Equal(1, DrawingColour.FromCode62(256).Resolved(s_red, s_orange).Index);
-        Assert.Equal(0xFF8000u, DrawingColour.FromCode62(0).Resolved(s_red, s_orange).Rgb);
-        Assert.Equal(5, DrawingColour.FromCode62(5).Resolved(s_red, s_orange).Index);
-        Assert.Equal(7, DrawingColour.ByBlock.Resolved(s_red, DrawingColour.ByLayer).Index);
-    }
-
-    [Fact]
-    public void A_layer_that_is_off_keeps_its_colour() => Assert.Equal(3, DrawingColour.FromCode62(-3).Index);
-
-    [Fact]
     public void True_colours_follow_the_palette_and_are_shared()
     {
         var colours = EntityColours.Of(4, entity => entity == 0 ? s_red : entity == 3 ? DrawingColour.FromCode420(0x123456) : s_orange);
@@ -38,11 +26,11 @@ public class EntityColoursTests
     [Fact]
     public void Layers_colour_their_entities_and_unknown_ones_are_in_the_foreground()
     {
-        var drawing = new DrawingBuilder().Line(0.0, 0.0, 1.0, 0.0).OnLayer(new Layer("CUT", true, false, true)).Line(0.0, 0.0, 1.0, 0.0).Build();
+        var drawing = new DrawingBuilder().Line(0.0, 0.0, 1.0, 0.0).OnLayer(new Layer("CUT", true, false, true) { Colour = s_red }).Line(0.0, 0.0, 1.0, 0.0).Build();
 
-        var colours = EntityColours.ByLayer(drawing, layer => layer.Name == "CUT" ? s_red : DrawingColour.FromCode62(4));
+        var colours = EntityColours.Of(drawing);
 
-        Assert.Equal((4, 1), (colours[0], colours[1]));
+        Assert.Equal((7, 1), (colours[0], colours[1]));
         Assert.Equal(7, colours[2]);
         Assert.Equal(7, EntityColours.White[0]);
     }

@@ -10,7 +10,7 @@ namespace Engraver.App.Tests.Canvas.Rasterising;
 
 public class PictureRendererTests
 {
-    private static readonly CanvasScene s_scene = CanvasScene.Of(RandomDrawings.Of(seed: 1, count: 400), EntityColours.Of(401, entity => DrawingColour.FromCode62(1 + (entity % 6))));
+    private static readonly CanvasScene s_scene = CanvasScene.Of(RandomDrawings.Of(seed: 1, count: 400), EntityColours.Of(401, entity => Core.Drawings.DrawingColour.FromCode62(1 + (entity % 6))));
 
     public static TheoryData<double, double, double> Views => new() { { 50.0, 50.0, 0.15 }, { 40.0, 60.0, 0.01 }, { 50.0, 50.0, 2.0 } };
 

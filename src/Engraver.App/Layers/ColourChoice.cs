@@ -1,0 +1,26 @@
+using Avalonia.Media;
+using Engraver.App.Binding;
+using Engraver.App.Canvas.Colours;
+using Engraver.Core.Drawings;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.Layers;
+
+/// <summary>A colour that a layer may be given.</summary>
+/// <param name="colour">An index or a true colour.</param>
+/// <param name="take">Gives it to the layer.</param>
+public sealed class ColourChoice(DrawingColour colour, Action<string> take)
+{
+    /// <summary>What index 7 is on the palette.</summary>
+    private const uint White = 0xFFFFFFFF;
+
+    /// <summary>As LAYER takes it.</summary>
+    public string Name { get; } = ColourName.Of(colour);
+
+    public IBrush Brush { get; } = BrushOf(colour);
+
+    public Act Take { get; } = new(() => take(ColourName.Of(colour)));
+
+    public static IBrush BrushOf(DrawingColour colour) =>
+        new SolidColorBrush(Color.FromUInt32(colour.Rgb is { } rgb ? 0xFF000000 | rgb : AciPalette.ColourOf(colour.OrForeground().Index!.Value, White)));
+}

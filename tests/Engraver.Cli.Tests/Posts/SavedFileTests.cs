@@ -1,0 +1,87 @@
+using System.Diagnostics;
+using System.Text.Json;
+using Engraver.TestKit;
+
+namespace Engraver.Cli.Tests.Posts;
+
+/// <summary>What SAVEAS and CL data write, read by a stranger.</summary>
+public class SavedFileTests
+{
+    private const string Audit = """
+        import sys, json, ezdxf
+        from ezdxf import recover
+        strict = ezdxf.readfile(sys.argv[1])
+        document, auditor = recover.readfile(sys.argv[1])
+        again = strict.audit()
+        space = strict.modelspace()
+        print(json.dumps({"errors": len(auditor.errors) + len(again.errors), "fixes": len(auditor.fixes) + len(again.fixes), "types": sorted(e.dxftype() for e in space if e.dxf.layer != "RAPID"),
+                          "layers": [[l.dxf.name, l.color, l.is_on(), l.is_frozen(), bool(l.dxf.plot)] for l in strict.layers if l.dxf.name != "Defpoints"], "units": strict.header["$INSUNITS"]}))
+        """;
+
+    private static readonly (int, object)[] s_layers =
+        [(0, "TABLE"), (2, "LAYER"), (0, "LAYER"), (2, "Контур 輪郭"), (62, -5), (70, 0), (0, "LAYER"), (2, "TRUE"), (62, 3), (420, 0x123456), (70, 1), (290, 0), (0, "ENDTAB")];
+
+    private static readonly (int, object)[] s_curves =
+    [
+        (0, "ELLIPSE"), (8, "0"), (10, 0.0), (20, 0.0), (11, 5.0), (21, 0.0), (40, 0.5), (41, 0.0), (42, 3.0),
+        (0, "SPLINE"), (8, "0"), (70, 8), (71, 3), (72, 8), (73, 4), (40, 0.0), (40, 0.0), (40, 0.0), (40, 0.0), (40, 1.0), (40, 1.0), (40, 1.0), (40, 1.0), (10, 20.0), (20, 0.0), (10, 21.0), (20, 2.0), (10, 23.0), (20, 2.0), (10, 24.0), (20, 0.0),
+        (0, "LWPOLYLINE"), (8, "0"), (62, 1), (90, 3), (70, 1), (10, 40.0), (20, 0.0), (42, 1.0), (10, 45.0), (20, 0.0), (10, 42.0), (20, 5.0),
+        (0, "LINE"), (8, "TRUE"), (420, 0xFF8000), (10, 0.0), (20, 9.0), (11, 3.0), (21, 9.0),
+    ];
+
+    [EzdxfTheory]
+    [InlineData(1)]
+    [InlineData(4)]
+    public async Task A_stranger_finds_the_saved_curves_layers_and_units(int units)
+    {
+        using var folder = new TemporaryFolder();
+        var audit = await AuditAsync(await SavedAsync(folder, units), folder);
+
+        Assert.Equal((0, 0), (audit.GetProperty("errors").GetInt32(), audit.GetProperty("fixes").GetInt32()));
+        Assert.Equal("""["ELLIPSE", "LINE", "LWPOLYLINE", "SPLINE"]""", audit.GetProperty("types").GetRawText());
+        Assert.Equal(units, audit.GetProperty("units").GetInt32());
+        var layers = audit.GetProperty("layers").EnumerateArray().ToDictionary(layer => layer[0].GetString()!, layer => string.Join(' ', layer.EnumerateArray().Skip(1).Select(value => value.GetRawText())));
+        Assert.Contains("5 false false true", layers.Values);
+        Assert.Equal("7 true true false", layers["TRUE"]);
+    }
+
+    [EzdxfTheory]
+    [InlineData("ELLIPSE")]
+    [InlineData("SPLINE")]
+    public async Task A_stranger_finds_ellipses_and_splines_in_cl_data(string type)
+    {
+        using var folder = new TemporaryFolder();
+        var file = folder.PathOf("cl.dxf");
+        await CliRun.Of("sequence", Drawing(folder, 4), "--json", "-o", file);
+        var audit = await AuditAsync(file, folder);
+
+        Assert.Equal((0, 0), (audit.GetProperty("errors").GetInt32(), audit.GetProperty("fixes").GetInt32()));
+        Assert.Contains(type, audit.GetProperty("types").EnumerateArray().Select(name => name.GetString()));
+    }
+
+    private static string Drawing(TemporaryFolder folder, int units)
+    {
+        var path = folder.PathOf("in.dxf");
+        File.WriteAllBytes(path, new DxfText().Header("AC1021", units).Section("TABLES", s_layers).Section("ENTITIES", s_curves).End().ToAscii());
+        return path;
+    }
+
+    private static async Task<string> SavedAsync(TemporaryFolder folder, int units)
+    {
+        var file = folder.PathOf("out.dxf");
+        var run = await CliRun.Of("script", folder.WithFile("save.scr", $"OPEN \"{Drawing(folder, units)}\"\nSAVEAS \"{file}\"\n"));
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        return file;
+    }
+
+    private static async Task<JsonElement> AuditAsync(string file, TemporaryFolder folder)
+    {
+        var start = new ProcessStartInfo(EzdxfTheoryAttribute.Python, [folder.WithFile("audit.py", Audit), file]) { RedirectStandardOutput = true };
+        start.Environment["XDG_CACHE_HOME"] = Path.GetDirectoryName(file);
+        using var process = Process.Start(start)!;
+        var text = await process.StandardOutput.ReadToEndAsync();
+        await process.WaitForExitAsync();
+        Assert.Equal(0, process.ExitCode);
+        return JsonDocument.Parse(text).RootElement;
+    }
+}
