@@ -9,6 +9,9 @@ internal sealed class CommandDesk(Machine machine, SimulatorOptions options) : I
     private readonly DelayedReplies _replies = new(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
     private long _commands;
 
+    /// <summary>Replies wait for their time.</summary>
+    public bool HasLateReplies => _replies.AreWaiting;
+
     /// <summary>Lets go the late replies that are due.</summary>
     public void ReleaseReplies() => _replies.Release();
 

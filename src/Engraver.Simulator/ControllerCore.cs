@@ -5,6 +5,9 @@ namespace Engraver.Simulator;
 /// <summary>Brings commands, wall time and controller time together under one lock.</summary>
 internal sealed class ControllerCore : IDisposable
 {
+    private static readonly TimeSpan ShortestTick = TimeSpan.FromMilliseconds(2);
+    private static readonly TimeSpan LongestTick = TimeSpan.FromHours(1);
+
     private readonly Lock _gate = new();
     private readonly SimulatorOptions _options;
     private readonly ITimer _timer;
@@ -13,6 +16,7 @@ internal sealed class ControllerCore : IDisposable
     private readonly CommandDesk _desk;
     private readonly List<StatusWaiter> _waiters = [];
     private TimeSpan _paced;
+    private TimeSpan _nextTick = TimeSpan.MaxValue;
 
     public ControllerCore(SimulatorOptions options)
     {
@@ -21,8 +25,7 @@ internal sealed class ControllerCore : IDisposable
         _started = options.Time.GetTimestamp();
         _silence = new SilenceWatch(Machine, options.Time);
         _desk = new CommandDesk(Machine, options);
-        var period = options.IsVirtual ? SilenceWatch.Short : TimeSpan.FromMilliseconds(2);
-        _timer = options.Time.CreateTimer(_ => Tick(), null, period, period);
+        _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
     }
 
     public Machine Machine { get; }
@@ -36,6 +39,7 @@ internal sealed class ControllerCore : IDisposable
         {
             lock (_gate)
             {
+                Pace();
                 return StatusNow();
             }
         }
@@ -71,6 +75,7 @@ internal sealed class ControllerCore : IDisposable
             handle.Receive(bytes);
             _silence.Heard();
             Notify();
+            TickWithin(TickPeriod);
         }
     }
 
@@ -82,6 +87,7 @@ internal sealed class ControllerCore : IDisposable
             handle.Close();
             _silence.Heard();
             Notify();
+            TickWithin(TickPeriod);
         }
     }
 
@@ -103,6 +109,7 @@ internal sealed class ControllerCore : IDisposable
             Pace();
             action(Machine);
             Notify();
+            TickWithin(TickPeriod);
         }
     }
 
@@ -112,6 +119,7 @@ internal sealed class ControllerCore : IDisposable
         {
             Machine.Advance(time);
             Notify();
+            TickWithin(TickPeriod);
         }
     }
 
@@ -137,7 +145,9 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             _waiters.Add(waiter);
+            Pace();
             Notify();
+            TickWithin(TickPeriod);
         }
 
         try
@@ -155,20 +165,44 @@ internal sealed class ControllerCore : IDisposable
 
     public void Dispose()
     {
-        _timer.Dispose();
         CutAll();
+        _timer.Dispose();
         FlushRecord();
+    }
+
+    private TimeSpan TickPeriod => _options.IsVirtual ? SilenceWatch.Short : ShortestTick;
+
+    /// <summary>How long nothing can happen of itself. An idle controller takes no processor time at all: the next command wakes it, and catches up with the wall.</summary>
+    private TimeSpan QuietTime()
+    {
+        if (_waiters.Count > 0 || _desk.HasLateReplies) return TickPeriod;
+        if (Machine.IsDormant) return Timeout.InfiniteTimeSpan;
+        if (_options.IsVirtual || Machine.Motion.CanProgress) return TickPeriod;
+        var milliseconds = (Machine.QuietUntil - Machine.Sample) / _options.Speed;
+        return TimeSpan.FromMilliseconds(Math.Clamp(milliseconds, ShortestTick.TotalMilliseconds, LongestTick.TotalMilliseconds));
+    }
+
+    /// <summary>Wakes the controller so soon; one that is to wake sooner already does.</summary>
+    private void TickWithin(TimeSpan delay)
+    {
+        if (delay == Timeout.InfiniteTimeSpan) return;
+        var due = _options.Time.GetElapsedTime(_started) + delay;
+        if (due >= _nextTick) return;
+        _nextTick = due;
+        _timer.Change(delay, Timeout.InfiniteTimeSpan);
     }
 
     private void Tick()
     {
         lock (_gate)
         {
+            _nextTick = TimeSpan.MaxValue;
             Pace();
             _desk.ReleaseReplies();
             if (_options.IsVirtual) _silence.Look();
 
             Notify();
+            TickWithin(QuietTime());
         }
 
         FlushRecord();

@@ -108,6 +108,9 @@ internal sealed class Machine
     /// <summary>Nothing moves and no thread runs, so that only a command can change anything.</summary>
     public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn;
 
+    /// <summary>The first sample in which something can happen of itself while nothing moves; long.MaxValue when only a command or an input can do something.</summary>
+    public long QuietUntil => Math.Min(Threads.QuietUntil(Sample), Records.NextDue);
+
     /// <summary>~a to ~h.</summary>
     public VariableAxes VariableAxes { get; } = new();
 

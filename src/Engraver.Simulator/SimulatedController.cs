@@ -114,7 +114,7 @@ public sealed class SimulatedController : IAsyncDisposable
         return _core.AdvanceUntil(condition, atMost);
     }
 
-    /// <summary>Completes when the condition holds; it is looked at after every command and every few milliseconds.</summary>
+    /// <summary>Completes when the condition holds; it is looked at after every command and, while somebody waits, every few milliseconds.</summary>
     public Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation) =>
         _core.WaitUntilAsync(condition, cancellation);
 

@@ -6,6 +6,9 @@ internal sealed class StoppedTime : TimeProvider
     private readonly List<ManualTimer> _timers = [];
     private long _now;
 
+    /// <summary>Callbacks of timers so far.</summary>
+    public int Ticks { get; private set; }
+
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
 
     public override long GetTimestamp() => _now;
@@ -26,6 +29,7 @@ internal sealed class StoppedTime : TimeProvider
         while (_timers.Where(t => t.Due <= end).MinBy(t => t.Due) is { } next)
         {
             _now = next.Due;
+            Ticks++;
             next.Fire();
         }
 

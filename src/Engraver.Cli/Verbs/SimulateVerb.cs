@@ -15,25 +15,23 @@ internal static class SimulateVerb
     public static Command Build(VerbHost host)
     {
         var port = new Option<int?>("--tcp") { HelpName = "PORT", Description = "Port on loopback; 0 lets the system pick (also the default when nothing else is served).", CustomParser = ParsePort };
+        var datagrams = new Option<int?>("--udp") { HelpName = "PORT", Description = "Port on loopback for commands by datagram; 0 lets the system pick. Hosts expect 60007.", CustomParser = ParsePort };
         var serial = new Option<string?>("--serial") { HelpName = "PATH", Description = "Serve the serial port: PATH becomes a link to a pseudo-terminal." };
         var baud = new Option<int>("--baud") { HelpName = "N", Description = "Rate of the serial port, which every byte takes its time by.", DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
         var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = "Controller seconds for each second on the wall; max: virtual time.", DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
         var record = new Option<string?>("--record") { HelpName = "FILE", Description = "Write every motor sample and output change as CSV (t,a,b,c,d,outputs)." };
-        var command = new Command("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, serial, baud, speed, record };
-        command.SetAction((parsed, stop) => RunAsync(host, parsed.GetValue(port), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(speed), parsed.GetValue(record), stop));
+        var command = new Command("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record };
+        command.SetAction((parsed, stop) => RunAsync(host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(speed), parsed.GetValue(record), stop));
         return command;
     }
 
-    private static async Task<int> RunAsync(VerbHost host, int? port, string? serial, int baud, double speed, string? record, CancellationToken stop)
+    private static async Task<int> RunAsync(VerbHost host, int? port, int? datagrams, string? serial, int baud, double speed, string? record, CancellationToken stop)
     {
         using var csv = record is null ? null : Create(record);
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed });
         if (csv is not null) controller.Record.AttachCsv(csv);
-        if (port is not null || serial is null)
-        {
-            var place = await ListenAsync(controller, port ?? 0, stop).ConfigureAwait(false);
-            await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"listening tcp://127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
-        }
+        if (port is not null || (serial is null && datagrams is null)) await ListenAsync(host, "tcp", controller.ListenTcpAsync, port ?? 0, stop).ConfigureAwait(false);
+        if (datagrams is { } place) await ListenAsync(host, "udp", controller.ListenUdpAsync, place, stop).ConfigureAwait(false);
 
         if (serial is not null)
         {
@@ -48,15 +46,16 @@ internal static class SimulateVerb
     }
 
     /// <exception cref="ControllerLinkException">The port is taken or may not be used.</exception>
-    private static async Task<IPEndPoint> ListenAsync(SimulatedController controller, int port, CancellationToken stop)
+    private static async Task ListenAsync(VerbHost host, string way, Func<int, CancellationToken, Task<IPEndPoint>> listen, int port, CancellationToken stop)
     {
         try
         {
-            return await controller.ListenTcpAsync(port, stop).ConfigureAwait(false);
+            var place = await listen(port, stop).ConfigureAwait(false);
+            await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"listening {way}://127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
         }
         catch (SocketException taken)
         {
-            throw new ControllerLinkException($"Port {port.ToString(CultureInfo.InvariantCulture)} cannot be served: {taken.Message}. Use --tcp 0 to let the system pick one.", taken);
+            throw new ControllerLinkException($"Port {port.ToString(CultureInfo.InvariantCulture)} cannot be served: {taken.Message}. Use --{way} 0 to let the system pick one.", taken);
         }
     }
 
@@ -96,7 +95,7 @@ internal static class SimulateVerb
     {
         var word = result.Tokens[0].Value;
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port <= 65535) return port;
-        result.AddError($"--tcp: '{word}' is not a port (0 to 65535).");
+        result.AddError($"{((OptionResult)result.Parent!).Option.Name}: '{word}' is not a port (0 to 65535).");
         return null;
     }
 

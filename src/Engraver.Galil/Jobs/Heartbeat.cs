@@ -12,6 +12,9 @@ internal sealed class Heartbeat(ControllerSession session)
     private static readonly TimeSpan Between = TimeSpan.FromMilliseconds(200);
     private static readonly TimeSpan Latest = TimeSpan.FromMilliseconds(500);
 
+    /// <summary>How far a heartbeat winds the watchdog up.</summary>
+    public WatchdogLimit Limit { get; set; } = WatchdogLimit.OneSecond;
+
     private long _last = session.Time.GetTimestamp();
     private TimeSpan _lastOnWire = session.WireTime;
     private int _commands;
@@ -29,7 +32,7 @@ internal sealed class Heartbeat(ControllerSession session)
     public bool IsDueAfterCommand()
     {
         var most = session.ClockRunsAhead ? CommandsBetweenWhereTimeRunsAhead : CommandsBetween;
-        var isEarly = _lastSample is not { } beat || _sample - beat < SamplesBetween;
+        var isEarly = _lastSample is not { } beat || _sample - beat < Limit.Samples(SamplesBetween);
         if (++_commands < most && isEarly && session.Time.GetElapsedTime(_last) < Between && session.WireTime - _lastOnWire < Between) return false;
         Reset();
         return true;

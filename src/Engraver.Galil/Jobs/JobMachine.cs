@@ -51,6 +51,9 @@ internal sealed class JobMachine
     /// <summary>Where the job frame takes the machine to stand at the start.</summary>
     public CountsPoint Start { get; }
 
+    /// <summary>How far the watchdog is wound up.</summary>
+    public WatchdogLimit Limit { get; private set; } = WatchdogLimit.OneSecond;
+
     /// <summary>The last poll; null before the first.</summary>
     public MachineState? Known { get; private set; }
 
@@ -102,10 +105,10 @@ internal sealed class JobMachine
     /// <summary>Sends one command, and the heartbeat when it is due.</summary>
     public async ValueTask<Reply> ReplyAsync(string command)
     {
-        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
+        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(HeartbeatCommand, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
         var reply = await _session.Commands.SendAsync(command, _stop).ConfigureAwait(false);
         if (!_heartbeat.IsDueAfterCommand()) return reply;
-        var beat = await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false);
+        var beat = await _session.Commands.SendAsync(HeartbeatCommand, _stop).ConfigureAwait(false);
         return beat is Rejected && reply is Accepted ? beat : reply;
     }
 
@@ -142,7 +145,7 @@ internal sealed class JobMachine
 
     private async ValueTask<JobStep> ReadAsync(string operands, Func<IReadOnlyList<double>, MachineState> take)
     {
-        if (IsBeatDueBefore(2 * operands.Length) && await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
+        if (IsBeatDueBefore(2 * operands.Length) && await SendAsync(HeartbeatCommand).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
         var reading = await _session.Commands.ReadAsync(operands, _stop).ConfigureAwait(false);
         if (reading.Refusal is { } refused) return Refuse(refused, "");
         Known = take(reading.Values);
@@ -170,10 +173,12 @@ internal sealed class JobMachine
         _sampleAtPoll = State.Time;
     }
 
+    private string HeartbeatCommand => ResidentServer.HeartbeatCommand(Limit);
+
     private bool IsBeatDueBefore(int bytes) => Line is { } line && _heartbeat.IsDueBefore(line.Time(bytes));
 
     private async ValueTask<JobStep> BeatAsync() =>
-        _heartbeat.IsDueAfterCommand() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
+        _heartbeat.IsDueAfterCommand() ? await SendAsync(HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
 
     /// <summary>Asks for one number over the handle of the stop, also after the operator's stop; null when the controller does not know it.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
@@ -207,6 +212,14 @@ internal sealed class JobMachine
         }
     }
 
+    /// <summary>To be called before anything runs in the controller.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async ValueTask MeasureClockAsync()
+    {
+        Limit = await WatchdogLimit.MeasureAsync(_session, _stop).ConfigureAwait(false);
+        _heartbeat.Limit = Limit;
+    }
+
     /// <summary>The position at the start of the job becomes the drawing's start point.</summary>
     public async ValueTask<JobStep> TakeFrameAsync()
     {
@@ -228,7 +241,7 @@ internal sealed class JobMachine
     private async ValueTask<JobStep> ProgramEndedAsync()
     {
         if (State.Tripped)
-            return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.");
+            return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.", LinkLoss.Watchdog);
         if (State.ProgramError == 0) return JobStep.Broken("Somebody halted the program in the controller that watches over this job; nobody else may use the controller while a job runs.");
         if (State.ProgramError == WatchedJob.Strayed)
             return JobStep.Broken(Text($"The motion ended at {State.Position.X},{State.Position.Y} before its end ({StopCodes.Text(State.StopCode)}); find out what stopped it."));

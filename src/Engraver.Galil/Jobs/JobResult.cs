@@ -9,6 +9,9 @@ public sealed record JobResult
 {
     public required JobOutcome Outcome { get; init; }
 
+    /// <summary>What the job was lost by; null unless it ended with <see cref="JobOutcome.LinkLost"/>.</summary>
+    public LinkLoss? Loss { get; init; }
+
     /// <summary>One sentence for the operator: what happened, where, and what to do.</summary>
     public required string Sentence { get; init; }
 

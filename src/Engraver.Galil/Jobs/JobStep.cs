@@ -7,11 +7,14 @@ internal sealed record JobStep(JobOutcome Outcome, string Sentence, Rejected? Re
 {
     public static JobStep Done { get; } = new(JobOutcome.Complete, "", null);
 
+    /// <summary>Of a step that ended with <see cref="JobOutcome.LinkLost"/>; null for any other.</summary>
+    public LinkLoss? Loss { get; private init; }
+
     public bool Ends => Outcome != JobOutcome.Complete;
 
     public static JobStep Refused(Rejected rejected, string where) => new(JobOutcome.Refused, rejected.Explain() + where, rejected);
 
     public static JobStep Broken(string sentence) => new(JobOutcome.Refused, sentence, null);
 
-    public static JobStep LinkLost(string sentence) => new(JobOutcome.LinkLost, sentence, null);
+    public static JobStep LinkLost(string sentence, LinkLoss loss = LinkLoss.Link) => new(JobOutcome.LinkLost, sentence, null) { Loss = loss };
 }

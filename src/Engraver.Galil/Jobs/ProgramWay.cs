@@ -77,7 +77,7 @@ internal sealed class ProgramWay(MotionProgram program, JobMachine machine, JobL
     {
         var progress = new ChunkProgress(chunk, _path.Count);
         machine.PlaceInProgram = progress.PlaceOf;
-        if (await machine.SendAllAsync([ResidentServer.DefineVariables, Text($"XQ {WatchedJob.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Limit), Text($"XQ {WatchedJob.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         _chunk = progress;
         ledger.Sent += chunk.Segments.Count();
         if (await machine.AwaitAsync(ResidentServer.WatchdogLine, line => line >= 0).ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;

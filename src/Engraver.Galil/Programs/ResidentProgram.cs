@@ -4,7 +4,7 @@ namespace Engraver.Galil.Programs;
 
 /// <summary>What stays in the controller while the host runs a job: a loop in thread 0 (handlers only run beside one on older firmware, galil-dmc.md C.3), the watchdog in thread 1 and #CMDERR.</summary>
 /// <remarks>
-/// Start: halt both threads, download <see cref="Text"/>, <c>XQ</c> <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
+/// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/>, <c>XQ</c> <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
 /// <see cref="Variables.Heartbeat"/> at least every 300 ms. The constants spell every name the host needs.
 /// </remarks>
 /// <param name="Text">Program lines, each ended with LF.</param>

@@ -6,11 +6,11 @@ namespace Engraver.Galil.Programs;
 /// <remarks>
 /// The trip is one line, which no other thread can interrupt: tool off first; then thread 0 is halted, because a server that waits for the end of a motion would go on
 /// with its next statement as soon as the stop is done; then the plane and both axes are stopped. What a sequence still had in the buffer is given up by STS (B.8);
-/// the host clears it with CSS when it is back.
+/// the host clears it with CSS when it is back. The host winds it up before it starts it: undefined, the heartbeat is a refused line, and nothing moves.
 /// </remarks>
 public static class WatchdogProgram
 {
-    internal static string StartStatement { get; } = Subprograms.Text($"{ResidentProgram.Variables.Heartbeat}={ResidentProgram.HeartbeatTicks};XQ#WDOG,{ResidentProgram.WatchdogThread}");
+    internal static string StartStatement { get; } = Subprograms.Text($"XQ#WDOG,{ResidentProgram.WatchdogThread}");
 
     public static string Text(MachineProfile profile) => string.Join('\n', Lines(profile)) + "\n";
 
@@ -20,7 +20,7 @@ public static class WatchdogProgram
         return
         [
             "#WDOG",
-            Subprograms.Text($"{ResidentProgram.Variables.WatchdogTripped}=0;{Heartbeat}={ResidentProgram.HeartbeatTicks}"),
+            $"{ResidentProgram.Variables.WatchdogTripped}=0",
             "#WLOOP",
             "WT 50",
             $"{Heartbeat}={Heartbeat}-1",

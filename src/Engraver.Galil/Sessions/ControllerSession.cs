@@ -13,14 +13,15 @@ public sealed class ControllerSession : IAsyncDisposable
     private volatile CommandChannel? _second;
 
     private ControllerSession(
-        CommandChannel commands, CommandChannel? second, Func<CancellationToken, Task<CommandChannel>> openSecond, ControllerIdentity identity, FoundState found, bool clockRunsAhead, TimeProvider time)
+        CommandChannel commands, CommandChannel? second, Func<CancellationToken, Task<CommandChannel>> openSecond, ControllerIdentity identity, FoundState found, ClockComparison clocks, TimeProvider time)
     {
         _commands = commands;
         _second = second;
         _openSecond = openSecond;
         Identity = identity;
         Found = found;
-        ClockRunsAhead = clockRunsAhead;
+        ClockRunsAhead = clocks.RunsAhead;
+        ClockMoves = clocks.OursMoves;
         Time = time;
     }
 
@@ -31,6 +32,9 @@ public sealed class ControllerSession : IAsyncDisposable
 
     /// <summary>True when the controller's time passes much faster than ours (a simulator at full speed): polls then need no pause.</summary>
     public bool ClockRunsAhead { get; }
+
+    /// <summary>Whether our own clock went on while the controller was asked; a test's may stand.</summary>
+    internal bool ClockMoves { get; }
 
     public TimeProvider Time { get; }
 
@@ -67,8 +71,8 @@ public sealed class ControllerSession : IAsyncDisposable
             if (options.SecondHandle && commands.Line is null) await SignOfLifeAsync(second = await Open("B", cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
             var identity = await Handshake.IdentifyAsync(commands, cancellation).ConfigureAwait(false);
             var found = await FoundState.ReadAsync(commands, identity.Letters, echo, cancellation).ConfigureAwait(false);
-            var runsAhead = await ClockComparison.RunsAheadAsync(commands, time, cancellation).ConfigureAwait(false);
-            var session = new ControllerSession(commands, second, giveUp => Open("B", giveUp), identity, found, runsAhead, time);
+            var clocks = await ClockComparison.CompareAsync(commands, time, cancellation).ConfigureAwait(false);
+            var session = new ControllerSession(commands, second, giveUp => Open("B", giveUp), identity, found, clocks, time);
             await session.AgreeOnWireAsync(cancellation).ConfigureAwait(false);
             opened = true;
             return session;

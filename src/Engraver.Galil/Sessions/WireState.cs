@@ -26,10 +26,13 @@ public sealed record WireState(double? Echo, char? MessagePort, double? MessageM
         return new WireState(echo, port is >= 'A' and <= 'Z' ? (char)port : null, mark, period, handle, format);
     }
 
+    /// <summary>The command that brings the number format back to the last bit; null where the controller could not say.</summary>
+    public string? NumberFormatCommand => NumberFormat is { } format ? string.Create(CultureInfo.InvariantCulture, $"VF {format:0.0}") : null;
+
     /// <summary>The commands that bring the conversation back, in the order that keeps the replies readable to the last.</summary>
     internal IEnumerable<string> RestoreCommands(double? echoNow)
     {
-        if (NumberFormat is { } format) yield return string.Create(CultureInfo.InvariantCulture, $"VF {format:0.0}");
+        if (NumberFormatCommand is { } format) yield return format;
         if (RecordPeriod is > 0 && RecordHandle is { } handle) yield return $"DR {DmcFormat.Number(RecordPeriod.Value)},{DmcFormat.Number(handle)}";
         if (MessagePort is { } port) yield return $"CF {port}";
         if (MessageMark is 1 or 2) yield return "CW " + DmcFormat.Number(MessageMark.Value);

@@ -5,6 +5,8 @@ internal sealed class DelayedReplies(TimeProvider time, TimeSpan delay)
 {
     private readonly Queue<(long Due, Handle Handle, byte[] Bytes)> _waiting = new();
 
+    public bool AreWaiting => _waiting.Count > 0;
+
     public void Send(Handle handle, ReadOnlySpan<byte> bytes)
     {
         if (delay <= TimeSpan.Zero)

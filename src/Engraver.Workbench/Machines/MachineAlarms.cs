@@ -28,7 +28,7 @@ internal static class MachineAlarms
         {
             { Outcome: JobOutcome.Complete } => (AlarmCause?)null,
             { Outcome: JobOutcome.Stopped } => AlarmCause.JobStopped,
-            { Outcome: JobOutcome.LinkLost } => result.Sentence.Contains("watchdog", StringComparison.Ordinal) ? AlarmCause.WatchdogTripped : AlarmCause.LinkLost,
+            { Outcome: JobOutcome.LinkLost } => result.Loss == LinkLoss.Watchdog ? AlarmCause.WatchdogTripped : AlarmCause.LinkLost,
             { Refusal: not null } => AlarmCause.Refused,
             _ => AlarmCause.JobStopped,
         };

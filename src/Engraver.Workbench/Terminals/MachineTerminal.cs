@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using System.Globalization;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -36,7 +35,7 @@ public sealed class MachineTerminal : IAsyncDisposable
             MessageReceived = messages.Enqueue,
         };
         var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, options, time, cancellation).ConfigureAwait(false);
-        if (session.Found.Wire.NumberFormat is { } format) await session.Commands.SendAsync(string.Create(CultureInfo.InvariantCulture, $"VF {format}"), cancellation).ConfigureAwait(false);
+        if (session.Found.Wire.NumberFormatCommand is { } format) await session.Commands.SendAsync(format, cancellation).ConfigureAwait(false);
         return new MachineTerminal(session, messages);
     }
 

@@ -45,6 +45,48 @@ public class NetworkRunTests
         AssertRecord(await File.ReadAllLinesAsync(folder.PathOf("record.csv")));
     }
 
+    [Theory]
+    [InlineData(5.0, "stream")]
+    [InlineData(20.0, "stream")]
+    [InlineData(20.0, "program")]
+    [InlineData(200.0, "calls")]
+    public async Task A_controller_that_is_faster_than_the_wall_runs_the_job_to_its_end(double speed, string mode)
+    {
+        using var folder = new TemporaryFolder();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed });
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal(0.0, JsonText.Of(run).GetProperty("missingLength").GetDouble());
+        AssertPart([.. controller.Record.Snapshot().Select(row => new TraceSample(row.Sample / 1000.0, row.A / 1000.0, row.B / 1000.0, (row.Outputs & Tool) != 0))]);
+    }
+
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("program")]
+    public async Task After_a_killed_process_the_next_run_gives_the_owners_program_and_settings_back(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 20 });
+        Assert.Equal(":::::::", await AskAsync(controller, "DL\r#OWNER\rMG 1\rEN\r\\VSS=6002;VAS=51200;SPA=1234;VR 0.3;CW 2\r", patience.Token));
+        const string Questions = "MG _VSS,_VAS,_SPA,_VRS{$8.4},_CW\rUL\r";
+        var before = await AskAsync(controller, Questions, patience.Token);
+        string[] words = ["run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--journal", folder.PathOf("run.jsonl")];
+        using (var host = EngraverProcess.Start(words))
+        {
+            await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+            host.Kill();
+            await controller.WaitUntilAsync(status => !status.IsMoving && status.Outputs == 0, patience.Token);
+        }
+
+        Assert.NotEqual(before, await AskAsync(controller, Questions, patience.Token));
+        var run = await CliRun.Of(words);
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal(before, await AskAsync(controller, Questions, patience.Token));
+    }
+
     [Fact]
     public async Task A_closed_port_is_exit_4_with_one_sentence()
     {
@@ -179,6 +221,15 @@ public class NetworkRunTests
         return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}");
     }
 
+    /// <summary>Everything that comes back until the controller is silent about it: each answer ends with a prompt.</summary>
+    private static async Task<string> AskAsync(SimulatedController controller, string commands, CancellationToken cancellation)
+    {
+        await using var other = controller.OpenConnection();
+        await other.WriteAsync(System.Text.Encoding.ASCII.GetBytes(commands), cancellation);
+        var reply = new byte[65536];
+        return System.Text.Encoding.ASCII.GetString(reply, 0, await other.ReadAsync(reply, cancellation));
+    }
+
     private static async Task<int> UnusedPortAsync()
     {
         await using var controller = new SimulatedController(new SimulatorOptions());
@@ -201,7 +252,12 @@ public class NetworkRunTests
     {
         Assert.Equal("t,a,b,c,d,outputs", lines[0]);
         Assert.EndsWith(",50000,50000,0,0,0", lines[^1], StringComparison.Ordinal);
-        var found = TraceComparison.Compare(s_paperPart, [.. lines.Skip(1).Select(Sample)], TraceTolerances.Default);
+        AssertPart([.. lines.Skip(1).Select(Sample)]);
+    }
+
+    private static void AssertPart(IReadOnlyList<TraceSample> trace)
+    {
+        var found = TraceComparison.Compare(s_paperPart, trace, TraceTolerances.Default);
         Assert.InRange(found.MaxDeviation, 0.0, 0.0035);
         Assert.Equal(0.0, found.MissingLength);
     }

@@ -1,4 +1,7 @@
+using System.Globalization;
+using System.Net.Sockets;
 using System.Runtime.InteropServices;
+using System.Text;
 
 namespace Engraver.Cli.Tests.Verbs;
 
@@ -31,6 +34,33 @@ public class SimulateVerbTests
     }
 
     [Fact]
+    public async Task Two_clients_by_TCP_and_one_by_datagram_talk_to_the_same_controller()
+    {
+        using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--udp", "0", "--speed", "max");
+        var port = PortOf(await simulate.LineAsync("listening tcp://127.0.0.1:", patience.Token));
+        var datagrams = PortOf(await simulate.LineAsync("listening udp://127.0.0.1:", patience.Token));
+        using var first = new TcpClient("127.0.0.1", port);
+        using var second = new TcpClient("127.0.0.1", port);
+        using var third = new UdpClient();
+        third.Connect("127.0.0.1", datagrams);
+
+        Assert.Equal(":", await AskAsync(first, "n=41\r", patience.Token));
+        Assert.Equal(":", await AskAsync(second, "n=n+1\r", patience.Token));
+        await third.SendAsync("MG n\r"u8.ToArray(), patience.Token);
+        Assert.Equal(" 42.0000\r\n:", Encoding.ASCII.GetString((await third.ReceiveAsync(patience.Token)).Buffer));
+    }
+
+    [Fact]
+    public async Task A_port_that_is_none_is_told_by_the_name_of_its_option()
+    {
+        var run = await CliRun.Of("simulate", "--udp", "65536");
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("--udp: '65536' is not a port", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task A_port_that_is_taken_is_exit_4_with_one_sentence()
     {
         using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
@@ -40,5 +70,14 @@ public class SimulateVerbTests
 
         Assert.Equal(ExitCode.LinkLost, second.ExitCode);
         Assert.Single(second.Error.TrimEnd().Split('\n'));
+    }
+
+    private static int PortOf(string line) => int.Parse(line.Split(':')[^1], CultureInfo.InvariantCulture);
+
+    private static async Task<string> AskAsync(TcpClient client, string command, CancellationToken cancellation)
+    {
+        await client.GetStream().WriteAsync(Encoding.ASCII.GetBytes(command), cancellation);
+        var reply = new byte[64];
+        return Encoding.ASCII.GetString(reply, 0, await client.GetStream().ReadAsync(reply, cancellation));
     }
 }

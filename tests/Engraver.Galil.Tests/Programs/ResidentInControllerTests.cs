@@ -100,6 +100,7 @@ public class ResidentInControllerTests
         var bench = new ControllerBench();
         bench.Download(program.Text);
         bench.Do("SHAB");
+        bench.Do("hb=20");
         bench.Do($"XQ{program.EntryLabel},{ResidentProgram.MainThread}");
         bench.Pass(50);
         return bench;
