@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Input;
+using Engraver.Simulator;
 
 namespace Engraver.App.Tests;
 
@@ -7,26 +8,73 @@ namespace Engraver.App.Tests;
 [Collection(DesktopCollection.Name)]
 public sealed class PictureTests(DesktopFixture fixture)
 {
+    private static readonly Size s_usual = new(1280, 800);
     private static readonly string? s_folder = Environment.GetEnvironmentVariable("ENGRAVER_PICTURES");
 
     [Fact]
     public Task A_drawing_is_open() => fixture.WithOperator(here =>
     {
-        here.Hands.Resize(new Size(1600, 1000));
+        here.Hands.Resize(s_usual);
         here.Open("nameplate.dxf");
+        here.Show("Layers");
+        here.Show("Command");
         Take(here, "drawing");
         here.Show("Contours");
         here.Enter("SHOW", "All");
-        here.Show("Table");
         Take(here, "order-and-rapids");
+        here.Show("Table");
+        here.Show("Properties");
+        here.Window.Model.Playback.At = here.Window.Model.Playback.Total / 3;
+        here.Step();
+        Take(here, "entity-table");
         here.Show("Command");
         here.Enter("SHOW", "None");
     });
 
     [Fact]
+    public Task The_doctor_has_findings() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        here.Open("nested-logo.dxf");
+        here.Enter("CHECK");
+        here.Show("Findings");
+        Take(here, "findings");
+    });
+
+    [Fact]
+    public Task A_job_runs_on_the_simulated_controller() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        here.Open("gasket.dxf");
+        here.Show("Job");
+        here.Enter("CNCCONNECT", "sim:?speed=20", "CNCARM", "Stream");
+        here.Hands.Type("CNCRUN");
+        here.Hands.Press(Key.Enter);
+        here.Until(() => here.Commands.Machine.Progress is { Fraction: > 0.4 });
+        Take(here, "running", fresh: false);
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+    });
+
+    [Fact]
+    public Task The_link_is_lost() => fixture.WithOperator(here =>
+    {
+        var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        var listening = controller.ListenTcpAsync(0, CancellationToken.None);
+        here.Until(() => listening.IsCompleted);
+        here.Hands.Resize(s_usual);
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", FormattableString.Invariant($"tcp://127.0.0.1:{listening.Result.Port}"));
+        var ending = controller.DisposeAsync().AsTask();
+        here.Until(() => here.Commands.Machine.Alarms.Open.Count > 0 && ending.IsCompleted);
+        here.Show("Alarms");
+        Take(here, "alarm");
+    });
+
+    [Fact]
     public Task The_playback_stands_in_the_middle() => fixture.WithOperator(here =>
     {
-        here.Hands.Resize(new Size(1600, 1000));
+        here.Hands.Resize(s_usual);
         here.Open("gasket.dxf");
         here.Show("Program");
         here.Show("Table");
@@ -55,7 +103,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     [Fact]
     public Task The_simulated_machine_is_armed() => fixture.WithOperator(here =>
     {
-        here.Hands.Resize(new Size(1600, 1000));
+        here.Hands.Resize(s_usual);
         here.Open("nameplate.dxf");
         here.Enter("CNCCONNECT", "sim:");
         here.Show("Job");
@@ -66,7 +114,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     [Fact]
     public Task The_light_theme() => fixture.WithOperator(here =>
     {
-        here.Hands.Resize(new Size(1280, 800));
+        here.Hands.Resize(s_usual);
         here.Open("clock-dial.dxf");
         here.Enter("THEME", "Light");
         here.Show("Contours");
@@ -93,9 +141,9 @@ public sealed class PictureTests(DesktopFixture fixture)
     });
 
     /// <summary>A picture must show the whole window in its scale, and not be one colour.</summary>
-    private static void Take(Operator here, string name)
+    private static void Take(Operator here, string name, bool fresh = true)
     {
-        here.Until(() => here.Window.Canvas.IsFresh || here.Window.Canvas.Scene is null);
+        here.Until(() => !fresh || here.Window.Canvas.IsFresh || here.Window.Canvas.Scene is null);
         here.Step();
         using var picture = new MemoryStream();
         here.Hands.CapturePng(picture);

@@ -3,6 +3,7 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
+using Engraver.App.Benchmarks;
 using Engraver.App.Platforms;
 using Engraver.App.Shell;
 using Engraver.App.Texts;
@@ -20,6 +21,7 @@ public static class DesktopProgram
     /// <returns>The exit code of the runner's contract.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
+        if (options.Benchmark is not (null or DesktopBenchmark.Start)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
         var session = new DesktopSession(DesktopSession.OfUser());
         try
         {
@@ -36,9 +38,13 @@ public static class DesktopProgram
         }
     }
 
-    private static int RunHeadless(DesktopSession session, DesktopOptions options, TextWriter error)
+    private static int RunHeadless(DesktopSession session, DesktopOptions options, TextWriter error) =>
+        Said(DesktopPlatform.RunHeadless(session, options, builder => Open(builder, session, options)), error);
+
+    /// <returns>The exit code of a sentence of what failed; null is success.</returns>
+    private static int Said(string? failure, TextWriter error)
     {
-        if (DesktopPlatform.RunHeadless(session, options, builder => Open(builder, session, options)) is not { } failed) return Done;
+        if (failure is not { } failed) return Done;
         error.WriteLine(Text.Of("Start.Failed", failed));
         return Failed;
     }
@@ -49,6 +55,7 @@ public static class DesktopProgram
         var builder = DesktopPlatform.OnDisplay(AppBuilder.Configure<App>(), session, options).WithInterFont().SetupWithLifetime(lifetime);
         var window = Open(builder, session, options);
         lifetime.MainWindow = window;
+        if (options.Benchmark is not null) DesktopBenchmark.EndAfterFirstFrame(window);
         window.Opened += async (_, _) =>
         {
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
