@@ -35,25 +35,10 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task The_doctor_has_findings() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
-        here.Open("nested-logo.dxf");
+        here.Open("gasket.dxf");
         here.Enter("CHECK");
         here.Show("Findings");
         Take(here, "findings");
-    });
-
-    [Fact]
-    public Task A_job_runs_on_the_simulated_controller() => fixture.WithOperator(here =>
-    {
-        here.Hands.Resize(s_usual);
-        here.Open("gasket.dxf");
-        here.Show("Job");
-        here.Enter("CNCCONNECT", "sim:?speed=20", "CNCARM", "Stream");
-        here.Hands.Type("CNCRUN");
-        here.Hands.Press(Key.Enter);
-        here.Until(() => here.Commands.Machine.Progress is { Fraction: > 0.4 });
-        Take(here, "running", fresh: false);
-        here.Hands.Press(Key.Pause);
-        here.Rest();
     });
 
     [Fact]
@@ -141,9 +126,9 @@ public sealed class PictureTests(DesktopFixture fixture)
     });
 
     /// <summary>A picture must show the whole window in its scale, and not be one colour.</summary>
-    private static void Take(Operator here, string name, bool fresh = true)
+    private static void Take(Operator here, string name)
     {
-        here.Until(() => !fresh || here.Window.Canvas.IsFresh || here.Window.Canvas.Scene is null);
+        here.Until(() => here.Window.Canvas.IsFresh || here.Window.Canvas.Scene is null);
         here.Step();
         using var picture = new MemoryStream();
         here.Hands.CapturePng(picture);

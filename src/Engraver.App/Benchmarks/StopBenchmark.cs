@@ -33,7 +33,6 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         window.Canvas.Scene = CanvasScene.Of(BenchmarkDrawing.Of(Segments));
         Measure("draws 1,000,000 segments again and again", Redraw);
         Measure("its thread is held up", hand => hand.GetAwaiter().GetResult());
-        MeasureRepaint();
         Await(session.Desk.RunAsync("CNCDISCONNECT"));
         Await(wire.DisposeAsync().AsTask());
         Await(controller.DisposeAsync().AsTask());
@@ -83,22 +82,6 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
             window.Canvas.RefineAgain();
             desktop.Step();
         }
-    }
-
-    private void MeasureRepaint()
-    {
-        const int repaints = 20;
-        var times = new double[repaints];
-        for (var i = 0; i < repaints; i++)
-        {
-            var start = Stopwatch.GetTimestamp();
-            window.InvalidateVisual();
-            desktop.Step();
-            times[i] = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
-        }
-
-        Array.Sort(times);
-        output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"\nThe whole window painted again ({window.Width:0} x {window.Height:0}): median {times[repaints / 2]:0.0} ms, best {times[0]:0.0} ms of {repaints}. Working set {Environment.WorkingSet >> 20} MB."));
     }
 
     private void Await(Task work) => desktop.StepUntil(() => work.IsCompleted, s_patience);

@@ -147,6 +147,21 @@ public sealed class MachineTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task A_command_that_the_controller_refuses_is_an_alarm() => fixture.WithOperator(here =>
+    {
+        using var wire = new ServedMachine(here, speed: 1);
+        here.Enter("CNCCONNECT", wire.Address, "CNCMOTORS", "ON");
+        var typed = here.Commands.Machine.Terminal.TypeAsync("JG 500;BGA", CancellationToken.None);
+        here.Until(() => typed.IsCompleted);
+        here.Enter("CNCMOTORS", "OFF"); // not while an axis moves
+        here.Until(() => here.Commands.Machine.Alarms.Open.Count > 0);
+        here.Show("Alarms");
+
+        Assert.Contains(here.Commands.Machine.Alarms.Open, alarm => alarm.Cause == AlarmCause.Refused);
+        Assert.Equal(1, here.Find<ListBox>("AlarmList").ItemCount);
+    });
+
+    [Fact]
     public Task A_lost_link_is_an_alarm_that_stays_until_it_is_seen() => fixture.WithOperator(here =>
     {
         var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
