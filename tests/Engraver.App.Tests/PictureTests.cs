@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Input;
+using Engraver.Simulator;
 
 namespace Engraver.App.Tests;
 
@@ -7,26 +8,58 @@ namespace Engraver.App.Tests;
 [Collection(DesktopCollection.Name)]
 public sealed class PictureTests(DesktopFixture fixture)
 {
+    private static readonly Size s_usual = new(1280, 800);
     private static readonly string? s_folder = Environment.GetEnvironmentVariable("ENGRAVER_PICTURES");
 
     [Fact]
     public Task A_drawing_is_open() => fixture.WithOperator(here =>
     {
-        here.Hands.Resize(new Size(1600, 1000));
+        here.Hands.Resize(s_usual);
         here.Open("nameplate.dxf");
+        here.Show("Layers");
+        here.Show("Command");
         Take(here, "drawing");
         here.Show("Contours");
         here.Enter("SHOW", "All");
-        here.Show("Table");
         Take(here, "order-and-rapids");
+        here.Show("Table");
+        here.Show("Properties");
+        here.Window.Model.Playback.At = here.Window.Model.Playback.Total / 3;
+        here.Step();
+        Take(here, "entity-table");
         here.Show("Command");
         here.Enter("SHOW", "None");
     });
 
     [Fact]
+    public Task The_doctor_has_findings() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        here.Open("gasket.dxf");
+        here.Enter("CHECK");
+        here.Show("Findings");
+        Take(here, "findings");
+    });
+
+    [Fact]
+    public Task The_link_is_lost() => fixture.WithOperator(here =>
+    {
+        var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        var listening = controller.ListenTcpAsync(0, CancellationToken.None);
+        here.Until(() => listening.IsCompleted);
+        here.Hands.Resize(s_usual);
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", FormattableString.Invariant($"tcp://127.0.0.1:{listening.Result.Port}"));
+        var ending = controller.DisposeAsync().AsTask();
+        here.Until(() => here.Commands.Machine.Alarms.Open.Count > 0 && ending.IsCompleted);
+        here.Show("Alarms");
+        Take(here, "alarm");
+    });
+
+    [Fact]
     public Task The_playback_stands_in_the_middle() => fixture.WithOperator(here =>
     {
-        here.Hands.Resize(new Size(1600, 1000));
+        here.Hands.Resize(s_usual);
         here.Open("gasket.dxf");
         here.Show("Program");
         here.Show("Table");
@@ -55,7 +88,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     [Fact]
     public Task The_simulated_machine_is_armed() => fixture.WithOperator(here =>
     {
-        here.Hands.Resize(new Size(1600, 1000));
+        here.Hands.Resize(s_usual);
         here.Open("nameplate.dxf");
         here.Enter("CNCCONNECT", "sim:");
         here.Show("Job");
@@ -66,7 +99,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     [Fact]
     public Task The_light_theme() => fixture.WithOperator(here =>
     {
-        here.Hands.Resize(new Size(1280, 800));
+        here.Hands.Resize(s_usual);
         here.Open("clock-dial.dxf");
         here.Enter("THEME", "Light");
         here.Show("Contours");

@@ -13,6 +13,9 @@ public sealed partial class DrawingCanvas
     private const double FindingReach = 9.0;
     private const double FindingZoom = 8.0;
 
+    /// <summary>60, the first value of ZOOMFACTOR, zooms by a quarter a notch.</summary>
+    private const double ZoomFactorOfAQuarter = 240.0;
+
     private readonly PointerMachine _pointer = new();
 
     /// <summary>Half the side of the pickbox, in units of the control (PICKBOX).</summary>
@@ -20,6 +23,12 @@ public sealed partial class DrawingCanvas
 
     /// <summary>Half the side of the box in which object snaps are found.</summary>
     public double Aperture { get; set; } = 10.0;
+
+    /// <summary>How far one step of the wheel zooms, 3 to 100 (ZOOMFACTOR).</summary>
+    public double ZoomFactor { get; set; } = 60.0;
+
+    /// <summary>The wheel turned forward zooms out (ZOOMWHEEL).</summary>
+    public bool ReversesWheel { get; set; }
 
     /// <summary>Length of the crosshair in percent of the canvas (CURSORSIZE).</summary>
     public double CursorSize
@@ -62,7 +71,8 @@ public sealed partial class DrawingCanvas
     {
         ArgumentNullException.ThrowIfNull(e);
         base.OnPointerWheelChanged(e);
-        Do(_pointer.Wheel(PlaceOf(e), e.Delta.Y));
+        _pointer.NotchFactor = 1.0 + (ZoomFactor / ZoomFactorOfAQuarter);
+        Do(_pointer.Wheel(PlaceOf(e), ReversesWheel ? -e.Delta.Y : e.Delta.Y));
         e.Handled = true;
     }
 

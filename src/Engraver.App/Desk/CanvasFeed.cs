@@ -5,6 +5,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.App.Desk;
 
@@ -34,7 +35,14 @@ public sealed class CanvasFeed
         if (!ReferenceEquals(state.Drawing, _drawing)) Shown = Task.WhenAll(Shown, ShowDrawingAsync(_drawing = state.Drawing));
         if (!ReferenceEquals(_desk.Derived.Job, _job)) Shown = Task.WhenAll(Shown, ShowJobAsync(_job = _desk.Derived.Job));
         if (!ReferenceEquals(_canvas.Selection, state.Selection)) _canvas.Selection = state.Selection;
+        TakeVariables(_desk.Session.Settings.Current);
         ShowTool();
+    }
+
+    private void TakeVariables(DesktopSettings settings)
+    {
+        (_canvas.CursorSize, _canvas.PickBox, _canvas.Aperture) = (settings.Variable("CURSORSIZE"), settings.Variable("PICKBOX"), settings.Variable("APERTURE"));
+        (_canvas.ZoomFactor, _canvas.ReversesWheel) = (settings.Variable("ZOOMFACTOR"), settings.Variable("ZOOMWHEEL") != 0.0);
     }
 
     private async Task ShowDrawingAsync(Drawing? drawing)

@@ -1,5 +1,6 @@
 using Avalonia;
 using Avalonia.Dialogs;
+using Engraver.App.Benchmarks;
 using Engraver.App.Shell;
 using Engraver.App.Start;
 using Engraver.SoftwarePlatform;
@@ -37,6 +38,12 @@ internal static class DesktopPlatform
         var window = open(builder);
         window.Show();
         desktop.Step();
+        if (options.Benchmark is not null)
+        {
+            DesktopBenchmark.TellFirstFrame();
+            return null;
+        }
+
         var opening = DesktopStart.OpenAsync(session.Desk, options);
         desktop.StepUntil(() => opening.IsCompleted && window.CanvasFeed.Shown.IsCompleted, s_longestScript);
         desktop.Step(); // what the script changed in the layout comes first
@@ -45,6 +52,20 @@ internal static class DesktopPlatform
         if (options.Screenshot is { } path) desktop.Windows[0].CaptureToFile(path);
         window.Close();
         return opening.GetAwaiter().GetResult();
+    }
+
+    /// <summary>Measures how soon a stop is on the wire.</summary>
+    /// <returns>The sentence of what failed; null when all went well.</returns>
+    public static string? BenchmarkStop(DesktopSession session, Func<AppBuilder, ShellWindow> open, TextWriter output)
+    {
+        var desktop = new HeadlessDesktop();
+        var window = open(InMemory(AppBuilder.Configure<App>(), session, desktop, 1.0).WithInterFont().SetupWithoutStarting());
+        window.Show();
+        desktop.Step();
+        using var benchmark = new StopBenchmark(session, window, desktop, output);
+        benchmark.Run();
+        window.Close();
+        return null;
     }
 
     /// <summary>Null when it was no display that failed.</summary>

@@ -16,6 +16,7 @@ public static class ShellKeys
         (KeyModifiers.None, Key.F9) => "Switch.SNAP",
         (KeyModifiers.None, Key.F12) => "Switch.DYNAMICINPUT",
         (KeyModifiers.Control, Key.O) => "OPEN",
+        (KeyModifiers.Control, Key.Q) => "Window.Exit",
         (KeyModifiers.Control, Key.Z) => "U",
         (KeyModifiers.Control, Key.Y) => "REDO",
         (KeyModifiers.Control, Key.D1) => "Window.Palettes",

@@ -17,6 +17,7 @@ using Engraver.App.Tables;
 using Engraver.App.Tabs;
 using Engraver.App.Terminals;
 using Engraver.App.Texts;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Shell;
 
@@ -47,7 +48,16 @@ public sealed class ShellModel : Observable
 
     public IReadOnlyList<ToolButton> Tools { get; }
 
-    public string Title => Desk.Session.Document.Current.Drawing is { } drawing ? Text.Of("Window.TitleOf", Path.GetFileName(drawing.FileName)) : Text.Of("Window.Title");
+    /// <summary>Drawing and machine, so that the task bar tells them too.</summary>
+    public string Title
+    {
+        get
+        {
+            var file = Desk.Session.Document.Current.Drawing is { } drawing ? Path.GetFileName(drawing.FileName) : null;
+            if (Desk.Session.Machine.Status.State is not MachineState.Offline and var state) return Text.Of("Window.TitleWithMachine", file ?? Text.Of("Window.NoDrawing"), Text.Of("State." + state));
+            return file is null ? Text.Of("Window.Title") : Text.Of("Window.TitleOf", file);
+        }
+    }
 
     /// <summary>The palettes at the right; made when they are first shown.</summary>
     public IReadOnlyList<PageTab> Palettes() =>

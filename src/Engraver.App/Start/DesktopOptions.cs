@@ -26,6 +26,9 @@ public sealed record DesktopOptions
     /// <summary>Pixels for each unit; null: as the display says.</summary>
     public double? Scale { get; init; }
 
+    /// <summary>What is measured instead of opening the desktop; null: nothing (<see cref="Benchmarks.DesktopBenchmark"/>).</summary>
+    public string? Benchmark { get; init; }
+
     /// <summary>Reads the words of the command line.</summary>
     /// <returns>The options, or the sentence that says what is wrong.</returns>
     public static (DesktopOptions? Options, string? Wrong) Parse(IReadOnlyList<string> words)
@@ -55,6 +58,7 @@ public sealed record DesktopOptions
     {
         "--script" => this with { Script = value },
         "--screenshot" => this with { Screenshot = value },
+        "--benchmark" => Benchmarks.DesktopBenchmark.Names.Contains(value) ? this with { Benchmark = value } : null,
         "--size" => SizeOf(value) is { } size ? this with { Size = size } : null,
         "--scale" => double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out var scale) && scale is >= LeastScale and <= MostScale ? this with { Scale = scale } : null,
         _ => null,

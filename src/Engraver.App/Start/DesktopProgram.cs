@@ -1,8 +1,8 @@
-using System.Runtime.InteropServices;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
+using Engraver.App.Benchmarks;
 using Engraver.App.Platforms;
 using Engraver.App.Shell;
 using Engraver.App.Texts;
@@ -20,6 +20,7 @@ public static class DesktopProgram
     /// <returns>The exit code of the runner's contract.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
+        if (options.Benchmark is not (null or DesktopBenchmark.Start)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
         var session = new DesktopSession(options.Headless ? DesktopSession.OfNobody() : DesktopSession.OfUser());
         try
         {
@@ -38,7 +39,20 @@ public static class DesktopProgram
 
     private static int RunHeadless(DesktopSession session, DesktopOptions options, TextWriter error)
     {
-        if (DesktopPlatform.RunHeadless(session, options, builder => Open(builder, session, options)) is not { } failed) return Done;
+        using var signals = new EndSignals(() => session.StopKeys.PressStop(), Cancel);
+        var failure = DesktopPlatform.RunHeadless(session, options, builder => Open(builder, session, options));
+        return signals.Came ? Stopped : Said(failure, error);
+
+        void Cancel()
+        {
+            if (Application.Current is not null) Dispatcher.UIThread.Post(async () => await session.Desk.CancelAsync());
+        }
+    }
+
+    /// <returns>The exit code of a sentence of what failed; null is success.</returns>
+    private static int Said(string? failure, TextWriter error)
+    {
+        if (failure is not { } failed) return Done;
         error.WriteLine(Text.Of("Start.Failed", failed));
         return Failed;
     }
@@ -49,6 +63,7 @@ public static class DesktopProgram
         var builder = DesktopPlatform.OnDisplay(AppBuilder.Configure<App>(), session, options).WithInterFont().SetupWithLifetime(lifetime);
         var window = Open(builder, session, options);
         lifetime.MainWindow = window;
+        if (options.Benchmark is not null) DesktopBenchmark.EndAfterFirstFrame(window);
         window.Opened += async (_, _) =>
         {
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
@@ -56,16 +71,8 @@ public static class DesktopProgram
             window.Canvas.RefineNow();
             if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };
-        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, End);
-        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, End);
+        using var signals = new EndSignals(() => session.StopKeys.PressStop(), () => Dispatcher.UIThread.Post(() => lifetime.Shutdown(Stopped)));
         return lifetime.Start([]);
-
-        void End(PosixSignalContext signal)
-        {
-            signal.Cancel = true;
-            session.StopKeys.PressStop();
-            Dispatcher.UIThread.Post(() => lifetime.Shutdown(Stopped));
-        }
     }
 
     private static ShellWindow Open(AppBuilder builder, DesktopSession session, DesktopOptions options)

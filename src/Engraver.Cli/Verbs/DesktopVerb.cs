@@ -16,6 +16,8 @@ internal sealed class DesktopVerb
     private readonly Option<string?> _size = new("--size") { Description = "Size of the window.", HelpName = "1280x800" };
     private readonly Option<double?> _scale = new("--scale") { Description = "Pixels for each unit.", HelpName = "1.0" };
 
+    private readonly Option<string?> _benchmark = new("--benchmark") { Description = "Measures instead of opening: start, canvas or stop.", HelpName = "WHAT", Hidden = true };
+
     private DesktopVerb()
     {
     }
@@ -26,7 +28,7 @@ internal sealed class DesktopVerb
         var command = new Command("desktop", "Opens the operator desktop (exit code 6 without a display).");
         verb._file.Validators.Add(NoOption);
         command.Arguments.Add(verb._file);
-        foreach (var option in (Option[])[verb._script, verb._headless, verb._screenshot, verb._size, verb._scale]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._script, verb._headless, verb._screenshot, verb._size, verb._scale, verb._benchmark]) command.Options.Add(option);
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -71,7 +73,7 @@ internal sealed class DesktopVerb
     {
         if (parsed.GetValue(_file) is { } file) yield return file;
         if (parsed.GetValue(_headless)) yield return "--headless";
-        foreach (var (name, value) in new[] { ("--script", parsed.GetValue(_script)), ("--screenshot", parsed.GetValue(_screenshot)), ("--size", parsed.GetValue(_size)), ("--scale", parsed.GetValue(_scale)?.ToString(CultureInfo.InvariantCulture)) })
+        foreach (var (name, value) in new[] { ("--script", parsed.GetValue(_script)), ("--screenshot", parsed.GetValue(_screenshot)), ("--size", parsed.GetValue(_size)), ("--benchmark", parsed.GetValue(_benchmark)), ("--scale", parsed.GetValue(_scale)?.ToString(CultureInfo.InvariantCulture)) })
         {
             if (value is null) continue;
             yield return name;

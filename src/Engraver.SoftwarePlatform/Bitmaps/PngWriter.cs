@@ -39,7 +39,7 @@ internal static class PngWriter
     private static byte[] CompressedRows(SoftwareBitmap bitmap)
     {
         using var memory = new MemoryStream();
-        using (var compressor = new ZLibStream(memory, CompressionLevel.Fastest, leaveOpen: true))
+        using (var compressor = new ZLibStream(memory, CompressionLevel.Optimal, leaveOpen: true))
         {
             var row = new byte[bitmap.PixelSize.Width * 4];
             var above = new byte[row.Length];

@@ -10,12 +10,11 @@ internal sealed class CncConnectCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var typed = await context.ValueAsync(new TextPrompt("Enter address of the controller") { Default = context.Remembered("CNCCONNECT", "sim:") }).ConfigureAwait(false);
+        var typed = await context.ValueAsync(new TextPrompt("Enter address of the controller") { Default = context.Settings.Current.LastAddress ?? "sim:" }).ConfigureAwait(false);
         if (!ControllerAddress.TryParse(typed, out var address)) throw new CommandException(CommandFailure.Usage, $"'{typed}' is no controller address; write tcp://HOST:PORT or sim:.");
         try
         {
             var identity = await context.Machine.ConnectAsync(address, cancellation).ConfigureAwait(false);
-            context.Remember("CNCCONNECT", typed);
             context.Settings.Change(settings => settings with { LastAddress = typed });
             context.Say($"Connected to {identity.Model} at {context.Machine.Description}.");
         }

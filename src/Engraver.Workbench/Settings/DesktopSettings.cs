@@ -1,3 +1,4 @@
+using Engraver.Workbench.Commands;
 using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Settings;
@@ -48,6 +49,9 @@ public sealed record DesktopSettings
         var recent = RecentFiles.Where(file => file != path).Prepend(path).Take(MostRecentFiles).ToList();
         return this with { RecentFiles = recent, Views = Views.Where(view => recent.Contains(view.Key)).ToDictionary() };
     }
+
+    /// <summary>The value of a system variable that is kept: as it was set, else its first one.</summary>
+    public double Variable(string name) => SystemVariables.Of(this, name);
 
     public DesktopSettings WithVariable(string name, double value) => this with { Variables = new Dictionary<string, double>(Variables) { [name] = value } };
 

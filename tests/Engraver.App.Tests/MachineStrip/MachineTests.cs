@@ -107,6 +107,60 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
     });
 
+    /// <summary>The bytes themselves: heard on a TCP wire while the thread of the window waits for them and does nothing else.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public Task Stop_is_on_the_wire_while_the_window_is_busy(bool byMouse) => fixture.WithOperator(here =>
+    {
+        using var wire = new ServedMachine(here, speed: 1);
+        StartSlowly(here, wire.Address);
+        var place = here.MiddleOf(here.Find<Button>("StopKey"));
+        using var braked = new ManualResetEventSlim();
+        wire.Heard += text =>
+        {
+            if (text.Contains("ST AB", StringComparison.Ordinal)) braked.Set();
+        };
+        var press = new Thread(() => Press(here, byMouse ? place : null));
+        press.Start();
+
+        Assert.True(braked.Wait(TimeSpan.FromSeconds(30)), "no ST AB came over the wire while the window was busy");
+        press.Join();
+        here.Rest();
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+    });
+
+    [Fact]
+    public Task A_job_runs_to_its_end_over_the_network() => fixture.WithOperator(here =>
+    {
+        using var wire = new ServedMachine(here, speed: double.PositiveInfinity);
+        here.Open("paper-001.dxf");
+        here.Enter("CNCCONNECT", wire.Address);
+        Assert.False(here.Window.Model.Machine.IsSimulation);
+        here.Click(here.Find<Button>("ArmKey"));
+        here.Rest();
+        here.Click(here.Find<Button>("StartKey"));
+        here.Rest();
+
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Contains("READY", here.Window.Title, StringComparison.Ordinal);
+    });
+
+    [Fact]
+    public Task A_command_that_the_controller_refuses_is_an_alarm() => fixture.WithOperator(here =>
+    {
+        using var wire = new ServedMachine(here, speed: 1);
+        here.Enter("CNCCONNECT", wire.Address, "CNCMOTORS", "ON");
+        var typed = here.Commands.Machine.Terminal.TypeAsync("JG 500;BGA", CancellationToken.None);
+        here.Until(() => typed.IsCompleted);
+        here.Enter("CNCMOTORS", "OFF"); // not while an axis moves
+        here.Until(() => here.Commands.Machine.Alarms.Open.Count > 0);
+        here.Show("Alarms");
+
+        Assert.Contains(here.Commands.Machine.Alarms.Open, alarm => alarm.Cause == AlarmCause.Refused);
+        Assert.Equal(1, here.Find<ListBox>("AlarmList").ItemCount);
+    });
+
     [Fact]
     public Task A_lost_link_is_an_alarm_that_stays_until_it_is_seen() => fixture.WithOperator(here =>
     {
@@ -142,10 +196,16 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal("", here.Window.Model.Command.Line);
     });
 
-    private static void StartSlowly(Operator here)
+    private static void Press(Operator here, Point? stop)
+    {
+        if (stop is { } place) here.Hands.PressButton(place);
+        else here.Hands.Press(Key.Pause);
+    }
+
+    private static void StartSlowly(Operator here, string address = Slowly)
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", Slowly, "CNCARM", "Stream");
+        here.Enter("CNCCONNECT", address, "CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
         here.Until(() => here.Commands.Machine.Status.State == MachineState.Running && here.Commands.Machine.Progress is { SegmentsSent: > 0 });

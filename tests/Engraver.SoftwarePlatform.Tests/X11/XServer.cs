@@ -8,9 +8,11 @@ internal sealed class XServer : IDisposable
     private readonly ToldProcess _server;
     private readonly ToldProcess? _manager;
 
-    public XServer(bool withWindowManager = true)
+    /// <param name="screenFolder">Where the server keeps its screen as a file that can be read at any time; null: nowhere.</param>
+    public XServer(bool withWindowManager = true, string? screenFolder = null)
     {
-        _server = new ToldProcess("Xvfb", null, "-displayfd", "1", "-screen", "0", "1280x900x24", "-nolisten", "tcp", "-noreset");
+        string[] kept = screenFolder is null ? [] : ["-fbdir", screenFolder];
+        _server = new ToldProcess("Xvfb", null, ["-displayfd", "1", "-screen", "0", "1280x900x24", "-nolisten", "tcp", "-noreset", .. kept]);
         Display = ":" + FirstLine(_server);
         if (!withWindowManager) return;
         _manager = new ToldProcess("openbox", Display, "--sm-disable", "--config-file", "/dev/null", "--startup", "echo ready");

@@ -9,9 +9,6 @@ internal sealed class PointerMachine
     /// <summary>Pixels that the hand may tremble before a press is a drag.</summary>
     private const double DragDistance = 4.0;
 
-    /// <summary>Zoom of one notch of the wheel.</summary>
-    private const double NotchFactor = 1.25;
-
     private Point2D? _panFrom;
     private Point2D? _boxFrom;
     private Point2D _cursor;
@@ -20,6 +17,9 @@ internal sealed class PointerMachine
 
     /// <summary>A command asks for a point: clicks are points, not picks.</summary>
     public bool AsksForPoint { get; set; }
+
+    /// <summary>Zoom of one notch of the wheel.</summary>
+    public double NotchFactor { get; set; } = 1.25;
 
     /// <summary>The box while it is drawn.</summary>
     public SelectionBox? Box => _boxFrom is { } from ? new SelectionBox(from, _cursor) : null;

@@ -1,0 +1,57 @@
+using System.Diagnostics;
+using System.Globalization;
+using Avalonia.Controls;
+using Engraver.App.Canvas.Benchmarks;
+using Engraver.App.Platforms;
+using Engraver.App.Start;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.Benchmarks;
+
+/// <summary><c>--benchmark</c>: what docs/benchmarks.md quotes of the desktop.</summary>
+internal static class DesktopBenchmark
+{
+    /// <summary>From the start of the process to its first frame, which is said on standard output; then the window closes.</summary>
+    public const string Start = "start";
+
+    private const string Canvas = "canvas";
+    private const string Stop = "stop";
+
+    public static IReadOnlyList<string> Names { get; } = [Start, Canvas, Stop];
+
+    /// <summary>One of those that need no window of the operator's.</summary>
+    /// <returns>The sentence of what failed; null when all went well.</returns>
+    public static string? Run(DesktopOptions options, TextWriter output)
+    {
+        if (options.Benchmark == Canvas)
+        {
+            CanvasBenchmark.Run([10_000, 100_000, 1_000_000], output);
+            return null;
+        }
+
+        var session = new DesktopSession(new CommandEnvironment());
+        try
+        {
+            return DesktopPlatform.BenchmarkStop(session, builder => ((App)builder.Instance!).OpenShell(session.Desk, session.StopKeys), output);
+        }
+        finally
+        {
+            session.DisposeAsync().AsTask().GetAwaiter().GetResult();
+        }
+    }
+
+    /// <summary>Closes the window once its first frame is drawn, and says how long that took.</summary>
+    public static void EndAfterFirstFrame(Window window) =>
+        window.Opened += (_, _) => window.RequestAnimationFrame(_ => window.RequestAnimationFrame(_ =>
+        {
+            TellFirstFrame();
+            window.Close();
+        }));
+
+    /// <summary>The first frame is there.</summary>
+    public static void TellFirstFrame()
+    {
+        using var self = Process.GetCurrentProcess();
+        Console.Out.WriteLine(string.Create(CultureInfo.InvariantCulture, $"first frame {(DateTime.Now - self.StartTime).TotalMilliseconds:0} ms"));
+    }
+}

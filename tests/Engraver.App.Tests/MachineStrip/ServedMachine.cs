@@ -1,0 +1,34 @@
+using Engraver.App.Benchmarks;
+using Engraver.Simulator;
+
+namespace Engraver.App.Tests.MachineStrip;
+
+/// <summary>A simulated controller that is reached over TCP, and an ear on the wire.</summary>
+internal sealed class ServedMachine : IDisposable
+{
+    private readonly Operator _here;
+    private readonly SimulatedController _controller;
+    private readonly WireTap _wire;
+
+    public ServedMachine(Operator here, double speed)
+    {
+        _here = here;
+        _controller = new SimulatedController(new SimulatorOptions { Speed = speed });
+        var listening = _controller.ListenTcpAsync(0, CancellationToken.None);
+        here.Until(() => listening.IsCompleted);
+        _wire = new WireTap(listening.Result);
+        _wire.Heard += (text, _) => Heard?.Invoke(text);
+    }
+
+    /// <summary>What is on its way to the controller; on a thread of the pool.</summary>
+    public event Action<string>? Heard;
+
+    public string Address => _wire.Address;
+
+    public void Dispose()
+    {
+        _here.Enter("CNCDISCONNECT");
+        var ending = Task.WhenAll(_wire.DisposeAsync().AsTask(), _controller.DisposeAsync().AsTask());
+        _here.Until(() => ending.IsCompleted);
+    }
+}

@@ -1,0 +1,52 @@
+using System.Buffers.Binary;
+
+namespace Engraver.App.Tests.RealWindow;
+
+/// <summary>What stands on the X server's screen: its frame buffer file, an X window dump of 32 bits a pixel.</summary>
+internal sealed class ServerScreen
+{
+    private const int HeaderSizeAt = 0;
+    private const int WidthAt = 16;
+    private const int HeightAt = 20;
+    private const int LineBytesAt = 48;
+    private const int ColourCountAt = 76;
+    private const int ColourBytes = 12;
+    private readonly byte[] _dump;
+    private readonly int _pixels;
+    private readonly int _lineBytes;
+
+    /// <param name="folder">The folder that the server was given for its screen.</param>
+    public ServerScreen(string folder)
+    {
+        using var file = new FileStream(Path.Combine(folder, "Xvfb_screen0"), FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+        _dump = new byte[file.Length];
+        file.ReadExactly(_dump);
+        _pixels = Number(HeaderSizeAt) + (Number(ColourCountAt) * ColourBytes);
+        _lineBytes = Number(LineBytesAt);
+        (Width, Height) = (Number(WidthAt), Number(HeightAt));
+    }
+
+    public int Width { get; }
+
+    public int Height { get; }
+
+    /// <summary>0xRRGGBB.</summary>
+    public int At(int x, int y) => BinaryPrimitives.ReadInt32LittleEndian(_dump.AsSpan(_pixels + (y * _lineBytes) + (x * sizeof(int)))) & 0xFFFFFF;
+
+    /// <summary>How many pixels of a rectangle have another colour than its first.</summary>
+    public int Drawn(int left, int top, int width, int height)
+    {
+        var drawn = 0;
+        for (var y = top; y < top + height; y++)
+        {
+            for (var x = left; x < left + width; x++)
+            {
+                if (At(x, y) != At(left, top)) drawn++;
+            }
+        }
+
+        return drawn;
+    }
+
+    private int Number(int at) => BinaryPrimitives.ReadInt32BigEndian(_dump.AsSpan(at));
+}
