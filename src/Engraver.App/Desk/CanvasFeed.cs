@@ -29,6 +29,9 @@ public sealed class CanvasFeed
     /// <summary>Ends when the drawing and the job that are there now are shown.</summary>
     public Task Shown { get; private set; } = Task.CompletedTask;
 
+    /// <summary>What is shown is what the document and its derivation hold now; false while word of a change is still on its way to the window.</summary>
+    public bool IsCurrent => Shown.IsCompleted && ReferenceEquals(_desk.Session.Document.Current.Drawing, _drawing) && ReferenceEquals(_desk.Derived.Job, _job);
+
     private void Look()
     {
         var state = _desk.Session.Document.Current;

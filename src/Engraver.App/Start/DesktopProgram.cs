@@ -67,7 +67,7 @@ public static class DesktopProgram
         window.Opened += async (_, _) =>
         {
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
-            await window.CanvasFeed.Shown;
+            while (!window.CanvasFeed.IsCurrent) await Dispatcher.UIThread.InvokeAsync(() => window.CanvasFeed.Shown, DispatcherPriority.Background);
             window.Canvas.RefineNow();
             if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };
