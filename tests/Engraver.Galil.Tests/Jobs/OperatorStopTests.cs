@@ -106,7 +106,7 @@ public class OperatorStopTests
         var feederWaits = !running.IsCompleted;
         while (!running.IsCompleted)
         {
-            time.Advance(TimeSpan.FromMilliseconds(50));
+            time.Advance(TimeSpan.FromMilliseconds(2));
             await bench.SendAsync("MG 1"); // a question of our own for each step of the clock: the stop's answers come as soon, however busy the computer is
         }
 
