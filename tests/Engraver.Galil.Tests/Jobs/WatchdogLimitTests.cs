@@ -1,6 +1,7 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Sessions;
+using Engraver.Galil.Tests.Links;
 using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
@@ -42,13 +43,29 @@ public class WatchdogLimitTests
         Assert.Equal(0, controller.Outputs);
     }
 
+    [Fact]
+    public async Task A_question_that_was_held_up_when_the_clock_was_measured_is_asked_again()
+    {
+        var questions = 0;
+        var (result, _) = await RunHeldUpAsync(200.0, JobMode.Stream, TimeSpan.FromSeconds(0.6), HoldUpTheFirstOfTwo);
+
+        Assert.Equal((JobOutcome.Complete, null), (result.Outcome, result.Loss));
+
+        void HoldUpTheFirstOfTwo(RunningTime time, string line)
+        {
+            if (line.StartsWith("MG TIME", StringComparison.Ordinal) && ++questions is (1 or 3 or 5)) time.Pass(TimeSpan.FromSeconds(0.3));
+        }
+    }
+
     /// <summary>Ten seconds of a cut; in the middle the host does nothing for so long.</summary>
-    private static async Task<(JobResult Result, ControllerStatus Status)> RunHeldUpAsync(double speed, JobMode mode, TimeSpan hold)
+    private static async Task<(JobResult Result, ControllerStatus Status)> RunHeldUpAsync(double speed, JobMode mode, TimeSpan hold, Action<RunningTime, string>? sending = null)
     {
         var time = new RunningTime();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed, Time = time.WithoutTimers });
+        Action<string>? afterConnect = null;
         await using var session = await ControllerSession.OpenAsync(
-            _ => Task.FromResult<IControllerLink>(new StreamLink(controller.OpenConnection(), "memory")), new SessionOptions(), time, CancellationToken.None);
+            _ => Task.FromResult<IControllerLink>(new WithheldLink(new StreamLink(controller.OpenConnection(), "memory")) { Sending = line => afterConnect?.Invoke(line) }), new SessionOptions(), time, CancellationToken.None);
+        if (sending is not null) afterConnect = line => sending(time, line);
         var held = new CancelWhen(progress => progress.X > 3000, () => time.Pass(hold));
         return (await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, new JobOptions { Mode = mode }, held, CancellationToken.None), controller.Status);
     }
