@@ -208,15 +208,14 @@ internal sealed class ControllerCore : IDisposable
         FlushRecord();
     }
 
-    /// <summary>Real time: controller time follows the wall. Virtual time stands still here.</summary>
+    /// <summary>Real time: controller time follows the wall. Where it is to run ahead of the wall, the time that the computing takes does not count: a busy computer
+    /// makes the controller slower instead of letting it fall behind its host for ever. Virtual time stands still here.</summary>
     private void Pace()
     {
-        if (!_options.IsVirtual)
-        {
-            var due = _options.Time.GetElapsedTime(_started) * _options.Speed;
-            Machine.Advance(due - _paced);
-            _paced = due;
-        }
+        if (_options.IsVirtual) return;
+        var now = _options.Time.GetElapsedTime(_started);
+        Machine.Advance((now - _paced) * _options.Speed);
+        _paced = _options.Speed > 1.0 ? _options.Time.GetElapsedTime(_started) : now;
     }
 
     private void FlushRecord()

@@ -11,7 +11,10 @@ internal sealed class StoppedTime : TimeProvider
 
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
 
-    public override long GetTimestamp() => _now;
+    /// <summary>So long does the next look at the clock take, and then none any more.</summary>
+    public Queue<TimeSpan> Delays { get; } = [];
+
+    public override long GetTimestamp() => _now += Delays.TryDequeue(out var delay) ? delay.Ticks : 0;
 
     public override DateTimeOffset GetUtcNow() => new(_now, TimeSpan.Zero);
 

@@ -5,6 +5,20 @@ public class TimeTests
 {
     private static readonly TimeSpan Silence = TimeSpan.FromMilliseconds(5);
 
+    [Theory]
+    [InlineData(1.0, 110)] // a real machine does not wait
+    [InlineData(100.0, 2000)]
+    public async Task What_computing_takes_does_not_count_where_the_clock_is_to_run_ahead(double speed, int samples)
+    {
+        var time = new StoppedTime();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed, Time = time });
+        TimeSpan passed = TimeSpan.FromMilliseconds(10), computing = TimeSpan.FromMilliseconds(90);
+        foreach (var delay in speed > 1.0 ? [passed, computing, passed, computing] : new[] { passed, computing + passed }) time.Delays.Enqueue(delay);
+        Assert.NotEqual(0, controller.Status.Sample);
+
+        Assert.Equal(samples, controller.Status.Sample);
+    }
+
     [Fact]
     public async Task At_max_every_command_costs_its_time_and_nothing_else_passes()
     {
