@@ -59,12 +59,14 @@ internal static class FlowCommands
         return line >= 0 && line < reader.Machine.Program.Count ? line : throw new CommandRefusedException(Tc.InvalidLine);
     }
 
-    /// <summary>EN, RE, RI: back from a subroutine, or the end of the thread. Argument 1 restores an interrupted trippoint (C.3).</summary>
+    /// <summary>EN, RE, RI: back from a subroutine, or the end of the thread. Argument 1 restores an interrupted trippoint, a second one CI (C.3); the third is what <c>_JS</c> reads (E Flow).</summary>
     private static void End(StatementReader reader)
     {
         var thread = reader.Context.Thread!;
         var fields = reader.TakeFields();
         reader.ExpectEnd();
+        if (fields.ElementAtOrDefault(1).Value is { Integer: 1 }) reader.Machine.SerialInterrupt.Rearm();
+        thread.ReturnValue = fields.ElementAtOrDefault(2).Value ?? FixedPoint.Zero;
         if (thread.Calls.Count > 0)
         {
             thread.Return(fields[0].Value is { Integer: 1 });

@@ -138,6 +138,17 @@ internal sealed class Axis
         Motor.Define(position);
     }
 
+    /// <summary>The same place gets another number, in the middle of a motion too: the electronic cam tells positions within a cycle (C.4).</summary>
+    public void Renumber(double difference)
+    {
+        _shift += difference;
+        Position += difference;
+        _smoothed += difference;
+        _target += difference;
+        MoveStart += difference;
+        Motor.Define(Motor.Position + difference);
+    }
+
     /// <summary>SH: the place where the motor stands becomes the command (C).</summary>
     public void TakeMotorPosition() => SetPosition(_smoothed = Motor.Counts);
 
