@@ -26,6 +26,7 @@ internal sealed class Machine
         Threads = new Scheduler(this);
         Interpreter = new Interpreter(this);
         Messages = new MessageRouter(Handles, Serial, options);
+        Burned = new BurnedState(this);
     }
 
     public SimulatorOptions Options { get; }
@@ -102,6 +103,9 @@ internal sealed class Machine
         | (Threads[0].Calls.Any(static c => c.Interrupt) && !InputInterrupt.IsRunning ? 0x10 : 0)
         | (InputInterrupt.IsArmed ? 0x08 : 0)
         | (InputInterrupt.IsRunning ? 0x04 : 0);
+
+    /// <summary>What BN and BV burned.</summary>
+    public BurnedState Burned { get; }
 
     /// <summary>The program that BP burned; RS restores it.</summary>
     public string[] BurnedProgram { get; set; } = [];
@@ -214,17 +218,15 @@ internal sealed class Machine
         foreach (var line in BurnedProgram) Program.Append(line);
 
         Messages.Reset();
-        Serial.Reset();
         SerialInterrupt.Configure(0, takesData: false);
-        SetOutputs(0);
+        InputInterrupt.Arm(0, 0);
         LastError = 0;
         Motion.Cam.Reset();
         Capture.Stop();
         Motion.Contour.TimeExponent = 0;
-        foreach (var axis in Motion.Axes)
-        {
-            axis.Redefine(0);
-        }
+        Motion.Selected = Motion.Planes[0];
+        foreach (var axis in Motion.Axes) axis.Redefine(0);
+        Burned.Restore();
 
         if (Program.TryFind("AUTO", out var line0)) Threads[0].Start(line0, Sample);
     }

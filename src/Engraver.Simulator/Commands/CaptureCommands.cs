@@ -6,7 +6,6 @@ namespace Engraver.Simulator.Commands;
 internal static class CaptureCommands
 {
     private const int MostArrays = 8;
-    private const int LongestName = 7;
 
     public static IEnumerable<CommandEntry> Entries { get; } =
     [
@@ -21,11 +20,7 @@ internal static class CaptureCommands
         var arrays = new List<FixedPoint[]>();
         do
         {
-            var name = reader.TakeName();
-            if (name.Length > LongestName || arrays.Count == MostArrays) throw new CommandRefusedException(name.Length > LongestName ? Tc.UndefinedArray : Tc.TooManyNames);
-            arrays.Add(reader.Machine.Variables.ArrayNamed(name, Tc.UndefinedArray));
-            reader.Take('[', Tc.MissingBracket);
-            reader.Take(']', Tc.MissingBracket);
+            arrays.Add(arrays.Count < MostArrays ? MemoryCommands.TakeShortArray(reader) : throw new CommandRefusedException(Tc.TooManyNames));
         }
         while (reader.TryTake(','));
         reader.ExpectEnd();
