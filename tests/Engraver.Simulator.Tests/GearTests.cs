@@ -25,6 +25,16 @@ public class GearTests
         Assert.Equal(-1000, rig.Value("_RPB"));
     }
 
+    [Fact]
+    public async Task A_follower_in_front_of_its_master_arrives_too_and_so_does_the_follower_of_a_follower()
+    {
+        await using var rig = new Rig();
+
+        rig.Do("GAB=C", "GRB=1", "GAA=B", "GRA=3", "PRC=500", "BGC").RunToIdle();
+
+        Assert.Equal((1500, 500), (rig.Value("_RPA"), rig.Value("_RPB")));
+    }
+
     [Theory]
     [InlineData(0, 0)]
     [InlineData(1, -2)]
