@@ -7,7 +7,7 @@ namespace Engraver.Simulator;
 internal sealed class BurnedState(Machine machine)
 {
     private (AxisSetup[] Axes, (double Speed, double Acceleration, double Deceleration)[] Planes, int[] Polarity) _motion = MotionOf(machine);
-    private (int Marking, int WhenBlocked, bool Echo, byte Outputs) _ports = PortsOf(machine);
+    private (int Marking, int WhenBlocked, bool Echo, bool Trace, byte Outputs) _ports = PortsOf(machine);
     private (NumberFormat Position, NumberFormat Variable, bool StripZeros, int Sample) _formats = FormatsOf(machine);
     private KeyValuePair<string, FixedPoint>[] _variables = [];
     private KeyValuePair<string, FixedPoint[]>[] _arrays = [];
@@ -37,6 +37,7 @@ internal sealed class BurnedState(Machine machine)
         for (var i = 0; i < motion.Planes.Length; i++) Apply(_motion.Planes[i], motion.Planes[i]);
         _motion.Polarity.CopyTo(motion.Polarity.Fields, 0);
         (machine.Messages.Marking, machine.Messages.WhenBlocked, machine.Serial.Echo) = (_ports.Marking, _ports.WhenBlocked, _ports.Echo);
+        machine.Threads.IsTracing = _ports.Trace;
         machine.SetOutputs(_ports.Outputs);
         (machine.PositionFormat, machine.VariableFormat, machine.StripLeadingZeros, machine.SampleMicroseconds) = _formats;
         foreach (var (name, value) in _variables) machine.Variables.Write(name, value);
@@ -57,8 +58,8 @@ internal sealed class BurnedState(Machine machine)
         [.. machine.Motion.Planes.Select(p => (p.Profile.VectorSpeed, p.Profile.Acceleration, p.Profile.Deceleration))],
         [.. machine.Motion.Polarity.Fields]);
 
-    private static (int Marking, int WhenBlocked, bool Echo, byte Outputs) PortsOf(Machine machine) =>
-        (machine.Messages.Marking, machine.Messages.WhenBlocked, machine.Serial.Echo, machine.Io.Outputs);
+    private static (int Marking, int WhenBlocked, bool Echo, bool Trace, byte Outputs) PortsOf(Machine machine) =>
+        (machine.Messages.Marking, machine.Messages.WhenBlocked, machine.Serial.Echo, machine.Threads.IsTracing, machine.Io.Outputs);
 
     private static (NumberFormat Position, NumberFormat Variable, bool StripZeros, int Sample) FormatsOf(Machine machine) =>
         (machine.PositionFormat, machine.VariableFormat, machine.StripLeadingZeros, machine.SampleMicroseconds);

@@ -102,7 +102,8 @@ internal sealed class Machine
         | (Motion.Contour.IsOn ? 0x20 : 0)
         | (Threads[0].Calls.Any(static c => c.Interrupt) && !InputInterrupt.IsRunning ? 0x10 : 0)
         | (InputInterrupt.IsArmed ? 0x08 : 0)
-        | (InputInterrupt.IsRunning ? 0x04 : 0);
+        | (InputInterrupt.IsRunning ? 0x04 : 0)
+        | (Serial.Echo ? 0x01 : 0);
 
     /// <summary>What BN and BV burned.</summary>
     public BurnedState Burned { get; }

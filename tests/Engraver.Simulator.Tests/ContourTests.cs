@@ -52,7 +52,7 @@ public class ContourTests
         await using var rig = new Rig();
         rig.Do("CMA", "DT 1", "CD 100").Pass(50);
         Assert.Equal((100, 42, 50, 0), (rig.Value("_RPA"), rig.Value("_TC"), rig.Value("_SCA"), rig.Value("_BGA")));
-        Assert.Equal(0x20, int.Parse(rig.Ask("TB")[..^3], System.Globalization.CultureInfo.InvariantCulture));
+        Assert.Equal(0x21, int.Parse(rig.Ask("TB")[..^3], System.Globalization.CultureInfo.InvariantCulture));
 
         rig.Do("CD 60", "DT 0", "CD 0").RunToIdle();
 

@@ -87,6 +87,29 @@ public class HostDemandTests
         Assert.Equal([0, 0x80, 0x80], new[] { 0, 1, 2 }.Select(axis => BitConverter.ToUInt16(record, 44 + (28 * axis)) & 0x80));
     }
 
+    [Fact] // point 7
+    public async Task Point_7_the_record_tells_the_phases_of_a_motion()
+    {
+        await using var rig = new Rig();
+        rig.Download("#A\nWT 5000\nEN").Do("PRC=10000", "BGC", "VMAB", "VP 9000,0", "VE", "BGS");
+
+        var phases = new List<(int General, int Plane, int Axis)>();
+        for (var i = 0; i < 60; i++) phases.Add(Phases(Encoding.Latin1.GetBytes(rig.Pass(10).Ask("QR"))));
+        Assert.Equal([0, 1 << 5, 1 << 3, 0], phases.Select(p => p.Plane & 0x38).Aggregate(new List<int> { 0 }, AddChange));
+        Assert.Equal([0, 1 << 5, 1 << 3, 0], phases.Select(p => p.Axis & 0x38).Aggregate(new List<int> { 0 }, AddChange));
+
+        Assert.Equal(0x83, Phases(Encoding.Latin1.GetBytes(rig.Do("TR 1", "XQ").Ask("QR"))).General);
+    }
+
+    private static (int General, int Plane, int Axis) Phases(byte[] record) =>
+        (record[27], BitConverter.ToUInt16(record, 30), BitConverter.ToUInt16(record, 44 + (2 * 28)));
+
+    private static List<int> AddChange(List<int> seen, int next)
+    {
+        if (seen[^1] != next) seen.Add(next);
+        return seen;
+    }
+
     [Fact] // point 8
     public async Task Point_8_blank_and_surplus_fields_and_decimals_are_taken()
     {

@@ -138,6 +138,19 @@ public class LanguageTests
     }
 
     [Fact]
+    public async Task TR_tells_every_line_before_it_runs()
+    {
+        await using var rig = new Rig();
+        rig.Download("#A\nx=1;x=2\nJS#B\nEN\n#B\nMG \"B\";EN").Do("CFI", "TR 1");
+
+        var said = rig.Ask("XQ") + Rig.ReadAvailable(rig.RunToIdle().Stream);
+
+        Assert.Equal(":1 x=1;x=2\r\n2 JS#B\r\n5 MG \"B\";EN\r\nB\r\n3 EN\r\n", said);
+        Assert.Equal(" 1\r\n:", rig.Ask("TR ?"));
+        Assert.Equal(":B\r\n", rig.Do("TR 0").Ask("XQ #B") + Rig.ReadAvailable(rig.RunToIdle().Stream));
+    }
+
+    [Fact]
     public async Task Without_CMDERR_an_error_stops_all_threads()
     {
         await using var rig = new Rig();

@@ -74,7 +74,7 @@ internal sealed class DataRecord
         block[2] = _machine.Io.Inputs;
         block[12] = _machine.Io.Outputs;
         block[22] = (byte)_machine.LastError;
-        block[23] = (byte)(_machine.Threads.AnyRunning ? 0x80 : 0);
+        block[23] = (byte)((_machine.Threads.AnyRunning ? 0x80 : 0) | (_machine.Threads.IsTracing ? 0x02 : 0) | (_machine.Serial.Echo ? 0x01 : 0));
     }
 
     private void AddPlane(VectorPlane plane)
@@ -83,7 +83,8 @@ internal sealed class DataRecord
         BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)plane.Profile.SegmentIndex);
         var status = (plane.IsActive ? 1 << 15 : 0)
             | (plane is { IsActive: true, Profile: { IsStopping: false, Speed: > 0 } } && plane.IsAtSpeed ? 1 << 5 : 0)
-            | (plane.Profile.IsStopping ? 1 << 4 : 0);
+            | (plane.Profile.IsStopping ? 1 << 4 : 0)
+            | (plane.Profile.IsEnding ? 1 << 3 : 0);
         BinaryPrimitives.WriteUInt16LittleEndian(block[2..], (ushort)status);
         BinaryPrimitives.WriteInt32LittleEndian(block[4..], (int)Math.Floor(plane.Profile.Travelled + 1e-6));
     }
@@ -118,6 +119,7 @@ internal sealed class DataRecord
             | (motion.Contour.Drives(axis) ? 1 << 6 : 0)
             | (axis.IsAtSpeed ? 1 << 5 : 0)
             | (axis.IsStopping ? 1 << 4 : 0)
+            | (axis.IsEnding ? 1 << 3 : 0)
             | (axis.Latch.IsArmed ? 1 << 2 : 0)
             | (axis.OffOnError is 1 or 3 ? 1 << 1 : 0)
             | (axis.MotorOff ? 1 : 0);

@@ -19,6 +19,7 @@ internal static class FlowCommands
         new("NO", CommandScope.Both, _ => { }),
         new("XQ", CommandScope.Both, Execute),
         new("HX", CommandScope.Both, Halt),
+        new("TR", CommandScope.Both, Trace),
     ];
 
     private static void Jump(StatementReader reader)
@@ -141,6 +142,16 @@ internal static class FlowCommands
         if (line >= reader.Machine.Program.Count) throw new CommandRefusedException(Tc.UndefinedLabel);
 
         thread.Start(line, reader.Machine.Sample);
+    }
+
+    /// <summary>TR 1 tells every program line as a message before it runs, TR 0 ends that (A.5).</summary>
+    private static void Trace(StatementReader reader)
+    {
+        var field = reader.TakeFields()[0];
+        reader.ExpectEnd();
+        var threads = reader.Machine.Threads;
+        if (field.IsQuery) reader.Context.WriteLine(threads.IsTracing ? " 1" : " 0");
+        else threads.IsTracing = AxisParameters.InRange(field.Value?.Integer ?? 0, 0, 1) == 1;
     }
 
     private static void Halt(StatementReader reader)

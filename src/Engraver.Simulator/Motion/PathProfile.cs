@@ -16,6 +16,9 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public bool IsStopping { get; set; }
 
+    /// <summary>It brakes for the end of the closed sequence: the final deceleration of the status word (A.9).</summary>
+    public bool IsEnding { get; private set; }
+
     /// <summary>Momentary commanded speed: <c>_VMS</c>.</summary>
     public double Speed { get; private set; }
 
@@ -56,7 +59,11 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public void EnterSegment() => _commanded = buffer.Current?.EntrySpeed ?? _commanded;
 
-    public void StandStill() => Speed = 0;
+    public void StandStill()
+    {
+        Speed = 0;
+        IsEnding = false;
+    }
 
     /// <summary>Goes on for <paramref name="dt"/> or to the end of the segment, whichever comes first.</summary>
     /// <param name="crossed">True at the end of the segment, which then has left the buffer.</param>
@@ -105,9 +112,11 @@ internal sealed class PathProfile(SegmentBuffer buffer)
             else if (toEnd <= ((exit * exit) - (Speed * Speed)) / (2 * Acceleration)) target = exit;
         }
 
-        if (buffer.IsClosed) ceiling = Math.Min(ceiling, Ramp.Braking(Speed, buffer.Length - Travelled, 0, Deceleration, dt));
         var slowest = Speed - (Deceleration * dt);
         var towards = target == 0 ? slowest : Ramp.Towards(Speed, target, Acceleration, Deceleration, dt);
+        var end = buffer.IsClosed ? Ramp.Braking(Speed, buffer.Length - Travelled, 0, Deceleration, dt) : double.PositiveInfinity;
+        IsEnding = end < towards && !IsStopping;
+        ceiling = Math.Min(ceiling, end);
         return Speed == 0 && target == 0 ? 0 : Math.Max(slowest, Math.Min(ceiling, towards));
     }
 }
