@@ -50,6 +50,18 @@ public class CamTests
     }
 
     [Fact]
+    public async Task The_speed_of_a_slave_is_told_and_ends_with_its_master()
+    {
+        await using var rig = new Rig();
+        rig.Do(Table).Do("EB 1", "EG ,-1", "JGA=2000", "BGA").Pass(300);
+        Assert.Equal(3000, rig.Value("_TVB"));
+
+        rig.Do("STA").RunToIdle();
+
+        Assert.Equal((0, 1), (rig.Value("_TVB"), rig.Value("_EGB")));
+    }
+
+    [Fact]
     public async Task EG_and_EQ_wait_for_their_place_of_the_master()
     {
         await using var rig = new Rig();

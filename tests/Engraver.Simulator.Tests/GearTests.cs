@@ -16,6 +16,19 @@ public class GearTests
     }
 
     [Fact]
+    public async Task A_dispenser_goes_on_forwards_in_the_next_sequence()
+    {
+        await using var rig = new Rig();
+        rig.Do("GAC=S", "GRC=0.5", "VMAB", "VP 1000,0", "VE", "BGS").RunToIdle();
+
+        rig.Do("CSS", "VP -600,0", "VE", "BGS").RunToIdle();
+        Assert.Equal(800, rig.Value("_RPC"));
+
+        rig.Do("VMAB", "VP 200,0", "VE", "BGS").RunToIdle();
+        Assert.Equal(900, rig.Value("_RPC"));
+    }
+
+    [Fact]
     public async Task An_axis_follows_another_with_its_sign()
     {
         await using var rig = new Rig();

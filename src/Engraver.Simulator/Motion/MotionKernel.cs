@@ -105,7 +105,7 @@ internal sealed class MotionKernel
 
     /// <summary>What a gear's master has gone so far: the length of a path, or the place of an axis (B.6).</summary>
     public double PlaceOfMaster(char master) =>
-        master is 'S' or 'T' ? Planes[master - 'S'].Profile.Travelled
+        master is 'S' or 'T' ? Planes[master - 'S'].Profile.Odometer
         : AxisSelection.IndexOf(master) is >= 0 and var index ? Axes[index].Motor.Position
         : 0;
 

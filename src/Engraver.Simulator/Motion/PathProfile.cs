@@ -4,6 +4,7 @@ namespace Engraver.Simulator.Motion;
 internal sealed class PathProfile(SegmentBuffer buffer)
 {
     private double _commanded = 25000;
+    private double _earlier;
 
     public double VectorSpeed { get; private set; } = 25000;
 
@@ -25,6 +26,9 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     /// <summary>Path length from the start of the sequence: <c>_AVS</c>.</summary>
     public double Travelled { get; private set; }
 
+    /// <summary>Path length of all sequences since power up: what a gear follows, always forwards (B.6).</summary>
+    public double Odometer => _earlier + Travelled;
+
     /// <summary>Index of the segment being executed, from 0; after the end the number executed: <c>_CSS</c>.</summary>
     public int SegmentIndex { get; private set; }
 
@@ -44,6 +48,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public void Clear()
     {
+        _earlier += Travelled;
         SegmentIndex = 0;
         Travelled = 0;
     }
