@@ -1,3 +1,6 @@
+using FsCheck;
+using FsCheck.Fluent;
+
 namespace Engraver.Simulator.Tests;
 
 /// <summary>The electronic cam (galil-dmc.md C.4, A.8 codes 100 to 105, A.10 stop codes 60 and 61).</summary>
@@ -22,6 +25,27 @@ public class CamTests
 
         Assert.Equal((master, slave), (rig.Value("_RPA"), rig.Value("_RPB")));
         Assert.Equal((slave, 1, 60), (rig.Value("_TPB"), rig.Value("_EGB"), rig.Value("_SCB")));
+    }
+
+    [Fact]
+    public void Wherever_the_master_goes_the_slave_is_on_its_table()
+    {
+        const int interval = 500;
+        var table = Gen.Choose(-3000, 3000).ArrayOf(5);
+        var moves = Gen.Choose(-7000, 7000).Where(m => m != 0).ArrayOf(3);
+        Prop.ForAll(table.ToArbitrary(), moves.ToArbitrary(), (points, ways) =>
+        {
+            var rig = new Rig();
+            rig.Do("EAA", $"EM {4 * interval},{Math.Abs(points[4] - points[0])}", $"EP {interval}");
+            for (var i = 0; i < points.Length; i++) rig.Do($"ET[{i}]=,{points[i]}");
+            rig.Do("EB 1", "EG ,-1", "SPA=20000");
+            foreach (var way in ways) rig.Do($"PRA={way}", "BGA").RunToIdle();
+
+            var place = (int)rig.Value("_RPA");
+            var (segment, rest) = Math.DivRem(place, interval);
+            var wanted = points[segment] + ((points[segment + 1] - points[segment]) * (double)rest / interval);
+            return place == ((ways.Sum() % 2000) + 2000) % 2000 && Math.Abs(rig.Value("_RPB") - wanted) <= 0.5;
+        }).QuickCheckThrowOnFailure();
     }
 
     [Fact]

@@ -1,4 +1,6 @@
 using System.Text;
+using FsCheck;
+using FsCheck.Fluent;
 
 namespace Engraver.Simulator.Tests;
 
@@ -31,6 +33,22 @@ public class ContourTests
 
         Assert.Equal((300, -143, 511), (rig.Value("_RPA"), rig.Value("_RPB"), rig.Value("_CM")));
         Assert.Equal((51, 51, 0), (rig.Value("_SCA"), rig.Value("_SCB"), rig.Value("_BGA")));
+    }
+
+    [Fact]
+    public void A_contour_takes_the_sum_of_its_intervals_and_goes_the_sum_of_its_increments()
+    {
+        var records = Gen.Choose(-900, 900).Zip(Gen.Choose(1, 6)).ArrayOf(12);
+        Prop.ForAll(records.ToArbitrary(), contour =>
+        {
+            var rig = new Rig(Newer with { CommandCost = TimeSpan.Zero });
+            rig.Do("CMA");
+            foreach (var (increment, exponent) in contour) rig.Do($"CD {increment}={exponent}");
+            rig.Do("CD 0=0");
+            var start = rig.Controller.Status.Sample;
+            rig.RunToIdle();
+            return rig.Value("_RPA") == contour.Sum(r => r.Item1) && rig.Controller.Status.Sample - start == contour.Sum(r => 1 << r.Item2);
+        }).QuickCheckThrowOnFailure();
     }
 
     [Fact]
