@@ -88,6 +88,15 @@ internal sealed class Scheduler
         if (!_machine.Program.TryFind(label, out var line) || (!zero.IsRunning && _machine.Options.HandlersNeedThreadZero))
             return false;
 
+        if (zero.Calls.Count >= ProgramThread.DeepestCall)
+        {
+            // Handlers that never returned have filled the stack: a command error that no handler can take.
+            _machine.LastError = Tc.TooDeep;
+            LastError = (zero.Line, zero.Number);
+            HaltAll();
+            return false;
+        }
+
         if (zero.IsRunning)
         {
             zero.Call(line, interrupt: true);
