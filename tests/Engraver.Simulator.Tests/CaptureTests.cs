@@ -64,6 +64,8 @@ public class CaptureTests
     [InlineData("DM p[4],q[4];RA p[],q[];RD _TPA;RC 1", 81)]
     [InlineData("RD _QQA", 81)]
     [InlineData("RD _AFA", 132)]
+    [InlineData("RD _TPE", 58)]
+    [InlineData("RD TIME,_TP", 58)]
     [InlineData("DM p[4];RA p[];RD _TPA;RC 1,5", 84)]
     [InlineData("DM p[4];RA p[];RD _TPA;RC 8;RC 8", 80)]
     [InlineData("DM p[4];RA p[];RD _TPA;RC 8;RA p[]", 80)]

@@ -33,7 +33,9 @@ internal static class CaptureCommands
         var sources = new List<Func<FixedPoint>>();
         do
         {
-            sources.Add(TakeSource(reader));
+            var source = TakeSource(reader);
+            source(); // an axis that does not exist is refused here and not when its value is due
+            sources.Add(source);
         }
         while (reader.TryTake(','));
         reader.ExpectEnd();
