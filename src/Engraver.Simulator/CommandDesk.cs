@@ -76,11 +76,12 @@ internal sealed class CommandDesk(Machine machine, SimulatorOptions options) : I
         }
     }
 
-    void ICommandSink.Arrived(Handle handle, byte value)
+    bool ICommandSink.Arrived(Handle handle, byte value)
     {
-        if (!handle.IsSerial) return;
+        if (!handle.IsSerial) return true;
         if (options.IsVirtual) machine.Advance(machine.Serial.ByteTime);
         if (machine.Serial.Echo) handle.Send([value]);
+        return handle.IsReceivingText || !machine.TakeSerial((char)value);
     }
 
     void ICommandSink.Answered(Handle handle, int replyLength)

@@ -20,11 +20,13 @@ internal sealed class Machine
         Options = options;
         Motion = new MotionKernel(options);
         Records = new DataRecordPush(this);
+        Capture = new ArrayCapture(this);
         Program = new ProgramMemory(options.ProgramLines);
         Handles = new HandleTable(options.HandleCount);
         Threads = new Scheduler(this);
         Interpreter = new Interpreter(this);
         Messages = new MessageRouter(Handles, Serial, options);
+        Burned = new BurnedState(this);
     }
 
     public SimulatorOptions Options { get; }
@@ -74,6 +76,7 @@ internal sealed class Machine
             _timeBefore = Time;
             _timeSince = Sample;
             _sampleMicroseconds = value;
+            Motion.Contour.SamplesPerStep = SamplesPerMillisecond;
         }
     }
 
@@ -85,31 +88,45 @@ internal sealed class Machine
 
     public InputInterrupt InputInterrupt { get; } = new();
 
+    /// <summary>CI and #COMINT.</summary>
+    public SerialInterrupt SerialInterrupt { get; } = new();
+
     public DataRecordPush Records { get; }
+
+    /// <summary>RA, RD, RC.</summary>
+    public ArrayCapture Capture { get; }
 
     /// <summary>TB (galil-dmc.md A.10).</summary>
     public int StatusByte =>
         (Threads.AnyRunning ? 0x80 : 0)
+        | (Motion.Contour.IsOn ? 0x20 : 0)
         | (Threads[0].Calls.Any(static c => c.Interrupt) && !InputInterrupt.IsRunning ? 0x10 : 0)
         | (InputInterrupt.IsArmed ? 0x08 : 0)
-        | (InputInterrupt.IsRunning ? 0x04 : 0);
+        | (InputInterrupt.IsRunning ? 0x04 : 0)
+        | (Serial.Echo ? 0x01 : 0);
+
+    /// <summary>What BN and BV burned.</summary>
+    public BurnedState Burned { get; }
 
     /// <summary>The program that BP burned; RS restores it.</summary>
     public string[] BurnedProgram { get; set; } = [];
 
     /// <summary>Changes when something happened that a silent host could be waiting for.</summary>
-    public long Events => Motion.Ends + Threads.Events + Records.Sent + _outputChanges;
+    public long Events => Motion.Ends + Threads.Events + Records.Sent + Capture.Ends + _outputChanges;
 
     private long _outputChanges;
 
     /// <summary>An open sequence waits for its host: begun, not closed (contract: time at max stands still for it).</summary>
-    public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.Profile.IsStopping);
+    public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.Profile.IsStopping) || Motion.Contour.AwaitsRecords;
 
     /// <summary>Nothing moves and no thread runs, so that only a command can change anything.</summary>
-    public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn;
+    public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn && !Capture.IsOn;
 
     /// <summary>The first sample in which something can happen of itself while nothing moves; long.MaxValue when only a command or an input can do something.</summary>
-    public long QuietUntil => Math.Min(Threads.QuietUntil(Sample), Records.NextDue);
+    public long QuietUntil => Math.Min(Threads.QuietUntil(Sample), NextSnapshot);
+
+    /// <summary>When a data record or a value of a capture is due.</summary>
+    private long NextSnapshot => Math.Min(Records.NextDue, Capture.NextDue);
 
     /// <summary>~a to ~h.</summary>
     public VariableAxes VariableAxes { get; } = new();
@@ -169,10 +186,19 @@ internal sealed class Machine
         if (InputInterrupt.IsDue(Io.Inputs) && Threads.Interrupt("ININT")) InputInterrupt.Taken();
     }
 
+    /// <summary>A character came in over the serial port; true when it belongs to the program alone (CI n,1).</summary>
+    public bool TakeSerial(char c)
+    {
+        if (SerialInterrupt.Accept(c) && Threads[0].IsRunning && Threads.Interrupt("COMINT")) SerialInterrupt.Taken();
+        return SerialInterrupt.TakesData;
+    }
+
     /// <summary>AB: no ramps; motors with OE 1 or 3 go off (B.8).</summary>
     public void Abort(bool programsToo, int stopCode)
     {
         foreach (var plane in Motion.Planes) plane.Halt(stopCode);
+        Motion.Contour.End(stopCode);
+        Motion.Cam.Disable(stopCode);
 
         foreach (var axis in Motion.Axes)
         {
@@ -193,13 +219,15 @@ internal sealed class Machine
         foreach (var line in BurnedProgram) Program.Append(line);
 
         Messages.Reset();
-        Serial.Reset();
-        SetOutputs(0);
+        SerialInterrupt.Configure(0, takesData: false);
+        InputInterrupt.Arm(0, 0);
         LastError = 0;
-        foreach (var axis in Motion.Axes)
-        {
-            axis.Redefine(0);
-        }
+        Motion.Cam.Reset();
+        Capture.Stop();
+        Motion.Contour.TimeExponent = 0;
+        Motion.Selected = Motion.Planes[0];
+        foreach (var axis in Motion.Axes) axis.Redefine(0);
+        Burned.Restore();
 
         if (Program.TryFind("AUTO", out var line0)) Threads[0].Start(line0, Sample);
     }
@@ -209,8 +237,9 @@ internal sealed class Machine
     {
         if (!Motion.CanProgress && Threads.QuietUntil(Sample) is var quiet && quiet > Sample + 1)
         {
-            Sample = Math.Min(Math.Min(quiet - 1, lastSample), Records.NextDue);
+            Sample = Math.Min(Math.Min(quiet - 1, lastSample), NextSnapshot);
             Records.Step();
+            Capture.Step();
             Threads.ForgetUnusedTime();
             _wasMoving = false;
             return;
@@ -220,6 +249,7 @@ internal sealed class Machine
         StepMotion();
         Threads.RunSample();
         Records.Step();
+        Capture.Step();
     }
 
     private void StepMotion()
@@ -229,6 +259,7 @@ internal sealed class Machine
         var moved = Motion.Step();
         _wasMoving = moved;
         if (moved) AppendRow();
+        if (Motion.Contour.WasLate && Motion.Contour.TakeLateness()) LastError = Tc.ContourTooSlow;
 
         for (var hits = Motion.TakeLimitHits(); hits > 0; hits--) Threads.Interrupt("LIMSWI");
         for (var hits = Motion.TakeErrorHits(); hits > 0; hits--) Threads.Interrupt("POSERR");

@@ -26,6 +26,9 @@ public sealed record SimulatorOptions
     /// <summary>Lines of program memory (galil-dmc.md 0.3).</summary>
     public int ProgramLines { get; init; } = 1000;
 
+    /// <summary>Contour records that can wait behind the one being executed (galil-dmc.md C.4): 1 as on older controllers, whose programs wait with WC, or 511 as on newer ones.</summary>
+    public int ContourRecords { get; init; } = 1;
+
     /// <summary>What ^R^V answers (galil-dmc.md I.6).</summary>
     public string Model { get; init; } = "DMC2143 Rev 1.0o";
 

@@ -16,6 +16,19 @@ public class GearTests
     }
 
     [Fact]
+    public async Task A_dispenser_goes_on_forwards_in_the_next_sequence()
+    {
+        await using var rig = new Rig();
+        rig.Do("GAC=S", "GRC=0.5", "VMAB", "VP 1000,0", "VE", "BGS").RunToIdle();
+
+        rig.Do("CSS", "VP -600,0", "VE", "BGS").RunToIdle();
+        Assert.Equal(800, rig.Value("_RPC"));
+
+        rig.Do("VMAB", "VP 200,0", "VE", "BGS").RunToIdle();
+        Assert.Equal(900, rig.Value("_RPC"));
+    }
+
+    [Fact]
     public async Task An_axis_follows_another_with_its_sign()
     {
         await using var rig = new Rig();
@@ -23,6 +36,16 @@ public class GearTests
         rig.Do("GAB=A", "GRB=-2", "PRA=500", "BGA").RunToIdle();
 
         Assert.Equal(-1000, rig.Value("_RPB"));
+    }
+
+    [Fact]
+    public async Task A_follower_in_front_of_its_master_arrives_too_and_so_does_the_follower_of_a_follower()
+    {
+        await using var rig = new Rig();
+
+        rig.Do("GAB=C", "GRB=1", "GAA=B", "GRA=3", "PRC=500", "BGC").RunToIdle();
+
+        Assert.Equal((1500, 500), (rig.Value("_RPA"), rig.Value("_RPB")));
     }
 
     [Theory]

@@ -123,4 +123,16 @@ public class IndependentMotionTests
         Assert.Equal((1, 0), (rig.Value("n"), rig.Value("@IN[3]")));
         Assert.Equal(" 251\r\n:", rig.Ask("TI"));
     }
+
+    [Fact]
+    public async Task AR_counts_from_the_AR_before_and_AD_from_the_beginning()
+    {
+        await using var rig = new Rig();
+
+        rig.Run("PRA=20000\nBGA\nADA=5000\na=_RPA\nARA=6000\nb=_RPA\nARA=6000\nc=_RPA\nEN");
+
+        Assert.InRange(rig.Value("a"), 5000, 5060);
+        Assert.InRange(rig.Value("b"), 6000, 6060);
+        Assert.InRange(rig.Value("c"), 12000, 12060);
+    }
 }

@@ -10,13 +10,13 @@ public class InputTests
     {
         await using var rig = new Rig();
         rig.Download(Interrupted).Do("XQ#AUTO").Pass(50);
-        Assert.Equal(0x88, int.Parse(rig.Ask("TB")[..^3], System.Globalization.CultureInfo.InvariantCulture));
+        Assert.Equal(0x89, int.Parse(rig.Ask("TB")[..^3], System.Globalization.CultureInfo.InvariantCulture));
 
         rig.Controller.SetInput(4, false);
         Assert.Equal(0, rig.Pass(50).Value("n"));
         rig.Controller.SetInput(2, false);
         Assert.Equal(1, rig.Pass(50).Value("n"));
-        Assert.Equal(0x84, int.Parse(rig.Ask("TB")[..^3], System.Globalization.CultureInfo.InvariantCulture));
+        Assert.Equal(0x85, int.Parse(rig.Ask("TB")[..^3], System.Globalization.CultureInfo.InvariantCulture));
         rig.Controller.SetInput(2, true);
         rig.Pass(50);
         rig.Controller.SetInput(2, false);

@@ -25,6 +25,10 @@ public class LanguageTests
     [InlineData("@COM[0]", "-1.0000")]
     [InlineData("@SIN[30]", " 0.5000")]
     [InlineData("@ATAN[1]", " 45.0000")]
+    [InlineData("@FLOT[2.5]", " 1075838976.0000")]
+    [InlineData("@FLOT[-1]{$8.0}", " $BF800000")]
+    [InlineData("@REAL[$40200000]", " 2.5000")]
+    [InlineData("@SIN[-32768]", "-0.1391")]
     [InlineData("$FF", " 255.0000")]
     [InlineData("$7FFFFFFF.FFFF", " 2147483647.9999")]
     [InlineData("-2147483648", "-2147483648.0000")]
@@ -48,6 +52,12 @@ public class LanguageTests
     [InlineData("MG \"abc", 52)]
     [InlineData("MG _QQ", 58)]
     [InlineData("MG @NIX[1]", 57)]
+    [InlineData("MG @COS[32769]", 6)]
+    [InlineData("MG @REAL[$7F800000]", 6)]
+    [InlineData("MG {P2}\"x\"", 53)]
+    [InlineData("MG _JS", 2)]
+    [InlineData("LS 3,1", 6)]
+    [InlineData("EW 1=5", 1)]
     [InlineData("MG 99999999999", 6)]
     [InlineData("toolongname=1", 9)]
     [InlineData("x=5%2", 4)]
@@ -115,6 +125,29 @@ public class LanguageTests
 
         Assert.Equal(17, rig.Value("n"));
         Assert.Equal(" 12\r\n:", rig.Ask("TC"));
+    }
+
+    [Fact]
+    public async Task A_subroutine_gives_back_the_third_argument_of_its_EN()
+    {
+        await using var rig = new Rig();
+
+        rig.Run("JS#HALF;a=_JS\nJS#NONE;b=_JS\nEN\n#HALF\nEN ,,7/2\n#NONE\nEN");
+
+        Assert.Equal((3.5, 0), (rig.Value("a"), rig.Value("b")));
+    }
+
+    [Fact]
+    public async Task TR_tells_every_line_before_it_runs()
+    {
+        await using var rig = new Rig();
+        rig.Download("#A\nx=1;x=2\nJS#B\nEN\n#B\nMG \"B\";EN").Do("CFI", "TR 1");
+
+        var said = rig.Ask("XQ") + Rig.ReadAvailable(rig.RunToIdle().Stream);
+
+        Assert.Equal(":1 x=1;x=2\r\n2 JS#B\r\n5 MG \"B\";EN\r\nB\r\n3 EN\r\n", said);
+        Assert.Equal(" 1\r\n:", rig.Ask("TR ?"));
+        Assert.Equal(":B\r\n", rig.Do("TR 0").Ask("XQ #B") + Rig.ReadAvailable(rig.RunToIdle().Stream));
     }
 
     [Fact]

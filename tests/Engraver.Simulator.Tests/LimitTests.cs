@@ -52,6 +52,17 @@ public class LimitTests
     }
 
     [Fact]
+    public async Task A_handler_that_never_returns_fills_the_stack_and_ends_in_code_12()
+    {
+        await using var rig = new Rig();
+        rig.Download("#IDLE\nWT 10\nJP#IDLE\nEN\n#LIMSWI\nnlim=nlim+1\nJP#IDLE").Do("nlim=0", "XQ#IDLE");
+
+        for (var i = 0; i < 17; i++) rig.Do("JGA=5000", "BGA").Pass(20).Do("CN 1").Pass(50).Do("CN -1");
+
+        Assert.Equal((16, 12, 0), (rig.Value("nlim"), rig.Value("_TC"), rig.Value("_NO")));
+    }
+
+    [Fact]
     public async Task With_OE_2_a_limit_switches_the_motor_off_instead_of_braking()
     {
         await using var rig = new Rig(new SimulatorOptions { Switches = [new AxisSwitches(0) { ForwardLimitAt = 1000 }] });

@@ -147,6 +147,8 @@ public class ProtocolTests
         Assert.Equal("::", rig.SendRaw("DL#\r#B\rEN\\"));
         Assert.Equal("#A=0\r\n#B=2\r\n:", rig.Ask("LL"));
         Assert.Equal("2 #B\r\n3 EN\r\n:", rig.Ask("LS 2,3"));
+        Assert.Equal("1 EN\r\n2 #B\r\n:", rig.Ask("LS 1,#B"));
+        Assert.Equal(10, rig.Refusal("LS #NIX"));
         Assert.Equal(252, rig.Value("_DL"));
     }
 

@@ -39,7 +39,7 @@ internal static class AxisParameters
         Stored("OF", 0, -9.9982, 9.9982, 4),
         Stored("KS", 2, 0.5, 64, 3),
         Stored("IT", 1, 0.004, 1, 4),
-        Stored("CE", 0, 0, 15, 0),
+        NotInMotion(Stored("CE", 0, 0, 15, 0)),
         Stored("FA", 0, 0, 8191, 2),
         Stored("FV", 0, 0, 8191, 0),
         Stored("TW", 32766, -1, 32766, 0),
@@ -91,6 +91,15 @@ internal static class AxisParameters
         (_, a, v) => a.Settings[mnemonic] = FixedPoint.FromDouble(InRange(v.Value, smallest, largest)),
         new NumberFormat(10, decimals, false, false));
 
+    private static AxisParameter NotInMotion(AxisParameter parameter) => parameter with
+    {
+        Write = (m, a, v) =>
+        {
+            NotWhileBusy(m, a);
+            parameter.Write!(m, a, v);
+        },
+    };
+
     private static void Run(StatementReader reader, AxisParameter parameter)
     {
         var printed = new List<string>();
@@ -109,7 +118,7 @@ internal static class AxisParameters
         if (printed.Count > 0) reader.Context.WriteLine(ReportCommands.Join(printed));
     }
 
-    private static List<(Axis Axis, Field Field)> TakeAxisFields(StatementReader reader)
+    public static List<(Axis Axis, Field Field)> TakeAxisFields(StatementReader reader)
     {
         var axes = reader.Machine.Motion.Axes;
         var result = new List<(Axis, Field)>();
@@ -166,6 +175,7 @@ internal static class AxisParameters
         if (axis.IsTracking)
         {
             if (axis.MotorOff) throw new CommandRefusedException(Tc.MotorOff);
+            IndependentCommands.CheckModes(machine.Motion, axis);
             axis.Track(value.Integer);
             return;
         }
@@ -185,6 +195,8 @@ internal static class AxisParameters
     private static void SetPosition(Machine machine, Axis axis, FixedPoint value)
     {
         NotWhileBusy(machine, axis);
+        IndependentCommands.CheckModes(machine.Motion, axis);
+        if (machine.Motion.Cam.IsEnabled && machine.Motion.Cam.Master == axis) throw new CommandRefusedException(Tc.NotWithCamRunning);
         axis.Redefine(value.Integer);
     }
 

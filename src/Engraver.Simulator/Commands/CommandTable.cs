@@ -16,6 +16,9 @@ internal static class CommandTable
         PlaneSettings.Entries,
         HomingCommands.Entries,
         GearCommands.Entries,
+        CamCommands.Entries,
+        ContourCommands.Entries,
+        CaptureCommands.Entries,
         InterruptCommands.Entries,
         StopCommands.Entries,
         IoCommands.Entries,
@@ -30,8 +33,8 @@ internal static class CommandTable
 
     /// <summary>Commands that a DMC-21x3 has and this controller does not (galil-dmc.md 0.4). They must be known, because EAC=1 would else pass for a variable.</summary>
     private static readonly FrozenSet<string> Absent = (
-        "AF AG AO AQ AU BA BC BD BI BK BM BR BZ CD CI CM DT DV EA EB EC ED EG EM EP EQ ET EW GD HS IA IK LC MB MW NB NF NZ "
-        + "OC PL QH QS RA RC RD SL TA TR TZ YA YB YC YR YS").Split(' ').ToFrozenSet(StringComparer.Ordinal);
+        "AF AG AO AQ AU BA BC BD BI BK BM BR BZ DV ED EW GD HS IA IK LC MB MW NB NF NZ "
+        + "OC PL QH QS SL TA TZ YA YB YC YR YS").Split(' ').ToFrozenSet(StringComparer.Ordinal);
 
     public static IEnumerable<string> Mnemonics => Table.Keys;
 

@@ -74,7 +74,7 @@ internal sealed class DataRecord
         block[2] = _machine.Io.Inputs;
         block[12] = _machine.Io.Outputs;
         block[22] = (byte)_machine.LastError;
-        block[23] = (byte)(_machine.Threads.AnyRunning ? 0x80 : 0);
+        block[23] = (byte)((_machine.Threads.AnyRunning ? 0x80 : 0) | (_machine.Threads.IsTracing ? 0x02 : 0) | (_machine.Serial.Echo ? 0x01 : 0));
     }
 
     private void AddPlane(VectorPlane plane)
@@ -83,7 +83,8 @@ internal sealed class DataRecord
         BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)plane.Profile.SegmentIndex);
         var status = (plane.IsActive ? 1 << 15 : 0)
             | (plane is { IsActive: true, Profile: { IsStopping: false, Speed: > 0 } } && plane.IsAtSpeed ? 1 << 5 : 0)
-            | (plane.Profile.IsStopping ? 1 << 4 : 0);
+            | (plane.Profile.IsStopping ? 1 << 4 : 0)
+            | (plane.Profile.IsEnding ? 1 << 3 : 0);
         BinaryPrimitives.WriteUInt16LittleEndian(block[2..], (ushort)status);
         BinaryPrimitives.WriteInt32LittleEndian(block[4..], (int)Math.Floor(plane.Profile.Travelled + 1e-6));
     }
@@ -91,7 +92,7 @@ internal sealed class DataRecord
     private void AddAxis(Axis axis)
     {
         var block = Next(28);
-        BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)Status(axis));
+        BinaryPrimitives.WriteUInt16LittleEndian(block, (ushort)Status(_machine, axis));
         block[2] = (byte)((axis.Latch.IsArmed ? 0 : 0x40) | (axis.Inputs.ForwardHit ? 0 : 8) | (axis.Inputs.ReverseHit ? 0 : 4) | (axis.Inputs.Home ? 2 : 0) | (axis.IsStepper ? 1 : 0));
         block[3] = (byte)axis.StopCode;
         BinaryPrimitives.WriteInt32LittleEndian(block[4..], axis.Reference);
@@ -101,10 +102,12 @@ internal sealed class DataRecord
         BinaryPrimitives.WriteInt32LittleEndian(block[20..], (int)Math.Round(_machine.Motion.VelocityOf(axis) * 64));
     }
 
-    private int Status(Axis axis)
+    /// <summary>The status word of an axis (A.9).</summary>
+    public static int Status(Machine machine, Axis axis)
     {
-        var coordinated = _machine.Motion.IsCoordinated(axis);
-        return (axis.IsMoving || coordinated ? 1 << 15 : 0)
+        var motion = machine.Motion;
+        var coordinated = motion.IsCoordinated(axis);
+        return (axis.IsMoving || coordinated || (motion.Contour.CanProgress && motion.Contour.Drives(axis)) ? 1 << 15 : 0)
             | (axis is { IsMoving: true, CurrentMove: not AxisMove.Jog } ? 1 << 14 : 0)
             | (axis is { IsMoving: true, CurrentMove: AxisMove.Absolute } ? 1 << 13 : 0)
             | (axis.Homing is not null && axis.CurrentMove == AxisMove.FindEdge ? 1 << 12 : 0)
@@ -112,9 +115,11 @@ internal sealed class DataRecord
             | (axis.Homing?.Phase >= HomingPhase.Approach ? 1 << 10 : 0)
             | (axis.Homing?.Phase >= HomingPhase.Index ? 1 << 9 : 0)
             | (coordinated ? 1 << 8 : 0)
-            | (_machine.Motion.VelocityOf(axis) < 0 ? 1 << 7 : 0)
+            | (motion.VelocityOf(axis) < 0 ? 1 << 7 : 0)
+            | (motion.Contour.Drives(axis) ? 1 << 6 : 0)
             | (axis.IsAtSpeed ? 1 << 5 : 0)
             | (axis.IsStopping ? 1 << 4 : 0)
+            | (axis.IsEnding ? 1 << 3 : 0)
             | (axis.Latch.IsArmed ? 1 << 2 : 0)
             | (axis.OffOnError is 1 or 3 ? 1 << 1 : 0)
             | (axis.MotorOff ? 1 : 0);

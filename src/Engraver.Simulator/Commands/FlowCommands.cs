@@ -19,6 +19,7 @@ internal static class FlowCommands
         new("NO", CommandScope.Both, _ => { }),
         new("XQ", CommandScope.Both, Execute),
         new("HX", CommandScope.Both, Halt),
+        new("TR", CommandScope.Both, Trace),
     ];
 
     private static void Jump(StatementReader reader)
@@ -59,12 +60,14 @@ internal static class FlowCommands
         return line >= 0 && line < reader.Machine.Program.Count ? line : throw new CommandRefusedException(Tc.InvalidLine);
     }
 
-    /// <summary>EN, RE, RI: back from a subroutine, or the end of the thread. Argument 1 restores an interrupted trippoint (C.3).</summary>
+    /// <summary>EN, RE, RI: back from a subroutine, or the end of the thread. Argument 1 restores an interrupted trippoint, a second one CI (C.3); the third is what <c>_JS</c> reads (E Flow).</summary>
     private static void End(StatementReader reader)
     {
         var thread = reader.Context.Thread!;
         var fields = reader.TakeFields();
         reader.ExpectEnd();
+        if (fields.ElementAtOrDefault(1).Value is { Integer: 1 }) reader.Machine.SerialInterrupt.Rearm();
+        thread.ReturnValue = fields.ElementAtOrDefault(2).Value ?? FixedPoint.Zero;
         if (thread.Calls.Count > 0)
         {
             thread.Return(fields[0].Value is { Integer: 1 });
@@ -139,6 +142,16 @@ internal static class FlowCommands
         if (line >= reader.Machine.Program.Count) throw new CommandRefusedException(Tc.UndefinedLabel);
 
         thread.Start(line, reader.Machine.Sample);
+    }
+
+    /// <summary>TR 1 tells every program line as a message before it runs, TR 0 ends that (A.5).</summary>
+    private static void Trace(StatementReader reader)
+    {
+        var field = reader.TakeFields()[0];
+        reader.ExpectEnd();
+        var threads = reader.Machine.Threads;
+        if (field.IsQuery) reader.Context.WriteLine(threads.IsTracing ? " 1" : " 0");
+        else threads.IsTracing = AxisParameters.InRange(field.Value?.Integer ?? 0, 0, 1) == 1;
     }
 
     private static void Halt(StatementReader reader)

@@ -20,7 +20,7 @@ internal static class IndependentCommands
         Axis[] axes = [.. selection.AxesOrAll];
         foreach (var axis in axes) CheckAxis(motion, axis);
 
-        foreach (var plane in selection.Planes) CheckPlane(plane);
+        foreach (var plane in selection.Planes) CheckPlane(motion, plane);
 
         // Everything is checked before anything starts: BG is one command, not one per axis.
         selection.Planes.ForEach(p => p.Begin());
@@ -33,15 +33,23 @@ internal static class IndependentCommands
         Refuse(axis.MotorOff && axis.Index < Axis.Real, Tc.MotorOff);
         Refuse(axis.IsMoving || axis.IsSmoothing, Tc.BeginWhileRunning);
         Refuse(motion.IsCoordinated(axis), Tc.CoordinatedMove);
+        CheckModes(motion, axis);
         var heading = axis.PendingHeading();
         Refuse(heading != 0 && axis.RunsIntoLimit(heading, out _), Tc.BeginAtLimit);
         Refuse(axis.PendingTarget() is { } end && (IsBeyond(end, axis)), Tc.BeginAtLimit);
     }
 
+    /// <summary>An axis that contours (TC 18) or follows the cam (TC 104) takes no other motion.</summary>
+    public static void CheckModes(MotionKernel motion, Axis axis)
+    {
+        Refuse(motion.Contour.Drives(axis), Tc.NotWhileContouring);
+        Refuse(motion.IsOnCam(axis), Tc.NotOnCamSlave);
+    }
+
     /// <summary>A move commanded beyond a software limit does not begin (C, BL/FL).</summary>
     private static bool IsBeyond(long target, Axis axis) => target > axis.ForwardSoftLimit || target < axis.ReverseSoftLimit;
 
-    private static void CheckPlane(VectorPlane plane)
+    private static void CheckPlane(MotionKernel motion, VectorPlane plane)
     {
         Refuse(plane.IsActive, Tc.BeginWhileRunning);
         Refuse(plane.Buffer.IsEmpty, Tc.NoSequence);
@@ -49,6 +57,7 @@ internal static class IndependentCommands
         {
             Refuse(axis.MotorOff && axis.Index < Axis.Real, Tc.MotorOff);
             Refuse(axis.IsMoving || axis.IsSmoothing, Tc.BeginWhileRunning);
+            CheckModes(motion, axis);
         }
     }
 

@@ -8,6 +8,7 @@ namespace Engraver.Simulator.Commands;
 internal static class MemoryCommands
 {
     private const char ControlZ = '\x1A';
+    private const int LongestNameOnTheWire = 7;
 
     public static IEnumerable<CommandEntry> Entries { get; } =
     [
@@ -22,8 +23,8 @@ internal static class MemoryCommands
         new("LV", CommandScope.Both, r => Each(r, r.Machine.Variables.Variables.OrderBy(v => v.Key, StringComparer.Ordinal).Select(v => $"{v.Key} ={r.Machine.Print(v.Value)}"))),
         new("LL", CommandScope.Both, r => Each(r, r.Machine.Program.Labels.Select(l => Invariant($"#{l.Key}={l.Value}")))),
         new("BP", CommandScope.Both, BurnProgram),
-        new("BN", CommandScope.Host, RefuseWhileRunning),
-        new("BV", CommandScope.Both, _ => { }),
+        new("BN", CommandScope.Both, BurnParameters),
+        new("BV", CommandScope.Both, BurnVariables),
     ];
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
@@ -56,6 +57,20 @@ internal static class MemoryCommands
         if (reader.Machine.Threads.AnyRunning) throw new CommandRefusedException(Tc.ProgramRunning);
     }
 
+    /// <summary>In a program BN meets TC 17, as the text of the code has it (E).</summary>
+    private static void BurnParameters(StatementReader reader)
+    {
+        reader.ExpectEnd();
+        RefuseWhileRunning(reader);
+        reader.Machine.Burned.BurnParameters();
+    }
+
+    private static void BurnVariables(StatementReader reader)
+    {
+        reader.ExpectEnd();
+        reader.Machine.Burned.BurnVariables();
+    }
+
     private static void Upload(StatementReader reader)
     {
         reader.ExpectEnd();
@@ -68,13 +83,22 @@ internal static class MemoryCommands
     private static void List(StatementReader reader)
     {
         var program = reader.Machine.Program;
-        var fields = reader.TakeFields();
-        var first = fields[0].Value?.Integer ?? 0;
-        var last = fields.Count > 1 && fields[1].Value is { } value ? value.Integer : program.Count - 1;
-        for (var i = Math.Max(0, first); i <= Math.Min(last, program.Count - 1); i++)
+        var first = TakeLine(reader) ?? 0;
+        var last = reader.TryTake(',') ? TakeLine(reader) : null;
+        reader.ExpectEnd();
+        if (last < first) throw new CommandRefusedException(Tc.OutOfRange);
+        last ??= program.Count - 1;
+        for (var i = Math.Max(0, first); i <= Math.Min(last.Value, program.Count - 1); i++)
         {
             reader.Context.WriteLine(Invariant($"{i} {program[i].Text}"));
         }
+    }
+
+    /// <summary>A line number, or the line of a label; null for neither.</summary>
+    private static int? TakeLine(StatementReader reader)
+    {
+        if (!reader.TryTake('#')) return reader.TakeField().Value?.Integer;
+        return reader.Machine.Program.TryFind(reader.TakeName().ToString(), out var line) ? line : throw new CommandRefusedException(Tc.UndefinedLabel);
     }
 
     /// <summary>QD name[],first,last: values follow up to a backslash.</summary>
@@ -114,14 +138,22 @@ internal static class MemoryCommands
 
     private static (FixedPoint[] Array, int First, int Last, bool Commas) TakeRange(StatementReader reader)
     {
-        var array = reader.Machine.Variables.ArrayNamed(reader.TakeName(), Tc.UndefinedArray);
-        reader.Take('[', Tc.MissingBracket);
-        reader.Take(']', Tc.MissingBracket);
+        var array = TakeShortArray(reader);
         var fields = reader.TryTake(',') ? reader.TakeFields() : [];
         reader.ExpectEnd();
         var first = fields.ElementAtOrDefault(0).Value?.Integer ?? 0;
         var last = fields.ElementAtOrDefault(1).Value?.Integer ?? array.Length - 1;
         return (array, StatementReader.Checked(first, array), StatementReader.Checked(last, array), fields.ElementAtOrDefault(2).Value is { Integer: 1 });
+    }
+
+    /// <summary>name[] of an array for QD, QU and RA, whose names are shorter: up to 7 characters (E, Array).</summary>
+    public static FixedPoint[] TakeShortArray(StatementReader reader)
+    {
+        var name = reader.TakeName();
+        var array = name.Length <= LongestNameOnTheWire ? reader.Machine.Variables.ArrayNamed(name, Tc.UndefinedArray) : throw new CommandRefusedException(Tc.UndefinedArray);
+        reader.Take('[', Tc.MissingBracket);
+        reader.Take(']', Tc.MissingBracket);
+        return array;
     }
 
     private static void Dimension(StatementReader reader)

@@ -8,7 +8,7 @@ namespace Engraver.Simulator.Commands;
 internal sealed class MessageText
 {
     private const int LongestText = 76;
-        private readonly TextBuffer _text;
+    private readonly TextBuffer _text;
     private readonly StatementReader _reader;
     private bool _lineEnd = true;
     private bool _afterNumber;
@@ -91,7 +91,7 @@ internal sealed class MessageText
             case 'E' when rest.Length == 1 && rest[0] is >= 'A' and <= 'H':
                 _reader.Context.OutputHandle = rest[0] - 'A';
                 break;
-            case 'P':
+            case 'P' when rest == "1":
                 _reader.Context.OutputHandle = -1; // the serial port: nobody on Ethernet hears it
                 break;
             case 'S':

@@ -13,7 +13,7 @@ internal static class ReportCommands
         new("RP", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.Reference))),
         new("TD", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.SecondEncoder))),
         new("TE", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.Error))),
-        new("TV", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, (int)a.Velocity))),
+        new("TV", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, (int)Math.Round(m.Motion.VelocityOf(a))))),
         new("TT", CommandScope.Both, r => PerAxis(r, (_, _) => " 0.0000")),
         new("SC", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.StopCode))),
         new("RL", CommandScope.Both, r => PerAxis(r, (m, a) => Position(m, a.Latch.Position))),
@@ -30,7 +30,7 @@ internal static class ReportCommands
         string.Concat(values.Select((v, i) => i == 0 ? v : ", " + v.TrimStart(' ')));
 
     /// <summary>TS: bit 7 moving, 5 motor off, 3 and 2 limits inactive, 1 home, 0 latch not armed (A.10).</summary>
-    private static int StatusByte(Machine machine, Axis axis) =>
+    public static int StatusByte(Machine machine, Axis axis) =>
         (axis.Latch.IsArmed ? 0 : 0x01)
         | (axis.Inputs.Home ? 0x02 : 0)
         | (Math.Abs(axis.Error) > axis.ErrorLimit && axis.ErrorLimit > 0 ? 0x40 : 0)

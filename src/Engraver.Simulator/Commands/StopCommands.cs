@@ -23,7 +23,7 @@ internal static class StopCommands
 
         foreach (var axis in axes)
         {
-            axis.Gear.Release();
+            machine.Motion.LetGo(axis, StopCode.Stopped);
             axis.Stop(StopCode.Stopped);
         }
 

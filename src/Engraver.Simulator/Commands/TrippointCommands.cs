@@ -16,7 +16,7 @@ internal static class TrippointCommands
         new("AV", CommandScope.Program, AfterVectorDistance),
         new("AI", CommandScope.Program, AfterInput),
         new("AD", CommandScope.Program, r => PerAxis(r, AfterDistance), TakesLetter: true),
-        new("AR", CommandScope.Program, r => PerAxis(r, AfterDistance), TakesLetter: true),
+        new("AR", CommandScope.Program, r => PerAxis(r, AfterRelativeDistance), TakesLetter: true),
         new("AP", CommandScope.Program, r => PerAxis(r, AfterPosition), TakesLetter: true),
         new("MF", CommandScope.Program, r => PerAxis(r, (a, n) => () => a.Reference >= n), TakesLetter: true),
         new("MR", CommandScope.Program, r => PerAxis(r, (a, n) => () => a.Reference <= n), TakesLetter: true),
@@ -103,6 +103,15 @@ internal static class TrippointCommands
 
     private static Func<bool> AfterDistance(Axis axis, int distance) =>
         () => !axis.IsMoving || Math.Abs(axis.Position - axis.MoveStart) >= Math.Abs((double)distance);
+
+    /// <summary>AR counts from the place of the AR before, or from the beginning of the move.</summary>
+    private static Func<bool> AfterRelativeDistance(Axis axis, int distance)
+    {
+        var start = axis.TrippointReference;
+        var length = Math.Abs((double)distance);
+        axis.TrippointReference += Math.Sign(axis.Velocity) * length;
+        return () => !axis.IsMoving || Math.Abs(axis.Position - start) >= length;
+    }
 
     private static Func<bool> AfterPosition(Axis axis, int position)
     {

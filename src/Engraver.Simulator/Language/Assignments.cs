@@ -17,7 +17,7 @@ internal static class Assignments
         reader.Take('=', Tc.Unrecognized);
         if (reader.IsAtEnd || reader.TryTake('?'))
         {
-            var value = array is null ? reader.Machine.Variables.Read(name) : array[StatementReader.Checked(index, array)];
+            var value = array is null ? ValueOf(reader.Machine, name) : array[StatementReader.Checked(index, array)];
             reader.Context.WriteNumber(reader.Machine.ValueFormat, value);
             reader.Context.Output.Append("\r\n");
         }
@@ -33,6 +33,9 @@ internal static class Assignments
 
         reader.ExpectEnd();
     }
+
+    private static FixedPoint ValueOf(Machine machine, ReadOnlySpan<char> name) =>
+        Keywords.TryRead(machine, name, out var value) ? value : machine.Variables.Read(name);
 
     /// <summary><c>~a=2</c>, <c>~a=?</c> (E: 0-7 axes, 8 and 9 planes, 10 and 11 virtual axes).</summary>
     private static void SetVariableAxis(StatementReader reader)

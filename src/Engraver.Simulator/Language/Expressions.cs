@@ -74,7 +74,7 @@ internal static class Expressions
     {
         var name = reader.TakeName();
         var machine = reader.Machine;
-        if (reader.Next != '[') return name is "TIME" ? FixedPoint.FromInteger((int)machine.Time) : machine.Variables.Read(name);
+        if (reader.Next != '[') return Keywords.TryRead(machine, name, out var value) ? value : machine.Variables.Read(name);
         var array = machine.Variables.ArrayNamed(name);
         var index = reader.TakeIndex();
         return index == -1 ? FixedPoint.FromInteger(array.Length) : array[StatementReader.Checked(index, array)];

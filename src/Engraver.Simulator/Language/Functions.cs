@@ -4,6 +4,7 @@ namespace Engraver.Simulator.Language;
 internal static class Functions
 {
     private const double Degree = Math.PI / 180;
+    private const double LargestAngle = 32768;
 
     public static FixedPoint Evaluate(StatementReader reader)
     {
@@ -19,18 +20,30 @@ internal static class Functions
             "RND" => FixedPoint.FromInteger((argument.Raw + 0x8000) >> 16), // half goes up, also below zero: -5.5 -> -5
             "SQR" => FixedPoint.FromDouble(Math.Sqrt(Math.Abs(argument.Value))),
             "COM" => FixedPoint.FromInteger(~argument.Integer),
-            "SIN" => FixedPoint.FromDouble(Math.Sin(argument.Value * Degree)),
-            "COS" => FixedPoint.FromDouble(Math.Cos(argument.Value * Degree)),
-            "TAN" => FixedPoint.FromDouble(Math.Tan(argument.Value * Degree)),
+            "SIN" => FixedPoint.FromDouble(Math.Sin(Radians(argument))),
+            "COS" => FixedPoint.FromDouble(Math.Cos(Radians(argument))),
+            "TAN" => FixedPoint.FromDouble(Math.Tan(Radians(argument))),
             "ASIN" => Inverse(Math.Asin(argument.Value)),
             "ACOS" => Inverse(Math.Acos(argument.Value)),
             "ATAN" => Inverse(Math.Atan(argument.Value)),
             "IN" => FixedPoint.FromBoolean(reader.Machine.Io.Input(argument.Integer)),
             "OUT" => FixedPoint.FromBoolean(reader.Machine.Io.Output(argument.Integer)),
             "AN" => throw new CommandRefusedException(Tc.AnalogAbsent),
-            "FLOT" or "REAL" => throw new CommandRefusedException(Tc.BadFunction),
+            "FLOT" => FixedPoint.FromInteger(BitConverter.SingleToInt32Bits((float)argument.Value)),
+            "REAL" => Real(argument),
             _ => throw new CommandRefusedException(Tc.BadFunction),
         };
+    }
+
+    /// <summary>Angles outside +-32768 degrees are out of range (E, Functions).</summary>
+    private static double Radians(FixedPoint degrees) =>
+        Math.Abs(degrees.Value) <= LargestAngle ? degrees.Value * Degree : throw new CommandRefusedException(Tc.OutOfRange);
+
+    /// <summary>@REAL reads the bits that @FLOT gives: an IEEE number of 32 bits [U].</summary>
+    private static FixedPoint Real(FixedPoint bits)
+    {
+        var value = BitConverter.Int32BitsToSingle(bits.Integer);
+        return Math.Abs(value) < int.MaxValue ? FixedPoint.FromDouble(value) : throw new CommandRefusedException(Tc.OutOfRange);
     }
 
     private static FixedPoint Inverse(double radians) =>

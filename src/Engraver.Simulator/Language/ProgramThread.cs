@@ -33,11 +33,15 @@ internal sealed class ProgramThread
     /// <summary>AT counts from here.</summary>
     public long TimeReference { get; set; }
 
+    /// <summary>What the last EN gave back: <c>_JS</c>.</summary>
+    public FixedPoint ReturnValue { get; set; }
+
     public Stack<CallFrame> Calls { get; } = new();
 
     public void Start(int line, long sample)
     {
         Calls.Clear();
+        ReturnValue = FixedPoint.Zero;
         Trippoint = null;
         TimeReference = sample;
         IsRunning = true;

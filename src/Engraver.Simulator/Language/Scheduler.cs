@@ -21,6 +21,9 @@ internal sealed class Scheduler
     /// <summary>Line (_ED0) and thread (_ED1) of the last program error.</summary>
     public (int Line, int Thread) LastError { get; private set; } = (0, -1);
 
+    /// <summary>TR 1: every line is told before it runs.</summary>
+    public bool IsTracing { get; set; }
+
     /// <summary>Bit mask of running threads: _NO.</summary>
     public int Running
     {
@@ -85,6 +88,15 @@ internal sealed class Scheduler
         if (!_machine.Program.TryFind(label, out var line) || (!zero.IsRunning && _machine.Options.HandlersNeedThreadZero))
             return false;
 
+        if (zero.Calls.Count >= ProgramThread.DeepestCall)
+        {
+            // Handlers that never returned have filled the stack: a command error that no handler can take.
+            _machine.LastError = Tc.TooDeep;
+            LastError = (zero.Line, zero.Number);
+            HaltAll();
+            return false;
+        }
+
         if (zero.IsRunning)
         {
             zero.Call(line, interrupt: true);
@@ -145,12 +157,16 @@ internal sealed class Scheduler
                 break;
             }
 
+            if (IsTracing && commands == 0) Trace(thread.Line);
             commands++;
             RunStatement(thread, thread.Line, parts[thread.Part++]);
         }
 
         return commands;
     }
+
+    /// <summary>Line number and text, as LS prints them [U].</summary>
+    private void Trace(int line) => Tell(string.Create(CultureInfo.InvariantCulture, $"{line} {_machine.Program[line].Text}\r\n"), null);
 
     private void RunStatement(ProgramThread thread, int line, Statement statement)
     {

@@ -26,7 +26,7 @@ internal sealed class Statement
         if (text.Length == 0 || text[0] == '\'') return new(StatementKind.Nothing, text, null);
         if (FindCommand(text) is { } entry) return new(StatementKind.Command, text, entry);
         var plain = WithoutBlank(text);
-        return text[0] == '~' || IsAssignment(plain) ? new(StatementKind.Assignment, plain, null) : new(StatementKind.Unknown, text, null);
+        return text[0] == '~' || (IsAssignment(plain) && !HasAbsentMnemonic(text)) ? new(StatementKind.Assignment, plain, null) : new(StatementKind.Unknown, text, null);
     }
 
     /// <summary>The command a statement starts with, or null when it is no command or the name of a variable that merely starts like one.</summary>
@@ -56,6 +56,9 @@ internal sealed class Statement
         var close = MatchingBracket(text, name);
         return close >= 0 && close + 1 < text.Length && text[close + 1] == '=';
     }
+
+    /// <summary>EW 1=5 with its blank is the command, EW1=5 a variable.</summary>
+    private static bool HasAbsentMnemonic(string text) => text.Length > 2 && text[2] == ' ' && CommandTable.IsNotModelled(text[..2]);
 
     private static bool IsCommandNotModelled(string text, int name) =>
         name is 2 or 3 && CommandTable.IsNotModelled(text[..2]) && (name == 2 || IsLetterOfMachine(text[2]));

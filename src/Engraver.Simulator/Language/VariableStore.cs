@@ -28,7 +28,7 @@ internal sealed class VariableStore
 
     public void Write(ReadOnlySpan<char> name, FixedPoint value)
     {
-        if (name.Length > LongestName) throw new CommandRefusedException(Tc.VariableError);
+        if (name.Length > LongestName || Keywords.IsReserved(name)) throw new CommandRefusedException(Tc.VariableError);
         if (Variables.Count >= MaximumVariables && !_variables.ContainsKey(name)) throw new CommandRefusedException(Tc.TooManyNames);
         _variables[name] = value;
     }

@@ -78,6 +78,9 @@ internal sealed class Axis
 
     public bool IsStopping { get; private set; }
 
+    /// <summary>It brakes for the end of its move: the final deceleration of the status word (A.9).</summary>
+    public bool IsEnding { get; private set; }
+
     /// <summary>The profile has ended but its smoothed output has not.</summary>
     public bool IsSmoothing => !IsMoving && Math.Abs(Position - _smoothed) >= 0.5;
 
@@ -89,6 +92,9 @@ internal sealed class Axis
 
     /// <summary>Where the running or last independent move began.</summary>
     public double MoveStart { get; private set; }
+
+    /// <summary>Where the next AR counts from: the beginning of the move, or the place of the AR before.</summary>
+    public double TrippointReference { get; set; }
 
     /// <summary>Where the last motion stopped: what PA reports (galil-dmc.md C).</summary>
     public int LastStop { get; set; }
@@ -138,6 +144,18 @@ internal sealed class Axis
         Motor.Define(position);
     }
 
+    /// <summary>The same place gets another number, in the middle of a motion too: the electronic cam tells positions within a cycle (C.4).</summary>
+    public void Renumber(double difference)
+    {
+        _shift += difference;
+        Position += difference;
+        _smoothed += difference;
+        _target += difference;
+        MoveStart += difference;
+        TrippointReference += difference;
+        Motor.Define(Motor.Position + difference);
+    }
+
     /// <summary>SH: the place where the motor stands becomes the command (C).</summary>
     public void TakeMotorPosition() => SetPosition(_smoothed = Motor.Counts);
 
@@ -164,6 +182,7 @@ internal sealed class Axis
         Smoothing = Setting("IT", 1);
         MoveStart = Position;
         _speed = 0;
+        TrippointReference = Position;
         IsMoving = true;
         IsStopping = false;
         StopCode = Motion.StopCode.Running;
@@ -232,9 +251,10 @@ internal sealed class Axis
     {
         if (_speed == 0 && CurrentMove == AxisMove.Tracking) _direction = Math.Sign(_target - Position) is var sign && sign != 0 ? sign : _direction;
         var remaining = Math.Abs(_target - Position);
-        var next = Math.Min(
-            Ramp.Towards(_speed, Commanded, Acceleration, Deceleration, Ramp.Sample),
-            Math.Max(_speed - (Deceleration * Ramp.Sample), Ramp.Braking(_speed, remaining, 0, Deceleration, Ramp.Sample)));
+        var towards = Ramp.Towards(_speed, Commanded, Acceleration, Deceleration, Ramp.Sample);
+        var braking = Math.Max(_speed - (Deceleration * Ramp.Sample), Ramp.Braking(_speed, remaining, 0, Deceleration, Ramp.Sample));
+        var next = Math.Min(towards, braking);
+        IsEnding = braking < towards;
         var distance = (_speed + Math.Max(0, next)) / 2 * Ramp.Sample;
         if (distance >= remaining - 1e-6 || (next <= 0 && remaining < 0.5))
         {
@@ -289,6 +309,7 @@ internal sealed class Axis
         _speed = 0;
         IsMoving = false;
         IsStopping = false;
+        IsEnding = false;
         Homing = null;
     }
 }

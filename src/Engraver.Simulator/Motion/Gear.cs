@@ -25,6 +25,12 @@ internal sealed class Gear
     /// <summary>ST or a limit.</summary>
     public void Release() => Ratio = IsGantry ? Ratio : 0;
 
+    /// <summary>The place of the master got another number.</summary>
+    public void Renumber(double difference) => _masterBefore += difference;
+
+    /// <summary>The master has gone on since the last call.</summary>
+    public bool IsBehind(double masterNow) => masterNow != _masterBefore;
+
     /// <summary>Counts to go for what the master went since the last call.</summary>
     public double Follow(double masterNow)
     {

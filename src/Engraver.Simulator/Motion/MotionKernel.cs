@@ -8,12 +8,15 @@ internal sealed class MotionKernel
     private readonly bool[] _isBeyondError = new bool[Axis.Real];
     private int _limitHits;
     private int _errorHits;
+    private bool _isUnsettled;
 
     public MotionKernel(SimulatorOptions options)
     {
         Axes = [.. Enumerable.Range(0, Axis.Letters.Length).Select(i => new Axis(i, Polarity, options))];
         Planes = [new VectorPlane('S'), new VectorPlane('T')];
         Selected = Planes[0];
+        Contour = new ContourMode(options.ContourRecords);
+        Cam = new ElectronicCam(this);
     }
 
     public InputPolarity Polarity { get; } = new();
@@ -22,6 +25,12 @@ internal sealed class MotionKernel
 
     /// <summary>S and T.</summary>
     public VectorPlane[] Planes { get; }
+
+    /// <summary>CM.</summary>
+    public ContourMode Contour { get; }
+
+    /// <summary>EA to EQ.</summary>
+    public ElectronicCam Cam { get; }
 
     /// <summary>The plane that CA selected.</summary>
     public VectorPlane Selected { get; set; }
@@ -34,6 +43,7 @@ internal sealed class MotionKernel
     {
         get
         {
+            if (_isUnsettled || Contour.CanProgress) return true;
             foreach (var axis in Axes)
             {
                 if (axis.IsMoving || axis.IsSettling) return true;
@@ -47,29 +57,55 @@ internal sealed class MotionKernel
     public bool Step()
     {
         var moved = false;
+        var geared = false;
         Array.Clear(_sampleSteps);
         foreach (var plane in Planes) moved |= plane.IsRunning && StepPlane(plane);
         foreach (var axis in Axes) moved |= axis.IsMoving && StepAxis(axis);
-        foreach (var axis in Axes) moved |= Follow(axis);
+        if (Contour.CanProgress) moved |= StepContour();
+        if (Cam.IsEnabled) moved |= StepCam();
+        foreach (var axis in Axes)
+        {
+            geared |= axis.Gear.IsEngaged;
+            moved |= Follow(axis);
+        }
+
+        _isUnsettled = (Cam.IsEnabled && Cam.IsBehind) || (geared && Array.Exists(Axes, IsBehindMaster));
         return moved;
     }
+
+    /// <summary>A place was changed by a command: the next sample carries it to the motors.</summary>
+    public void Unsettle() => _isUnsettled = true;
 
     public bool IsCoordinated(Axis axis) => PlaneOf(axis) is not null;
 
     /// <summary>The running plane that drives an axis.</summary>
     public VectorPlane? PlaneOf(Axis axis) => Planes[0].Drives(axis) ? Planes[0] : Planes[1].Drives(axis) ? Planes[1] : null;
 
-    public bool IsBusy(Axis axis) => axis.IsMoving || axis.IsSmoothing || IsCoordinated(axis);
+    public bool IsBusy(Axis axis) => axis.IsMoving || axis.IsSmoothing || IsCoordinated(axis) || (Contour.CanProgress && Contour.Drives(axis));
+
+    /// <summary>The axis is a slave of the running cam.</summary>
+    public bool IsOnCam(Axis axis) => axis.Index < Axis.Real && Cam.Followers[axis.Index].IsEngaged;
+
+    /// <summary>The position of an axis gets another number while everything that moves it, and everything that follows it, goes on.</summary>
+    public void Renumber(Axis axis, double difference)
+    {
+        axis.Renumber(difference);
+        foreach (var plane in Planes) plane.Renumber(axis, difference);
+        foreach (var other in Axes)
+        {
+            if (other.Gear.Master is not ('S' or 'T') && AxisSelection.IndexOf(other.Gear.Master) == axis.Index) other.Gear.Renumber(difference);
+        }
+    }
 
     /// <summary>Signed commanded speed of an axis in counts/s; along a vector path from the last sample.</summary>
     public double VelocityOf(Axis axis) =>
         axis.IsMoving ? axis.Velocity
-        : PlaneOf(axis) is { Profile.Speed: > 0 } ? _sampleSteps[axis.Index] / Ramp.Sample
+        : PlaneOf(axis) is { Profile.Speed: > 0 } || (IsLed(axis) && CanProgress) ? _sampleSteps[axis.Index] / Ramp.Sample
         : 0;
 
     /// <summary>What a gear's master has gone so far: the length of a path, or the place of an axis (B.6).</summary>
     public double PlaceOfMaster(char master) =>
-        master is 'S' or 'T' ? Planes[master - 'S'].Profile.Travelled
+        master is 'S' or 'T' ? Planes[master - 'S'].Profile.Odometer
         : AxisSelection.IndexOf(master) is >= 0 and var index ? Axes[index].Motor.Position
         : 0;
 
@@ -97,6 +133,54 @@ internal sealed class MotionKernel
         foreach (var other in all) other.MotorOff |= motorsOff;
         plane?.Halt(code);
         axis.Halt(code);
+        if (axis.Index < Axis.Real) Cam.Followers[axis.Index].Release(code);
+        if (!Contour.Drives(axis)) return;
+        foreach (var other in Contour.Axes) other.MotorOff |= motorsOff;
+        Contour.End(code);
+    }
+
+    /// <summary>ST: what leads the axis from outside lets it go, where it stands.</summary>
+    public void LetGo(Axis axis, int code)
+    {
+        axis.Gear.Release();
+        if (axis.Index < Axis.Real) Cam.Followers[axis.Index].Release(code);
+        if (Contour.Drives(axis)) Contour.End(code);
+    }
+
+    private bool IsLed(Axis axis) => axis.Gear.IsEngaged || IsOnCam(axis) || Contour.Drives(axis);
+
+    private bool IsBehindMaster(Axis axis) => axis.Gear.IsEngaged && axis.Gear.IsBehind(PlaceOfMaster(axis.Gear.Master));
+
+    private bool StepContour()
+    {
+        Span<int> before = stackalloc int[Axis.Letters.Length];
+        var axes = Contour.Axes;
+        for (var i = 0; i < axes.Length; i++) before[i] = axes[i].Reference;
+        Contour.Step();
+        Ends += Contour.IsOn ? 0 : 1;
+        for (var i = 0; i < axes.Length; i++)
+        {
+            var axis = axes[i];
+            var step = axis.Reference - before[i];
+            _sampleSteps[axis.Index] = step;
+            if (Contour.IsOn && step != 0 && axis.RunsIntoLimit(step, out var code)) HitLimit(axis, code, null);
+        }
+
+        return true;
+    }
+
+    private bool StepCam()
+    {
+        var moved = false;
+        _limitHits += Cam.Step();
+        foreach (var follower in Cam.Followers)
+        {
+            if (follower.LastStep == 0) continue;
+            _sampleSteps[follower.Axis.Index] = follower.LastStep;
+            moved = true;
+        }
+
+        return moved;
     }
 
     private bool StepPlane(VectorPlane plane)
@@ -129,6 +213,7 @@ internal sealed class MotionKernel
         _limitHits++;
         if (axis.OffOnError >= 2) Halt(axis, code, motorsOff: true);
         else if (plane is not null) plane.Stop(code);
+        else if (Contour.Drives(axis)) Contour.End(code);
         else axis.Stop(code);
     }
 
@@ -156,6 +241,7 @@ internal sealed class MotionKernel
             return;
         }
 
+        _sampleSteps[axis.Index] = (int)Math.Round(counts);
         axis.SetPosition(axis.Position + counts);
     }
 

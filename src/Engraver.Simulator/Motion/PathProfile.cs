@@ -4,6 +4,7 @@ namespace Engraver.Simulator.Motion;
 internal sealed class PathProfile(SegmentBuffer buffer)
 {
     private double _commanded = 25000;
+    private double _earlier;
 
     public double VectorSpeed { get; private set; } = 25000;
 
@@ -16,11 +17,17 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public bool IsStopping { get; set; }
 
+    /// <summary>It brakes for the end of the closed sequence: the final deceleration of the status word (A.9).</summary>
+    public bool IsEnding { get; private set; }
+
     /// <summary>Momentary commanded speed: <c>_VMS</c>.</summary>
     public double Speed { get; private set; }
 
     /// <summary>Path length from the start of the sequence: <c>_AVS</c>.</summary>
     public double Travelled { get; private set; }
+
+    /// <summary>Path length of all sequences since power up: what a gear follows, always forwards (B.6).</summary>
+    public double Odometer => _earlier + Travelled;
 
     /// <summary>Index of the segment being executed, from 0; after the end the number executed: <c>_CSS</c>.</summary>
     public int SegmentIndex { get; private set; }
@@ -41,6 +48,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public void Clear()
     {
+        _earlier += Travelled;
         SegmentIndex = 0;
         Travelled = 0;
     }
@@ -56,7 +64,11 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public void EnterSegment() => _commanded = buffer.Current?.EntrySpeed ?? _commanded;
 
-    public void StandStill() => Speed = 0;
+    public void StandStill()
+    {
+        Speed = 0;
+        IsEnding = false;
+    }
 
     /// <summary>Goes on for <paramref name="dt"/> or to the end of the segment, whichever comes first.</summary>
     /// <param name="crossed">True at the end of the segment, which then has left the buffer.</param>
@@ -105,9 +117,11 @@ internal sealed class PathProfile(SegmentBuffer buffer)
             else if (toEnd <= ((exit * exit) - (Speed * Speed)) / (2 * Acceleration)) target = exit;
         }
 
-        if (buffer.IsClosed) ceiling = Math.Min(ceiling, Ramp.Braking(Speed, buffer.Length - Travelled, 0, Deceleration, dt));
         var slowest = Speed - (Deceleration * dt);
         var towards = target == 0 ? slowest : Ramp.Towards(Speed, target, Acceleration, Deceleration, dt);
+        var end = buffer.IsClosed ? Ramp.Braking(Speed, buffer.Length - Travelled, 0, Deceleration, dt) : double.PositiveInfinity;
+        IsEnding = end < towards && !IsStopping;
+        ceiling = Math.Min(ceiling, end);
         return Speed == 0 && target == 0 ? 0 : Math.Max(slowest, Math.Min(ceiling, towards));
     }
 }

@@ -14,6 +14,10 @@ internal static class StopCode
     public const int EdgeFound = 9;
     public const int Homed = 10;
     public const int SelectiveAbort = 11;
+    public const int ContourRunning = 50;
+    public const int ContourDone = 51;
+    public const int CamRunning = 60;
+    public const int CamStopped = 61;
     public const int MotionTimeOut = 99;
     public const int VectorRunning = 100;
     public const int VectorDone = 101;

@@ -67,6 +67,14 @@ internal sealed class VectorPlane
         return i < 0 ? axis.Reference : _origin[i] + _joint[i];
     }
 
+    /// <summary>The position of an axis got another number while the path goes on.</summary>
+    public void Renumber(Axis axis, double difference)
+    {
+        var i = Array.IndexOf(_axes, axis);
+        if (i >= 0) _origin[i] += (int)difference;
+        if (Tangent.Axis == axis) Tangent.Zero += difference;
+    }
+
     /// <summary>VM or LM: new axes, empty buffer, no scaling.</summary>
     public void SetUp(PlaneMode mode, Axis[] newAxes, Axis? tangentAxis)
     {

@@ -66,8 +66,7 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
         {
             if (IsClosed) return;
 
-            sink.Arrived(this, b);
-            Accept((char)b);
+            if (sink.Arrived(this, b)) Accept((char)b);
         }
     }
 

@@ -16,8 +16,9 @@ internal interface ICommandSink
 
     string? StoreArray(Handle handle, Action store);
 
-    /// <summary>A byte came in: on the serial line it takes its time and is echoed.</summary>
-    void Arrived(Handle handle, byte value);
+    /// <summary>A byte came in: on the serial line it takes its time, is echoed and may interrupt the program.</summary>
+    /// <returns>False when it is data for the program and no part of a command (CI).</returns>
+    bool Arrived(Handle handle, byte value);
 
     /// <summary>The reply is out: time passes.</summary>
     void Answered(Handle handle, int replyLength);

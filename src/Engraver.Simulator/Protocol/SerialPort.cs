@@ -6,7 +6,7 @@ internal sealed class SerialPort
     /// <summary><c>_WH</c> of the port: it stands in no place of the handle table (A.1).</summary>
     public const int HandleIndex = -1;
 
-    /// <summary>EO: 1 is the factory setting, and what a reset brings back.</summary>
+    /// <summary>EO: 1 is the factory setting; a reset brings back what BN burned.</summary>
     public bool Echo { get; set; } = true;
 
     /// <summary>Who is plugged in; null for nobody.</summary>
@@ -22,6 +22,4 @@ internal sealed class SerialPort
         ByteTime = TimeSpan.FromSeconds(10.0 / baud);
         return Client = client;
     }
-
-    public void Reset() => Echo = true;
 }

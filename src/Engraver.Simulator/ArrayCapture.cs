@@ -1,0 +1,62 @@
+using Engraver.Simulator.Language;
+
+namespace Engraver.Simulator;
+
+/// <summary>RA, RD, RC (galil-dmc.md E, Array): every 2^n samples one value of each source goes into the next element of its array.</summary>
+internal sealed class ArrayCapture(Machine machine)
+{
+    private long _last;
+    private int _period;
+    private int _length;
+    private bool _isCircular;
+
+    /// <summary>RA, in order.</summary>
+    public IReadOnlyList<FixedPoint[]> Arrays { get; set; } = [];
+
+    /// <summary>RD, in the same order.</summary>
+    public IReadOnlyList<Func<FixedPoint>> Sources { get; set; } = [];
+
+    /// <summary><c>_RC</c>.</summary>
+    public bool IsOn { get; private set; }
+
+    /// <summary>The element that is filled next: <c>_RD</c>.</summary>
+    public int Next { get; private set; }
+
+    /// <summary>Captures that filled their arrays since power up.</summary>
+    public long Ends { get; private set; }
+
+    /// <summary>The sample of the next value; long.MaxValue when none will come.</summary>
+    public long NextDue => IsOn ? _last + (long)Math.Max(1, _period / machine.SamplesPerMillisecond) : long.MaxValue;
+
+    /// <param name="period">Samples of TM from one value to the next.</param>
+    /// <param name="length">Elements to fill; below zero round and round, 0 as many as the shortest array has.</param>
+    /// <exception cref="CommandRefusedException">TC 80 while recording, TC 81 without arrays and as many sources, TC 84 for more elements than there are.</exception>
+    public void Start(int period, int length)
+    {
+        if (IsOn) throw new CommandRefusedException(Tc.AlreadyRecording);
+        if (Arrays.Count == 0 || Sources.Count != Arrays.Count) throw new CommandRefusedException(Tc.NothingToRecord);
+        var shortest = Arrays.Min(a => a.Length);
+        _length = length == 0 ? shortest : Math.Abs(length);
+        if (_length > shortest) throw new CommandRefusedException(Tc.TooManyElements);
+        _isCircular = length < 0;
+        _period = period;
+        _last = machine.Sample;
+        Next = 0;
+        IsOn = true;
+    }
+
+    public void Stop() => IsOn = false;
+
+    /// <summary>Takes the values when it is time.</summary>
+    public void Step()
+    {
+        if (!IsOn || machine.Sample < NextDue) return;
+        _last = machine.Sample;
+        for (var i = 0; i < Arrays.Count; i++) Arrays[i][Next] = Sources[i]();
+        Next++;
+        if (Next < _length) return;
+        IsOn = _isCircular;
+        Next = _isCircular ? 0 : Next;
+        Ends += IsOn ? 0 : 1;
+    }
+}
