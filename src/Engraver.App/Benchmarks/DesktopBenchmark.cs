@@ -32,7 +32,7 @@ internal static class DesktopBenchmark
         var session = new DesktopSession(new CommandEnvironment());
         try
         {
-            return DesktopPlatform.BenchmarkStop(session, builder => ((App)builder.Instance!).OpenShell(session.Desk, session.StopKeys), output);
+            return DesktopPlatform.BenchmarkStop(session, builder => ((App)builder.Instance!).OpenShell(session), output);
         }
         finally
         {

@@ -39,7 +39,7 @@ public sealed class ContoursModel : Observable
         _shown = _desk.Derived.Sequence;
         var strokes = _shown?.Strokes ?? [];
         Rows = new RowList<ContourRow>(strokes.Count, index => new ContourRow(strokes[index]), row => row.Index);
-        Summary = _shown is null ? "" : Text.Of("Contours.Summary", _shown.Contours, _shown.Closed, _shown.Open, _shown.PathLength, _shown.Travel);
+        Summary = _shown is null ? "" : Text.Of("Contours.Summary", Text.Count("Count.Contour", _shown.Contours), _shown.Closed, _shown.Open, _shown.PathLength, _shown.Travel);
         Tell(nameof(Rows));
         Tell(nameof(Summary));
         LookWhereToolIs();

@@ -47,6 +47,9 @@ public sealed class WorkDesk : IAsyncDisposable
     /// <summary>The session stands otherwise than before: prompt, document or machine.</summary>
     public event Action? Changed;
 
+    /// <summary>An input has failed in a way that no command expects.</summary>
+    public event Action<Exception>? Failed;
+
     public CommandSession Session { get; }
 
     public TimeProvider Time { get; }
@@ -88,7 +91,7 @@ public sealed class WorkDesk : IAsyncDisposable
     /// <summary>Takes one input as typed. While a command is at work it is heard beside it, where the command is one of those; otherwise inputs wait for each other.</summary>
     public Task<FeedResult> FeedAsync(string input)
     {
-        if (IsBusy && Session.IsBusy) return Task.Run(() => Session.FeedAsync(input, _closing.Token));
+        if (IsBusy && Session.IsBusy) return Watched(Task.Run(() => Session.FeedAsync(input, _closing.Token)));
         return Enqueue(() => Session.FeedAsync(input, _closing.Token));
     }
 
@@ -169,7 +172,20 @@ public sealed class WorkDesk : IAsyncDisposable
     {
         var after = AfterAsync(_feeding, work);
         _feeding = after;
-        return after;
+        return Watched(after);
+    }
+
+    /// <summary>Most callers do not wait for what they ask: a failure must be heard all the same.</summary>
+    private Task<FeedResult> Watched(Task<FeedResult> work)
+    {
+        _ = WatchAsync(work);
+        return work;
+    }
+
+    private async Task WatchAsync(Task work)
+    {
+        await work.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+        if (work.Exception is { } failure) Failed?.Invoke(failure.InnerException ?? failure);
     }
 
     private async Task<FeedResult> AfterAsync(Task before, Func<Task<FeedResult>> work)
