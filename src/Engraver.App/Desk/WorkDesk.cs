@@ -36,6 +36,7 @@ public sealed class WorkDesk : IAsyncDisposable
         session.Machine.Alarms.Changed += (_, _) => Post();
         session.View.Changed += (_, _) => Post();
         session.Settings.Changed += (_, _) => Post();
+        session.Progress.Changed += (_, _) => Post();
         session.Playback.Changed += (_, _) => Post();
         session.Derivation.Changed += (_, _) => Post();
         session.Derivation.KeepsUp = true;
@@ -119,12 +120,11 @@ public sealed class WorkDesk : IAsyncDisposable
         Session.View.FocusOn(new ViewFocus(new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0), finding.Sentence), height > 0.0 ? height : null);
     }
 
+    /// <summary>Ends when the last Esc was heard; what it ends may take a little longer.</summary>
+    public Task Cancelled { get; private set; } = Task.CompletedTask;
+
     /// <summary>Esc.</summary>
-    public async Task CancelAsync()
-    {
-        if (IsBusy) await Task.Run(Session.CancelAsync);
-        else await Enqueue(CancelNowAsync);
-    }
+    public Task CancelAsync() => Cancelled = IsBusy ? Task.Run(Session.CancelAsync) : Enqueue(CancelNowAsync);
 
     /// <summary>The operator's stop. Straight to the machine, from any thread; waits for nothing.</summary>
     public void StopNow() => Session.Machine.Stop();

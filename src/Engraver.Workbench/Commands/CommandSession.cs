@@ -49,6 +49,9 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>The planned motion in time, of what was derived last.</summary>
     public PlaybackSession Playback { get; }
 
+    /// <summary>How far the command at work is.</summary>
+    public CommandProgress Progress { get; } = new();
+
     public CommandCatalog Catalog { get; }
 
     public AliasTable Aliases { get; private set; }
