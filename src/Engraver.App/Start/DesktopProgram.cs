@@ -23,7 +23,7 @@ public static class DesktopProgram
     /// <returns>The exit code of the runner's contract.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
-        if (options.Benchmark is not (null or DesktopBenchmark.Start)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
+        if (options.Benchmark is not (null or DesktopBenchmark.Start or DesktopBenchmark.Idle)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
         var session = new DesktopSession(options.Headless ? DesktopSession.OfNobody() : DesktopSession.OfUser());
         AppDomain.CurrentDomain.UnhandledException += EndWithMachineStopped;
         try
@@ -75,12 +75,13 @@ public static class DesktopProgram
         var builder = DesktopPlatform.OnDisplay(AppBuilder.Configure<App>(), session, options).WithInterFont().SetupWithLifetime(lifetime);
         var window = Open(builder, session, options);
         lifetime.MainWindow = window;
-        if (options.Benchmark is not null) DesktopBenchmark.EndAfterFirstFrame(window);
+        if (options.Benchmark == DesktopBenchmark.Start) DesktopBenchmark.EndAfterFirstFrame(window);
         window.Opened += async (_, _) =>
         {
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
             while (!window.CanvasFeed.IsCurrent) await Dispatcher.UIThread.InvokeAsync(() => window.CanvasFeed.Shown, DispatcherPriority.Background);
             window.Canvas.RefineNow();
+            if (options.Benchmark == DesktopBenchmark.Idle) IdleBenchmark.Watch(window, Console.Out);
             if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };
         using var signals = new EndSignals(() => session.StopKeys.PressStop(), () => Dispatcher.UIThread.Post(() => lifetime.Shutdown(Stopped)));
