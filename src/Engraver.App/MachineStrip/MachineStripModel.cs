@@ -64,6 +64,12 @@ public sealed class MachineStripModel : Observable
 
     public string Tool => _status.ToolCommanded switch { true => Text.Of("Machine.ToolOn"), false => Text.Of("Machine.ToolOff"), null => Unknown };
 
+    /// <summary>Bit 0 is input 1; null is not known.</summary>
+    public int? Inputs => _status.Inputs;
+
+    /// <summary>Bit 0 is output 1; null is not known.</summary>
+    public int? Outputs => _status.Outputs;
+
     public double Progress => _status.Progress?.Fraction ?? 0.0;
 
     public string ProgressText => _status.Progress is { } at

@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
+using Engraver.App.MachineStrip;
 using Engraver.Galil.Jobs;
 using Engraver.Simulator;
 using Engraver.Workbench.Machines;
@@ -203,6 +204,23 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Step();
         Assert.DoesNotContain(here.Commands.Machine.Alarms.All, alarm => alarm.NeedsAcknowledging);
         Assert.NotEqual(MachineState.Ready, here.Commands.Machine.Status.State);
+    });
+
+    [Fact]
+    public Task Outputs_are_shown_where_there_is_room() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1280, 800));
+        var lamps = here.Find<BitLamps>("OutputLamps");
+        Assert.Null(lamps.Bits);
+        here.Enter("CNCCONNECT", "sim:");
+        var typed = here.Commands.Machine.Terminal.TypeAsync("SB 3", CancellationToken.None);
+        here.Until(() => typed.IsCompleted && lamps.Bits == 4);
+        Assert.True(lamps.IsEffectivelyVisible);
+        here.Hands.Resize(new Size(1024, 700));
+        here.Step();
+
+        Assert.False(lamps.IsEffectivelyVisible);
+        Assert.True(here.Find<ProgressBar>("ProgressLine").Bounds.Width >= 40);
     });
 
     [Fact]
