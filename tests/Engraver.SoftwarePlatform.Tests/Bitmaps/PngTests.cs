@@ -46,11 +46,11 @@ public class PngTests
         for (var y = 0; y < 64; y++) Assert.Equal(bitmap.Row(y).ToArray(), again.Row(y).ToArray());
     }
 
-    /// <summary>A thousand greys on a ground: each is shown by one that is near, and the ground exactly.</summary>
+    /// <summary>A thousand greys on a ground, and one red pixel: each is shown by a colour that is near, and the ground exactly.</summary>
     [Fact]
     public void Many_colours_are_shown_by_near_ones()
     {
-        using var bitmap = Picture(128, 128, i => i % 2 == 0 ? 0xFF202830 : 0xFF000000 | (uint)((i / 2 % 1000 / 4) * 0x010101) | (uint)(i % 8));
+        using var bitmap = Picture(128, 128, i => i == 5001 ? 0xFFFF0000 : i % 2 == 0 ? 0xFF202830 : 0xFF000000 | (uint)((i / 2 % 1000 / 4) * 0x010101) | (uint)(i % 8));
         using var file = new MemoryStream();
         PngFile.WriteIndexed(file, bitmap);
         file.Position = 0;
