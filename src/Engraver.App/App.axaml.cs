@@ -1,9 +1,13 @@
 using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Interactivity;
 using Avalonia.Markup.Xaml;
 using Avalonia.Styling;
-using Engraver.App.Desk;
+using Avalonia.Threading;
 using Engraver.App.Safety;
 using Engraver.App.Shell;
+using Engraver.App.Start;
 using Engraver.Workbench.Views;
 
 namespace Engraver.App;
@@ -13,14 +17,35 @@ public partial class App : Application
 {
     public override void Initialize() => AvaloniaXamlLoader.Load(this);
 
-    /// <summary>The window on a desk; the theme follows the desk's view.</summary>
-    public ShellWindow OpenShell(WorkDesk desk, StopKeys stopKeys)
+    /// <summary>The window of a session; the theme follows its view. As long as the window is open every window of the program hears the stop keys, and what fails is reported.</summary>
+    public ShellWindow OpenShell(DesktopSession session)
     {
-        ArgumentNullException.ThrowIfNull(desk);
+        ArgumentNullException.ThrowIfNull(session);
+        var desk = session.Desk;
         Follow();
         desk.Changed += Follow;
-        return new ShellWindow(desk, stopKeys);
+        desk.Failed += OnFailed;
+        Dispatcher.UIThread.UnhandledException += OnUnhandled;
+        var keys = InputElement.KeyDownEvent.AddClassHandler<Window>((_, e) => e.Handled |= PressOnce(session.StopKeys, e), RoutingStrategies.Tunnel);
+        var window = new ShellWindow(desk, session.StopKeys);
+        window.Closed += (_, _) =>
+        {
+            keys.Dispose();
+            Dispatcher.UIThread.UnhandledException -= OnUnhandled;
+        };
+        return window;
 
         void Follow() => RequestedThemeVariant = desk.Session.View.Current.Theme == DesktopTheme.Light ? ThemeVariant.Light : ThemeVariant.Dark;
+
+        void OnFailed(Exception failure) => session.Failures.Take(failure);
+
+        void OnUnhandled(object? sender, DispatcherUnhandledExceptionEventArgs e)
+        {
+            session.Failures.Take(e.Exception);
+            e.Handled = true;
+        }
     }
+
+    /// <summary>The shell asks its stop keys itself.</summary>
+    private static bool PressOnce(StopKeys stopKeys, KeyEventArgs e) => TopLevel.GetTopLevel(e.Source as Visual) is not ShellWindow && stopKeys.Press(e.Key, e.KeyModifiers);
 }

@@ -23,7 +23,7 @@ internal sealed class Operator
     {
         _fixture = fixture;
         Session = new DesktopSession(new CommandEnvironment { Folder = RepositoryFolder.Samples, SettingsFile = Path.Combine(folder, "desktop.json"), RunJournalFolder = folder }) { PlatformState = fixture.Regions };
-        Window = ((App)Application.Current!).OpenShell(Session.Desk, Session.StopKeys);
+        Window = ((App)Application.Current!).OpenShell(Session);
         Window.Opened += (_, _) => DesktopPlatform.WatchStop(Window, Session);
         Window.Show();
         Step();

@@ -1,6 +1,10 @@
 using Avalonia;
 using Avalonia.Input;
+using Avalonia.VisualTree;
 using Engraver.Simulator;
+using Engraver.SoftwarePlatform.Bitmaps;
+using Engraver.TestKit;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests;
 
@@ -8,6 +12,9 @@ namespace Engraver.App.Tests;
 [Collection(DesktopCollection.Name)]
 public sealed class PictureTests(DesktopFixture fixture)
 {
+    /// <summary>A manual of many pictures stays small.</summary>
+    private const int MostBytes = 150_000;
+
     private static readonly Size s_usual = new(1280, 800);
     private static readonly string? s_folder = Environment.GetEnvironmentVariable("ENGRAVER_PICTURES");
 
@@ -97,6 +104,38 @@ public sealed class PictureTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task A_job_runs_on_the_simulated_controller() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        here.Open("nameplate.dxf");
+        here.Enter("CNCCONNECT", "sim:?speed=5");
+        here.Show("Job");
+        here.Enter("CNCARM", "Stream");
+        here.Click(here.Find<Avalonia.Controls.Button>("StartKey"));
+        here.Until(() => here.Commands.Machine.Status is { State: MachineState.Running, Progress: { Fraction: > 0.82, ToolOn: true } } && here.Window.Model.Machine.Feed.Length > 2);
+        Take(here, "running");
+        Assert.Equal("RUNNING", here.Window.Model.Machine.State);
+        Assert.InRange(here.Window.Canvas.EngravedMoves, 1, here.Window.Canvas.Overlay!.MoveCount - 1);
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+        here.Show("Alarms");
+        Take(here, "stopped");
+    });
+
+    [Fact]
+    public Task Where_is_the_controller() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        here.Open("nameplate.dxf");
+        here.Window.Model.Connect.Open();
+        here.Window.Model.Connect.IsSerial = true;
+        here.Window.Model.Connect.Device = "/dev/ttyUSB0";
+        here.Step();
+        here.Step();
+        Take(here, "connect");
+    });
+
+    [Fact]
     public Task The_light_theme() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
@@ -118,20 +157,26 @@ public sealed class PictureTests(DesktopFixture fixture)
     {
         here.Hands.Resize(new Size(1100, 720));
         here.Hands.SetScale(scale);
-        here.Open("pcb-outline.dxf");
+        here.Open("gasket.dxf");
         here.Click(here.Find<Avalonia.Controls.MenuItem>("MachineMenu"));
         Take(here, FormattableString.Invariant($"scale-{scale * 100:0}"));
         here.Hands.Press(Key.Escape);
         here.Hands.SetScale(1.0);
     });
 
-    /// <summary>A picture must show the whole window in its scale, and not be one colour.</summary>
+    /// <summary>A picture must show the whole window in its scale, not be one colour, and tell nothing of the machine it was taken on.</summary>
     private static void Take(Operator here, string name)
     {
         here.Until(() => here.Window.Canvas.IsFresh || here.Window.Canvas.Scene is null);
         here.Step();
+        using var whole = new MemoryStream();
+        here.Hands.CapturePng(whole);
+        whole.Position = 0;
+        using var pixels = PngFile.Read(whole);
         using var picture = new MemoryStream();
-        here.Hands.CapturePng(picture);
+        PngFile.WriteIndexed(picture, pixels);
+        Assert.InRange(picture.Length, 1, MostBytes);
+        Assert.DoesNotContain(here.Window.GetVisualDescendants().OfType<Avalonia.Controls.TextBlock>(), text => text.IsEffectivelyVisible && text.Text?.Contains(RepositoryFolder.Root, StringComparison.Ordinal) == true);
         if (s_folder is not null) File.WriteAllBytes(Path.Combine(s_folder, name + ".png"), picture.ToArray());
         var canvas = here.MiddleOf(here.Window.Canvas);
         var strip = here.MiddleOf(here.Find<Avalonia.Controls.Control>("MachineStrip"));

@@ -15,9 +15,17 @@ internal static class DesktopBenchmark
     public const string Start = "start";
 
     private const string Canvas = "canvas";
-    private const string Stop = "stop";
+    /// <summary>Processor that the window on a display uses while nobody touches it; with drawing and script. Then the window closes.</summary>
+    public const string Idle = "idle";
 
-    public static IReadOnlyList<string> Names { get; } = [Start, Canvas, Stop];
+    private const string Stop = "stop";
+    /// <summary>All of the window painted anew, at two sizes.</summary>
+    public const string Repaint = "repaint";
+
+    /// <summary>From OPEN to the first picture and to everything that follows.</summary>
+    public const string Open = "open";
+
+    public static IReadOnlyList<string> Names { get; } = [Start, Canvas, Stop, Repaint, Open, Idle];
 
     /// <summary>One of those that need no window of the operator's.</summary>
     /// <returns>The sentence of what failed; null when all went well.</returns>
@@ -29,10 +37,11 @@ internal static class DesktopBenchmark
             return null;
         }
 
-        var session = new DesktopSession(new CommandEnvironment());
+        if (options is { Benchmark: Open, File: null }) return Texts.Text.Of("Start.NoDrawing");
+        var session = new DesktopSession(new CommandEnvironment { RunJournalFolder = Path.GetTempPath() });
         try
         {
-            return DesktopPlatform.BenchmarkStop(session, builder => ((App)builder.Instance!).OpenShell(session.Desk, session.StopKeys), output);
+            return DesktopPlatform.Benchmark(session, options, builder => ((App)builder.Instance!).OpenShell(session), output);
         }
         finally
         {

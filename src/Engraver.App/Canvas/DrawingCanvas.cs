@@ -97,6 +97,9 @@ public sealed partial class DrawingCanvas : Panel
     /// <summary>What is drawn is what is wanted: nothing is being refined.</summary>
     public bool IsFresh => _keeper.IsFresh;
 
+    /// <summary>There is a picture of the scene, though not yet of everything that is wanted.</summary>
+    internal bool HasPictureOfScene => _keeper.HasPictureOf(Scene);
+
     /// <summary>The part of the drawing on the screen, in pixels of the screen.</summary>
     internal CanvasView PixelView => _keeper.View;
 

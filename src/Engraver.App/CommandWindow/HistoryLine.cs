@@ -18,6 +18,6 @@ public sealed record HistoryLine(MessageKind Kind, string Text)
     {
         var lines = message.Text.Split('\n', MostLinesOfOneMessage + 1);
         for (var at = 0; at < Math.Min(lines.Length, MostLinesOfOneMessage); at++) yield return new HistoryLine(message.Kind, lines[at]);
-        if (lines.Length > MostLinesOfOneMessage) yield return new HistoryLine(MessageKind.Note, Texts.Text.Of("Command.MoreLines", lines[^1].AsSpan().Count('\n') + 1));
+        if (lines.Length > MostLinesOfOneMessage) yield return new HistoryLine(MessageKind.Note, Texts.Text.Of("Command.MoreLines", Texts.Text.Count("Count.Line", lines[^1].AsSpan().Count('\n') + 1)));
     }
 }

@@ -16,13 +16,14 @@ public sealed class CanvasFeed
     private readonly DrawingCanvas _canvas;
     private Drawing? _drawing;
     private PreparedJob? _job;
+    private bool _machineLeads;
 
     public CanvasFeed(WorkDesk desk, DrawingCanvas canvas)
     {
         (_desk, _canvas) = (desk, canvas);
         canvas.View = desk.Session.View;
         desk.Changed += Look;
-        desk.Derived.Moved += ShowTool;
+        desk.Derived.Moved += OnPlaybackMoved;
         Look();
     }
 
@@ -64,14 +65,21 @@ public sealed class CanvasFeed
         if (ReferenceEquals(job, _job)) _canvas.Overlay = overlay;
     }
 
-    /// <summary>While a job runs the tool is where the machine says; otherwise where the playback is.</summary>
+    private void OnPlaybackMoved()
+    {
+        _machineLeads = false;
+        ShowTool();
+    }
+
+    /// <summary>From the start of a job on, the tool is where the machine says, also after a stop; once the playback is moved it is where that is.</summary>
     private void ShowTool()
     {
         var status = _desk.Session.Machine.Status;
         var runs = status.State is MachineState.Running or MachineState.Stopping;
-        var place = runs ? status.WorkPosition : _desk.Derived.Moment?.Position;
+        _machineLeads = runs || (_machineLeads && status.WorkPosition is not null);
+        var place = _machineLeads ? status.WorkPosition : _desk.Derived.Moment?.Position;
         _canvas.ToolPosition = place is { } at && _drawing is { } drawing ? new Point2D(at.X / drawing.Unit.ToMillimetres, at.Y / drawing.Unit.ToMillimetres) : null;
-        _canvas.Highlight = runs ? null : _desk.Derived.Moment?.Entity is >= 0 and var entity ? entity : null;
+        _canvas.Highlight = _machineLeads ? null : _desk.Derived.Moment?.Entity is >= 0 and var entity ? entity : null;
         _canvas.EngravedMoves = MovesDone(status.Progress?.SegmentsDone ?? 0);
     }
 

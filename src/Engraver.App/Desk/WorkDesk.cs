@@ -36,6 +36,7 @@ public sealed class WorkDesk : IAsyncDisposable
         session.Machine.Alarms.Changed += (_, _) => Post();
         session.View.Changed += (_, _) => Post();
         session.Settings.Changed += (_, _) => Post();
+        session.Progress.Changed += (_, _) => Post();
         session.Playback.Changed += (_, _) => Post();
         session.Derivation.Changed += (_, _) => Post();
         session.Derivation.KeepsUp = true;
@@ -46,6 +47,9 @@ public sealed class WorkDesk : IAsyncDisposable
 
     /// <summary>The session stands otherwise than before: prompt, document or machine.</summary>
     public event Action? Changed;
+
+    /// <summary>An input has failed in a way that no command expects.</summary>
+    public event Action<Exception>? Failed;
 
     public CommandSession Session { get; }
 
@@ -88,7 +92,7 @@ public sealed class WorkDesk : IAsyncDisposable
     /// <summary>Takes one input as typed. While a command is at work it is heard beside it, where the command is one of those; otherwise inputs wait for each other.</summary>
     public Task<FeedResult> FeedAsync(string input)
     {
-        if (IsBusy && Session.IsBusy) return Task.Run(() => Session.FeedAsync(input, _closing.Token));
+        if (IsBusy && Session.IsBusy) return Watched(Task.Run(() => Session.FeedAsync(input, _closing.Token)));
         return Enqueue(() => Session.FeedAsync(input, _closing.Token));
     }
 
@@ -116,12 +120,11 @@ public sealed class WorkDesk : IAsyncDisposable
         Session.View.FocusOn(new ViewFocus(new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0), finding.Sentence), height > 0.0 ? height : null);
     }
 
+    /// <summary>Ends when the last Esc was heard; what it ends may take a little longer.</summary>
+    public Task Cancelled { get; private set; } = Task.CompletedTask;
+
     /// <summary>Esc.</summary>
-    public async Task CancelAsync()
-    {
-        if (IsBusy) await Task.Run(Session.CancelAsync);
-        else await Enqueue(CancelNowAsync);
-    }
+    public Task CancelAsync() => Cancelled = IsBusy ? Task.Run(Session.CancelAsync) : Enqueue(CancelNowAsync);
 
     /// <summary>The operator's stop. Straight to the machine, from any thread; waits for nothing.</summary>
     public void StopNow() => Session.Machine.Stop();
@@ -169,7 +172,20 @@ public sealed class WorkDesk : IAsyncDisposable
     {
         var after = AfterAsync(_feeding, work);
         _feeding = after;
-        return after;
+        return Watched(after);
+    }
+
+    /// <summary>Most callers do not wait for what they ask: a failure must be heard all the same.</summary>
+    private Task<FeedResult> Watched(Task<FeedResult> work)
+    {
+        _ = WatchAsync(work);
+        return work;
+    }
+
+    private async Task WatchAsync(Task work)
+    {
+        await work.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+        if (work.Exception is { } failure) Failed?.Invoke(failure.InnerException ?? failure);
     }
 
     private async Task<FeedResult> AfterAsync(Task before, Func<Task<FeedResult>> work)

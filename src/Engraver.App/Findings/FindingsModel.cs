@@ -39,7 +39,7 @@ public sealed class FindingsModel : Observable
         if (ReferenceEquals(findings, _shown)) return;
         _shown = findings;
         Rows = [.. findings.OrderByDescending(found => found.Severity).Select(found => new FindingRow(found))];
-        Summary = Text.Of("Findings.Summary", Rows.Count(row => row.IsError), Rows.Count(row => row.IsWarning), Rows.Count);
+        Summary = Rows.Count == 0 ? Text.Of("Findings.None") : Text.Of("Findings.Summary", Text.Count("Count.Error", Rows.Count(row => row.IsError)), Text.Count("Count.Warning", Rows.Count(row => row.IsWarning)), Text.Count("Count.Finding", Rows.Count));
         Tell(nameof(Rows));
         Tell(nameof(Summary));
     }

@@ -11,12 +11,13 @@ public sealed class MachineStripModel : Observable
 {
     private const string Unknown = "–";
     private readonly WorkDesk _desk;
+    private readonly ToldSpeed _told = new();
     private MachineStatus _status = MachineStatus.Offline;
 
     public MachineStripModel(WorkDesk desk)
     {
         _desk = desk;
-        Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => _status.State is not (MachineState.Offline or MachineState.Armed or MachineState.Running or MachineState.Stopping));
+        Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => _status.State is MachineState.Ready);
         Start = new Act(() => _ = desk.StartArmedAsync(), () => _status.State is MachineState.Armed);
         Stop = new Act(desk.StopNow);
         desk.Changed += Look;
@@ -58,19 +59,31 @@ public sealed class MachineStripModel : Observable
 
     public string MachinePlace => _status.MachinePosition is { } place ? Text.Of("Machine.Place", Figure(place.X), Figure(place.Y)) : "";
 
-    public string Feed => _status.Speed is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;
+    /// <summary>While a job runs, what the places say that the controller tells of; else what it says itself.</summary>
+    public string Feed => (_status.Speed ?? _told.Current) is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;
 
     public string Tool => _status.ToolCommanded switch { true => Text.Of("Machine.ToolOn"), false => Text.Of("Machine.ToolOff"), null => Unknown };
+
+    /// <summary>Bit 0 is input 1; null is not known.</summary>
+    public int? Inputs => _status.Inputs;
+
+    /// <summary>Bit 0 is output 1; null is not known.</summary>
+    public int? Outputs => _status.Outputs;
 
     public double Progress => _status.Progress?.Fraction ?? 0.0;
 
     public string ProgressText => _status.Progress is { } at
-        ? string.Create(CultureInfo.InvariantCulture, $"{at.Fraction * 100.0:0} %   {at.SegmentsDone} / {at.SegmentCount}   {TimeSpan.FromSeconds(at.Seconds):mm\\:ss}")
+        ? Text.Of("Machine.ProgressText", at.Fraction * 100.0, at.SegmentsDone, at.SegmentCount, ClockText.Of(at.Seconds), ClockText.Of(SecondsLeft(at)))
         : Unknown;
+
+    /// <summary>By the plan of the segments that are still to do; dwells at their true length.</summary>
+    private double SecondsLeft(EngravedProgress at) =>
+        _desk.Derived.Current.Motion is { } motion && at.SegmentsDone < Math.Min(at.SegmentCount, motion.SegmentCount) ? motion.DurationSeconds - motion.TimeOfSegment(at.SegmentsDone) : 0.0;
 
     private void Look()
     {
         _status = _desk.Session.Machine.Status;
+        _told.Look(_status.State is MachineState.Running or MachineState.Stopping ? _status.Progress : null);
         Tell(null);
         Arm.Reconsider();
         Start.Reconsider();

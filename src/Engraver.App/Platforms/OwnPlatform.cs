@@ -54,16 +54,15 @@ internal static class DesktopPlatform
         return opening.GetAwaiter().GetResult();
     }
 
-    /// <summary>Measures how soon a stop is on the wire.</summary>
+    /// <summary>Measures a window in memory: how soon a stop is on the wire, how long painting and opening take.</summary>
     /// <returns>The sentence of what failed; null when all went well.</returns>
-    public static string? BenchmarkStop(DesktopSession session, Func<AppBuilder, ShellWindow> open, TextWriter output)
+    public static string? Benchmark(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, TextWriter output)
     {
         var desktop = new HeadlessDesktop();
-        var window = open(InMemory(AppBuilder.Configure<App>(), session, desktop, 1.0).WithInterFont().SetupWithoutStarting());
+        var window = open(InMemory(AppBuilder.Configure<App>(), session, desktop, options.Scale ?? 1.0).WithInterFont().SetupWithoutStarting());
         window.Show();
         desktop.Step();
-        using var benchmark = new StopBenchmark(session, window, desktop, output);
-        benchmark.Run();
+        MemoryBenchmark.Run(session, window, desktop, options, output);
         window.Close();
         return null;
     }

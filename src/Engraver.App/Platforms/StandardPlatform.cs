@@ -20,7 +20,7 @@ internal static class DesktopPlatform
     public static string? RunHeadless(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open) => Texts.Text.Of("Start.NoHeadless");
 
     /// <returns>The sentence of what failed.</returns>
-    public static string? BenchmarkStop(DesktopSession session, Func<AppBuilder, ShellWindow> open, TextWriter output) => Texts.Text.Of("Start.NoHeadless");
+    public static string? Benchmark(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, TextWriter output) => Texts.Text.Of("Start.NoHeadless");
 
     /// <summary>Null when it was no display that failed.</summary>
     public static string? NoDisplay(Exception failure) => null;

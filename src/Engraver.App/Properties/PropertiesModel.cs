@@ -49,7 +49,7 @@ public sealed class PropertiesModel : Observable
             foreach (var row in RowsOf(table, entity).Take(MostRows)) lines.AddRange(Slots(new TableRow(table, row)));
         }
 
-        if (selection.Count > MostRows) lines.Add(new PropertyLine(Text.Of("Properties.More", selection.Count - MostRows), "", IsHead: true));
+        if (selection.Count > MostRows) lines.Add(new PropertyLine(Text.Of("Properties.More", Text.Count("Count.Object", selection.Count - MostRows)), "", IsHead: true));
         return lines;
     }
 

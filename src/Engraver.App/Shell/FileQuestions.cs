@@ -16,7 +16,7 @@ public sealed class FileQuestions(WorkDesk desk, TopLevel window)
     };
 
     /// <summary>FILEDIA.</summary>
-    private bool WantsDialogs => desk.Session.Settings.Current.Variables.GetValueOrDefault("FILEDIA", 1.0) != 0.0;
+    public bool WantsDialogs => desk.Session.Settings.Current.Variables.GetValueOrDefault("FILEDIA", 1.0) != 0.0;
 
     public async Task RunAsync(string command)
     {

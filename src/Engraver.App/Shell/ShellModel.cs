@@ -2,6 +2,7 @@ using System.Windows.Input;
 using Engraver.App.Alarms;
 using Engraver.App.Binding;
 using Engraver.App.CommandWindow;
+using Engraver.App.Connections;
 using Engraver.App.Contours;
 using Engraver.App.Desk;
 using Engraver.App.Findings;
@@ -32,6 +33,7 @@ public sealed class ShellModel : Observable
         Status = new StatusBarModel(desk);
         Command = new CommandWindowModel(desk);
         Playback = new PlaybackModel(desk);
+        Connect = new ConnectModel(desk);
         Tools = ToolColumn.For(desk, act);
         desk.Changed += () => Tell(nameof(Title));
     }
@@ -45,6 +47,9 @@ public sealed class ShellModel : Observable
     public CommandWindowModel Command { get; }
 
     public PlaybackModel Playback { get; }
+
+    /// <summary>The sheet that asks where the controller is.</summary>
+    public ConnectModel Connect { get; }
 
     public IReadOnlyList<ToolButton> Tools { get; }
 

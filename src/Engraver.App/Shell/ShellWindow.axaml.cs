@@ -66,15 +66,22 @@ public partial class ShellWindow : Window
         "Window.Pages" => new Act(() => _panels.FoldPages()),
         "Window.History" => new Act(() => _panels.ExpandHistory()),
         _ when name.StartsWith("Switch.", StringComparison.Ordinal) => Model.Status.Switches.First(toggle => toggle.Command == name["Switch.".Length..]).Switch,
+        "CNCCONNECT" => new Act(AskForController),
         _ => new Act(() => _ = _files.RunAsync(name)),
     };
+
+    private void AskForController()
+    {
+        if (_files.WantsDialogs) Model.Connect.Open();
+        else _ = _files.RunAsync("CNCCONNECT");
+    }
 
     /// <summary>True where the keyboard belongs to something else: a text box, an open menu.</summary>
     private static bool HasKeyboard(object? source) => source is TextBox or MenuItem or Slider;
 
     private void OnTyped(object? sender, TextInputEventArgs e)
     {
-        if (HasKeyboard(e.Source) || string.IsNullOrEmpty(e.Text)) return;
+        if (HasKeyboard(e.Source) || Model.Connect.IsOpen || string.IsNullOrEmpty(e.Text)) return;
         CommandLine.Type(e.Text);
         e.Handled = true;
     }
@@ -83,6 +90,12 @@ public partial class ShellWindow : Window
     {
         e.Handled = _stopKeys.Press(e.Key, e.KeyModifiers);
         if (e.Handled || e.Source is MenuItem) return;
+        if (Model.Connect.IsOpen)
+        {
+            e.Handled = ConnectSheet.Press(e);
+            return;
+        }
+
         e.Handled = e.Key == Key.Escape ? Escape() : ShellKeys.CommandOf(e) is { } command ? Run(command) : !HasKeyboard(e.Source) && e.KeyModifiers == KeyModifiers.None && CommandLine.Press(e.Key);
     }
 

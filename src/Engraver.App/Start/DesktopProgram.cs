@@ -17,11 +17,15 @@ public static class DesktopProgram
     private const int Stopped = 5;
     private const int NoDisplay = 6;
 
+    /// <summary>A machine that does not answer must not keep a failed program alive.</summary>
+    private static readonly TimeSpan s_longestEnd = TimeSpan.FromSeconds(5);
+
     /// <returns>The exit code of the runner's contract.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
-        if (options.Benchmark is not (null or DesktopBenchmark.Start)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
+        if (options.Benchmark is not (null or DesktopBenchmark.Start or DesktopBenchmark.Idle)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
         var session = new DesktopSession(options.Headless ? DesktopSession.OfNobody() : DesktopSession.OfUser());
+        AppDomain.CurrentDomain.UnhandledException += EndWithMachineStopped;
         try
         {
             return options.Headless ? RunHeadless(session, options, error) : RunOnDisplay(session, options, error);
@@ -33,7 +37,15 @@ public static class DesktopProgram
         }
         finally
         {
+            AppDomain.CurrentDomain.UnhandledException -= EndWithMachineStopped;
             session.DisposeAsync().AsTask().GetAwaiter().GetResult();
+        }
+
+        // A thread of the program has failed and .NET is about to end the process: the machine first.
+        void EndWithMachineStopped(object sender, UnhandledExceptionEventArgs e)
+        {
+            if (e.ExceptionObject is Exception failure) error.WriteLine(Text.Of("Start.Failed", session.Failures.Take(failure) ?? failure.Message));
+            session.DisposeAsync().AsTask().Wait(s_longestEnd);
         }
     }
 
@@ -63,12 +75,13 @@ public static class DesktopProgram
         var builder = DesktopPlatform.OnDisplay(AppBuilder.Configure<App>(), session, options).WithInterFont().SetupWithLifetime(lifetime);
         var window = Open(builder, session, options);
         lifetime.MainWindow = window;
-        if (options.Benchmark is not null) DesktopBenchmark.EndAfterFirstFrame(window);
+        if (options.Benchmark == DesktopBenchmark.Start) DesktopBenchmark.EndAfterFirstFrame(window);
         window.Opened += async (_, _) =>
         {
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
             while (!window.CanvasFeed.IsCurrent) await Dispatcher.UIThread.InvokeAsync(() => window.CanvasFeed.Shown, DispatcherPriority.Background);
             window.Canvas.RefineNow();
+            if (options.Benchmark == DesktopBenchmark.Idle) IdleBenchmark.Watch(window, Console.Out);
             if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };
         using var signals = new EndSignals(() => session.StopKeys.PressStop(), () => Dispatcher.UIThread.Post(() => lifetime.Shutdown(Stopped)));
@@ -77,7 +90,7 @@ public static class DesktopProgram
 
     private static ShellWindow Open(AppBuilder builder, DesktopSession session, DesktopOptions options)
     {
-        var window = ((App)builder.Instance!).OpenShell(session.Desk, session.StopKeys);
+        var window = ((App)builder.Instance!).OpenShell(session);
         if (options.Size is { } size) (window.Width, window.Height) = (size.Width, size.Height);
         window.Opened += (_, _) => DesktopPlatform.WatchStop(window, session);
         return window;

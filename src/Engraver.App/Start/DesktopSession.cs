@@ -16,6 +16,7 @@ public sealed class DesktopSession : IAsyncDisposable
         ArgumentNullException.ThrowIfNull(environment);
         Time = environment.Time;
         _session = new CommandSession(environment, CommandCatalog.Built());
+        FailureFolder = Path.GetDirectoryName(environment.SettingsFile) ?? UserFiles.Folder;
         StopKeys = new StopKeys(() => WorkDesk.Moves(_session.Machine), () => _session.Machine.Stop());
     }
 
@@ -23,6 +24,12 @@ public sealed class DesktopSession : IAsyncDisposable
 
     /// <summary>Any thread.</summary>
     public StopKeys StopKeys { get; }
+
+    /// <summary>Where reports of failures are kept: beside the settings.</summary>
+    public string FailureFolder { get; }
+
+    /// <summary>Any thread.</summary>
+    public FailureGuard Failures => field ??= new FailureGuard(() => StopKeys.PressStop(), _session.Machine.Alarms, FailureFolder, Time);
 
     /// <summary>What the platform keeps for this session; its own business.</summary>
     internal object? PlatformState { get; set; }

@@ -28,6 +28,13 @@ public sealed class StatusBarModel : Observable
         private set => Set(ref _coordinates, value);
     }
 
+    /// <summary>How far a long command is; empty while none is at work.</summary>
+    public string Progress => _desk.Session.Progress.Fraction is { } fraction ? Text.Of("Status.Progress", fraction * 100.0) : "";
+
+    public bool IsWorking => _desk.Session.Progress.Fraction is not null;
+
+    public double Fraction => _desk.Session.Progress.Fraction ?? 0.0;
+
     public string Unit => _desk.Session.Document.Current.Drawing?.Unit.Name ?? Text.Of("Status.Millimetres");
 
     public string JoinTolerance => Text.Of("Status.Join", _desk.Session.Document.Current.Settings.JoinToleranceMm);
@@ -43,6 +50,9 @@ public sealed class StatusBarModel : Observable
 
     private void Look()
     {
+        Tell(nameof(IsWorking));
+        Tell(nameof(Progress));
+        Tell(nameof(Fraction));
         Tell(nameof(Unit));
         Tell(nameof(JoinTolerance));
         Tell(nameof(MaxError));

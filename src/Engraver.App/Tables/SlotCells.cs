@@ -10,9 +10,13 @@ namespace Engraver.App.Tables;
 /// <summary>One line of the table drawn as one control: number and 16 cells, or their names. Scrolling makes no controls.</summary>
 public sealed class SlotCells : Control
 {
-    public const double NumberWidth = 64;
-    public const double CellWidth = 76;
-    public const double AllWidth = NumberWidth + (EntitySlot.Count * CellWidth);
+    public const double NumberWidth = 50;
+    public const double CellWidth = 74;
+
+    /// <summary>The last cell does not touch the edge.</summary>
+    public const double AllWidth = NumberWidth + (EntitySlot.Count * CellWidth) + RoomAtTheEdge;
+
+    private const double RoomAtTheEdge = 6;
 
     public static readonly StyledProperty<TableRow?> RowProperty = AvaloniaProperty.Register<SlotCells, TableRow?>(nameof(Row));
 

@@ -14,5 +14,8 @@ public static class Text
     /// <summary>Null when no text has that name.</summary>
     public static string? Find(string name) => s_resources.GetString(name, CultureInfo.CurrentUICulture);
 
+    /// <summary>A number with its noun: <c>NAME.One</c> for one, <c>NAME.Many</c> for every other number.</summary>
+    public static string Count(string name, int count) => Of(name + (count == 1 ? ".One" : ".Many"), count);
+
     public static string Of(string name, params object?[] facts) => string.Format(CultureInfo.InvariantCulture, Of(name), facts);
 }

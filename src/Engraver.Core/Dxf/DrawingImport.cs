@@ -37,7 +37,7 @@ internal sealed class DrawingImport
         _log = new ImportLog(tags.IsBinary ? "byte" : "line");
         if (tags.IsUtf8) _text.UseUtf8();
         var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Of(tags, cancellation) : new MultiLineStyles();
-        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, cancellation);
+        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, cancellation) { Progress = options.Progress };
         _content = new ContentReader(_records, new TextMapper(_styles), new OutlineMapper(multiLines), options.Cut);
         _layers = new LayerTable(_records.Layers);
         _balance = new BalanceSheet(_log);

@@ -9,4 +9,7 @@ namespace Engraver.Core.Dxf;
 public sealed record DxfReadOptions(LengthUnit? UnitOverride = null, int MaxExpandedCurves = 10_000_000, CutChoice Cut = CutChoice.None)
 {
     public static DxfReadOptions Default { get; } = new();
+
+    /// <summary>Is told how much of the file has been read, 0 to 1, about a hundred times; on the reading thread. Null: nobody.</summary>
+    public IProgress<double>? Progress { get; init; }
 }

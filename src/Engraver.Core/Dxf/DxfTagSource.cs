@@ -42,6 +42,9 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
     /// <summary>The value's bytes, without the line end; for a number of a binary file its raw bytes.</summary>
     public abstract ReadOnlySpan<byte> Value { get; }
 
+    /// <summary>How much of the file lies behind, 0 to 1.</summary>
+    public double Part => (double)Position / Math.Max(1, _file.Length);
+
     protected ReadOnlySpan<byte> Bytes => _file;
 
     protected int Position { get; set; }

@@ -14,6 +14,7 @@ internal sealed class RecordReader
     private readonly CancellationToken _cancellation;
     private readonly int _layerZero;
     private int _nextType;
+    private double _told;
 
     private readonly TextDecoding _decode;
     private readonly CutChoice _cut;
@@ -46,10 +47,14 @@ internal sealed class RecordReader
     /// <summary>Line (binary: byte offset) of the next record.</summary>
     public int NextLine { get; private set; }
 
+    /// <summary>Is told how far reading is; null: nobody.</summary>
+    public IProgress<double>? Progress { get; init; }
+
     /// <summary>Reads the next record whole, whatever it is.</summary>
     public void Read(EntityRecord record)
     {
         _cancellation.ThrowIfCancellationRequested();
+        if (Progress is { } progress) Tell(progress);
         record.Begin(Next, _types[_nextType], _nextType, NextLine, _layerZero);
         var damages = _tags.DamageCount;
         while (_tags.Read() && _tags.Code != 0) Accept(record);
@@ -74,6 +79,13 @@ internal sealed class RecordReader
     {
         while (_tags.Read() && _tags.Code != 0) take(_tags);
         Settle();
+    }
+
+    private void Tell(IProgress<double> progress)
+    {
+        const double Step = 0.01;
+        if (_tags.Part < _told + Step) return;
+        progress.Report(_told = _tags.Part);
     }
 
     /// <summary>Reads the name of the section that begins here, in capitals. One of the Skip methods must follow.</summary>

@@ -11,29 +11,38 @@ internal static class PngWriter
     public static void Write(Stream stream, SoftwareBitmap bitmap)
     {
         stream.Write(PngChunk.Signature);
-        PngChunk.Write(stream, "IHDR"u8, Header(bitmap));
+        PngChunk.Write(stream, "IHDR"u8, Header(bitmap, PngColorType.TrueColorWithAlpha));
         PngChunk.Write(stream, "pHYs"u8, Resolution(bitmap));
         PngChunk.Write(stream, "IDAT"u8, CompressedRows(bitmap));
         PngChunk.Write(stream, "IEND"u8, []);
     }
 
-    private static byte[] Header(SoftwareBitmap bitmap)
+    public static byte[] Header(SoftwareBitmap bitmap, PngColorType type)
     {
         var header = new byte[13];
         BinaryPrimitives.WriteInt32BigEndian(header, bitmap.PixelSize.Width);
         BinaryPrimitives.WriteInt32BigEndian(header.AsSpan(4), bitmap.PixelSize.Height);
         header[8] = 8;
-        header[9] = (byte)PngColorType.TrueColorWithAlpha;
+        header[9] = (byte)type;
         return header;
     }
 
-    private static byte[] Resolution(SoftwareBitmap bitmap)
+    public static byte[] Resolution(SoftwareBitmap bitmap)
     {
         var data = new byte[9];
         BinaryPrimitives.WriteInt32BigEndian(data, (int)Math.Round(bitmap.Dpi.X / PngHeader.MetresPerInch));
         BinaryPrimitives.WriteInt32BigEndian(data.AsSpan(4), (int)Math.Round(bitmap.Dpi.Y / PngHeader.MetresPerInch));
         data[8] = 1;
         return data;
+    }
+
+    /// <summary>Row after row, not premultiplied, red in the lowest byte.</summary>
+    public static uint[] PlainPixels(SoftwareBitmap bitmap)
+    {
+        var (width, height) = (bitmap.PixelSize.Width, bitmap.PixelSize.Height);
+        var pixels = new uint[width * height];
+        for (var i = 0; i < pixels.Length; i++) pixels[i] = PixelArithmetic.Swapped(PixelArithmetic.Unpremultiplied(bitmap[i % width, i / width]));
+        return pixels;
     }
 
     private static byte[] CompressedRows(SoftwareBitmap bitmap)

@@ -45,7 +45,7 @@ public sealed class HeadlessDesktop
     public void Step()
     {
         Dispatcher.UIThread.VerifyAccess();
-        Loop.FireDueTimer();
+        Loop.RunDue();
         Dispatcher.UIThread.RunJobs();
         _frames!.Fire();
         Dispatcher.UIThread.RunJobs();

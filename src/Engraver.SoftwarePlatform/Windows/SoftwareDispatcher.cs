@@ -83,10 +83,12 @@ internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatche
         return work is not null;
     }
 
-    /// <summary>Fires the timer if it is due, and nothing else.</summary>
-    public void FireDueTimer()
+    /// <summary>Answers everything that calls now, once. What is left unanswered would keep <see cref="WaitForWork"/> from waiting.</summary>
+    public void RunDue()
     {
         if (TakeTimer()) Timer?.Invoke();
+        if (TakeCall(ref _signalled)) Signaled?.Invoke();
+        if (TakeCall(ref _background)) ReadyForBackgroundProcessing?.Invoke();
     }
 
     /// <summary>Blocks until there is something to do, the token is cancelled or the time is over.</summary>
@@ -108,21 +110,18 @@ internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatche
 
     private Action? Take()
     {
-        lock (_gate)
-        {
-            if (_signalled)
-            {
-                _signalled = false;
-                return () => Signaled?.Invoke();
-            }
-        }
-
+        if (TakeCall(ref _signalled)) return () => Signaled?.Invoke();
         if (TakeTimer()) return () => Timer?.Invoke();
+        return TakeCall(ref _background) ? () => ReadyForBackgroundProcessing?.Invoke() : null;
+    }
+
+    private bool TakeCall(ref bool called)
+    {
         lock (_gate)
         {
-            if (!_background) return null;
-            _background = false;
-            return () => ReadyForBackgroundProcessing?.Invoke();
+            var was = called;
+            called = false;
+            return was;
         }
     }
 

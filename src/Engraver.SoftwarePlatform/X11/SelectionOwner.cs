@@ -32,9 +32,10 @@ internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms
     /// <summary>Asks the server: word that another program took the clipboard may still be on its way. On the event thread.</summary>
     public bool StillOwns() => _owns && Xlib.XGetSelectionOwner(connection.Display, atoms.Clipboard) == helper;
 
-    /// <summary>Another program owns the clipboard now.</summary>
+    /// <summary>Another program owned the clipboard; in the meantime it may be ours again.</summary>
     public void OnCleared()
     {
+        if (StillOwns()) return;
         _owns = false;
         _utf8 = [];
     }

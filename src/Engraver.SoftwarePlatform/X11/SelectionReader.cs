@@ -4,19 +4,22 @@ namespace Engraver.SoftwarePlatform.X11;
 internal sealed class SelectionReader(XConnection connection, nint helper, nint selection, nint property, nint incr)
 {
     private Action<byte[]?>? _done;
+    private Action? _heard;
     private IncrReceive? _pieces;
+    private nint _target;
 
     /// <summary>Asks the owner. The answer is null when it has nothing of the kind. A newer question ends an older one with null.</summary>
-    public void Ask(nint target, nint time, Action<byte[]?> done)
+    /// <param name="heard">Called when a piece of a long answer has come.</param>
+    public void Ask(nint target, nint time, Action<byte[]?> done, Action? heard = null)
     {
         Finish(null);
-        _done = done;
+        (_target, _done, _heard) = (target, done, heard);
         Xlib.XConvertSelection(connection.Display, selection, target, property, helper, time);
     }
 
     public void OnNotify(ref XEvent notice)
     {
-        if (notice.Selection != selection || _done is null) return;
+        if (notice.Selection != selection || _done is null || notice.Target != _target) return; // an answer to an older question comes too late
         if (notice.AnswerProperty == XAtoms.None)
         {
             Finish(null);
@@ -24,8 +27,12 @@ internal sealed class SelectionReader(XConnection connection, nint helper, nint 
         }
 
         var (type, bytes) = connection.TakeBytes(helper, property);
-        if (type == incr) _pieces = new IncrReceive();
-        else Finish(bytes);
+        if (type != incr) Finish(bytes);
+        else
+        {
+            _pieces = new IncrReceive();
+            _heard?.Invoke();
+        }
     }
 
     /// <summary>A property of the helper window has a new value.</summary>
@@ -33,14 +40,14 @@ internal sealed class SelectionReader(XConnection connection, nint helper, nint 
     {
         if (changed != property || _pieces is null) return;
         var (_, bytes) = connection.TakeBytes(helper, property);
+        _heard?.Invoke();
         if (_pieces.Take(bytes)) Finish(_pieces.Bytes);
     }
 
     private void Finish(byte[]? bytes)
     {
         var done = _done;
-        _done = null;
-        _pieces = null;
+        (_done, _heard, _pieces) = (null, null, null);
         done?.Invoke(bytes);
     }
 }

@@ -43,21 +43,17 @@ internal sealed class X11Clipboard(X11Desktop desktop) : IOwnedClipboardImpl
 
     private async Task<string?> ReadTextAsync()
     {
-        if (await AskAsync(desktop.Atoms.Utf8String).ConfigureAwait(true) is { } utf8) return Encoding.UTF8.GetString(utf8);
-        return await AskAsync(XAtoms.String).ConfigureAwait(true) is { } latin ? Encoding.Latin1.GetString(latin) : null;
+        var (utf8, silent) = await AskAsync(desktop.Atoms.Utf8String).ConfigureAwait(true);
+        if (utf8 is not null) return Encoding.UTF8.GetString(utf8);
+        if (silent) return null; // who does not answer at all is not asked again
+        var (latin, _) = await AskAsync(XAtoms.String).ConfigureAwait(true);
+        return latin is null ? null : Encoding.Latin1.GetString(latin);
     }
 
-    private async Task<byte[]?> AskAsync(nint target)
+    private async Task<(byte[]? Bytes, bool Silent)> AskAsync(nint target)
     {
-        var answer = new TaskCompletionSource<byte[]?>(TaskCreationOptions.RunContinuationsAsynchronously);
-        desktop.Events.Post(() => desktop.ClipboardReader.Ask(target, desktop.LastEventTime, bytes => answer.TrySetResult(bytes)));
-        try
-        {
-            return await answer.Task.WaitAsync(Patience).ConfigureAwait(true);
-        }
-        catch (TimeoutException)
-        {
-            return null;
-        }
+        using var answer = new PatientAnswer(Patience, TimeProvider.System);
+        desktop.Events.Post(() => desktop.ClipboardReader.Ask(target, desktop.LastEventTime, answer.Take, answer.Hear));
+        return (await answer.Whole.ConfigureAwait(true), answer.GaveUp);
     }
 }

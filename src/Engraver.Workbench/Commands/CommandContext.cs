@@ -29,6 +29,9 @@ public sealed class CommandContext
 
     public PlaybackSession Playback => _session.Playback;
 
+    /// <summary>Where a long command says how far it is.</summary>
+    public CommandProgress Progress => _session.Progress;
+
     public CommandCatalog Catalog => _session.Catalog;
 
     public AliasTable Aliases => _session.Aliases;

@@ -49,6 +49,9 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>The planned motion in time, of what was derived last.</summary>
     public PlaybackSession Playback { get; }
 
+    /// <summary>How far the command at work is.</summary>
+    public CommandProgress Progress { get; } = new();
+
     public CommandCatalog Catalog { get; }
 
     public AliasTable Aliases { get; private set; }
@@ -204,12 +207,23 @@ public sealed class CommandSession : IAsyncDisposable
 
     private async Task<FeedResult> SettleAsync(CommandFrame frame, CancellationToken cancellation)
     {
-        var result = await frame.SettledAsync(cancellation).ConfigureAwait(false);
-        if (result is FeedResult.Asking) return result;
-        RemoveEnded();
+        var result = await SettledAsync(frame, cancellation).ConfigureAwait(false);
         if (result is not FeedResult.Done || !_frames.TryPeek(out var outer)) return result;
         Say(MessageKind.Note, $"Resuming {outer.Info.Name} command.");
         return new FeedResult.Asking();
+    }
+
+    /// <summary>A command that fails in a way nobody expects is over like any other, and the next one can begin.</summary>
+    private async Task<FeedResult> SettledAsync(CommandFrame frame, CancellationToken cancellation)
+    {
+        try
+        {
+            return await frame.SettledAsync(cancellation).ConfigureAwait(false);
+        }
+        finally
+        {
+            RemoveEnded();
+        }
     }
 
     private async Task EndAllAsync()

@@ -13,7 +13,7 @@ internal static class DrawingOpening
     public static void Open(CommandContext context, string name, string path, CancellationToken cancellation)
     {
         var state = context.Document.Current;
-        var drawing = DrawingFile.Open(path, state.Settings, cancellation);
+        var drawing = Read(context, path, cancellation);
         Findings.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
         if (drawing.HasErrors && drawing.Entities.Count == 0) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {drawing.Diagnostics.First(found => found.Severity == Severity.Error).Message}");
         RememberView(context);
@@ -31,6 +31,18 @@ internal static class DrawingOpening
         if (!context.Settings.Current.RecentFiles.Contains(path)) return;
         var view = context.View.Current;
         context.Settings.Change(settings => settings.WithView(path, new SavedView(view.Centre.X, view.Centre.Y, view.Height)));
+    }
+
+    private static Drawing Read(CommandContext context, string path, CancellationToken cancellation)
+    {
+        try
+        {
+            return DrawingFile.Open(path, context.Document.Current.Settings, cancellation, context.Progress);
+        }
+        finally
+        {
+            context.Progress.End();
+        }
     }
 
     private static void Show(CommandContext context, Drawing drawing)

@@ -9,8 +9,9 @@ namespace Engraver.Workbench.Documents;
 public static class DrawingFile
 {
     /// <param name="settings">Of these only what changes what is read: the unit, what else is to be cut.</param>
-    public static Drawing Open(string path, DrawingSettings settings, CancellationToken cancellation) =>
-        Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut }, cancellation);
+    /// <param name="progress">Is told how much has been read, 0 to 1; null: nobody.</param>
+    public static Drawing Open(string path, DrawingSettings settings, CancellationToken cancellation, IProgress<double>? progress = null) =>
+        Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut, Progress = progress }, cancellation);
 
     private static Drawing Open(string path, DxfReadOptions options, CancellationToken cancellation)
     {

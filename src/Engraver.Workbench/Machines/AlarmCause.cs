@@ -23,4 +23,7 @@ public enum AlarmCause
 
     /// <summary>A job ended before its end.</summary>
     JobStopped,
+
+    /// <summary>The program itself failed; the machine was stopped.</summary>
+    ProgramFailed,
 }

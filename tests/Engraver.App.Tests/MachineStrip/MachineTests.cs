@@ -1,6 +1,8 @@
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
+using Avalonia.VisualTree;
+using Engraver.App.MachineStrip;
 using Engraver.Galil.Jobs;
 using Engraver.Simulator;
 using Engraver.Workbench.Machines;
@@ -72,6 +74,26 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Rest();
 
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+    });
+
+    [Fact]
+    public Task The_tool_stays_where_the_machine_stopped_until_the_playback_is_moved() => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        here.Until(() => here.Window.Model.Machine.Feed is not "–" and not "0");
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+
+        var place = here.Commands.Machine.Status.WorkPosition!.Value;
+        var tool = here.Window.Canvas.ToolPosition!.Value;
+        Assert.True(place.DistanceTo(default) > 0.1);
+        Assert.Equal(place.X, tool.X * 25.4, 6); // the gasket is drawn in inches
+        Assert.Equal(place.Y, tool.Y * 25.4, 6);
+        Assert.Null(here.Window.Canvas.Highlight);
+        here.Window.Model.Playback.At = here.Window.Model.Playback.Total / 2;
+        here.Step();
+        Assert.Equal(here.Desk.Derived.Moment!.Value.Position.X, here.Window.Canvas.ToolPosition!.Value.X * 25.4, 6);
+        Assert.NotNull(here.Window.Canvas.Highlight);
     });
 
     [Fact]
@@ -174,12 +196,31 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Step();
 
         Assert.Equal("FAULT", here.Find<TextBlock>("StateText").Text);
+        Assert.False(here.Find<Button>("ArmKey").IsEffectivelyEnabled);
         here.Show("Alarms");
         Assert.Equal(1, here.Find<ListBox>("AlarmList").ItemCount);
+        Assert.All(here.Find<ListBox>("AlarmList").GetVisualDescendants().OfType<TextBlock>(), text => Assert.False(text.TextLayout.TextLines.Any(line => line.HasCollapsed || line.HasOverflowed), text.Text));
         here.Click(here.Find<Button>("AcknowledgeAllButton"));
         here.Step();
         Assert.DoesNotContain(here.Commands.Machine.Alarms.All, alarm => alarm.NeedsAcknowledging);
         Assert.NotEqual(MachineState.Ready, here.Commands.Machine.Status.State);
+    });
+
+    [Fact]
+    public Task Outputs_are_shown_where_there_is_room() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1280, 800));
+        var lamps = here.Find<BitLamps>("OutputLamps");
+        Assert.Null(lamps.Bits);
+        here.Enter("CNCCONNECT", "sim:");
+        var typed = here.Commands.Machine.Terminal.TypeAsync("SB 3", CancellationToken.None);
+        here.Until(() => typed.IsCompleted && lamps.Bits == 4);
+        Assert.True(lamps.IsEffectivelyVisible);
+        here.Hands.Resize(new Size(1024, 700));
+        here.Step();
+
+        Assert.False(lamps.IsEffectivelyVisible);
+        Assert.True(here.Find<ProgressBar>("ProgressLine").Bounds.Width >= 40);
     });
 
     [Fact]

@@ -25,6 +25,15 @@ public sealed class PlaybackTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task The_thumb_stands_in_the_middle_of_its_bar() => fixture.WithOperator(here =>
+    {
+        var thumb = here.Find<Avalonia.Controls.Slider>("Scrub").GetVisualDescendants().OfType<Avalonia.Controls.Primitives.Thumb>().First();
+        var button = here.MiddleOf(here.Find<Avalonia.Controls.Button>("PlayButton"));
+
+        Assert.InRange(here.MiddleOf(thumb).Y - button.Y, -1.0, 1.0);
+    });
+
+    [Fact]
     public Task A_click_on_a_row_moves_the_tool_to_its_beginning() => fixture.WithOperator(here =>
     {
         Prepare(here);

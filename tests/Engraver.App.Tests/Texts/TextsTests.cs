@@ -60,6 +60,21 @@ public sealed class TextsTests
         Assert.Equal("join 0.01", Engraver.App.Texts.Text.Of("Status.Join", 0.01));
 
     [Theory]
+    [InlineData(0, "0 errors")]
+    [InlineData(1, "1 error")]
+    [InlineData(2, "2 errors")]
+    public void One_is_no_plural(int count, string expected) => Assert.Equal(expected, Engraver.App.Texts.Text.Count("Count.Error", count));
+
+    [Fact]
+    public void Every_noun_has_both_numbers()
+    {
+        var nouns = Names.Where(name => name.StartsWith("Count.", StringComparison.Ordinal)).Select(name => name[..name.LastIndexOf('.')]).Distinct().ToList();
+
+        Assert.True(nouns.Count >= 6);
+        Assert.All(nouns, noun => Assert.True(Names.Contains(noun + ".One") && Names.Contains(noun + ".Many"), noun));
+    }
+
+    [Theory]
     [InlineData(0, "00:00")]
     [InlineData(41.4, "00:41")]
     [InlineData(310, "05:10")]

@@ -33,6 +33,48 @@ public class PngTests
     }
 
     [Theory]
+    [InlineData(2)]
+    [InlineData(256)]
+    public void Few_colours_are_written_by_palette_without_loss(int colours)
+    {
+        using var bitmap = Picture(64, 64, i => 0xFF000000 | (uint)(i % colours * 40_503));
+        using var file = new MemoryStream();
+        PngFile.WriteIndexed(file, bitmap);
+        file.Position = 0;
+        using var again = PngFile.Read(file);
+
+        for (var y = 0; y < 64; y++) Assert.Equal(bitmap.Row(y).ToArray(), again.Row(y).ToArray());
+    }
+
+    /// <summary>A thousand greys on a ground, and one red pixel: each is shown by a colour that is near, and the ground exactly.</summary>
+    [Fact]
+    public void Many_colours_are_shown_by_near_ones()
+    {
+        using var bitmap = Picture(128, 128, i => i == 5001 ? 0xFFFF0000 : i % 2 == 0 ? 0xFF202830 : 0xFF000000 | (uint)((i / 2 % 1000 / 4) * 0x010101) | (uint)(i % 8));
+        using var file = new MemoryStream();
+        PngFile.WriteIndexed(file, bitmap);
+        file.Position = 0;
+        using var again = PngFile.Read(file);
+
+        for (var i = 0; i < 128 * 128; i++)
+        {
+            var (wanted, shown) = (bitmap[i % 128, i / 128], again[i % 128, i / 128]);
+            if (i % 2 == 0) Assert.Equal(wanted, shown);
+            for (var shift = 0; shift < 24; shift += 8) Assert.InRange((int)((wanted >> shift) & 0xFF) - (int)((shown >> shift) & 0xFF), -12, 12);
+        }
+    }
+
+    [Fact]
+    public void A_transparent_picture_is_not_written_by_palette()
+    {
+        using var bitmap = Picture(4, 4, i => i == 7 ? 0x80000000 : 0xFF000000);
+        using var file = new MemoryStream();
+
+        Assert.Throws<ArgumentException>(() => PngFile.WriteIndexed(file, bitmap));
+        Assert.Equal(0, file.Length);
+    }
+
+    [Theory]
     [InlineData(1, 0xFFFFFFFF, 0xFF000000)]
     [InlineData(2, 0xFFFFFFFF, 0xFFAAAAAA)]
     [InlineData(4, 0xFFFFFFFF, 0xFF999999)]
@@ -147,5 +189,12 @@ public class PngTests
         PngChunk.Write(file, "IDAT"u8, packed.AsSpan(packed.Length / 2));
         PngChunk.Write(file, "IEND"u8, []);
         return file.ToArray();
+    }
+
+    private static SoftwareBitmap Picture(int width, int height, Func<int, uint> pixel)
+    {
+        var bitmap = new SoftwareBitmap(new PixelSize(width, height), new Vector(96, 96));
+        for (var i = 0; i < width * height; i++) bitmap.Row(i / width)[i % width] = pixel(i);
+        return bitmap;
     }
 }

@@ -39,6 +39,18 @@ public sealed class WindowTests(DesktopFixture fixture)
         demo.Close();
     });
 
+    /// <summary>What called the dispatcher must not keep it from waiting: whoever computes beside it needs the processor.</summary>
+    [Fact]
+    public Task A_desktop_that_has_nothing_to_do_waits() => fixture.WithDemo((demo, _) =>
+    {
+        var asked = 0;
+        Dispatcher.UIThread.Post(() => demo.Title = "posted");
+        Dispatcher.UIThread.Post(() => demo.Title = "posted later", DispatcherPriority.Background);
+
+        Assert.Throws<TimeoutException>(() => fixture.Desktop.StepUntil(() => ++asked > 200, TimeSpan.FromSeconds(0.3)));
+        Assert.Equal("posted later", demo.Title);
+    });
+
     [Fact]
     public Task The_picture_follows_size_and_scale() => fixture.WithDemo((demo, hands) =>
     {

@@ -40,6 +40,16 @@ internal sealed unsafe class OtherProgram : IDisposable
         return (finished.Data[1] & 1) == 1;
     }
 
+    /// <summary>Waits until a program that is started has taken the clipboard: it takes it from this one, and the server says so.</summary>
+    /// <remarks>xclip ends its first process before the second one has sent what it owns: that process's end says nothing.</remarks>
+    public void GiveClipboardTo(Action program)
+    {
+        Xlib.XSetSelectionOwner(_connection.Display, _atoms.Clipboard, _window, 0);
+        _connection.Sync();
+        program();
+        WaitFor(XEventType.SelectionClear);
+    }
+
     public void Dispose() => _connection.Close();
 
     private void AnswerRequest(string uriList)

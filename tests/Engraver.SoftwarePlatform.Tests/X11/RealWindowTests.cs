@@ -52,7 +52,8 @@ public sealed class RealWindowTests : IDisposable
         Assert.Equal("größe ✓", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "UTF8_STRING"));
         Assert.Contains("text/plain;charset=utf-8", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "TARGETS"), StringComparison.Ordinal);
 
-        _server.OfferClipboard("von außen ✓");
+        using var other = new OtherProgram(_server);
+        other.GiveClipboardTo(() => _server.OfferClipboard("von außen ✓"));
         Assert.Equal("von außen ✓", _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "UTF8_STRING"));
         Told.Ask("paste");
         Assert.Equal("clipboard von außen ✓", Told.WaitFor("clipboard"));
@@ -65,7 +66,8 @@ public sealed class RealWindowTests : IDisposable
         Told.WaitFor("copied");
         Assert.Equal(new string('ä', 700_000), _server.Run("xclip", "-selection", "clipboard", "-o", "-t", "UTF8_STRING"));
 
-        _server.OfferClipboard(new string('ß', 1_500_000));
+        using var other = new OtherProgram(_server);
+        other.GiveClipboardTo(() => _server.OfferClipboard(new string('ß', 1_500_000)));
         Told.Ask("pastelong");
         Assert.Equal("clipboard length 1500000", Told.WaitFor("clipboard"));
     }

@@ -43,7 +43,7 @@ internal sealed class XServer : IDisposable
         return said;
     }
 
-    /// <summary>A program that offers its input as the clipboard, until another owner comes. It prints nothing; it has the clipboard when its first process ends.</summary>
+    /// <summary>A program that offers its input as the clipboard, until another owner comes. It may own it only a little after this returns.</summary>
     public void OfferClipboard(string text)
     {
         var start = new ProcessStartInfo("xclip") { RedirectStandardInput = true };

@@ -27,6 +27,9 @@ internal sealed class PictureKeeper
     /// <summary>There is a finished picture, whatever it shows.</summary>
     public bool HasPicture => _picture is not null;
 
+    /// <summary>There is a finished picture of this scene.</summary>
+    public bool HasPictureOf(Scenes.CanvasScene? scene) => _picture is not null && ReferenceEquals(_drawnContent.Scene, scene);
+
     /// <summary>Writes what can be shown at once, which takes no longer for a large drawing than for a small one.</summary>
     /// <param name="target">Pixels 0xAARRGGBB.</param>
     /// <param name="stride">Pixels to a row of the target.</param>

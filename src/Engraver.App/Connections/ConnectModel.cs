@@ -1,0 +1,157 @@
+using System.Globalization;
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+using Engraver.Galil.Links;
+
+namespace Engraver.App.Connections;
+
+/// <summary>The sheet that asks where the controller is. What it gives is the text of CNCCONNECT, and that is all it does.</summary>
+public sealed class ConnectModel : Observable
+{
+    private const double PlainSpeed = 1.0;
+    private readonly WorkDesk _desk;
+    private LinkKind _kind;
+    private bool _isOpen;
+    private string _host = "";
+    private string _port = ControllerAddress.DefaultTcpPort.ToString(CultureInfo.InvariantCulture);
+    private string _device = "";
+    private int _baud = ControllerAddress.DefaultBaud;
+    private FlowChoice _flow;
+    private bool _atOnce = true;
+
+    public ConnectModel(WorkDesk desk)
+    {
+        _desk = desk;
+        Flows = [new(SerialFlow.RtsCts, "rtscts"), new(SerialFlow.XonXoff, "xonxoff"), new(SerialFlow.None, "none")];
+        _flow = Flows[0];
+        Connect = new Act(ConnectNow, () => IsAddress);
+        Cancel = new Act(() => IsOpen = false);
+    }
+
+    public Act Connect { get; }
+
+    public Act Cancel { get; }
+
+    public IReadOnlyList<int> Bauds { get; } = [.. SerialLine.Rates];
+
+    public IReadOnlyList<FlowChoice> Flows { get; }
+
+    public bool IsOpen
+    {
+        get => _isOpen;
+        private set => Set(ref _isOpen, value);
+    }
+
+    public bool IsSimulated
+    {
+        get => _kind == LinkKind.Simulated;
+        set => Choose(value, LinkKind.Simulated);
+    }
+
+    public bool IsNetwork
+    {
+        get => _kind == LinkKind.Network;
+        set => Choose(value, LinkKind.Network);
+    }
+
+    public bool IsSerial
+    {
+        get => _kind == LinkKind.Serial;
+        set => Choose(value, LinkKind.Serial);
+    }
+
+    /// <summary>The simulated controller does not wait for its own motion.</summary>
+    public bool AtOnce
+    {
+        get => _atOnce;
+        set => Change(ref _atOnce, value);
+    }
+
+    public string Host
+    {
+        get => _host;
+        set => Change(ref _host, value ?? "");
+    }
+
+    public string Port
+    {
+        get => _port;
+        set => Change(ref _port, value ?? "");
+    }
+
+    /// <summary>Device path or port name.</summary>
+    public string Device
+    {
+        get => _device;
+        set => Change(ref _device, value ?? "");
+    }
+
+    public int Baud
+    {
+        get => _baud;
+        set => Change(ref _baud, value);
+    }
+
+    public FlowChoice Flow
+    {
+        get => _flow;
+        set => Change(ref _flow, value ?? Flows[0]);
+    }
+
+    /// <summary>What CNCCONNECT is given.</summary>
+    public string Address => _kind switch
+    {
+        LinkKind.Network => $"tcp://{Host.Trim()}:{Port.Trim()}",
+        LinkKind.Serial => string.Create(CultureInfo.InvariantCulture, $"serial://{Device.Trim()}?baud={Baud}&flow={Flow.Word}"),
+        _ => AtOnce ? "sim:" : "sim:?speed=1",
+    };
+
+    /// <summary>What would be typed, or what is missing.</summary>
+    public string Typed => IsAddress ? Text.Of("Connect.Typed", Address) : Text.Of("Connect.Missing");
+
+    private bool IsAddress => ControllerAddress.TryParse(Address, out _);
+
+    /// <summary>Shows the sheet as it was used last.</summary>
+    public void Open()
+    {
+        if (_desk.Session.Settings.Current.LastAddress is { } last && ControllerAddress.TryParse(last, out var address)) Take(address);
+        Tell(null);
+        Connect.Reconsider();
+        IsOpen = true;
+    }
+
+    private void Take(ControllerAddress address)
+    {
+        switch (address)
+        {
+            case TcpAddress tcp:
+                (_kind, _host, _port) = (LinkKind.Network, tcp.Host, tcp.Port.ToString(CultureInfo.InvariantCulture));
+                break;
+            case SerialAddress serial:
+                (_kind, _device, _baud, _flow) = (LinkKind.Serial, serial.Device, serial.Baud, Flows.First(choice => choice.Flow == serial.Flow));
+                break;
+            case SimulatedAddress simulated:
+                (_kind, _atOnce) = (LinkKind.Simulated, simulated.Speed > PlainSpeed);
+                break;
+        }
+    }
+
+    private void ConnectNow()
+    {
+        IsOpen = false;
+        _ = _desk.RunAsync("CNCCONNECT", Address);
+    }
+
+    private void Choose(bool chosen, LinkKind kind)
+    {
+        if (chosen) Change(ref _kind, kind);
+    }
+
+    private void Change<T>(ref T field, T value)
+    {
+        if (!Set(ref field, value)) return;
+        Tell(null);
+        Connect.Reconsider();
+    }
+}

@@ -1,0 +1,38 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Threading;
+
+namespace Engraver.App.Connections;
+
+/// <summary>A sheet over the canvas and not a window: the machine strip with its STOP stays beside it.</summary>
+public partial class ConnectView : UserControl
+{
+    public ConnectView() => InitializeComponent();
+
+    private ConnectModel Model => (ConnectModel)DataContext!;
+
+    /// <summary>Enter connects and Esc leaves; everything else belongs to what has the keyboard.</summary>
+    /// <returns>True when it was one of them.</returns>
+    public bool Press(KeyEventArgs e)
+    {
+        if (e.Key == Key.Escape) Model.Cancel.Execute(null);
+        else if (e.Key == Key.Enter && e.Source is not ((Button and not RadioButton) or ComboBox or ComboBoxItem) && Model.Connect.CanExecute(null)) Model.Connect.Execute(null);
+        else return false;
+        return true;
+    }
+
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        base.OnPropertyChanged(change);
+        if (change.Property == IsVisibleProperty && IsVisible) Dispatcher.UIThread.Post(TakeKeyboard, DispatcherPriority.Loaded);
+    }
+
+    private void TakeKeyboard()
+    {
+        if (Model.IsNetwork) HostBox.Focus();
+        else if (Model.IsSerial) DeviceBox.Focus();
+        else SimulatedChoice.Focus();
+    }
+}

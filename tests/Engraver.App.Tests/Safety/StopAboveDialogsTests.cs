@@ -1,0 +1,80 @@
+using Avalonia.Controls;
+using Avalonia.Input;
+using Engraver.Galil.Jobs;
+using Engraver.SoftwarePlatform.Headless;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.Tests.Safety;
+
+/// <summary>STOP and the stop keys work whatever stands in front of the window.</summary>
+[Collection(DesktopCollection.Name)]
+public sealed class StopAboveDialogsTests(DesktopFixture fixture)
+{
+    [Theory]
+    [InlineData(null)]
+    [InlineData(Key.Pause)]
+    [InlineData(Key.Escape)]
+    public Task A_modal_dialog_is_open(Key? key) => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        var entry = new TextBox();
+        var dialog = new Window { Width = 300, Height = 200, Content = entry };
+        var shown = dialog.ShowDialog(here.Window);
+        here.Step();
+        entry.Focus();
+        var front = fixture.Desktop.Windows[^1];
+        Assert.NotSame(here.Hands, front);
+        Press(here, front, key);
+
+        here.Until(() => here.Commands.Machine.LastRun is not null);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.False(shown.IsCompleted);
+        dialog.Close();
+        here.Rest();
+    });
+
+    [Theory]
+    [InlineData(null)]
+    [InlineData(Key.Pause)]
+    [InlineData(Key.Escape)]
+    public Task The_connect_sheet_is_open(Key? key) => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        here.Window.Model.Connect.Open();
+        here.Step();
+        Press(here, here.Hands, key);
+
+        here.Until(() => here.Commands.Machine.LastRun is not null);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.True(here.Window.Model.Connect.IsOpen);
+        here.Rest();
+    });
+
+    [Fact]
+    public Task A_menu_covers_the_window() => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        here.Click(here.Find<MenuItem>("MachineMenu"));
+        Press(here, here.Hands, null);
+
+        here.Until(() => here.Commands.Machine.LastRun is not null);
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        here.Rest();
+    });
+
+    /// <param name="key">Null: the on-screen STOP of the main window.</param>
+    private static void Press(Operator here, HeadlessWindow front, Key? key)
+    {
+        if (key is { } pressed) front.Press(pressed);
+        else here.Hands.Click(here.MiddleOf(here.Find<Button>("StopKey")));
+    }
+
+    private static void StartSlowly(Operator here)
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", "sim:?speed=1", "CNCARM", "Stream");
+        here.Hands.Type("CNCRUN");
+        here.Hands.Press(Key.Enter);
+        here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 });
+    }
+}
