@@ -77,6 +77,9 @@ public sealed class CommandContext
     /// <summary>The value that was used last at a prompt of this name, or a first one.</summary>
     public string Remembered(string prompt, string first) => _session.Memory.GetValueOrDefault(prompt, first);
 
+    /// <summary>The same where there may be none yet.</summary>
+    public string? Remembered(string prompt) => _session.Memory.GetValueOrDefault(prompt);
+
     public void Remember(string prompt, string value) => _session.Memory[prompt] = value;
 
     /// <summary>A file to read: in the working folder, else beside the script that runs.</summary>

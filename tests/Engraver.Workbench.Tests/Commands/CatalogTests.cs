@@ -1,3 +1,4 @@
+using System.Xml.Linq;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 
@@ -15,6 +16,16 @@ public class CatalogTests
         Assert.All(built, type => Assert.Contains(type, listed));
         Assert.All(catalog.All, info => Assert.Matches("^[A-Z0-9][^\n]+\\.$", info.Summary));
         Assert.All(catalog.All, info => Assert.Equal(info.Name.ToUpperInvariant(), info.Name));
+    }
+
+    [Fact]
+    public void Every_command_has_a_text_for_the_menus_and_no_two_have_the_same()
+    {
+        var texts = XDocument.Load(Path.Combine(RepositoryFolder.Root, "src", "Engraver.App", "Texts", "Texts.resx")).Descendants("data").ToDictionary(data => data.Attribute("name")!.Value, data => data.Element("value")!.Value);
+        var names = CommandCatalog.Built().All.Select(info => info.Name).ToList();
+
+        Assert.Equal([], names.Except(texts.Keys.Select(key => key.Replace("Command.", "", StringComparison.Ordinal))));
+        Assert.Distinct(names.Select(name => texts[$"Command.{name}"]));
     }
 
     [Fact]
