@@ -20,6 +20,6 @@ public sealed record CommandEnvironment
     /// <summary>Where the desktop's settings are kept; null: they live as long as the session.</summary>
     public string? SettingsFile { get; init; }
 
-    /// <summary>True where a person starts by hand: CNCRUN then works only when armed. In a script it asks, as it always does.</summary>
+    /// <summary>True where a person starts by hand: CNCRUN then works only when armed, on a simulated controller too unless a script says it, and no script starts a machine that is not simulated.</summary>
     public bool RunNeedsArming { get; init; }
 }

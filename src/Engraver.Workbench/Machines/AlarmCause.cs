@@ -23,4 +23,7 @@ public enum AlarmCause
 
     /// <summary>A job ended before its end.</summary>
     JobStopped,
+
+    /// <summary>A bug of ours ended a command.</summary>
+    InternalError,
 }

@@ -37,7 +37,7 @@ public class CatalogTests
     }
 
     [Fact]
-    public async Task Where_a_hand_starts_it_must_arm_first_and_a_script_is_asked_as_always()
+    public async Task Where_a_hand_starts_it_must_arm_first_and_a_script_is_asked_on_a_simulated_controller()
     {
         var folder = Directory.CreateTempSubdirectory("engraver-arm-");
         try
