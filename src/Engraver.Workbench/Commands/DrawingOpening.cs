@@ -16,7 +16,7 @@ internal static class DrawingOpening
         var state = context.Document.Current;
         var drawing = DrawingFile.Open(path, state.Settings, cancellation);
         Findings.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
-        if (drawing.HasErrors && drawing.Entities.Count == 0) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {CommandWording.Of(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message}");
+        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {CommandWording.Of(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message}");
         RememberView(context);
         context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
         context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
