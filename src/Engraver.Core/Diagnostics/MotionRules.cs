@@ -44,7 +44,7 @@ public static class MotionRules
         "Write the field once, as a number with a decimal point and without quotation marks.");
 
     public static readonly DiagnosticRule GapsBridged = new("MOT0011", Severity.Warning,
-        "{count} gaps within the join tolerance, the widest {gap} mm at {x}, {y}, are cut straight across: there the tool is up to {off} mm beside the drawing, which is more than rounding and curve error.",
+        "Gaps within the join tolerance are cut straight across, and in {count} of them the tool is farther beside the drawing than rounding and curve error take it: up to {off} mm in the widest, which is {gap} mm at {x}, {y}.",
         "Close the gaps in the drawing, or lower --join-tolerance to have them shown as open ends.");
 
     public static readonly DiagnosticRule WireTooSlow = new("MOT0020", Severity.Warning,

@@ -33,7 +33,7 @@ public static class BridgedGaps
         if (gaps.Count == 0) return null;
         var widest = gaps.MaxBy(gap => gap.Segment.Length);
         var (length, place) = (widest.Segment.Length, widest.Segment.Start);
-        return MotionRules.GapsBridged.At(sourceOf(widest.EntityIndex), gaps.Count.ToString(CultureInfo.InvariantCulture), Text(length), Text(place.X), Text(place.Y), Text(length / 2.0));
+        return MotionRules.GapsBridged.At(sourceOf(widest.EntityIndex), gaps.Count.ToString(CultureInfo.InvariantCulture), Text(length / 2.0), Text(length), Text(place.X), Text(place.Y));
     }
 
     private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) =>
