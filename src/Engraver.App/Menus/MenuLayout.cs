@@ -12,10 +12,10 @@ public static class MenuLayout
         new("File", ["OPEN", "RECENT", "CLOSE", Separator, "SAVEAS", "EXPORT", Separator, "SCRIPT", "REINIT", "OPTIONS", Separator, "Window.Exit"]),
         new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", Separator, "ERASE", "MOVE", "ROTATE", "SCALE", "MIRROR", "ARRAY", "EXPLODE", "REVERSE", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS"]),
         new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "OSNAP", "DYNAMICINPUT", Separator, "SHOW", "THEME", Separator, "Window.Palettes", "Window.Pages", "Window.History"]),
-        new("Drawing", ["LAYER", "PROPERTIES", "LIST", Separator, "DIST", "ID", "AREA", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN"]),
-        new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "ENTER", "TOOLSTART", "STARTPOINT", "PIN", "LEADIN", "LINK", Separator, "OFFSET", "POCKET"]),
-        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCARM", "CNCRUN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "ALARMS", "CNCTERMINAL"]),
-        new("Plot", ["PLOT", "POST", "AGIEPOST", "TABLE", "VERIFY"]),
+        new("Drawing", ["LAYER", "PROPERTIES", "LIST", Separator, "DIST", "ID", "AREA", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", Separator, "CNCUNITS", "CNCCUT"]),
+        new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "ENTER", "TOOLSTART", "STARTPOINT", "PIN", "LEADIN", "LINK", Separator, "OFFSET", "POCKET", Separator, "PLAYBACK", Separator, "CNCMAXERR", "CNCJOINTOL", "CNCDUPLICATES", "CNCRECOVER"]),
+        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCARM", "CNCRUN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "ALARMS", "CNCTERMINAL", Separator, "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA"]),
+        new("Plot", ["PLOT", "POST", "AGIEPOST", "VERIFY", Separator, "TABLE"]),
         new("Help", ["HELP"]),
     ];
 
@@ -40,7 +40,7 @@ public static class MenuLayout
         CommandGroup.Sequence => "Toolpath",
         CommandGroup.Output => "Plot",
         CommandGroup.Machine => "Machine",
-        CommandGroup.Setting => "Toolpath",
+        CommandGroup.Setting => "View",
         CommandGroup.View => "View",
         _ => "View",
     };

@@ -1,6 +1,7 @@
 using Engraver.App.Desk;
 using Engraver.App.Safety;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.App.Start;
@@ -15,8 +16,8 @@ public sealed class DesktopSession : IAsyncDisposable
     {
         ArgumentNullException.ThrowIfNull(environment);
         Time = environment.Time;
-        _session = new CommandSession(environment, CommandCatalog.Built());
-        FailureFolder = Path.GetDirectoryName(environment.SettingsFile) ?? UserFiles.Folder;
+        FailureReports = new FailureReports(Path.GetDirectoryName(environment.SettingsFile) ?? UserFiles.Folder, environment.Time);
+        _session = new CommandSession(environment with { Failures = FailureReports }, CommandCatalog.Built());
         StopKeys = new StopKeys(() => WorkDesk.Moves(_session.Machine), () => _session.Machine.Stop());
     }
 
@@ -25,11 +26,11 @@ public sealed class DesktopSession : IAsyncDisposable
     /// <summary>Any thread.</summary>
     public StopKeys StopKeys { get; }
 
-    /// <summary>Where reports of failures are kept: beside the settings.</summary>
-    public string FailureFolder { get; }
+    /// <summary>Kept beside the settings.</summary>
+    public FailureReports FailureReports { get; }
 
     /// <summary>Any thread.</summary>
-    public FailureGuard Failures => field ??= new FailureGuard(() => StopKeys.PressStop(), _session.Machine.Alarms, FailureFolder, Time);
+    public FailureGuard Failures => field ??= new FailureGuard(() => StopKeys.PressStop(), _session.Machine.Alarms, FailureReports);
 
     /// <summary>What the platform keeps for this session; its own business.</summary>
     internal object? PlatformState { get; set; }

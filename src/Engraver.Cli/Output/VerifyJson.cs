@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Workbench.Verification;
 
 namespace Engraver.Cli.Output;
@@ -8,9 +7,4 @@ internal sealed record VerifyJson(double? MaxDeviation, double Tolerance, double
 {
     public static VerifyJson From(VerificationReport report) =>
         new(report.MaxDeviationMm, report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm, report.Ok);
-
-    /// <summary>The same for people.</summary>
-    public string ToSentence() => string.Create(
-        CultureInfo.InvariantCulture,
-        $"{(Ok ? "ok" : "NOT OK")}: at worst {(MaxDeviation is { } deviation ? deviation.ToString("0.0000", CultureInfo.InvariantCulture) : "?")} mm beside the drawing ({Tolerance:0.0000} mm allowed), {MissingLength:0.###} mm missing, {ExtraLength:0.###} mm too much.");
 }

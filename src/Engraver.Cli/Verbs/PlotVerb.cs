@@ -23,7 +23,7 @@ internal static class PlotVerb
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var plot = DrawingPlot.Of(read, settings, parsed.GetValue(what) == "drawing");
-            host.Write(parsed.GetValue(output), writer => SvgPlotWriter.Write(plot, writer));
+            if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => SvgPlotWriter.Write(plot, writer));
             return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
         });
         return command;

@@ -73,7 +73,7 @@ internal sealed class RunVerb
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         CheckWritable(options.JournalPath);
         if (options.TracePath is { } trace) CheckWritable(trace);
-        var fit = MachineRun.FitToLink(program, options, job.Drawing);
+        var fit = MachineRun.FitToLink(program, options.Address, mode, job.Drawing);
         _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
         MachineRunReport report;
         try

@@ -35,6 +35,7 @@ internal sealed class ScriptVerb
         {
             FeedResult.Done => telling.SawError ? ExitCode.DrawingError : ExitCode.Done,
             FeedResult.Asking => Unfinished(session, parsed.GetRequiredValue(_file)),
+            FeedResult.Failed { Bug: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // a crash report tells where
             FeedResult.Failed failed => Code(failed.Why),
             FeedResult.Cancelled => throw new OperationCanceledException(stop),
             _ => ExitCode.Usage,

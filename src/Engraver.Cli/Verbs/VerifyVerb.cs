@@ -2,6 +2,7 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 using Engraver.Workbench.Verification;
 
 namespace Engraver.Cli.Verbs;
@@ -39,9 +40,8 @@ internal sealed class VerifyVerb
         var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings, stop);
         var program = ReadBackFile.Open(parsed.GetRequiredValue(_program));
         var report = await ProgramVerification.VerifyAsync(program, drawing, settings, stop).ConfigureAwait(false);
-        var json = VerifyJson.From(report);
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, json, ContractJson.Default.VerifyJson);
-        else _host.Out.WriteLine(json.ToSentence());
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report), ContractJson.Default.VerifyJson);
+        else _host.Out.WriteLine(VerificationText.Sentence(report));
         _host.Report(parsed, drawing.FileName, drawing.Diagnostics);
         _host.Report(parsed, parsed.GetRequiredValue(_program), report.Diagnostics);
         return report.Ok ? ExitCode.Done : ExitCode.DrawingError;

@@ -43,6 +43,10 @@ public static class MotionRules
         "The machine profile gives {field} a value that is no number, or no whole number where one is needed, or gives it twice.",
         "Write the field once, as a number with a decimal point and without quotation marks.");
 
+    public static readonly DiagnosticRule GapsBridged = new("MOT0011", Severity.Warning,
+        "Gaps within the join tolerance are cut straight across, and in {count} of them the tool is farther beside the drawing than rounding and curve error take it: up to {off} mm in the widest, which is {gap} mm at {x}, {y}.",
+        "Close the gaps in the drawing, or lower --join-tolerance to have them shown as open ends.");
+
     public static readonly DiagnosticRule WireTooSlow = new("MOT0020", Severity.Warning,
         "At full feed the path needs {needed} segments a second and {baud} baud carry {carried}, so the feed is lowered in {count} of the vector sequences, at worst to {feed} instead of {wanted} mm/min.",
         "Set a faster line, connect over TCP, allow a larger curve error, or choose a feed that suits the whole part.");
@@ -59,7 +63,7 @@ public static class MotionRules
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
-        StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, WireTooSlow,
+        StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, GapsBridged, WireTooSlow,
         StopHandleReopened, StopHandleLost,
     ];
 }

@@ -43,7 +43,11 @@ public static class SequencingRules
         "{count} lines around {x}, {y} are cut as one circle of radius {radius} mm, at most {deviation} mm from them.",
         "Leave --recover-arcs out, or lower --max-error, when the lines are meant.");
 
+    public static readonly DiagnosticRule EntryStandsIn = new("SEQ0012", Severity.Info,
+        "The entering entity {handle} was drawn twice or is part of a recovered arc: entity {other} is cut for it, and cutting begins there.",
+        "Nothing, when that is meant; with --keep-duplicates, or without --recover-arcs, it is cut by itself.");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
-        [DuplicatesRemoved, OpenEnds, SmallGap, ShortSegments, EntryNotFound, EntryWaits, NothingToCut, Branches, ArcRecovered, CircleRecovered];
+        [DuplicatesRemoved, OpenEnds, SmallGap, ShortSegments, EntryNotFound, EntryWaits, NothingToCut, Branches, ArcRecovered, CircleRecovered, EntryStandsIn];
 }

@@ -8,6 +8,9 @@ internal sealed class ContourWalker
     /// <summary>Two continuations whose cosines differ by less are equally straight; the lower row decides.</summary>
     private const double SameTurnCosine = 1e-9;
 
+    /// <summary>A contour no longer than twice the tolerance is closed when its ends are this much nearer to each other than it is long.</summary>
+    private const double SmallContourGap = 1e-3;
+
     private readonly Segment[] _segments;
     private readonly double _tolerance;
     private readonly EndGrid _ends;
@@ -71,7 +74,7 @@ internal sealed class ContourWalker
     private bool Grow(List<ContourPiece> pieces, int closingRow)
     {
         var length = _segments[pieces[0].Row].Length;
-        while (Next(pieces[^1], length > 2.0 * _tolerance ? closingRow : -1) is { } next)
+        while (Next(pieces[^1], length > 2.0 * _tolerance || EndsMeet(pieces, length) ? closingRow : -1) is { } next)
         {
             if (next.Row == closingRow)
             {
@@ -88,13 +91,15 @@ internal sealed class ContourWalker
         return false;
     }
 
+    private bool EndsMeet(List<ContourPiece> pieces, double length) => length > 0.0 && pieces[0].StartIn(_segments).DistanceTo(pieces[^1].EndIn(_segments)) <= SmallContourGap * length;
+
     private void TakeEnds(int row)
     {
         _ends.Take(2 * row);
         _ends.Take((2 * row) + 1);
     }
 
-    /// <summary>The piece that follows, or null. A contour no longer than twice the tolerance cannot close: its start would be near its end in any case.</summary>
+    /// <summary>The piece that follows, or null. In a contour no longer than twice the tolerance the start is near the end in any case: it closes only where they meet.</summary>
     private ContourPiece? Next(ContourPiece last, int closingRow)
     {
         var here = last.EndIn(_segments);

@@ -75,8 +75,14 @@ public static class Sequencer
         var contours = chained.Chain.Contours;
         var segments = chained.Segments.Span;
         int[] inside = [.. chained.Inside];
-        var first = options.Enter is { } enter ? EntrySearch.Find(enter, chained, options.ToolStart) : null;
-        if (options.Enter is not null) findings.AddEntry(first, inside);
+        var first = default(StrokeEntry?);
+        if (options.Enter is { } wish)
+        {
+            var enter = EntryStandIn.Resolve(wish, chained);
+            first = EntrySearch.Find(enter, chained, options.ToolStart);
+            findings.AddEntry(wish, enter, first, inside);
+        }
+
         return options.Order == StrokeOrder.Drawn
             ? TravelOrder.Drawn(contours, segments, inside, options.ToolStart, first)
             : TravelOrder.Nearest(contours, segments, inside, options.ToolStart, first);

@@ -49,8 +49,12 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         Add(SequencingRules.OpenEnds, table.EntityIndexOf(wide[0].Row), Number(wide.Count), Number(options.SuspiciousGap), Number(wide[0].Place.X), Number(wide[0].Place.Y));
     }
 
-    public void AddEntry(StrokeEntry? entry, ReadOnlySpan<int> inside)
+    /// <param name="wish">What the operator named.</param>
+    /// <param name="enter">What that is cut as.</param>
+    public void AddEntry(EnterAt wish, EnterAt enter, StrokeEntry? entry, ReadOnlySpan<int> inside)
     {
+        if (enter != wish && (wish, enter) is (EnterAt.AtEntity { EntityIndex: var named }, EnterAt.AtEntity { EntityIndex: var standIn }))
+            Add(SequencingRules.EntryStandsIn, named, HandleOf(named) ?? "without a handle", HandleOf(standIn) ?? "without a handle");
         if (entry is not { } found)
         {
             _diagnostics.Add(SequencingRules.EntryNotFound.At(default));

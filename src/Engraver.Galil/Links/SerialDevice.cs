@@ -26,10 +26,11 @@ internal sealed class SerialDevice : IDisposable
     public static SerialDevice Open(SerialAddress address)
     {
         var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
+        if (device.IsInvalid) throw Failure(address, "it cannot be opened"); // before another call takes the reason away
         var bell = EventFd(0, EventFlags);
         try
         {
-            if (device.IsInvalid || bell.IsInvalid) throw Failure(address, "it cannot be opened");
+            if (bell.IsInvalid) throw Failure(address, "it cannot be opened");
             if (Lock(device, LockForUs) != 0) throw new ControllerLinkException($"{address.Device} is in use by another program; close that one first.");
             Configure(device, address);
             return new SerialDevice(device, bell);

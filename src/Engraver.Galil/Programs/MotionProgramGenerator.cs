@@ -33,6 +33,7 @@ public static class MotionProgramGenerator
         findings.AddRange(toolpath.Strokes.SelectMany(stroke => stroke.Moves).Select(move => Refusal(move, profile.Scale, start, Source)).OfType<Diagnostic>());
         if (findings.Count > 0) return new MotionGeneration(null, findings);
 
+        if (BridgedGaps.Warning(toolpath, profile, maxErrorMm, Source) is { } beside) findings.Add(beside);
         if (!profile.Scale.KeepsCircles && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
         var strokes = new List<MotionStroke>(toolpath.Strokes.Count);
         foreach (var stroke in toolpath.Strokes)

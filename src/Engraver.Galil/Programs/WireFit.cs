@@ -29,7 +29,7 @@ public sealed record WireFit(MotionProgram Program, IReadOnlyList<Diagnostic> Di
     private static Diagnostic Warning(MotionProgram program, SerialLine line, int lowered, VectorSequence worst, int speed, Func<int, SourceRef>? sourceOf)
     {
         var (needed, carried) = WireFeed.Rates(worst, line);
-        var countsPerMillimetre = Math.Abs(program.Profile.CountsPerMillimetreX);
+        var countsPerMillimetre = Math.Min(Math.Abs(program.Profile.CountsPerMillimetreX), Math.Abs(program.Profile.CountsPerMillimetreY)); // as a feed becomes a vector speed
         string Number(double value) => value.ToString("0", CultureInfo.InvariantCulture);
         string Feed(int countsPerSecond) => (60.0 * countsPerSecond / countsPerMillimetre).ToString("0.#", CultureInfo.InvariantCulture);
         return MotionRules.WireTooSlow.At(

@@ -18,6 +18,10 @@ public static class ChannelQuestions
         return new Reading(values, null);
     }
 
+    /// <summary>MG of one operand that is a whole number, in a format of its own: before the session has set VF the owner's would cut it off (VF 4.0 prints 256000 as 9999) or print it in hexadecimal.</summary>
+    /// <exception cref="ProtocolViolationException">The answer is no number.</exception>
+    internal static ValueTask<Reading> ReadWholeAsync(this CommandChannel channel, string operand, CancellationToken cancellation) => channel.ReadAsync(operand + "{F10.0}", cancellation);
+
     /// <summary>Sends commands one after the other and stops at the first that is refused.</summary>
     /// <returns>The refusal, or null when all were accepted.</returns>
     public static async ValueTask<Rejected?> SendAllAsync(this CommandChannel channel, IEnumerable<string> commands, CancellationToken cancellation)

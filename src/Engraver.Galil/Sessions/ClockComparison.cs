@@ -15,9 +15,9 @@ internal readonly record struct ClockComparison(bool RunsAhead, bool OursMoves)
     public static async ValueTask<ClockComparison> CompareAsync(CommandChannel channel, TimeProvider time, CancellationToken cancellation)
     {
         var start = time.GetTimestamp();
-        var first = (await channel.ReadAsync("TIME", cancellation).ConfigureAwait(false)).OrNothing;
+        var first = (await channel.ReadWholeAsync("TIME", cancellation).ConfigureAwait(false)).OrNothing;
         var last = first;
-        for (var i = 1; i < Questions; i++) last = (await channel.ReadAsync("TIME", cancellation).ConfigureAwait(false)).OrNothing;
+        for (var i = 1; i < Questions; i++) last = (await channel.ReadWholeAsync("TIME", cancellation).ConfigureAwait(false)).OrNothing;
         var milliseconds = time.GetElapsedTime(start).TotalMilliseconds;
         return new ClockComparison(last - first >= Questions && last - first > MuchFaster * milliseconds, milliseconds > 0.0);
     }

@@ -13,18 +13,18 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
     {
         var wire = await WireState.ReadAsync(channel, echo, cancellation).ConfigureAwait(false);
         var motion = new List<FoundSetting>();
-        if ((await channel.ReadAsync("_CA", cancellation).ConfigureAwait(false)).OrNothing is { } plane) motion.Add(new FoundSetting("_CA", plane == 0.0 ? "CAS" : "CAT"));
+        if ((await channel.ReadWholeAsync("_CA", cancellation).ConfigureAwait(false)).OrNothing is { } plane) motion.Add(new FoundSetting("_CA", plane == 0.0 ? "CAS" : "CAT"));
         if (await SpeedRatioAsync(channel, cancellation).ConfigureAwait(false) is { } ratio) motion.Add(new FoundSetting("_VRS", ratio));
         foreach (var (operand, command) in WholeNumbers(letters))
         {
-            var reading = await channel.ReadAsync(operand, cancellation).ConfigureAwait(false);
+            var reading = await channel.ReadWholeAsync(operand, cancellation).ConfigureAwait(false);
             if (reading.OrNothing is { } value) motion.Add(new FoundSetting(operand, command + DmcFormat.Number(value)));
         }
 
         var off = "";
         foreach (var letter in letters)
         {
-            var reading = await channel.ReadAsync("_MO" + letter, cancellation).ConfigureAwait(false);
+            var reading = await channel.ReadWholeAsync("_MO" + letter, cancellation).ConfigureAwait(false);
             if (reading.OrNothing is 1.0) off += letter;
         }
 

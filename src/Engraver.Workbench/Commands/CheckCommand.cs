@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands;
 
@@ -16,8 +17,8 @@ internal sealed class CheckCommand : ICommand
         Findings.Say(context, drawing.FileName, job.Diagnostics, Severity.Info);
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         var warnings = job.Diagnostics.Count(found => found.Severity == Severity.Warning);
-        context.Say(FormattableString.Invariant($"{errors} errors, {warnings} warnings."), MessageKind.Result);
-        if (errors > 0) throw new CommandException(CommandFailure.Drawing, FormattableString.Invariant($"The drawing has {errors} errors."));
+        context.Say($"{CountText.Of(errors, "error")}, {CountText.Of(warnings, "warning")}.", MessageKind.Result);
+        if (errors > 0) throw new CommandException(CommandFailure.Drawing, $"The drawing has {CountText.Of(errors, "error")}.");
         return Task.CompletedTask;
     }
 }

@@ -27,10 +27,16 @@ internal sealed class CncArmCommand : ICommand
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync("The drawing has errors. Go on all the same?").ConfigureAwait(false);
         var checklist = ArmingChecklist.Of(job, context.Machine.Status, accepted);
-        foreach (var check in checklist.Checks) context.Say($"{(check.Passed ? "ok     " : "NOT OK ")}{check.Sentence}", check.Passed ? MessageKind.Result : MessageKind.Error);
+        foreach (var check in checklist.Checks) Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, "Not armed.");
         var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);
         context.Say(FormattableString.Invariant($"Armed until {armed.Until:HH:mm:ss} UTC: {mode.Mode}{(mode.DryRun ? ", tool off" : "")}. START or CNCRUN begins."));
+    }
+
+    private static void Say(CommandContext context, ArmingCheck check)
+    {
+        if (check.IsWarning) context.Say($"LOOK   {check.Sentence}", MessageKind.Warning);
+        else context.Say($"{(check.Passed ? "ok     " : "NOT OK ")}{check.Sentence}", check.Passed ? MessageKind.Result : MessageKind.Error);
     }
 
     /// <returns>Null: take START back.</returns>

@@ -1,27 +1,29 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Galil.Jobs;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>CNCRUN: Runs the drawing on the connected controller; asks before anything moves, unless it was armed (CNCARM).</summary>
+/// <summary>CNCRUN: Runs the armed job (CNCARM) on the connected controller, in a script too; on a simulated one it also runs unarmed and asks first.</summary>
 internal sealed class CncRunCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List(["Yes", "No", "Dryrun", .. Enum.GetNames<JobMode>()]);
 
-    public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine, "Runs the drawing on the connected controller; asks before anything moves, unless it was armed (CNCARM).") { StartsMotion = true };
+    public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine, "Runs the armed job (CNCARM) on the connected controller, in a script too; on a simulated one it also runs unarmed and asks first. In the desktop a script does not start a real machine.") { StartsMotion = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
         _ = context.Drawing;
+        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, "A script does not start a real machine from the desktop; START does, or CNCRUN typed by hand.");
         if (context.Machine.Armed is { } armed)
         {
             await RunAsync(context, armed.Job, armed.Mode, armed.DryRun, cancellation).ConfigureAwait(false);
             return;
         }
 
-        if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, "Nothing is armed; CNCARM first.");
+        if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, $"Nothing is armed for {machine}; CNCARM first.");
         var (mode, dryRun) = (JobMode.Stream, false);
         while (true)
         {
@@ -40,7 +42,9 @@ internal sealed class CncRunCommand : ICommand
 
     private static async Task RunAsync(CommandContext context, PreparedJob job, JobMode mode, bool dryRun, CancellationToken cancellation)
     {
-        var report = await context.Machine.RunAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, mode, dryRun), cancellation).ConfigureAwait(false);
+        var fit = context.Machine.FitToLink(job.Motion.Program!, mode, job.Drawing);
+        Findings.Say(context, job.Drawing.FileName, fit.Diagnostics, Severity.Warning);
+        var report = await context.Machine.RunAsync(job, fit.Program, address => JobStart.Options(context, job, address, mode, dryRun), cancellation).ConfigureAwait(false);
         JobStart.Conclude(context, job, report);
     }
 }

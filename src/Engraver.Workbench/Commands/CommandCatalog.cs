@@ -22,7 +22,7 @@ public sealed class CommandCatalog
         new EraseCommand(), new MoveCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
         new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
         new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
-        new PostCommand(), new PlotCommand(),
+        new PostCommand(), new VerifyCommand(), new PlotCommand(),
         new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncArmCommand(), new CncRunCommand(), new CncSimCommand(), new CncStopCommand(), new CncAbortCommand(), new AlarmsCommand(), new CncTerminalCommand(), new CncStatusCommand(), new CncProfileCommand(),
         .. SettingCommand.All, .. SystemVariableCommand.All,
     ]);

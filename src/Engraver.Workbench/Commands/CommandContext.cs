@@ -80,6 +80,9 @@ public sealed class CommandContext
     /// <summary>The value that was used last at a prompt of this name, or a first one.</summary>
     public string Remembered(string prompt, string first) => _session.Memory.GetValueOrDefault(prompt, first);
 
+    /// <summary>The same where there may be none yet.</summary>
+    public string? Remembered(string prompt) => _session.Memory.GetValueOrDefault(prompt);
+
     public void Remember(string prompt, string value) => _session.Memory[prompt] = value;
 
     /// <summary>A file to read: in the working folder, else beside the script that runs.</summary>
@@ -94,8 +97,23 @@ public sealed class CommandContext
 
     internal bool RunNeedsArming => _session.RunNeedsArming;
 
+    internal bool StartIsForHands => _session.StartIsForHands;
+
     /// <summary>A path for the journal of a run that starts now.</summary>
     internal string NewRunJournal(string drawing) => JournalFolder.NewJournal(drawing, _session.Environment.RunJournalFolder, Time);
+
+    /// <summary>A bug of ours has ended the command: a job under way is stopped, and an alarm says what happened.</summary>
+    internal FeedResult Broken(Exception bug)
+    {
+        var name = _frame.Info.Name;
+        var wasRunning = Machine.IsRunning;
+        if (wasRunning) Machine.Stop();
+        var sentence = $"{name} ended by an internal error ({bug.GetType().Name}: {bug.Message}).{(wasRunning ? " The job was stopped." : "")}";
+        var report = _session.Environment.Failures?.Write(bug);
+        Machine.Alarms.Raise(AlarmCause.InternalError, sentence, name, $"SAVEAS what matters and look at the machine before another start; please send {report ?? "the history"} with the drawing.");
+        Say(bug.ToString());
+        return new FeedResult.Failed(CommandFailure.Internal, sentence) { Bug = bug };
+    }
 
     /// <summary>Reads the alias files anew.</summary>
     public AliasTable ReloadAliases() => _session.ReloadAliases();

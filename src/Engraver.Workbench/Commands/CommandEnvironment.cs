@@ -1,3 +1,5 @@
+using Engraver.Workbench.Reports;
+
 namespace Engraver.Workbench.Commands;
 
 /// <summary>What the commands stand on, so that a test can give them other ground.</summary>
@@ -20,6 +22,9 @@ public sealed record CommandEnvironment
     /// <summary>Where the desktop's settings are kept; null: they live as long as the session.</summary>
     public string? SettingsFile { get; init; }
 
-    /// <summary>True where a person starts by hand: CNCRUN then works only when armed. In a script it asks, as it always does.</summary>
+    /// <summary>Where a bug of ours is reported; null: in the history only.</summary>
+    public FailureReports? Failures { get; init; }
+
+    /// <summary>True where a person starts by hand: CNCRUN then works only when armed, on a simulated controller too unless a script says it, and no script starts a machine that is not simulated.</summary>
     public bool RunNeedsArming { get; init; }
 }

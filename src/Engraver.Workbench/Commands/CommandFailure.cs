@@ -17,4 +17,7 @@ public enum CommandFailure
 
     /// <summary>The operator stopped the machine.</summary>
     Stopped,
+
+    /// <summary>A bug of ours. A job under way was stopped; the session goes on.</summary>
+    Internal,
 }

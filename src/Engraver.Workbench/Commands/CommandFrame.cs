@@ -86,5 +86,9 @@ internal sealed class CommandFrame : IDisposable
         {
             return new FeedResult.Cancelled();
         }
+        catch (Exception bug) // a command ends here as a job or a window does: whatever it was, it is recorded, nothing moves on, and the operator keeps the desk
+        {
+            return context.Broken(bug);
+        }
     }
 }

@@ -66,8 +66,11 @@ public sealed class CommandSession : IAsyncDisposable
 
     internal CommandEnvironment Environment { get; }
 
-    /// <summary>A script says what it means; a hand must arm first, where the environment wants that.</summary>
-    internal bool RunNeedsArming => Environment.RunNeedsArming && !_scripts.IsRunnable;
+    /// <summary>A machine that is not simulated moves only after CNCARM, whoever starts it; a simulated one also when a script says so, and where the environment wants no arming.</summary>
+    internal bool RunNeedsArming => !Machine.IsSimulation || (Environment.RunNeedsArming && !_scripts.IsRunnable);
+
+    /// <summary>Where a person starts by hand, a script may connect and arm, but the start of a machine that is not simulated is left to the person.</summary>
+    internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.IsSimulation;
 
     internal Point2D LastPoint { get; set; }
 

@@ -18,31 +18,48 @@ internal static class DrawingChange
     }
 
     /// <summary>Erases objects; those that are hidden keep their places in mind.</summary>
-    public static void Erase(CommandContext context, IReadOnlyList<int> erased)
+    /// <param name="asDoubles">Others lie on them: one of those takes the place of the entering entity.</param>
+    public static void Erase(CommandContext context, IReadOnlyList<int> erased, bool asDoubles = false)
     {
         var gone = erased.Distinct().Order().ToList();
         var hidden = context.Document.Current.HiddenObjects.Except(gone).Select(index => index - BelowIn(gone, index));
-        Take(context, DrawingEdit.Erase(context.Drawing, gone), [], [.. hidden]);
+        var left = DrawingEdit.Erase(context.Drawing, gone);
+        Take(context, left, [], [.. hidden], asDoubles ? Enumerable.Range(0, left.Entities.Count) : []);
     }
 
     /// <param name="previous">What the command worked on, by its index in the rebuilt drawing.</param>
     public static void Take(CommandContext context, DrawingRebuild rebuilt, IReadOnlyList<int> previous) =>
-        Take(context, rebuilt.Finish(), previous, rebuilt.Places(context.Document.Current.HiddenObjects));
+        Take(context, rebuilt.Finish(), previous, rebuilt.Places(context.Document.Current.HiddenObjects), previous);
 
     /// <summary>For an edit that leaves every object in its place.</summary>
     /// <param name="previous">What the command worked on, by its index in the edited drawing.</param>
-    public static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Take(context, edited, previous, context.Document.Current.HiddenObjects);
+    public static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Take(context, edited, previous, context.Document.Current.HiddenObjects, []);
 
     public static Drawing WithHidden(Drawing drawing, IEnumerable<int> indices, bool hidden) =>
         drawing with { Entities = drawing.Entities.With(indices.Select(index => (index, drawing.Entities[index] with { Hidden = hidden })), []) };
 
     private static int BelowIn(List<int> sorted, int index) => ~sorted.BinarySearch(index) is >= 0 and var below ? below : throw new ArgumentOutOfRangeException(nameof(index));
 
-    private static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden)
+    /// <param name="standIns">What may have taken the place of objects that are gone.</param>
+    private static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden, IEnumerable<int> standIns)
     {
         var state = context.Document.Current;
-        var lostEntry = state.Settings.Enter is EnteringPlace.ByHandle { Handle: var handle } && edited.IndexOfHandle(handle) is null;
-        if (lostEntry) context.Say("The entering entity is gone; the order is free again.");
-        context.Take(state with { Drawing = edited, Settings = lostEntry ? state.Settings with { Enter = null } : state.Settings, Selection = [], Previous = previous, HiddenObjects = hidden });
+        var settings = state.Settings with { Enter = EnteringAfter(context, edited, standIns) };
+        context.Take(state with { Drawing = edited, Settings = settings, Selection = [], Previous = previous, HiddenObjects = hidden });
+    }
+
+    /// <summary>Follows the entering entity into what it has become, and says so.</summary>
+    private static EnteringPlace? EnteringAfter(CommandContext context, Drawing edited, IEnumerable<int> standIns)
+    {
+        var place = context.Document.Current.Settings.Enter;
+        if (place is not EnteringPlace.ByHandle { Handle: var handle } || edited.IndexOfHandle(handle) is not null) return place;
+        if (EnteringStandIn.HandleOf(context.Drawing, handle, edited, standIns) is { } other)
+        {
+            context.Say($"The entering entity {handle} is {other} now; cutting begins there.");
+            return new EnteringPlace.ByHandle(other);
+        }
+
+        context.Say($"The entering entity {handle} is gone; the order is free again.");
+        return null;
     }
 }

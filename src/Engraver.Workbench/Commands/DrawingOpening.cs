@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands;
@@ -15,12 +16,12 @@ internal static class DrawingOpening
         var state = context.Document.Current;
         var drawing = Read(context, path, cancellation);
         Findings.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
-        if (drawing.HasErrors && drawing.Entities.Count == 0) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {drawing.Diagnostics.First(found => found.Severity == Severity.Error).Message}");
+        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {CommandWording.Of(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message}");
         RememberView(context);
         context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
         context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
-        context.Say(FormattableString.Invariant($"{drawing.Entities.Count} curves on {drawing.Layers.Count} layers, unit {drawing.Unit.Name}."));
+        context.Say($"{CountText.Of(drawing.Entities.Count, "curve")} on {CountText.Of(drawing.Layers.Count, "layer")}, unit {drawing.Unit.Name}.");
     }
 
     /// <summary>Keeps the view of the drawing that is left.</summary>

@@ -1,4 +1,5 @@
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands;
 
@@ -13,6 +14,6 @@ internal sealed class ExplodeCommand : ICommand
         var (rebuilt, parts, count) = PolylineEdit.Explode(context.Drawing, selected);
         if (count == 0) throw new CommandException(CommandFailure.Usage, "There is no polyline among these objects.");
         DrawingChange.Take(context, rebuilt, parts);
-        context.Say(FormattableString.Invariant($"{count} polylines became {parts.Count} objects."));
+        context.Say($"{CountText.Of(count, "polyline")} became {CountText.Of(parts.Count, "object")}.");
     }
 }

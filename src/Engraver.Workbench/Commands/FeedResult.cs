@@ -20,5 +20,9 @@ public abstract record FeedResult
     public sealed record NotUnderstood(string Sentence) : FeedResult;
 
     /// <summary>The command ended without doing what it should.</summary>
-    public sealed record Failed(CommandFailure Why, string Sentence) : FeedResult;
+    public sealed record Failed(CommandFailure Why, string Sentence) : FeedResult
+    {
+        /// <summary>What was thrown where nothing should be; null unless <see cref="Why"/> is <see cref="CommandFailure.Internal"/>.</summary>
+        public Exception? Bug { get; init; }
+    }
 }

@@ -11,7 +11,7 @@ internal static class Findings
         foreach (var found in diagnostics.Where(found => found.Severity >= least).OrderByDescending(found => found.Severity))
         {
             var kind = found.Severity switch { Severity.Error => MessageKind.Error, Severity.Warning => MessageKind.Warning, _ => MessageKind.Note };
-            context.Say(DiagnosticLine.Of(file, found), kind);
+            context.Say(DiagnosticLine.Of(file, CommandWording.Of(found)), kind);
         }
     }
 }

@@ -1,4 +1,5 @@
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands;
 
@@ -15,6 +16,6 @@ internal sealed class JoinCommand : ICommand
         var (rebuilt, joined, count) = PolylineEdit.Join(drawing, selected, tolerance);
         if (count == 0) throw new CommandException(CommandFailure.Usage, "No two of these objects meet end to end.");
         DrawingChange.Take(context, rebuilt, joined);
-        context.Say(FormattableString.Invariant($"{count} objects became {joined.Count} polylines."));
+        context.Say($"{CountText.Of(count, "object")} became {CountText.Of(joined.Count, "polyline")}.");
     }
 }

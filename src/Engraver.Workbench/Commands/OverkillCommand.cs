@@ -1,5 +1,6 @@
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands;
 
@@ -16,7 +17,7 @@ internal sealed class OverkillCommand : ICommand
         var tolerance = await context.ValueAsync(new NumberPrompt("Specify tolerance") { Default = context.Remembered("OVERKILL", now), Least = 0.0, Most = 1e3 }).ConfigureAwait(false);
         context.Remember("OVERKILL", NumberPrompt.Show(tolerance));
         var duplicates = Duplicates.Of(drawing, selected, tolerance);
-        if (duplicates.Count > 0) DrawingChange.Erase(context, duplicates);
-        context.Say(FormattableString.Invariant($"{duplicates.Count} duplicates erased."));
+        if (duplicates.Count > 0) DrawingChange.Erase(context, duplicates, asDoubles: true);
+        context.Say($"{CountText.Of(duplicates.Count, "duplicate")} erased.");
     }
 }

@@ -9,7 +9,7 @@ internal sealed class ReinitCommand : ICommand
     {
         var aliases = context.ReloadAliases();
         foreach (var finding in aliases.Findings) context.Say(finding, MessageKind.Warning);
-        context.Say(FormattableString.Invariant($"{aliases.Commands.Count} aliases."));
+        context.Say($"{aliases.Commands.Count.ToString(System.Globalization.CultureInfo.InvariantCulture)} {(aliases.Commands.Count == 1 ? "alias" : "aliases")}.");
         return Task.CompletedTask;
     }
 }

@@ -1,6 +1,7 @@
 using Engraver.Core.Dxf;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands;
 
@@ -15,6 +16,6 @@ internal sealed class SaveAsCommand : ICommand
         var sheet = EditedDrawing.SheetOf(drawing, context.Document.Current.HiddenObjects);
         var name = await ReplacePrompt.AskAsync(context, "Enter name of DXF file").ConfigureAwait(false);
         OutputFile.Write(context.FileToWrite(name), output => DxfWriter.Write(sheet, output));
-        context.Say(FormattableString.Invariant($"{name} written: {sheet.Entities.Count} curves on {sheet.Layers.Count} layers, unit {drawing.Unit.Name}. Blocks are written as their curves, flat; text and the like are not written."));
+        context.Say(FormattableString.Invariant($"{name} written: {CountText.Of(sheet.Entities.Count, "curve")} on {CountText.Of(sheet.Layers.Count, "layer")}, unit {drawing.Unit.Name}. Blocks are written as their curves, flat; text and the like are not written."));
     }
 }

@@ -5,6 +5,7 @@ using Engraver.Galil.Jobs;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Playback;
+using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
@@ -33,7 +34,7 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
     /// <summary>The posted program (target galil); null when there is nothing to cut.</summary>
     public DmcPostText? Program { get; init; }
 
-    /// <summary>Findings of every stage, worst first.</summary>
+    /// <summary>Findings of every stage, worst first, in the words of the command line.</summary>
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
 
     /// <summary>A setting that does not fit the drawing, in one sentence; null when all do.</summary>
@@ -73,5 +74,5 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
         };
     }
 
-    private static IReadOnlyList<Diagnostic> Sorted(IEnumerable<Diagnostic> findings) => [.. findings.OrderByDescending(found => found.Severity)];
+    private static IReadOnlyList<Diagnostic> Sorted(IEnumerable<Diagnostic> findings) => [.. findings.OrderByDescending(found => found.Severity).Select(CommandWording.Of)];
 }

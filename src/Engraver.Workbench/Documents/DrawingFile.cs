@@ -13,8 +13,16 @@ public static class DrawingFile
     public static Drawing Open(string path, DrawingSettings settings, CancellationToken cancellation, IProgress<double>? progress = null) =>
         Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut, Progress = progress }, cancellation);
 
+    /// <summary>Nothing of it could be read. Whatever an earlier drawing was made into must then not be replaced by nothing.</summary>
+    public static bool IsUnreadable(Drawing drawing)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        return drawing is { HasErrors: true, Entities.Count: 0 };
+    }
+
     private static Drawing Open(string path, DxfReadOptions options, CancellationToken cancellation)
     {
+        if (Directory.Exists(path)) return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, "it is a folder"));
         try
         {
             return DxfReader.Read(File.ReadAllBytes(path), path, options, cancellation);

@@ -10,6 +10,8 @@ public static class OutputFile
     /// <exception cref="UnauthorizedAccessException">The place may not be written; nothing is left behind.</exception>
     public static void Write(string path, Action<TextWriter> write)
     {
+        if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException($"There is no folder {folder}.");
+        if (Directory.Exists(path)) throw new IOException("That is a folder.");
         var temporary = $"{path}.{Environment.ProcessId}.tmp";
         try
         {

@@ -1,12 +1,13 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Posts;
+using Engraver.Core.Sequencing;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A drawing as a program in one of the formats of the runner's contract.</summary>
+/// <summary>A drawing as a program in one of the formats of the runner's contract. Where nothing is cut there is no text, so that no earlier result is replaced by nothing.</summary>
 /// <param name="Text">Null when there is nothing that the machine can cut.</param>
 /// <param name="Diagnostics">Of every stage on the way.</param>
 public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagnostics)
@@ -25,8 +26,8 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
     public static PostedProgram Of(Drawing drawing, DrawingSettings settings, string target)
     {
-        if (drawing.Entities.Count == 0) return new PostedProgram(null, drawing.HasErrors ? drawing.Diagnostics : [.. drawing.Diagnostics, DocumentRules.NothingToPost.At(default)]);
-        if (target == CutterLocation) return ClDataOf(drawing, settings);
+        if (drawing.Entities.Count == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? drawing.Diagnostics : [.. drawing.Diagnostics, DocumentRules.NothingToPost.At(default)]);
+        if (target == CutterLocation) return OfSequence(drawing, JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings), settings);
         var calls = target == GalilCalls;
         var job = JobPreparation.Prepare(drawing, settings, calls ? MotionStyle.Calls : MotionStyle.Continuous);
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]);
@@ -35,12 +36,15 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         return new PostedProgram(post.Text, [.. job.Diagnostics, .. post.Diagnostics]);
     }
 
-    private static PostedProgram ClDataOf(Drawing drawing, DrawingSettings settings)
+    /// <summary>The sequenced, oriented drawing as DXF.</summary>
+    /// <param name="sequence">Of <paramref name="drawing"/>, with <paramref name="settings"/>.</param>
+    public static PostedProgram OfSequence(Drawing drawing, SequencingResult sequence, DrawingSettings settings)
     {
-        var sequence = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings);
-        if (sequence.Contours == 0) return new PostedProgram(null, [.. drawing.Diagnostics, .. sequence.Diagnostics, DocumentRules.NothingToPost.At(default)]); // an earlier result is not replaced by nothing
+        ArgumentNullException.ThrowIfNull(sequence);
+        IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. sequence.Diagnostics];
+        if (sequence.Contours == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]);
         using var text = new StringWriter { NewLine = "\n" };
         ClData.Write(sequence, settings.Start, text);
-        return new PostedProgram(text.ToString(), [.. drawing.Diagnostics, .. sequence.Diagnostics]);
+        return new PostedProgram(text.ToString(), found);
     }
 }

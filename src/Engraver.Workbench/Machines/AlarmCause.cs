@@ -24,6 +24,6 @@ public enum AlarmCause
     /// <summary>A job ended before its end.</summary>
     JobStopped,
 
-    /// <summary>The program itself failed; the machine was stopped.</summary>
-    ProgramFailed,
+    /// <summary>A bug of ours: in a command or in the program around it; the machine was stopped.</summary>
+    InternalError,
 }

@@ -1,5 +1,9 @@
+using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Galil.Jobs;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Machines;
 
@@ -14,14 +18,33 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         return new ArmingChecklist(
         [
-            Check(errors == 0 || errorsAccepted, errors == 0 ? "The drawing has no errors" : $"The drawing has {errors} errors{(errorsAccepted ? ", accepted by the operator" : "; CHECK lists them")}"),
-            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {program.SegmentCount} segments" : "There is nothing that this machine can cut"),
+            Check(errors == 0 || errorsAccepted, errors == 0 ? "The drawing has no errors" : $"The drawing has {CountText.Of(errors, "error")}{(errorsAccepted ? ", accepted by the operator" : "; CHECK lists them")}"),
+            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {CountText.Of(program.SegmentCount, "segment")}" : "There is nothing that this machine can cut"),
             Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? $"The link to {link} stands" : "No controller is connected; CNCCONNECT"),
             Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, $"The controller is {Word(status)}"),
             Check(status.MotorsOn == true, status.MotorsOn == true ? "The motors are on" : "The motors are off; CNCMOTORS ON"),
             Check(status.Limit.Length == 0, status.Limit.Length == 0 ? "No limit is hit" : $"{status.Limit} is hit; move the machine off it"),
+            .. StartWarning(job, status),
         ]);
     }
+
+    /// <summary>A job takes the place where the machine stands for the drawing's start, wherever the last one left it.</summary>
+    private static IEnumerable<ArmingCheck> StartWarning(PreparedJob job, MachineStatus status)
+    {
+        var last = status.LastOutcome is { } outcome and not JobOutcome.Complete ? $"The last job on this machine ended early ({RunText.Word(outcome)}). " : "";
+        var start = PointPrompt.Show(job.Settings.Start);
+        if (status.WorkPosition is not { } at)
+        {
+            if (last.Length > 0) yield return Warning($"{last}Where it left the machine is not known any more: the place where it stands now is taken for the drawing's start {start}; look there first");
+            yield break;
+        }
+
+        var away = at.DistanceTo(job.Settings.Start);
+        if (away * job.Settings.Machine.Scale.Largest < 1.0) yield break;
+        yield return Warning(string.Create(CultureInfo.InvariantCulture, $"{last}The place where the machine stands now is taken for the drawing's start {start}; by the last job it stands at {at.X:0.###},{at.Y:0.###}, {away:0.###} mm from there. Move it back or set TOOLSTART, unless this is another work piece"));
+    }
+
+    private static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };
 
     private static ArmingCheck Check(bool passed, string sentence) => new(passed, sentence + ".");
 

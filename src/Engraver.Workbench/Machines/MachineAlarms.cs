@@ -1,5 +1,6 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Protocol;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Machines;
 
@@ -32,7 +33,7 @@ internal static class MachineAlarms
             { Refusal: not null } => AlarmCause.Refused,
             _ => AlarmCause.JobStopped,
         };
-        if (cause is { } raised) log.Raise(raised, result.Sentence, $"{link}, after {result.SegmentsExecuted} segments", "The journal says what is engraved; look at the work piece before another start.");
+        if (cause is { } raised) log.Raise(raised, result.Sentence, $"{link}, after {CountText.Of(result.SegmentsExecuted, "segment")}", "The journal says what is engraved; look at the work piece before another start.");
     }
 
     /// <summary>What a new start leaves behind.</summary>

@@ -63,11 +63,20 @@ internal sealed class MachineBoard : IDisposable
         }
     }
 
-    public void Connected(string link, bool isSimulation, ControllerIdentity identity) => Change(_ => new MachineFacts { Link = link, IsSimulation = isSimulation, Identity = identity, SeenAt = _time.GetUtcNow() });
+    /// <summary>A simulated controller is a new one each time; of another one it is remembered how its last job ended.</summary>
+    public void Connected(string link, bool isSimulation, ControllerIdentity identity) => Change(before => new MachineFacts
+    {
+        Link = link,
+        IsSimulation = isSimulation,
+        Identity = identity,
+        SeenAt = _time.GetUtcNow(),
+        LastLink = link,
+        LastOutcome = !isSimulation && before.LastLink == link ? before.LastOutcome : null,
+    });
 
     public void Disconnected()
     {
-        Change(_ => MachineFacts.None with { SeenAt = _time.GetUtcNow() });
+        Change(before => MachineFacts.None with { SeenAt = _time.GetUtcNow(), LastLink = before.LastLink, LastOutcome = before.LastOutcome });
         DisarmOrTell();
     }
 
@@ -125,7 +134,7 @@ internal sealed class MachineBoard : IDisposable
 
     public void JobEnds(JobResult result)
     {
-        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Explain() ?? facts.LastRefusal });
+        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Explain() ?? facts.LastRefusal, LastOutcome = result.Outcome });
         MachineAlarms.Ended(Alarms, result, Link);
     }
 

@@ -35,6 +35,12 @@ internal sealed record MachineFacts
 
     public string? LastRefusal { get; init; }
 
+    /// <summary>How the last job on <see cref="LastLink"/> ended; null before the first.</summary>
+    public JobOutcome? LastOutcome { get; init; }
+
+    /// <summary>Where that was, also after the connection is gone.</summary>
+    public string? LastLink { get; init; }
+
     /// <summary>When the controller was heard last.</summary>
     public DateTimeOffset SeenAt { get; init; }
 
@@ -60,6 +66,7 @@ internal sealed record MachineFacts
             MotorsOn = JobRuns ? true : Poll is { } poll ? poll.MotorsOff.Length == 0 : null,
             Limit = JobRuns ? "" : Poll?.Limit ?? "",
             LastRefusal = LastRefusal,
+            LastOutcome = LastOutcome,
             Progress = Progress is { } told ? Engraved(profile, told) : null,
             ArmedUntil = state == MachineState.Armed ? armed?.Until : null,
             Time = SeenAt,

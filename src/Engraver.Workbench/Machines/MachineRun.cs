@@ -13,7 +13,8 @@ namespace Engraver.Workbench.Machines;
 public static class MachineRun
 {
     /// <summary>The program as it will be run over this link: on a serial line that is too slow for its feed it is cut slower, and the finding says so before the start.</summary>
-    public static WireFit FitToLink(MotionProgram program, MachineRunOptions options, Drawing drawing) => options is { Address: SerialAddress serial, Mode: JobMode.Stream }
+    /// <param name="address">Null for none: nothing limits the feed.</param>
+    public static WireFit FitToLink(MotionProgram program, ControllerAddress? address, JobMode mode, Drawing drawing) => (address, mode) is (SerialAddress serial, JobMode.Stream)
         ? WireFit.Of(program, new SerialLine(serial.Baud), drawing.SourceOf)
         : new WireFit(program, []);
 

@@ -1,3 +1,4 @@
+using Engraver.Core.Drawings;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Profiles;
@@ -130,6 +131,9 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>Takes START back.</summary>
     /// <returns>False when nothing was armed.</returns>
     public bool Disarm() => _board.Arming.Disarm();
+
+    /// <summary>A program as it can be run over the link that stands.</summary>
+    public WireFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => MachineRun.FitToLink(program, _address, mode, drawing);
 
     /// <summary>Runs a job on the connected controller. One at a time.</summary>
     /// <param name="options">How; the address is that of the session.</param>

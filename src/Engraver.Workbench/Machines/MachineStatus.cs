@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Galil.Jobs;
 
 namespace Engraver.Workbench.Machines;
 
@@ -50,6 +51,9 @@ public sealed record MachineStatus
 
     /// <summary>Number and text of the last refusal that was heard from this controller; null when there was none.</summary>
     public string? LastRefusal { get; init; }
+
+    /// <summary>How the last job on this controller ended; null before the first.</summary>
+    public JobOutcome? LastOutcome { get; init; }
 
     /// <summary>The last word of the job that runs or ran last; null before the first.</summary>
     public EngravedProgress? Progress { get; init; }

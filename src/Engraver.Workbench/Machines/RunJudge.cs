@@ -1,3 +1,4 @@
+using Engraver.Core.Toolpaths;
 using Engraver.Core.Verification;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Profiles;
@@ -22,7 +23,8 @@ public static class RunJudge
     /// <summary>Holds a record against the drawing, both ways.</summary>
     /// <param name="frameX">Counts of the controller at the drawing's zero, axis A.</param>
     /// <param name="frameY">The same, axis B.</param>
-    public static TraceVerdict Compare(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY)
+    /// <param name="bridges">Lines that may be cut besides; what is missing is then not to be asked of the verdict.</param>
+    public static TraceVerdict Compare(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY, IReadOnlyList<ToolpathMove>? bridges = null)
     {
         var profile = job.Settings.Machine;
         var toolBit = 1 << (profile.ToolOutput - 1);
@@ -33,7 +35,7 @@ public static class RunJudge
             trace[i] = Sample(profile, sample.Seconds, sample.A - frameX, sample.B - frameY, (sample.Outputs & toolBit) != 0);
         }
 
-        return TraceComparison.Compare(job.Analysed.ToSegments(), trace, Tolerances(job));
+        return TraceComparison.Compare([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], trace, Tolerances(job));
     }
 
     /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed.</summary>

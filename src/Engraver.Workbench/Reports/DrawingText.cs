@@ -9,15 +9,21 @@ public static class DrawingText
 {
     public static void Write(TextWriter output, Drawing drawing, DrawingSummary summary)
     {
+        if (IsUnusable(drawing))
+        {
+            output.WriteLine(Invariant($"{drawing.FileName}: {Bytes(drawing)}nothing could be read"));
+            return;
+        }
+
         var balance = drawing.Balance;
-        output.WriteLine(Invariant($"{drawing.FileName}: {Version(drawing)}, {drawing.Bytes} bytes, {Unit(drawing.Unit)}"));
-        output.WriteLine(Invariant($"{balance.Read} entities read = {balance.Cut} cut + {balance.Construction} construction + {balance.Refused.Count} refused ({Counts(balance.EntityCounts)})"));
+        output.WriteLine(Invariant($"{drawing.FileName}: {Version(drawing)}, {Bytes(drawing)}{Unit(drawing.Unit)}"));
+        output.WriteLine(Invariant($"{CountText.Of(balance.Read, "entity")} read = {balance.Cut} cut + {balance.Construction} construction + {balance.Refused.Count} refused{(balance.EntityCounts.Count == 0 ? "" : $" ({Counts(balance.EntityCounts)})")}"));
         if (summary.Leaf.Count > 0) output.WriteLine(Invariant($"curves, blocks expanded: {Counts(summary.Leaf.ToDictionary(pair => pair.Key.ToDxfName(), pair => pair.Value))}; length {summary.Length.Total:0.######} {drawing.Unit.Name}"));
         output.WriteLine(Size(summary.Bounds, drawing.Unit));
         foreach (var (layer, index) in drawing.Layers.Select((layer, index) => (layer, index)))
         {
             var switches = $"{(layer.On ? "" : ", off")}{(layer.Frozen ? ", frozen" : "")}{(layer.Plot ? "" : ", not plotted")}";
-            output.WriteLine(Invariant($"  layer {layer.Name}: {Records(balance, index)} entities{switches}"));
+            output.WriteLine(Invariant($"  layer {layer.Name}: {CountText.Of(Records(balance, index), "entity")}{switches}"));
         }
 
         foreach (var refused in balance.Refused.Concat(balance.RefusedInBlocks))
@@ -25,6 +31,11 @@ public static class DrawingText
             output.WriteLine(Invariant($"  not read: {refused.Type}{(refused.Handle is { } handle ? $" {handle}" : "")} at line {refused.Line}: {refused.Reason} ({refused.DiagnosticId})"));
         }
     }
+
+    /// <summary>Neither its version nor its unit is known then, and to count nothing would say that it was looked at.</summary>
+    private static bool IsUnusable(Drawing drawing) => drawing is { HasErrors: true, DxfVersion.Length: 0, Layers.Count: 0, Balance.Read: 0 };
+
+    private static string Bytes(Drawing drawing) => drawing.Bytes == 0 ? "" : Invariant($"{drawing.Bytes} {(drawing.Bytes == 1 ? "byte" : "bytes")}, ");
 
     private static int Records(DrawingBalance balance, int layer) => layer < balance.RecordsPerLayer.Count ? balance.RecordsPerLayer[layer] : 0;
 

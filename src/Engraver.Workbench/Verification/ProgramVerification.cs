@@ -25,20 +25,25 @@ public static class ProgramVerification
         var replay = program.Diagnostics.Count > 0
             ? new ProgramReplay([], program.Diagnostics)
             : await ProgramReplayer.RunAsync(program, Longest(job), cancellation).ConfigureAwait(false);
-        var start = settings.Machine.Scale.ToCounts(settings.Start);
-        var found = RunJudge.Compare(job, replay.Record, -(long)start.X, -(long)start.Y);
-        return Report(found, RunJudge.Tolerances(job).Deviation, replay.Diagnostics, drawing.HasErrors);
+        return Report(job, replay);
     }
 
     private static TimeSpan Longest(PreparedJob job) =>
         TimeSpan.FromSeconds(PatienceSeconds + (job.Motion.Program is { } motion ? Patience * MotionTime.Estimate(motion) : 0.0));
 
-    private static VerificationReport Report(TraceVerdict found, double tolerance, IReadOnlyList<Diagnostic> failures, bool drawingHasErrors)
+    /// <summary>The largest deviation is always the one from the drawing. Where the join tolerance bridges gaps, what may be cut is the drawing with its bridges.</summary>
+    private static VerificationReport Report(PreparedJob job, ProgramReplay replay)
     {
-        var findings = failures.Count > 0 ? failures : [.. Differences(found, tolerance)];
+        var start = job.Settings.Machine.Scale.ToCounts(job.Settings.Start);
+        var tolerance = RunJudge.Tolerances(job).Deviation;
+        var found = RunJudge.Compare(job, replay.Record, -(long)start.X, -(long)start.Y);
+        var bridges = found.MaxDeviation > tolerance ? BridgedGaps.Beyond(job.Toolpath, tolerance) : [];
+        var judged = bridges.Count == 0 ? found : RunJudge.Compare(job, replay.Record, -(long)start.X, -(long)start.Y, bridges);
+        var findings = replay.Diagnostics.Count > 0 ? replay.Diagnostics : [.. Differences(judged with { MissingLength = found.MissingLength, MissingAt = found.MissingAt }, tolerance)];
         var deviation = found.CuttingSamples == 0 || !double.IsFinite(found.MaxDeviation) ? (double?)null : found.MaxDeviation;
-        var ok = findings.Count == 0 && found.ExtraLength == 0.0 && !drawingHasErrors;
-        return new VerificationReport(deviation, tolerance, found.MissingLength, found.ExtraLength, ok, findings);
+        var allowed = tolerance + (bridges.Count == 0 ? 0.0 : bridges.Max(bridge => bridge.Segment.Length) / 2.0);
+        var ok = findings.Count == 0 && judged.ExtraLength == 0.0 && !job.Drawing.HasErrors;
+        return new VerificationReport(deviation, allowed, found.MissingLength, judged.ExtraLength, ok, findings);
     }
 
     private static IEnumerable<Diagnostic> Differences(TraceVerdict found, double tolerance)

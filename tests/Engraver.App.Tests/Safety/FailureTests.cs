@@ -4,6 +4,7 @@ using Engraver.App.Safety;
 using Engraver.Galil.Jobs;
 using Engraver.TestKit;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Tests.Safety;
 
@@ -59,7 +60,7 @@ public sealed class FailureTests(DesktopFixture fixture)
         var alarms = new AlarmLog(TimeProvider.System);
         alarms.Changed += (_, _) => order.Add("alarm");
         var folder = Directory.CreateTempSubdirectory("failures-");
-        var guard = new FailureGuard(() => order.Add($"stop, {folder.GetFiles().Length} reports"), alarms, folder.FullName, new ManualTimeProvider());
+        var guard = new FailureGuard(() => order.Add($"stop, {folder.GetFiles().Length} reports"), alarms, new FailureReports(folder.FullName, new ManualTimeProvider()));
         for (var i = 0; i < 30; i++) guard.Take(new InvalidOperationException("Again."));
 
         Assert.Equal(["stop, 0 reports", "alarm", "stop, 1 reports"], order.Take(3));
@@ -73,18 +74,18 @@ public sealed class FailureTests(DesktopFixture fixture)
     {
         var file = Path.GetTempFileName();
         var alarms = new AlarmLog(TimeProvider.System);
-        var guard = new FailureGuard(() => { }, alarms, file, TimeProvider.System);
+        var guard = new FailureGuard(() => { }, alarms, new FailureReports(file, TimeProvider.System));
 
         Assert.Null(guard.Take(new InvalidOperationException("Broken.")));
-        Assert.Equal(AlarmCause.ProgramFailed, Assert.Single(alarms.All).Cause);
+        Assert.Equal(AlarmCause.InternalError, Assert.Single(alarms.All).Cause);
         File.Delete(file);
     }
 
     private static void IsReported(Operator here, string what)
     {
-        var alarm = here.Commands.Machine.Alarms.Open.Single(alarm => alarm.Cause == AlarmCause.ProgramFailed);
+        var alarm = here.Commands.Machine.Alarms.Open.Single(alarm => alarm.Cause == AlarmCause.InternalError);
         Assert.Contains(what, alarm.What, StringComparison.Ordinal);
-        var report = Assert.Single(Directory.GetFiles(here.Session.FailureFolder, "crash-*.txt"));
+        var report = Assert.Single(Directory.GetFiles(here.Session.FailureReports.Folder, "crash-*.txt"));
         Assert.Contains(report, alarm.ToDo, StringComparison.Ordinal);
         Assert.Contains(what, File.ReadAllText(report), StringComparison.Ordinal);
     }

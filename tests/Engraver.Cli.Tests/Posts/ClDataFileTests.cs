@@ -75,16 +75,6 @@ public class ClDataFileTests
         Assert.Equal(ExitCode.Usage, run.ExitCode);
     }
 
-    [Fact]
-    public async Task A_drawing_that_cannot_be_read_replaces_nothing()
-    {
-        using var folder = new TemporaryFolder();
-        var earlier = folder.WithFile("cl.dxf", "earlier");
-        var run = await CliRun.Of("sequence", folder.PathOf("missing.dxf"), "-o", earlier);
-
-        Assert.Equal((ExitCode.DrawingError, "earlier"), (run.ExitCode, await File.ReadAllTextAsync(earlier)));
-    }
-
     private static async Task<JsonElement> AuditAsync(string file, TemporaryFolder folder)
     {
         var start = new ProcessStartInfo(EzdxfTheoryAttribute.Python, [folder.WithFile("audit.py", Audit), file]) { RedirectStandardOutput = true };

@@ -14,7 +14,7 @@ public class ScriptVerbTests
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Contains("0 errors, ", run.Out, StringComparison.Ordinal);
-        Assert.Contains("contours (", run.Out, StringComparison.Ordinal);
+        Assert.Contains("1 contour (1 closed, 0 open) of ", run.Out, StringComparison.Ordinal);
         Assert.Contains("#JOB", run.Out, StringComparison.Ordinal);
         Assert.Matches(@"\ncomplete: .* nothing of it is missing\.\n$", run.Out);
     }

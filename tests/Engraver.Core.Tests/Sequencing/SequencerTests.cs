@@ -168,6 +168,53 @@ public class SequencerTests
     }
 
     [Fact]
+    public void An_entering_entity_that_was_drawn_twice_is_entered_at_its_double()
+    {
+        var drawing = new DrawingBuilder().Line(1, 0, 2, 0).Line(50, 0, 60, 0).Line(55, -5, 55, 5).Line(60, 0, 50, 0);
+        var result = Sequence(drawing, Nearest with { Enter = new EnterAt.AtEntity(3) });
+
+        Assert.Equal(1, result.Table.EntityIndexOf(0));
+        var said = Assert.Single(result.Diagnostics, d => d.Rule == SequencingRules.EntryStandsIn);
+        Assert.StartsWith("The entering entity A4 was drawn twice or is part of a recovered arc: entity A2 is cut for it", said.Message, StringComparison.Ordinal);
+        Assert.DoesNotContain(result.Diagnostics, d => d.Rule == SequencingRules.EntryNotFound);
+    }
+
+    [Fact]
+    public void An_entering_line_that_was_recovered_as_an_arc_is_entered_at_that_arc()
+    {
+        var drawing = new DrawingBuilder().Line(1, 0, 2, 0);
+        for (var i = 0; i < 24; i++) drawing = drawing.Line(OnCircle(i).X, OnCircle(i).Y, OnCircle(i + 1).X, OnCircle(i + 1).Y);
+        var result = Sequence(drawing, Nearest with { ArcTolerance = 0.01, Enter = new EnterAt.AtEntity(14) });
+
+        Assert.Equal(2, result.Table.Count);
+        Assert.Equal(1, result.Table.EntityIndexOf(0));
+        Assert.Contains(result.Diagnostics, d => d.Rule == SequencingRules.EntryStandsIn && d.Message.Contains("entity AF was", StringComparison.Ordinal));
+
+        static Point2D OnCircle(int step) => new(80 + (5 * Math.Cos(step * Math.PI / 36)), 5 * Math.Sin(step * Math.PI / 36));
+    }
+
+    [Theory]
+    [InlineData(0.002)]
+    [InlineData(0.004)]
+    [InlineData(0.00001)]
+    public void A_contour_smaller_than_the_join_tolerance_closes_where_its_ends_meet_and_has_no_open_end(double side)
+    {
+        var drawing = new DrawingBuilder().Line(5, 5, 5 + side, 5).Line(5 + side, 5, 5 + side, 5 + side).Line(5, 5 + side, 5 + side, 5 + side).Line(5, 5 + side, 5, 5).Line(0, 0, 5, 0);
+        var result = Sequence(drawing, Nearest);
+
+        Assert.Equal((1, 1, 2), (result.Closed, result.Open, result.Discontinuities.Count));
+        Assert.DoesNotContain(result.Diagnostics, d => d.Severity == Severity.Warning);
+    }
+
+    [Fact]
+    public void A_line_shorter_than_the_join_tolerance_stays_open_for_its_ends_do_not_meet()
+    {
+        var result = Sequence(new DrawingBuilder().Line(5, 5, 5.004, 5).Line(5.004, 5, 5.004, 5.003), Nearest);
+
+        Assert.Equal((0, 1), (result.Closed, result.Open));
+    }
+
+    [Fact]
     public void Drawn_order_keeps_file_order_and_drawn_directions()
     {
         var result = Sequence(new DrawingBuilder().Line(60, 0, 50, 0).Line(1, 0, 2, 0), Drawn);

@@ -46,6 +46,32 @@ public class LeftAsFoundTests
         Assert.Equal(before, await bench.FingerprintAsync());
     }
 
+    [Theory]
+    [InlineData("VF 8.2", JobMode.Stream, "complete")]
+    [InlineData("VF 10.0", JobMode.Calls, "complete")]
+    [InlineData("VF -8.4", JobMode.Stream, "complete")]
+    [InlineData("VF 6.3", JobMode.Program, "stopped")]
+    [InlineData("VF 4.0", JobMode.Stream, "complete")]
+    [InlineData("VF 2.0", JobMode.Program, "complete")]
+    [InlineData("VF 7.1", JobMode.Stream, "serial")]
+    [InlineData("VF -4.2", JobMode.Calls, "serial")]
+    public async Task The_number_format_of_the_owner_is_the_same_after_a_run_and_hides_no_setting(string format, JobMode mode, string way)
+    {
+        await using var bench = new SimulatedBench();
+        await bench.SendAsync("VAS=1024000", "SPA=123456", format);
+        using var stop = new CancellationTokenSource();
+        var press = new CancelWhen(progress => way == "stopped" && progress.X > 9000, stop.Cancel);
+
+        var result = way == "serial"
+            ? await bench.RunSerialAsync(19200, MotionPrograms.Paper, mode)
+            : await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Mode = mode }, press, stop.Token);
+
+        Assert.Equal(way == "stopped" ? JobOutcome.Stopped : JobOutcome.Complete, result.Outcome);
+        Assert.Empty(result.NotRestored);
+        Assert.Equal(format[3..], await bench.NumberFormatAsync());
+        Assert.Equal(["1024000", "123456"], [await bench.WholeAsync("_VAS"), await bench.WholeAsync("_SPA")]);
+    }
+
     [Fact]
     public async Task An_empty_program_memory_is_empty_again()
     {

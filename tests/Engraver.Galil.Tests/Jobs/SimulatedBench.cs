@@ -64,6 +64,19 @@ internal sealed class SimulatedBench : IAsyncDisposable
         return string.Join('\n', answers);
     }
 
+    /// <summary>VF as it stands, with one digit behind the point.</summary>
+    public Task<string> NumberFormatAsync() => AskAsync("_VF{F3.1}");
+
+    /// <summary>A whole number, whatever VF is.</summary>
+    public Task<string> WholeAsync(string operand) => AskAsync(operand + "{F10.0}");
+
+    private async Task<string> AskAsync(string operand)
+    {
+        await using var channel = OpenChannel();
+        var answer = Assert.IsType<Accepted>(await channel.SendAsync("MG " + operand, CancellationToken.None)).Data.Trim();
+        return answer is ['-', .. var digits] ? "-" + digits.TrimStart('0') : answer.TrimStart('0');
+    }
+
     /// <summary>Sends commands as somebody else would, before or beside our session.</summary>
     public async Task SendAsync(params string[] commands)
     {

@@ -33,7 +33,23 @@ public class WatchdogLimitTests
     }
 
     [Theory]
+    [InlineData(1.5, JobMode.Stream, 0.4)]
+    [InlineData(2.0, JobMode.Stream, 0.3)]
+    [InlineData(2.0, JobMode.Calls, 0.3)]
+    [InlineData(2.9, JobMode.Stream, 0.2)]
+    [InlineData(2.9, JobMode.Calls, 0.2)]
+    [InlineData(2.9, JobMode.Program, 0.2)]
+    public async Task Where_the_clock_runs_ahead_by_less_than_is_measured_a_host_in_time_trips_nothing(double speed, JobMode mode, double held)
+    {
+        var (result, _) = await RunHeldUpAsync(speed, mode, TimeSpan.FromSeconds(held));
+
+        Assert.Equal((JobOutcome.Complete, null), (result.Outcome, result.Loss));
+    }
+
+    [Theory]
     [InlineData(1.0)]
+    [InlineData(2.0)]
+    [InlineData(2.9)]
     [InlineData(5.0)]
     public async Task A_host_that_is_silent_for_longer_finds_the_machine_stopped_by_the_watchdog(double speed)
     {

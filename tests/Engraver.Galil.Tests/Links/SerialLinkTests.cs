@@ -135,6 +135,14 @@ public class SerialLinkTests
         Assert.Contains("in use", failure.Message, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void A_device_that_is_not_there_is_told_by_the_systems_own_reason()
+    {
+        var refused = Assert.Throws<ControllerLinkException>(() => SerialLink.Open((SerialAddress)ControllerAddress.Parse("serial:///dev/engraver-nothing"), s_patience, TimeProvider.System));
+
+        Assert.Equal("No connection to /dev/engraver-nothing: it cannot be opened (No such file or directory).", refused.Message);
+    }
+
     [Theory]
     [InlineData("/dev/no-such-device")]
     [InlineData("/dev/null")]

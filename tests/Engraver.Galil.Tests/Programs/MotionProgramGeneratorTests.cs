@@ -19,19 +19,6 @@ public class MotionProgramGeneratorTests
         Assert.Equal(new CountsPoint(-1, -1), scale.ToCounts(new Point2D(-0.0005, 0.0005)));
     }
 
-    [Theory]
-    [InlineData(2, 0.002)]
-    [InlineData(4, 0.004)]
-    [InlineData(6, 0.006)]
-    [InlineData(9, 0.009)]
-    public void A_gap_within_the_join_tolerance_is_cut_straight_across_and_never_farther_from_the_drawing_than_half_of_it(int counts, double gap)
-    {
-        var stroke = Only(Program(Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10, gap, 20, gap))));
-        var ends = stroke.Sequences.SelectMany(sequence => sequence.Segments.Select(segment => segment.End)).ToList();
-
-        Assert.Equal([new CountsPoint(10_000, 0), new CountsPoint(10_000, counts), new CountsPoint(20_000, counts)], ends);
-    }
-
     [Fact]
     public void End_points_are_rounded_not_increments()
     {

@@ -56,7 +56,7 @@ public class ControllerSessionTests
     [Fact]
     public async Task What_the_controller_cannot_say_is_not_fitted_and_not_restored()
     {
-        var link = new ScriptedLink(line => line switch { "MG _IA2" or "MG _DR0" or "MG _VRS" => "?", "TC1" => "1 Unrecognized command\r\n:", _ => Answer(line) });
+        var link = new ScriptedLink(line => line switch { "MG _IA2{F10.0}" or "MG _DR0{F10.0}" or "MG _VRS" => "?", "TC1" => "1 Unrecognized command\r\n:", _ => Answer(line) });
         await using var session = await OpenAsync(link);
 
         Assert.Null(session.Identity.Limits.FreeHandles);

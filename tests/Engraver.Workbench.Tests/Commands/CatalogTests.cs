@@ -1,3 +1,4 @@
+using System.Xml.Linq;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 
@@ -18,6 +19,16 @@ public class CatalogTests
     }
 
     [Fact]
+    public void Every_command_has_a_text_for_the_menus_and_no_two_have_the_same()
+    {
+        var texts = XDocument.Load(Path.Combine(RepositoryFolder.Root, "src", "Engraver.App", "Texts", "Texts.resx")).Descendants("data").ToDictionary(data => data.Attribute("name")!.Value, data => data.Element("value")!.Value);
+        var names = CommandCatalog.Built().All.Select(info => info.Name).ToList();
+
+        Assert.Equal([], names.Except(texts.Keys.Select(key => key.Replace("Command.", "", StringComparison.Ordinal))));
+        Assert.Distinct(names.Select(name => texts[$"Command.{name}"]));
+    }
+
+    [Fact]
     public async Task Every_short_name_stands_for_a_command_and_none_of_a_letter_or_two_moves_anything()
     {
         await using var talk = new CommandTalk();
@@ -26,7 +37,7 @@ public class CatalogTests
     }
 
     [Fact]
-    public async Task Where_a_hand_starts_it_must_arm_first_and_a_script_is_asked_as_always()
+    public async Task Where_a_hand_starts_it_must_arm_first_and_a_script_is_asked_on_a_simulated_controller()
     {
         var folder = Directory.CreateTempSubdirectory("engraver-arm-");
         try

@@ -26,4 +26,25 @@ public class OutputFileTests
             folder.Delete(recursive: true);
         }
     }
+
+    [Theory]
+    [InlineData("missing/out.txt", "There is no folder ")]
+    [InlineData("inner", "That is a folder.")]
+    public void A_place_that_cannot_be_written_is_told_without_the_temporary_name(string name, string said)
+    {
+        var folder = Directory.CreateTempSubdirectory("engraver-test-");
+        try
+        {
+            folder.CreateSubdirectory("inner");
+            var refused = Assert.ThrowsAny<IOException>(() => OutputFile.Write(Path.Combine(folder.FullName, name), writer => writer.WriteLine("new")));
+
+            Assert.StartsWith(said, refused.Message, StringComparison.Ordinal);
+            Assert.DoesNotContain(".tmp", refused.Message, StringComparison.Ordinal);
+            Assert.Empty(folder.GetFiles("*", SearchOption.AllDirectories));
+        }
+        finally
+        {
+            folder.Delete(recursive: true);
+        }
+    }
 }

@@ -76,6 +76,43 @@ public class ArmingTests
     }
 
     [Fact]
+    public async Task After_a_job_that_was_stopped_the_list_says_from_where_the_next_one_starts_and_how_far_that_is_from_the_drawings_start()
+    {
+        await using var talk = new Commands.CommandTalk();
+        using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=20", "CNCARM", "Stream");
+        Assert.DoesNotContain("LOOK", talk.Said, StringComparison.Ordinal);
+        var cutting = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        talk.Session.Machine.Changed += (_, _) => { if (talk.Session.Machine.Status is { ToolCommanded: true, WorkPosition.X: > 60 }) cutting.TrySetResult(); };
+        var job = talk.TypeAsync("CNCRUN");
+        await cutting.Task.WaitAsync(limit.Token);
+        talk.Session.Machine.Stop();
+        await job.WaitAsync(limit.Token);
+
+        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
+        var at = talk.Session.Machine.Status.WorkPosition!.Value;
+        var said = talk.Said.Split('\n').Last(line => line.StartsWith("LOOK", StringComparison.Ordinal));
+        Assert.Contains("The last job on this machine ended early (stopped).", said, StringComparison.Ordinal);
+        Assert.Contains(FormattableString.Invariant($"is taken for the drawing's start 0,0; by the last job it stands at {at.X:0.###},{at.Y:0.###}, {Math.Sqrt((at.X * at.X) + (at.Y * at.Y)):0.###} mm from there."), said, StringComparison.Ordinal);
+        Assert.True(Assert.Single(talk.Session.Machine.Armed!.Checklist.Checks, check => check.IsWarning).Passed);
+    }
+
+    [Fact]
+    public void The_warning_is_about_the_place_and_not_about_the_stop_alone()
+    {
+        var there = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true, LastOutcome = JobOutcome.Stopped, WorkPosition = new(7, 24) };
+
+        Assert.Contains("25 mm from there", Warning(there), StringComparison.Ordinal);
+        Assert.Null(Warning(there with { WorkPosition = default(Core.Geometry.Point2D) })); // it was driven back
+        Assert.Null(Warning(there with { WorkPosition = new(0.0005, 0) })); // half a count
+        Assert.StartsWith("The place where the machine stands now", Warning(there with { LastOutcome = JobOutcome.Complete }), StringComparison.Ordinal);
+        Assert.Contains("is not known any more", Warning(there with { WorkPosition = null }), StringComparison.Ordinal);
+        Assert.Null(Warning(there with { WorkPosition = null, LastOutcome = null }));
+
+        static string? Warning(MachineStatus status) => ArmingChecklist.Of(MachineBench.Job(), status, errorsAccepted: false).Checks.SingleOrDefault(check => check.IsWarning)?.Sentence;
+    }
+
+    [Fact]
     public async Task What_was_not_checked_cannot_be_armed()
     {
         await using var bench = await MachineBench.ConnectedAsync();

@@ -45,7 +45,7 @@ internal sealed class ServedController : IAsyncDisposable
     {
         var job = JobPreparation.Prepare(DrawingFile.Open(drawing, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), MachineRunOptions.StyleOf(mode));
         var options = new MachineRunOptions(_address, mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
-        var program = MachineRun.FitToLink(job.Motion.Program!, options, job.Drawing).Program;
+        var program = MachineRun.FitToLink(job.Motion.Program!, _address, mode, job.Drawing).Program;
         var report = await MachineRun.RunAsync(job, program, options, _clock, null, CancellationToken.None);
         return (report.Result, RunJudge.ByRecord(job, _controller.Record.Snapshot(), 0, 0));
     }

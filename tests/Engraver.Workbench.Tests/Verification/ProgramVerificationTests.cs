@@ -157,6 +157,44 @@ public class ProgramVerificationTests
         Assert.Equal("VER0007", Assert.Single(report.Diagnostics).Id);
     }
 
+    [Theory]
+    [InlineData(MotionStyle.Continuous, 0.0)]
+    [InlineData(MotionStyle.Continuous, 0.0095)]
+    [InlineData(MotionStyle.Calls, 0.0095)]
+    [InlineData(MotionStyle.Continuous, -0.009)]
+    public async Task A_gap_that_the_join_tolerance_bridges_is_allowed_for_and_nothing_else_is(MotionStyle style, double aside)
+    {
+        var slow = new DrawingSettings { Machine = new() { FeedMmPerMinute = 60 } }; // a count a sample: the middle of the bridge is among them
+        var drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10.003, aside, 20, aside).Line(0, 5, 10, 5).Build();
+        var motion = JobPreparation.Prepare(drawing, slow, style).Motion.Program!;
+        var text = style == MotionStyle.Calls ? DmcPost.Calls(motion, DmcPostOptions.Default).Text : DmcPost.Sequences(motion, DmcPostOptions.Default).Text;
+        var good = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), drawing, slow, CancellationToken.None);
+        var bad = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Replaced(text, style == MotionStyle.Calls ? "x=10000;y=0" : "VP 10000,0", style == MotionStyle.Calls ? "x=10000;y=6" : "VP 10000,6")), drawing, slow, CancellationToken.None);
+
+        Assert.Empty(good.Diagnostics);
+        Assert.True(good.Ok);
+        Assert.InRange(good.MaxDeviationMm!.Value, 0.8 * Math.Abs(aside) / 2.0, good.ToleranceMm);
+        Assert.InRange(good.ToleranceMm, 0.0035, 0.0035 + 0.005);
+        Assert.False(bad.Ok);
+    }
+
+    [Theory]
+    [InlineData(MotionStyle.Continuous)]
+    [InlineData(MotionStyle.Calls)]
+    public async Task A_program_made_to_be_started_away_from_the_drawings_zero_cuts_the_drawing_from_there_and_from_nowhere_else(MotionStyle style)
+    {
+        var away = new DrawingSettings { Start = new Point2D(-31.25, 62.5) };
+        var text = Post("gasket", style, settings: away);
+
+        Assert.True((await VerifyAsync("gasket", text, away)).Ok);
+        foreach (var start in new Point2D[] { new(-31.25, 62.51), new(-31.24, 62.5), new(31.25, 62.5), default })
+        {
+            var elsewhere = await VerifyAsync("gasket", text, away with { Start = start });
+            Assert.False(elsewhere.Ok);
+            Assert.Contains(elsewhere.Diagnostics, finding => finding.Id is "VER0008" or "VER0009");
+        }
+    }
+
     [Fact]
     public async Task A_drawing_that_cannot_be_read_is_never_ok()
     {

@@ -1,0 +1,30 @@
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Workbench.Reports;
+
+/// <summary>Advice as it is followed at the command line of the desktop: findings are written in the words of the runner's options, and here those become commands.</summary>
+public static class CommandWording
+{
+    /// <summary>Longer phrases first, for they hold the shorter ones.</summary>
+    private static readonly IReadOnlyList<(string Runner, string Desktop)> s_words =
+    [
+        ("Look at the drawing with engraver info", "Look at the drawing with CHECK"),
+        ("name layers with --layers", "switch layers on with LAYER"),
+        ("have construction cut with --cut", "have construction cut with CNCCUT and OPEN the drawing again"),
+        ("leave its type out of --cut", "leave its type out of CNCCUT"),
+        ("give --units mm or --units inch", "set CNCUNITS (4 mm, 1 inch) and OPEN the drawing again"),
+        ("Leave --recover-arcs out", "Set CNCRECOVER to 0"),
+        ("without --recover-arcs", "with CNCRECOVER 0"),
+        ("--keep-duplicates", "CNCDUPLICATES 1"),
+        ("--join-tolerance", "CNCJOINTOL"),
+        ("--max-error", "CNCMAXERR"),
+        ("--feed", "CNCFEED"),
+    ];
+
+    public static Diagnostic Of(Diagnostic finding)
+    {
+        ArgumentNullException.ThrowIfNull(finding);
+        var advice = s_words.Aggregate(finding.Rule.Advice, (text, words) => text.Replace(words.Runner, words.Desktop, StringComparison.Ordinal));
+        return advice == finding.Rule.Advice ? finding : finding with { Rule = finding.Rule with { Advice = advice } };
+    }
+}

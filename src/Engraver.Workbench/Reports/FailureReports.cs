@@ -1,0 +1,35 @@
+using System.Globalization;
+
+namespace Engraver.Workbench.Reports;
+
+/// <summary>Files that tell what nobody expected, for those who mend the program; from any thread.</summary>
+/// <param name="folder">Where they are kept; made when it is missing.</param>
+public sealed class FailureReports(string folder, TimeProvider time)
+{
+    /// <summary>What fails again and again fills no disk.</summary>
+    private const int MostReports = 20;
+
+    private int _reports;
+
+    public string Folder => folder;
+
+    /// <returns>The file; null when none could be written, or too many were.</returns>
+    public string? Write(Exception failure)
+    {
+        ArgumentNullException.ThrowIfNull(failure);
+        var number = Interlocked.Increment(ref _reports);
+        if (number > MostReports) return null;
+        var now = time.GetUtcNow();
+        var file = Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"crash-{now:yyyyMMdd-HHmmss}-{number}.txt"));
+        try
+        {
+            Directory.CreateDirectory(folder);
+            File.WriteAllText(file, string.Create(CultureInfo.InvariantCulture, $"{now:O}\n{typeof(FailureReports).Assembly.GetName()}\n{Environment.OSVersion}, .NET {Environment.Version}\n\n{failure}\n"));
+            return file;
+        }
+        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
+        {
+            return null; // the alarm says what happened all the same
+        }
+    }
+}

@@ -1,0 +1,104 @@
+using Engraver.Galil.Jobs;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>A bug inside a command: a sentence, an alarm, nothing that goes on moving, and a desk that still works.</summary>
+public sealed class BrokenCommandTests : IDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-broken-");
+    private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
+    private readonly List<CommandMessage> _said = [];
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task It_ends_as_a_sentence_and_an_alarm_and_the_session_lives(bool late)
+    {
+        await using var session = Session(late);
+
+        var failed = Assert.IsType<FeedResult.Failed>(await session.FeedAsync("BREAK", _limit.Token));
+        Assert.Equal((CommandFailure.Internal, "BREAK ended by an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Why, failed.Sentence));
+        Assert.IsType<KeyNotFoundException>(failed.Bug);
+        Assert.Contains(_said, message => message.Text.Contains(nameof(BreakCommand), StringComparison.Ordinal)); // where it was
+        var alarm = Assert.Single(session.Machine.Alarms.Open);
+        Assert.Equal((AlarmCause.InternalError, "BREAK", true), (alarm.Cause, alarm.Where, alarm.NeedsAcknowledging));
+        Assert.Equal(PromptView.Idle, session.Prompt);
+        Assert.IsType<FeedResult.Done>(await session.FeedAsync("GRID", _limit.Token) is FeedResult.Asking ? await session.FeedAsync("OFF", _limit.Token) : new FeedResult.Cancelled());
+    }
+
+    [Fact]
+    public async Task In_a_script_it_ends_the_script_with_its_line()
+    {
+        await using var session = Session(late: false);
+        await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "a.scr"), "GRID OFF\nBREAK\nGRID ON\n");
+        await session.FeedAsync("SCRIPT", _limit.Token);
+
+        var failed = Assert.IsType<FeedResult.Failed>(await session.FeedAsync("a.scr", _limit.Token));
+        Assert.Contains("a.scr(2)", failed.Sentence, StringComparison.Ordinal);
+        Assert.NotNull(failed.Bug);
+        Assert.False(session.View.Current.Grid);
+    }
+
+    [Fact]
+    public async Task While_a_job_runs_the_machine_is_stopped()
+    {
+        await using var session = Session(late: false);
+        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=1", "CNCRUN" }) await session.FeedAsync(input, _limit.Token);
+        var cutting = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        session.Machine.Changed += (_, _) => { if (session.Machine.Status.ToolCommanded == true) cutting.TrySetResult(); };
+        var job = session.FeedAsync("Yes", _limit.Token);
+        await cutting.Task.WaitAsync(_limit.Token);
+
+        Assert.EndsWith("The job was stopped.", Assert.IsType<FeedResult.Failed>(await session.FeedAsync("BREAK", _limit.Token)).Sentence, StringComparison.Ordinal);
+        Assert.Equal(CommandFailure.Stopped, Assert.IsType<FeedResult.Failed>(await job).Why);
+        Assert.Equal((JobOutcome.Stopped, false), (session.Machine.LastRun!.Result.Outcome, session.Machine.Status.ToolCommanded!.Value));
+    }
+
+    [Fact]
+    public async Task A_listener_that_breaks_in_the_middle_of_a_job_ends_it_with_the_machine_at_rest_and_the_tool_off()
+    {
+        await using var session = Session(late: false);
+        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCRUN" }) await session.FeedAsync(input, _limit.Token);
+        var isArmed = true;
+        session.Machine.Changed += (_, _) =>
+        {
+            if (!isArmed || session.Machine.Status is not { State: MachineState.Running, ToolCommanded: true }) return;
+            isArmed = false;
+            throw new KeyNotFoundException("the window has lost a row");
+        };
+
+        var failed = Assert.IsType<FeedResult.Failed>(await session.FeedAsync("Yes", _limit.Token));
+        Assert.Equal(CommandFailure.Internal, failed.Why);
+        Assert.False(session.Machine.IsRunning);
+        Assert.Equal((MachineState.Ready, false, 0.0), (session.Machine.Status.State, session.Machine.Status.ToolCommanded!.Value, session.Machine.Status.Speed!.Value));
+        Assert.Contains(session.Machine.Alarms.Open, alarm => alarm.Cause == AlarmCause.InternalError);
+    }
+
+    public void Dispose()
+    {
+        _limit.Dispose();
+        _folder.Delete(recursive: true);
+    }
+
+    private CommandSession Session(bool late)
+    {
+        var built = CommandCatalog.Built();
+        var commands = built.All.Select(info => built.Find(info.Name)!).Append(new BreakCommand(late));
+        var session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName }, new CommandCatalog(commands));
+        session.Said += (_, message) => { lock (_said) _said.Add(message); };
+        return session;
+    }
+
+    private sealed class BreakCommand(bool late) : ICommand
+    {
+        public CommandInfo Info { get; } = new("BREAK", CommandGroup.Ask, "Breaks.") { HeardDuringJob = true };
+
+        public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+        {
+            if (late) await Task.Yield();
+            throw new KeyNotFoundException("the drawer is empty");
+        }
+    }
+}

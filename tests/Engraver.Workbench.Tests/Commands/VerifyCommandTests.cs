@@ -1,0 +1,46 @@
+using Engraver.Workbench.Commands;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+public class VerifyCommandTests
+{
+    [Theory]
+    [InlineData("Galil")]
+    [InlineData("galil-Calls")]
+    public async Task A_script_posts_the_open_drawing_and_verifies_what_it_wrote(string target)
+    {
+        await using var talk = new CommandTalk();
+        await File.WriteAllTextAsync(talk.PathOf("job.scr"), $"OPEN \"{CommandTalk.Sample("gasket.dxf")}\"\nTOOLSTART 5,7\nPOST {target} job.dmc\nVERIFY job.dmc\n");
+
+        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("SCRIPT", "job.scr"));
+        Assert.Matches(@"\nok: at worst 0\.00[0-3]\d mm beside the drawing \(0\.0035 mm allowed\), 0 mm missing, 0 mm too much\.$", talk.Said);
+    }
+
+    [Fact]
+    public async Task What_was_posted_last_is_offered_and_an_edit_after_the_post_is_found()
+    {
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "POST", "Galil", "job.dmc", "VERIFY");
+        Assert.Equal(("VERIFY", "job.dmc"), (talk.Session.Prompt.Command, talk.Session.Prompt.Default));
+        Assert.IsType<FeedResult.Done>(await talk.TypeAsync(""));
+
+        var failed = Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("MOVE", "ALL", "", "0,0", "0.02,0", "VERIFY", ""));
+        Assert.Equal(CommandFailure.Drawing, failed.Why);
+        Assert.Matches(@"\njob\.dmc: error VER0008: The program cuts 0\.02\d* mm beside the drawing at ", talk.Said);
+        Assert.Contains("\nNOT OK: ", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_program_that_is_none_or_not_there_is_named_with_its_file()
+    {
+        await using var talk = new CommandTalk();
+        await File.WriteAllTextAsync(talk.PathOf("note.txt"), "hello\n");
+        Assert.Contains("No drawing is open", Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("VERIFY")).Sentence, StringComparison.Ordinal);
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"));
+
+        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("VERIFY", "note.txt"));
+        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("VERIFY", "nowhere.dmc"));
+        Assert.Contains("note.txt(1): error VER0002", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("nowhere.dmc: error DOC0001", talk.Said, StringComparison.Ordinal);
+    }
+}

@@ -1,0 +1,86 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Protocol;
+using Engraver.TestKit;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Workbench.Tests.Machines;
+
+/// <summary>How the end of a job becomes an alarm: cause, text, place, and what to do.</summary>
+public class MachineAlarmTests
+{
+    private const string Link = "tcp://10.0.0.7:23";
+
+    public static TheoryData<JobOutcome, LinkLoss?, AlarmCause> Ends => new()
+    {
+        { JobOutcome.LinkLost, LinkLoss.Link, AlarmCause.LinkLost },
+        { JobOutcome.LinkLost, LinkLoss.Watchdog, AlarmCause.WatchdogTripped },
+        { JobOutcome.LinkLost, null, AlarmCause.LinkLost },
+        { JobOutcome.Stopped, null, AlarmCause.JobStopped },
+        { JobOutcome.Refused, null, AlarmCause.JobStopped },
+    };
+
+    [Theory]
+    [MemberData(nameof(Ends))]
+    public void Every_end_before_the_end_is_an_alarm_with_its_own_cause_and_the_jobs_own_words(JobOutcome outcome, LinkLoss? loss, AlarmCause cause)
+    {
+        var log = new AlarmLog(new ManualTimeProvider());
+        MachineAlarms.Ended(log, Result(outcome) with { Loss = loss, Sentence = "The cable was cut.", SegmentsExecuted = 3 }, Link);
+
+        var alarm = Assert.Single(log.All);
+        Assert.Equal((cause, "The cable was cut.", $"{Link}, after 3 segments", AlarmState.Unacknowledged), (alarm.Cause, alarm.What, alarm.Where, alarm.State));
+        Assert.Contains("look at the work piece before another start", alarm.ToDo, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_complete_job_raises_nothing_and_a_refusal_is_told_apart_from_a_stop()
+    {
+        var log = new AlarmLog(new ManualTimeProvider());
+        MachineAlarms.Ended(log, Result(JobOutcome.Complete), Link);
+        Assert.Empty(log.All);
+        MachineAlarms.Ended(log, Result(JobOutcome.Refused) with { Refusal = new Rejected(TcCode.BeginNotValidWithMotorOff, "Begin not valid with motor off", "BGS") }, Link);
+
+        Assert.Equal(AlarmCause.Refused, Assert.Single(log.All).Cause);
+    }
+
+    [Fact]
+    public void A_link_lost_while_idle_says_the_cable_and_where_and_is_cleared_when_the_controller_is_seen_again()
+    {
+        var log = new AlarmLog(new ManualTimeProvider());
+        MachineAlarms.LinkLost(log, Link, "No answer for 2 s.");
+        var alarm = log.All[0];
+        Assert.Equal((AlarmCause.LinkLost, "No answer for 2 s.", Link), (alarm.Cause, alarm.What, alarm.Where));
+        Assert.Contains("cable", alarm.ToDo, StringComparison.Ordinal);
+        Assert.Contains("CNCCONNECT", alarm.ToDo, StringComparison.Ordinal);
+
+        MachineAlarms.Seen(log, new MachinePoll(0, 0, 0, 0, Moves: false, MotorsOff: ""), Link);
+        Assert.Equal(AlarmState.ClearedUnacknowledged, log.All[0].State);
+    }
+
+    [Fact]
+    public void The_next_start_clears_a_tripped_watchdog_but_not_a_link_that_is_still_lost()
+    {
+        var log = new AlarmLog(new ManualTimeProvider());
+        MachineAlarms.Ended(log, Result(JobOutcome.LinkLost) with { Loss = LinkLoss.Watchdog }, Link);
+        MachineAlarms.Ended(log, Result(JobOutcome.LinkLost) with { Loss = LinkLoss.Link }, Link);
+        MachineAlarms.Begun(log);
+
+        Assert.Equal([AlarmState.ClearedUnacknowledged, AlarmState.Unacknowledged], log.All.Select(alarm => alarm.State));
+    }
+
+    private static JobResult Result(JobOutcome outcome) => new()
+    {
+        Outcome = outcome,
+        Sentence = "It ended.",
+        SegmentsSent = 0,
+        SegmentsExecuted = 0,
+        Seconds = 0,
+        Underruns = 0,
+        Rejected = 0,
+        FinalPosition = null,
+        FrameOrigin = null,
+        PolledTrace = [],
+        ExecutedEntityIndices = [],
+        ExecutedByStroke = [],
+        LengthByStroke = [],
+    };
+}
