@@ -53,8 +53,9 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
         return Single(from, leaving, high) is { } arc ? (high, arc) : null;
     }
 
-    private TangentArc? Single(double from, Vector2D leaving, double to) =>
-        Math.Abs(Mismatch(from, leaving, to)) <= SameDirection && TangentArc.From(run.PlaceAt(from), leaving, run.PlaceAt(to)) is var arc && IsWithin(from, to, arc) ? arc : null;
+    /// <summary>The arc (or line) that leaves in a direction and arrives at a place in the curve's own; null where it does not (to a sine of <paramref name="sameDirection"/>) or is not within the tolerance.</summary>
+    public TangentArc? Single(double from, Vector2D leaving, double to, double sameDirection = SameDirection) =>
+        Math.Abs(Mismatch(from, leaving, to)) <= sameDirection && TangentArc.From(run.PlaceAt(from), leaving, run.PlaceAt(to)) is var arc && IsWithin(from, to, arc) ? arc : null;
 
     /// <summary>Sine of the turn from the end of the arc to the curve; not a number where the arc would sweep a half turn or the curve goes another way.</summary>
     private double Mismatch(double from, Vector2D leaving, double to)

@@ -31,12 +31,13 @@ public static class BiarcFit
         return segments.Count > 0 ? segments : [Segment.FromLine(curve.Start, curve.End)];
     }
 
-    /// <summary>From the front and from the back: greed that ends in a stub on the one way often does not on the other.</summary>
+    /// <summary>From the front and from the back: greed that ends in a stub on the one way often does not on the other. Then, where the spans are like arcs, by arcs from span to span.</summary>
     private static IReadOnlyList<TangentArc> Cover(SmoothRun run, double tolerance)
     {
         var forwards = new BiarcSearch(run, tolerance).Cover();
         if (forwards.Count <= 1 || forwards.Count > FewArcs) return forwards;
         var backwards = new BiarcSearch(run.Reversed(), tolerance).Cover();
-        return backwards.Count < forwards.Count ? [.. backwards.Reverse().Select(arc => arc.Reversed())] : forwards;
+        var fewer = backwards.Count < forwards.Count ? [.. backwards.Reverse().Select(arc => arc.Reversed())] : forwards;
+        return new SpanArcs(run, tolerance).Cover() is { } arcs && arcs.Count < fewer.Count ? arcs : fewer;
     }
 }
