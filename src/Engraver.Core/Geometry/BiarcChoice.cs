@@ -9,7 +9,7 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
     private const int Proofs = 2;
 
     /// <summary>Radians. Numbers of drawn circles are rounded more than that.</summary>
-    private const double SameDirection = 1e-4;
+    public const double SameDirection = 1e-4;
 
     /// <summary>First tangent length over that of the pair with equal ones. The equal pair comes first: where it does, nothing else is tried.</summary>
     private static readonly double[] Shares = [1.0, 0.8, 1.25, 0.62, 1.6, 0.9, 1.1, 0.7, 1.4, 0.53, 1.9, 0.45, 2.2, 0.37, 2.7, 0.3, 3.3, 0.18, 5.5];

@@ -2,7 +2,10 @@ namespace Engraver.Core.Geometry;
 
 /// <summary>Covers a run whose spans are as good as arcs (CAD writes a circle as a spline of four) with the fewest single arcs from one end or middle of a span to another.</summary>
 /// <remarks>The search that goes as far as it can puts its ends where they cannot be met again; by the symmetry of such spans their ends and middles can. Within the run neighbours share their tangent exactly.</remarks>
-internal sealed class SpanArcs(SmoothRun run, double tolerance)
+/// <param name="run">What is to be covered.</param>
+/// <param name="tolerance">Distance, mm.</param>
+/// <param name="endDirection">Sine by which the last arc may arrive off the curve's direction.</param>
+internal sealed class SpanArcs(SmoothRun run, double tolerance, double endDirection)
 {
     /// <summary>Places of each span.</summary>
     private const int PlacesPerSpan = 2;
@@ -10,7 +13,7 @@ internal sealed class SpanArcs(SmoothRun run, double tolerance)
     /// <summary>No arc sweeps a half turn, and a circle has four spans or more.</summary>
     private const int FarthestPlace = 16;
 
-    /// <summary>What is no corner: numbers written with four decimals spoil the symmetry of a small circle by that much.</summary>
+    /// <summary>Between arcs, which share their direction whatever the curve's is: numbers written with four decimals spoil the symmetry of a small circle by that much.</summary>
     private const double SameDirection = SmoothRun.CornerSine;
 
     private readonly BiarcChoice _choice = new(run, tolerance);
@@ -28,7 +31,7 @@ internal sealed class SpanArcs(SmoothRun run, double tolerance)
             for (var to = from + 1; to <= Math.Min(places, from + FarthestPlace); to++)
             {
                 if (last[to] is { } known && known.Arcs <= arcs + 1) continue;
-                if (_choice.Single(Place(from), leaving, Place(to), SameDirection) is { } arc) last[to] = (arcs + 1, from, arc);
+                if (_choice.Single(Place(from), leaving, Place(to), to == places ? endDirection : SameDirection) is { } arc) last[to] = (arcs + 1, from, arc);
             }
         }
 
