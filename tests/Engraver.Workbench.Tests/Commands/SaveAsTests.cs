@@ -47,7 +47,7 @@ public class SaveAsTests
     {
         await using var talk = new CommandTalk();
         var (before, after) = await SavedAsync(talk, new DxfText().Header("AC1021", 4)
-            .Section("TABLES", (0, "STYLE"), (2, "NARROW"), (70, 0), (3, "simplex.shx"))
+            .Section("TABLES", (0, "STYLE"), (2, "STANDARD"), (70, 0), (3, "txt"), (0, "STYLE"), (2, "NARROW"), (70, 0), (3, "simplex.shx"))
             .Section("BLOCKS", (0, "BLOCK"), (2, "B"), (10, 0.0), (20, 0.0), (0, "TEXT"), (10, 1.0), (20, 0.0), (40, 3.0), (1, "in a block"), (0, "ENDBLK"))
             .Section("ENTITIES", s_texts).End());
 
