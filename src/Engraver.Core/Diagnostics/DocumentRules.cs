@@ -15,5 +15,11 @@ public static class DocumentRules
         "There is nothing to post: no curve of the drawing is cut.",
         "Look at the drawing with engraver info; name layers with --layers, or have construction cut with --cut.");
 
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [Unreadable, NothingToPost];
+    public static readonly DiagnosticRule NotSaved = new(
+        "DOC0003",
+        Severity.Warning,
+        "{count} records are not written, because a drawing holds only curves and texts: {types}.",
+        "Keep the original file.");
+
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [Unreadable, NothingToPost, NotSaved];
 }

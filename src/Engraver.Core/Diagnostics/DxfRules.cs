@@ -55,9 +55,6 @@ public static class DxfRules
     public static readonly DiagnosticRule TooManyCurves = new("DXF0019", Severity.Error,
         "{type} at {place} was left out: block '{name}' would expand beyond the limit of curves.", "Reduce the array or the nesting.");
 
-    public static readonly DiagnosticRule NestedTooDeep = new("DXF0020", Severity.Error,
-        "{type} at {place} was left out: block '{name}' is nested too deep.", "Explode the inner blocks.");
-
     public static readonly DiagnosticRule SplineWithoutKnots = new("DXF0021", Severity.Warning,
         "{type} at {place} has no usable knots for its {points}; uniform knots were used.", "Open and save the spline in the CAD program, or explode it to a polyline.");
 
@@ -126,7 +123,7 @@ public static class DxfRules
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         EmptyFile, NotDxf, UnitsAssumed, DwgFile, Truncated, DamagedRecord, BadValue, MissingValue, RepeatedValue, NoLength, NegativeRadius, TypeNotRead,
-        TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, NestedTooDeep, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
+        TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
         WidthIgnored, NoExtrusion, NothingInserted, SplineWeights, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, SplineUnusable, BlockTwice, UnknownCodePage,
         OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints,
     ];

@@ -13,7 +13,7 @@ internal sealed class BlockExpander(
     LayerTable layers,
     BalanceSheet balance,
     int maxSteps,
-    CancellationToken cancellation)
+    CancellationToken cancellation) : IBlockVisitor
 {
     private readonly BlockScale _scale = new(blocks);
     private readonly HashSet<Block> _reported = [];
@@ -21,6 +21,7 @@ internal sealed class BlockExpander(
     private readonly List<DrawingPart> _parts = [];
     private readonly List<RationalCurve> _curves = [];
     private readonly HashSet<int> _tilted = [];
+    private BlockWalk? _walk;
     private long _steps;
 
     /// <summary>Expands an insert of model space. Returns why nothing or not everything came of it, null when all went well.</summary>
@@ -36,7 +37,7 @@ internal sealed class BlockExpander(
         if (weight.Curves > 0)
         {
             _steps += steps;
-            PlaceCopies(insert, block, Placement.Identity, new InsertStyle(insert.Layer, Hidden: false, insert.Colour.IsByBlock ? DrawingColour.Foreground : insert.Colour));
+            (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
         }
 
         return weight.Loses || weight.Curves > 0 ? insert.Finding(DxfRules.NothingInserted, name) : null;
@@ -58,28 +59,15 @@ internal sealed class BlockExpander(
         }
     }
 
-    private void PlaceCopies(in BlockInsert insert, Block block, in Placement outer, InsertStyle style)
+    public bool Wants(BlockWeight weight) => weight.Curves > 0;
+
+    public void Enter(Block block, in Placement at, in InsertStyle style)
     {
-        cancellation.ThrowIfCancellationRequested();
-        style = style with { Hidden = style.Hidden || insert.Invisible || layers.IsFrozen(style.Layer) };
-        for (var row = 0; row < insert.Rows; row++)
-        {
-            for (var column = 0; column < insert.Columns; column++) Place(block, outer.After(insert.Copy(column, row, block.BasePoint)), style);
-        }
     }
 
-    private void Place(Block block, in Placement at, in InsertStyle style)
+    public void Curves(int first, int end, in Placement at, in InsertStyle style)
     {
-        var curve = block.FirstCurve;
-        foreach (var nested in block.Inserts)
-        {
-            for (; curve < nested.BeforeCurve; curve++) PlaceCurve(curve, at, style);
-            if (nested.Obstacle is not null) continue;
-            var child = blocks[nested.Insert.Block];
-            if (child.Weight!.Curves > 0) PlaceCopies(nested.Insert, child, at, Inside(nested.Insert, style));
-        }
-
-        for (; curve < block.EndCurve; curve++) PlaceCurve(curve, at, style);
+        for (var curve = first; curve < end; curve++) PlaceCurve(curve, at, style);
     }
 
     private void PlaceCurve(int index, in Placement at, in InsertStyle style)
@@ -95,8 +83,8 @@ internal sealed class BlockExpander(
             if (entity.Type == CurveType.Line || !IsPoint(part)) _parts.Add(part);
         }
 
-        entity.Layer = Effective(entity.Layer, style.Layer);
-        entity.Colour = Effective(entity.Colour, entity.Layer, style);
+        entity.Layer = style.LayerOf(entity.Layer, layers);
+        entity.Colour = style.ColourOf(entity.Colour, entity.Layer, layers);
         entity.Hidden |= style.Hidden;
         drawing.Add(entity, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_parts), _curves);
     }
@@ -112,23 +100,6 @@ internal sealed class BlockExpander(
         }
 
         return true;
-    }
-
-    private int Effective(int layer, int layerOfInsert) => layer == layers.Zero ? layerOfInsert : layer;
-
-    /// <param name="own">As written.</param>
-    /// <param name="layer">The layer that counts.</param>
-    /// <param name="style">Of the insert around. Where that is coloured by a layer that is not this one, the layer's colour is taken as it is now.</param>
-    private DrawingColour Effective(DrawingColour own, int layer, in InsertStyle style)
-    {
-        if (!own.IsByBlock) return own;
-        return style.Colour.IsByLayer && style.Layer != layer ? layers.ColourOf(style.Layer) : style.Colour;
-    }
-
-    private InsertStyle Inside(in BlockInsert nested, in InsertStyle style)
-    {
-        var layer = Effective(nested.Layer, style.Layer);
-        return style with { Layer = layer, Colour = Effective(nested.Colour, layer, style) };
     }
 
     /// <summary>Reports a block's curve once, however often it is placed.</summary>

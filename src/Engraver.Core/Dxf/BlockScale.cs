@@ -2,15 +2,12 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Weighs blocks before anything is expanded: how many curves, how deep, which nested inserts cannot be followed. Linear in the number of inserts.</summary>
+/// <summary>Weighs blocks before anything is expanded: how many curves, which nested inserts cannot be followed. Linear in the number of inserts.</summary>
 internal sealed class BlockScale(IReadOnlyDictionary<int, Block> blocks)
 {
-    /// <summary>Levels beyond this are refused; expansion recurses, and the stack must hold.</summary>
-    private const int DeepestNesting = 256;
-
     private readonly HashSet<Block> _open = [];
 
-    /// <summary>The weight of a block; nested inserts that lead nowhere, back, or too deep get their obstacle and weigh nothing.</summary>
+    /// <summary>The weight of a block; nested inserts that lead nowhere or back get their obstacle and weigh nothing.</summary>
     public BlockWeight Weigh(Block block)
     {
         if (block.Weight is { } known) return known;
@@ -52,25 +49,22 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, Block> blocks)
     {
         long curves = block.EndCurve - block.FirstCurve;
         var steps = BlockWeight.Sum(curves + block.Inserts.Count, block.ExtraSteps);
-        var depth = 1;
         long textSteps = block.Texts.Count;
         var loses = block.Troubles.Exists(trouble => trouble.Refused);
         var annotations = new Dictionary<string, long>(block.Annotations, StringComparer.Ordinal);
         foreach (var nested in block.Inserts)
         {
             var child = nested.Obstacle is null ? blocks[nested.Insert.Block].Weight! : null;
-            if (child is { Depth: >= DeepestNesting }) nested.Obstacle = DxfRules.NestedTooDeep;
             loses |= nested.Obstacle is not null || child!.Loses;
             if (nested.Obstacle is not null || child is null) continue;
             var copies = nested.Insert.Copies;
             curves = BlockWeight.Sum(curves, BlockWeight.Times(copies, child.Curves));
             if (child.Curves > 0) steps = BlockWeight.Sum(steps, BlockWeight.Times(copies, child.Steps + 1));
             if (child.TextSteps > 0) textSteps = BlockWeight.Sum(textSteps, BlockWeight.Times(copies, child.TextSteps + 1));
-            depth = Math.Max(depth, child.Depth + 1);
             AddAnnotations(annotations, child.Annotations, copies);
         }
 
-        return new BlockWeight(curves, steps, depth, loses, annotations, textSteps);
+        return new BlockWeight(curves, steps, loses, annotations, textSteps);
     }
 
     /// <summary>Adds texts and points, a copy's amount times the copies.</summary>

@@ -3,11 +3,10 @@ namespace Engraver.Core.Dxf;
 /// <summary>What one copy of a block amounts to. Sums stop at <see cref="Most"/>, so that no nesting can overflow them.</summary>
 /// <param name="Curves">Curves after full expansion.</param>
 /// <param name="Steps">Curves and inserts that an expansion visits; an insert that brings no curve is looked at, not followed.</param>
-/// <param name="Depth">Levels of nesting, 1 for a block without inserts.</param>
 /// <param name="Loses">True when something in it was refused.</param>
 /// <param name="Annotations">Texts and points after full expansion, by type.</param>
 /// <param name="TextSteps">Texts and the inserts on the way to them; 0 when there is no text in it.</param>
-internal sealed record BlockWeight(long Curves, long Steps, int Depth, bool Loses, IReadOnlyDictionary<string, long> Annotations, long TextSteps)
+internal sealed record BlockWeight(long Curves, long Steps, bool Loses, IReadOnlyDictionary<string, long> Annotations, long TextSteps)
 {
     public const long Most = long.MaxValue / 4;
 

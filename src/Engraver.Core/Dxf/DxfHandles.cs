@@ -25,8 +25,14 @@ internal static class DxfHandles
 
     public const int FirstFree = 0x10;
 
-    /// <summary>More than tables, blocks and objects take whatever the layers; entities begin behind it.</summary>
-    public const int FirstEntity = 0x400;
+    /// <summary>Entities begin here unless there are very many layers or styles.</summary>
+    private const int FirstEntity = 0x400;
+
+    /// <summary>More than tables, blocks and objects take besides a handle for each layer and style.</summary>
+    private const int TableHandles = 0x80;
+
+    /// <summary>Where the handles of the entities begin.</summary>
+    public static int FirstEntityOf(DxfSheet sheet) => Math.Max(FirstEntity, TableHandles + sheet.Layers.Count + sheet.Styles.Count);
 
     /// <summary>A handle as written, hexadecimal, blanks around it allowed; 0 for anything that is none.</summary>
     public static ulong Parse(ReadOnlySpan<byte> text)

@@ -11,6 +11,11 @@ public static class DxfPolylineWriter
     /// <summary>Degrees; readers take a flatter bulge for a line.</summary>
     private const double FlattestSweep = 1e-5;
 
+    /// <summary>Flags of a POLYLINE and of its vertices.</summary>
+    private const int InSpace = 8;
+
+    private const int VertexInSpace = 32;
+
     /// <summary>How far ends may lie apart, as a part of the coordinates and sizes.</summary>
     private const double Joint = 1e-11;
 
@@ -29,9 +34,11 @@ public static class DxfPolylineWriter
         return segments.Count > 0 && (!closed || (segments.Count > 1 && Meet(segments[^1], segments[0])));
     }
 
-    internal static void Write(DxfTagWriter tags, IReadOnlyList<Segment> segments, bool closed)
+    internal static void Write(DxfTagWriter tags, in DxfSheetEntity entity)
     {
+        var (segments, closed) = (entity.Segments, entity.Closed);
         tags.Class("AcDbPolyline").Integer(90, segments.Count + (closed ? 0 : 1)).Integer(70, closed ? 1 : 0);
+        if (entity.Z.Start != 0.0) tags.Real(38, entity.Z.Start);
         foreach (var segment in segments)
         {
             Vertex(tags, segment.Start);
@@ -39,6 +46,20 @@ public static class DxfPolylineWriter
         }
 
         if (!closed) Vertex(tags, segments[^1].End);
+    }
+
+    /// <summary>A polyline of lines with a height for every vertex.</summary>
+    internal static void WriteInSpace(DxfTagWriter tags, in DxfSheetEntity entity)
+    {
+        var (segments, heights, layer) = (entity.Segments, entity.Heights!, entity.Layer);
+        tags.Class("AcDb3dPolyline").Integer(66, 1).Point(10, default(Point2D)).Integer(70, InSpace | (entity.Closed ? 1 : 0));
+        for (var i = 0; i < heights.Count; i++)
+        {
+            tags.Begin("VERTEX", DxfHandles.ModelSpace).Class("AcDbEntity").Text(8, layer).Class("AcDbVertex").Class("AcDb3dPolylineVertex");
+            tags.Point(10, i < segments.Count ? segments[i].Start : segments[^1].End, heights[i]).Integer(70, VertexInSpace);
+        }
+
+        tags.Begin("SEQEND", DxfHandles.ModelSpace).Class("AcDbEntity").Text(8, layer);
     }
 
     private static void Vertex(DxfTagWriter tags, Point2D place) => tags.Real(10, place.X).Real(20, place.Y);

@@ -14,14 +14,15 @@ internal static class DxfSegmentWriter
     public static void Write(DxfTagWriter tags, in DxfSheetEntity entity)
     {
         var segment = entity.Segment;
-        if (entity.Run is { } run) DxfPolylineWriter.Write(Begin(tags, "LWPOLYLINE", entity), run, entity.Closed);
-        else if (segment.IsFreeCurve) DxfCurveWriter.Write(Begin(tags, segment.Kind == SegmentKind.Ellipse ? "ELLIPSE" : "SPLINE", entity), segment.Curve);
+        if (entity.Heights is not null) DxfPolylineWriter.WriteInSpace(Begin(tags, "POLYLINE", entity), entity);
+        else if (entity.Run is not null) DxfPolylineWriter.Write(Begin(tags, "LWPOLYLINE", entity), entity);
+        else if (segment.IsFreeCurve) DxfCurveWriter.Write(Begin(tags, DxfCurveWriter.IsEllipse(segment.Curve) ? "ELLIPSE" : "SPLINE", entity), segment.Curve);
         else if (segment.Kind == SegmentKind.Line || Math.Abs(segment.Arc.Sweep.Degrees) < SmallestSweep) Line(tags, entity);
         else Round(tags, segment.Arc, entity);
     }
 
     private static void Line(DxfTagWriter tags, in DxfSheetEntity entity) =>
-        Begin(tags, "LINE", entity).Class("AcDbLine").Point(10, entity.Segment.Start).Point(11, entity.Segment.End);
+        Begin(tags, "LINE", entity).Class("AcDbLine").Point(10, entity.Segment.Start, entity.Z.Start).Point(11, entity.Segment.End, entity.Z.End);
 
     private static void Round(DxfTagWriter tags, ArcSegment arc, in DxfSheetEntity entity)
     {
@@ -29,7 +30,7 @@ internal static class DxfSegmentWriter
         var centre = mirrored ? new Point2D(-arc.Centre.X, arc.Centre.Y) : arc.Centre;
         var start = (mirrored ? Angle.FromDegrees(180.0) - arc.Start : arc.Start).Positive();
         var isCircle = arc.IsFullTurn && start.Degrees == 0.0;
-        Begin(tags, isCircle ? "CIRCLE" : "ARC", entity).Class("AcDbCircle").Point(10, centre).Real(40, arc.Radius);
+        Begin(tags, isCircle ? "CIRCLE" : "ARC", entity).Class("AcDbCircle").Point(10, centre, mirrored ? -entity.Z.Start : entity.Z.Start).Real(40, arc.Radius);
         if (mirrored) tags.Real(210, 0.0).Real(220, 0.0).Real(230, -1.0);
         if (!isCircle) tags.Class("AcDbArc").Real(50, start.Degrees).Real(51, End(start, arc));
     }

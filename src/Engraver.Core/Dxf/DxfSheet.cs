@@ -10,6 +10,15 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
     /// <summary>$INSUNITS, 1 to 24.</summary>
     public int InsUnits { get; init; } = 4;
 
+    /// <summary>They stand behind the curves.</summary>
+    public IReadOnlyList<DxfSheetText> Texts { get; init; } = [];
+
+    /// <summary>The text styles and their fonts, Standard first.</summary>
+    internal IReadOnlyList<(string Name, string Font)> Styles =>
+        [.. Texts.Select(text => (text.Text.Style, text.Text.Font)).Append(("Standard", "")).DistinctBy(style => style.Item1, StringComparer.OrdinalIgnoreCase).OrderBy(style => !style.Item1.Equals("Standard", StringComparison.OrdinalIgnoreCase))];
+
+    internal int Handles => Entities.Sum(entity => entity.Handles) + Texts.Count;
+
     internal bool HasTrueColours => Layers.Any(layer => layer.Rgb is not null) || Entities.Any(entity => entity.Colour.Rgb is not null);
 
     /// <summary>Tight box of the curves; empty when there is none.</summary>

@@ -17,6 +17,15 @@ public readonly record struct DxfSheetEntity(Segment Segment, string Layer, stri
     /// <summary>The polyline is a closed one: its last segment ends where the first begins.</summary>
     public bool Closed { get; init; }
 
+    /// <summary>Heights (z) of a line's ends; an arc, a circle and a polyline lie at the first. Ellipses and splines have their own.</summary>
+    public (double Start, double End) Z { get; init; }
+
+    /// <summary>Heights of the vertices of a polyline of lines that does not lie level; null for every other.</summary>
+    public IReadOnlyList<double>? Heights { get; init; }
+
+    /// <summary>How many handles it takes: a polyline in space has vertices and an end with handles of their own.</summary>
+    internal int Handles => Heights is null ? 1 : Heights.Count + 2;
+
     public DrawingColour Colour { get; init; }
 
     /// <summary>Written as invisible (code 60).</summary>

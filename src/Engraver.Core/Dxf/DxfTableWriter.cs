@@ -5,12 +5,12 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
 {
     private const int Frozen = 1;
 
-    public void Write(IReadOnlyList<DxfSheetLayer> layers)
+    public void Write(IReadOnlyList<DxfSheetLayer> layers, IReadOnlyList<(string Name, string Font)> styles)
     {
         Table("VPORT", ["*Active"], ViewPort);
         Table("LTYPE", ["ByBlock", "ByLayer", "Continuous"], LineType);
         Table<DxfSheetLayer>("LAYER", layers.Any(layer => layer.Name == "0") ? [.. layers] : [new DxfSheetLayer("0", 7), .. layers], Layer);
-        Table("STYLE", ["Standard"], TextStyle);
+        Table<(string Name, string Font)>("STYLE", [.. styles], TextStyle);
         Table<string>("VIEW", [], (_, _) => { });
         Table<string>("UCS", [], (_, _) => { });
         Table("APPID", ["ACAD", DxfWriter.Application], (name, table) => Row("APPID", "AcDbRegAppTableRecord", name, table));
@@ -57,8 +57,8 @@ internal sealed class DxfTableWriter(DxfTagWriter tags)
         tags.Integer(370, -3);
     }
 
-    private void TextStyle(string name, int table) => Row("STYLE", "AcDbTextStyleTableRecord", name, table)
-        .Real(40, 0.0).Real(41, 1.0).Real(50, 0.0).Integer(71, 0).Real(42, 2.5).Text(3, "txt").Text(4, "");
+    private void TextStyle((string Name, string Font) style, int table) => Row("STYLE", "AcDbTextStyleTableRecord", style.Name, table)
+        .Real(40, 0.0).Real(41, 1.0).Real(50, 0.0).Integer(71, 0).Real(42, 2.5).Text(3, style.Font.Length > 0 ? style.Font : "txt").Text(4, "");
 
     private void BlockRecords()
     {

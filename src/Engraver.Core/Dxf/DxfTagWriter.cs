@@ -35,8 +35,10 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
         return Text(code, text.AsSpan().ContainsAny('.', 'E') ? text : text + ".0");
     }
 
-    /// <summary>A point with z 0: the code, code + 10 and code + 20.</summary>
-    public DxfTagWriter Point(int code, Point2D place) => Real(code, place.X).Real(code + 10, place.Y).Real(code + 20, 0.0);
+    /// <summary>A point: the code, code + 10 and code + 20.</summary>
+    public DxfTagWriter Point(int code, Point2D place, double z = 0.0) => Real(code, place.X).Real(code + 10, place.Y).Real(code + 20, z);
+
+    public DxfTagWriter Point(int code, Vector3D place) => Real(code, place.X).Real(code + 10, place.Y).Real(code + 20, place.Z);
 
     /// <summary>Marker of an object's class, group 100.</summary>
     public DxfTagWriter Class(string marker) => Text(100, marker);

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Writes a drawing of lines, arcs, circles, ellipses and splines as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader asks for.</summary>
+/// <summary>Writes a drawing of lines, arcs, circles, ellipses, splines and texts as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader asks for.</summary>
 /// <remarks>Order and direction are kept: a clockwise arc stands under the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
 /// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
 public static class DxfWriter
@@ -19,9 +19,9 @@ public static class DxfWriter
         var tags = new DxfTagWriter(output, DxfHandles.FirstFree);
         tags.Section("HEADER", header => Header(header, sheet));
         tags.Section("CLASSES", _ => { });
-        tags.Section("TABLES", tables => new DxfTableWriter(tables).Write(sheet.Layers));
+        tags.Section("TABLES", tables => new DxfTableWriter(tables).Write(sheet.Layers, sheet.Styles));
         tags.Section("BLOCKS", Blocks);
-        new DxfTagWriter(output, DxfHandles.FirstEntity).Section("ENTITIES", entities => Entities(entities, sheet));
+        new DxfTagWriter(output, DxfHandles.FirstEntityOf(sheet)).Section("ENTITIES", entities => Entities(entities, sheet));
         tags.Section("OBJECTS", DxfObjectWriter.Write);
         tags.Text(0, "EOF");
     }
@@ -35,7 +35,7 @@ public static class DxfWriter
         tags.Text(9, "$MEASUREMENT").Integer(70, s_english.Contains(sheet.InsUnits) ? 0 : 1);
         tags.Text(9, "$EXTMIN").Point(10, new Point2D(box.MinX, box.MinY));
         tags.Text(9, "$EXTMAX").Point(10, new Point2D(box.MaxX, box.MaxY));
-        tags.Text(9, "$HANDSEED").Handle(5, DxfHandles.FirstEntity + sheet.Entities.Count);
+        tags.Text(9, "$HANDSEED").Handle(5, DxfHandles.FirstEntityOf(sheet) + sheet.Handles);
     }
 
     private static void Blocks(DxfTagWriter tags)
@@ -55,5 +55,7 @@ public static class DxfWriter
             DxfSegmentWriter.Write(tags, entity);
             if (entity.Role is { } role) tags.Text(1001, Application).Text(1000, role).Integer(1071, entity.Sequence).Integer(1071, entity.Stroke);
         }
+
+        foreach (var text in sheet.Texts) DxfTextWriter.Write(tags, text);
     }
 }

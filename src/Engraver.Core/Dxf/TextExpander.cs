@@ -3,11 +3,12 @@ using Engraver.Core.Drawings;
 namespace Engraver.Core.Dxf;
 
 /// <summary>Puts the texts of blocks into the drawing, once for every copy, as far as the limit goes: texts are not cut, so beyond it they are left out and counted only.</summary>
-internal sealed class TextExpander(IReadOnlyDictionary<int, Block> blocks, LayerTable layers, CancellationToken cancellation)
+internal sealed class TextExpander(IReadOnlyDictionary<int, Block> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
 {
     /// <summary>Placed texts and the inserts on the way to them.</summary>
     private const int MostSteps = 1_000_000;
 
+    private BlockWalk? _walk;
     private long _steps;
 
     public List<PlacedText> Texts { get; } = [];
@@ -33,32 +34,21 @@ internal sealed class TextExpander(IReadOnlyDictionary<int, Block> blocks, Layer
         }
 
         _steps += steps;
-        PlaceCopies(insert, block, Placement.Identity, insert.Layer, hidden: false);
+        (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
     }
 
-    private void PlaceCopies(in BlockInsert insert, Block block, in Placement outer, int layer, bool hidden)
-    {
-        cancellation.ThrowIfCancellationRequested();
-        hidden |= insert.Invisible || layers.IsFrozen(layer);
-        for (var row = 0; row < insert.Rows; row++)
-        {
-            for (var column = 0; column < insert.Columns; column++) Place(block, outer.After(insert.Copy(column, row, block.BasePoint)), layer, hidden);
-        }
-    }
+    public bool Wants(BlockWeight weight) => weight.TextSteps > 0;
 
-    private void Place(Block block, in Placement at, int layer, bool hidden)
+    public void Enter(Block block, in Placement at, in InsertStyle style)
     {
         foreach (var text in block.Texts)
         {
-            var placed = PlacedTexts.Placed(text, at) with { Layer = Effective(text.Layer, layer), Hidden = text.Hidden || hidden };
+            var placed = PlacedTexts.Placed(text, at) with { Layer = style.LayerOf(text.Layer, layers), Hidden = text.Hidden || style.Hidden };
             if (PlacedTexts.IsInRange(placed)) Texts.Add(placed);
-        }
-
-        foreach (var nested in block.Inserts)
-        {
-            if (nested.Obstacle is null && blocks[nested.Insert.Block] is { Weight.TextSteps: > 0 } child) PlaceCopies(nested.Insert, child, at, Effective(nested.Insert.Layer, layer), hidden);
         }
     }
 
-    private int Effective(int layer, int layerOfInsert) => layer == layers.Zero ? layerOfInsert : layer;
+    public void Curves(int first, int end, in Placement at, in InsertStyle style)
+    {
+    }
 }

@@ -25,6 +25,7 @@ internal sealed class TextMapper(StyleTable styles)
             Content = TextContent.OfMText(record.TextOf(1, 3)),
             Position = record.PointOrOrigin(10),
             Rotation = Direction(record),
+            Mirrored = record.Extrusion().Z < 0.0,
             FrameWidth = record.First(41, 0.0),
             LineSpacing = record.First(44, 1.0),
             Column = (TextColumnAlignment)(attachment % 3),
@@ -36,7 +37,9 @@ internal sealed class TextMapper(StyleTable styles)
     private static Angle Direction(EntityRecord record)
     {
         var (angle, vector) = (record.Sequence.FindLastIndex(pair => pair.Code == 50), record.Sequence.FindLastIndex(pair => pair.Code == 11));
-        return vector > angle ? Angle.Direction(record.Number(11, 1.0), record.Number(21, 0.0)) : Angle.FromDegrees(record.First(50, 0.0));
+        if (vector > angle) return Angle.Direction(record.Number(11, 1.0), record.Number(21, 0.0));
+        var turn = Angle.FromDegrees(record.First(50, 0.0));
+        return record.Extrusion().Z < 0.0 ? Angle.FromDegrees(180.0) - turn : turn; // counted in the entity's own system, the direction in the world
     }
 
     private PlacedText Text(EntityRecord record)

@@ -9,7 +9,7 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
     private const int Proofs = 2;
 
     /// <summary>Radians. Numbers of drawn circles are rounded more than that.</summary>
-    private const double SameDirection = 1e-4;
+    public const double SameDirection = 1e-4;
 
     /// <summary>First tangent length over that of the pair with equal ones. The equal pair comes first: where it does, nothing else is tried.</summary>
     private static readonly double[] Shares = [1.0, 0.8, 1.25, 0.62, 1.6, 0.9, 1.1, 0.7, 1.4, 0.53, 1.9, 0.45, 2.2, 0.37, 2.7, 0.3, 3.3, 0.18, 5.5];
@@ -53,8 +53,9 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
         return Single(from, leaving, high) is { } arc ? (high, arc) : null;
     }
 
-    private TangentArc? Single(double from, Vector2D leaving, double to) =>
-        Math.Abs(Mismatch(from, leaving, to)) <= SameDirection && TangentArc.From(run.PlaceAt(from), leaving, run.PlaceAt(to)) is var arc && IsWithin(from, to, arc) ? arc : null;
+    /// <summary>The arc (or line) that leaves in a direction and arrives at a place in the curve's own; null where it does not (to a sine of <paramref name="sameDirection"/>) or is not within the tolerance.</summary>
+    public TangentArc? Single(double from, Vector2D leaving, double to, double sameDirection = SameDirection) =>
+        Math.Abs(Mismatch(from, leaving, to)) <= sameDirection && TangentArc.From(run.PlaceAt(from), leaving, run.PlaceAt(to)) is var arc && IsWithin(from, to, arc) ? arc : null;
 
     /// <summary>Sine of the turn from the end of the arc to the curve; not a number where the arc would sweep a half turn or the curve goes another way.</summary>
     private double Mismatch(double from, Vector2D leaving, double to)

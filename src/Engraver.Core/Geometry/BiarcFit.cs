@@ -24,19 +24,24 @@ public static class BiarcFit
         var chain = new ArcChain();
         foreach (var run in SmoothRun.Of(curve))
         {
-            foreach (var arc in Cover(run, tolerance)) chain.Add(arc);
+            foreach (var arc in Cover(run, tolerance, EndDirection(curve, run))) chain.Add(arc);
         }
 
         var segments = chain.ToSegments();
         return segments.Count > 0 ? segments : [Segment.FromLine(curve.Start, curve.End)];
     }
 
-    /// <summary>From the front and from the back: greed that ends in a stub on the one way often does not on the other.</summary>
-    private static IReadOnlyList<TangentArc> Cover(SmoothRun run, double tolerance)
+    /// <summary>A spline that closes without a corner has no end whose direction could be missed by more than what is no corner.</summary>
+    private static double EndDirection(RationalCurve curve, SmoothRun run) =>
+        curve is { Kind: SegmentKind.Spline, IsClosed: true } && run.End == curve.Spans.Length ? SmoothRun.CornerSine : BiarcChoice.SameDirection;
+
+    /// <summary>From the front and from the back: greed that ends in a stub on the one way often does not on the other. Then, where the spans are like arcs, by arcs from span to span.</summary>
+    private static IReadOnlyList<TangentArc> Cover(SmoothRun run, double tolerance, double endDirection)
     {
         var forwards = new BiarcSearch(run, tolerance).Cover();
         if (forwards.Count <= 1 || forwards.Count > FewArcs) return forwards;
         var backwards = new BiarcSearch(run.Reversed(), tolerance).Cover();
-        return backwards.Count < forwards.Count ? [.. backwards.Reverse().Select(arc => arc.Reversed())] : forwards;
+        var fewer = backwards.Count < forwards.Count ? [.. backwards.Reverse().Select(arc => arc.Reversed())] : forwards;
+        return new SpanArcs(run, tolerance, endDirection).Cover() is { } arcs && arcs.Count < fewer.Count ? arcs : fewer;
     }
 }

@@ -77,10 +77,11 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
 
     private Biarc? FitBetween(double from, Vector2D tangent, double to) => _choice.Between(from, tangent, to, run.TangentAt(to));
 
-    /// <summary>One arc that covers at least half of what two do, as far as it gets.</summary>
+    /// <summary>One arc that covers at least half of what two do, as far as it gets. Where two reach the end, one is better only when it does too.</summary>
     private (double To, TangentArc Arc)? SingleFrom(double from, Vector2D tangent, double reach)
     {
         if (reach <= from) return null;
+        if (reach >= run.End) return _choice.Single(from, tangent, run.End) is { } whole ? (run.End, whole) : null;
         for (var step = SingleSteps; step >= SingleSteps / 4; step--)
         {
             var (low, high) = (SinglePlace(from, reach, step - 1), SinglePlace(from, reach, step));

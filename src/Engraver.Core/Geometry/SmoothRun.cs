@@ -4,7 +4,7 @@ namespace Engraver.Core.Geometry;
 internal sealed class SmoothRun(ArraySegment<BezierSpan> spans)
 {
     /// <summary>Sine of the turn above which a joint is a corner: numbers in a file are rounded, and so are tangents of what was drawn smooth.</summary>
-    private const double CornerSine = 1e-3;
+    public const double CornerSine = 1e-3;
 
     public double End => spans.Count;
 

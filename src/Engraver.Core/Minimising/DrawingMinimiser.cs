@@ -30,9 +30,12 @@ public static class DrawingMinimiser
 
     private static bool IsBinary(byte[] file) => file.AsSpan().StartsWith("AutoCAD Binary DXF"u8);
 
-    private static byte[]? AsText(byte[] file) => IsBinary(file)
-        ? Encoding.Latin1.GetBytes(string.Concat(SecondTags.Of(file).Select(tag => $"{tag.Code}\n{tag.Value}\n")))
-        : null;
+    private static byte[]? AsText(byte[] file)
+    {
+        if (!IsBinary(file)) return null;
+        var binary = new SecondFile(file);
+        return Encoding.Latin1.GetBytes(string.Concat(binary.Tags.Select(tag => $"{tag.Code}\n{binary.Line(tag)}\n")));
+    }
 
     /// <summary>A fault of the binary form itself: runs of bytes.</summary>
     private static byte[] OfBlocks(byte[] file, Predicate<byte[]> shows, Reduction reduction) =>

@@ -1,9 +1,9 @@
 namespace Engraver.Core.SecondOpinions;
 
-/// <summary>A record as smooth pieces, each a function of 0 to 1. Null: no curve.</summary>
+/// <summary>A record as smooth pieces. Null: no curve.</summary>
 internal static class SecondCurves
 {
-    public static List<Func<double, SecondPoint>>? Of(SecondRecord record) => record.Type switch
+    public static List<SecondPiece>? Of(SecondRecord record) => record.Type switch
     {
         "LINE" => Lines([record.Point(10), record.Point(11)]),
         "CIRCLE" => Arc(record, 0.0, 360.0),
@@ -15,13 +15,12 @@ internal static class SecondCurves
         _ => null,
     };
 
-    public static List<Func<double, SecondPoint>> Lines(IReadOnlyList<SecondPoint> points)
+    public static List<SecondPiece> Lines(IReadOnlyList<SecondPoint> points)
     {
-        var lines = new List<Func<double, SecondPoint>>();
+        var lines = new List<SecondPiece>();
         for (var i = 1; i < points.Count; i++)
         {
-            var (a, b) = (points[i - 1], points[i]);
-            lines.Add(t => a + (t * (b - a)));
+            lines.Add(new SecondPiece(points[i - 1], points[i]));
         }
 
         return lines;
@@ -34,13 +33,13 @@ internal static class SecondCurves
         return sweep <= 1e-9 || sweep >= turn - 1e-9 ? turn : sweep;
     }
 
-    private static List<Func<double, SecondPoint>> Arc(SecondRecord record, double start, double sweep)
+    private static List<SecondPiece> Arc(SecondRecord record, double start, double sweep)
     {
         var r = Math.Abs(record.Number(40, double.NaN));
         return Round(SecondFrame.OfExtrusion(record), record.Point(10), new SecondPoint(r, 0, 0), new SecondPoint(0, r, 0), start * Math.PI / 180.0, sweep * Math.PI / 180.0);
     }
 
-    private static List<Func<double, SecondPoint>> Ellipse(SecondRecord record)
+    private static List<SecondPiece> Ellipse(SecondRecord record)
     {
         var (major, up, ratio) = (record.Point(11), SecondFrame.OfExtrusion(record).Z, record.Number(40, double.NaN));
         var minor = ratio * new SecondPoint((up.Y * major.Z) - (up.Z * major.Y), (up.Z * major.X) - (up.X * major.Z), (up.X * major.Y) - (up.Y * major.X));
@@ -49,14 +48,14 @@ internal static class SecondCurves
     }
 
     /// <summary>Quarter turns or less of centre + u cos + v sin.</summary>
-    private static List<Func<double, SecondPoint>> Round(SecondFrame frame, SecondPoint centre, SecondPoint u, SecondPoint v, double start, double sweep)
+    private static List<SecondPiece> Round(SecondFrame frame, SecondPoint centre, SecondPoint u, SecondPoint v, double start, double sweep)
     {
-        var pieces = new List<Func<double, SecondPoint>>();
+        var pieces = new List<SecondPiece>();
         var count = sweep == 0.0 ? 0 : (int)Math.Ceiling(Math.Abs(sweep) / (Math.PI / 2.0));
         for (var i = 0; i < count; i++)
         {
             var (from, step) = (start + (sweep * i / count), sweep / count);
-            pieces.Add(t => frame.At(centre + (Math.Cos(from + (step * t)) * u) + (Math.Sin(from + (step * t)) * v)));
+            pieces.Add(new SecondPiece(t => frame.At(centre + (Math.Cos(from + (step * t)) * u) + (Math.Sin(from + (step * t)) * v))));
         }
 
         return pieces;
@@ -65,17 +64,17 @@ internal static class SecondCurves
     private static List<(SecondPoint Place, double Bulge)> LwVertices(SecondRecord record)
     {
         var (vertices, z) = (new List<(SecondPoint Place, double Bulge)>(), record.Number(38, 0.0));
-        foreach (var (code, text) in record.Tags)
+        foreach (var tag in record.Tags)
         {
-            if (code == 10) vertices.Add((new SecondPoint(SecondTags.Number(text), double.NaN, z), 0.0));
-            else if (code == 20 && vertices.Count > 0) vertices[^1] = (vertices[^1].Place with { Y = SecondTags.Number(text) }, vertices[^1].Bulge);
-            else if (code == 42 && vertices.Count > 0) vertices[^1] = (vertices[^1].Place, SecondTags.Number(text));
+            if (tag.Code == 10) vertices.Add((new SecondPoint(record.Number(tag), double.NaN, z), 0.0));
+            else if (tag.Code == 20 && vertices.Count > 0) vertices[^1] = (vertices[^1].Place with { Y = record.Number(tag) }, vertices[^1].Bulge);
+            else if (tag.Code == 42 && vertices.Count > 0) vertices[^1] = (vertices[^1].Place, record.Number(tag));
         }
 
         return vertices;
     }
 
-    private static List<Func<double, SecondPoint>>? OldPolyline(SecondRecord record)
+    private static List<SecondPiece>? OldPolyline(SecondRecord record)
     {
         var flags = (int)record.Number(70, 0.0);
         if ((flags & (16 | 64)) != 0) return null;
@@ -85,9 +84,9 @@ internal static class SecondCurves
         return Polyline(vertices, (flags & 1) != 0, flat ? SecondFrame.OfExtrusion(record) : SecondFrame.World);
     }
 
-    private static List<Func<double, SecondPoint>> Polyline(List<(SecondPoint Place, double Bulge)> vertices, bool closed, SecondFrame frame)
+    private static List<SecondPiece> Polyline(List<(SecondPoint Place, double Bulge)> vertices, bool closed, SecondFrame frame)
     {
-        var pieces = new List<Func<double, SecondPoint>>();
+        var pieces = new List<SecondPiece>();
         for (var i = 0; i < vertices.Count - (closed ? 0 : 1); i++)
         {
             var ((a, bulge), (b, _)) = (vertices[i], vertices[(i + 1) % vertices.Count]);
@@ -100,7 +99,7 @@ internal static class SecondCurves
     }
 
     /// <summary>The centre lies on the perpendicular of the chord, (1/b - b)/2 half chords to its left.</summary>
-    private static List<Func<double, SecondPoint>> Bulge(SecondFrame frame, SecondPoint a, SecondPoint b, double bulge)
+    private static List<SecondPiece> Bulge(SecondFrame frame, SecondPoint a, SecondPoint b, double bulge)
     {
         var (half, lift) = (0.5 * (b - a), ((1.0 / bulge) - bulge) / 2.0);
         var centre = a + half + (lift * new SecondPoint(-half.Y, half.X, 0.0));

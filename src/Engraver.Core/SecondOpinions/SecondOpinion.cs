@@ -12,7 +12,7 @@ public sealed record SecondOpinion(IReadOnlyDictionary<string, int> Counts, doub
 {
     private const double Tolerance = 1e-6;
 
-    /// <exception cref="SecondOpinionException">The drawing is too large or too deep for it.</exception>
+    /// <exception cref="SecondOpinionException">The drawing is too large for it, or a block contains itself.</exception>
     public static SecondOpinion Of(byte[] file)
     {
         var tally = SecondReading.Of(file);

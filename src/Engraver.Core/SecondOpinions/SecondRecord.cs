@@ -1,8 +1,11 @@
 namespace Engraver.Core.SecondOpinions;
 
 /// <summary>An entity with its tags, and the vertices that follow a POLYLINE.</summary>
-internal sealed class SecondRecord(string type)
+internal sealed class SecondRecord(SecondFile file, string type)
 {
+    private List<SecondPiece>? _pieces;
+    private bool _tried;
+
     public string Type { get; } = type;
 
     public List<SecondTag> Tags { get; } = [];
@@ -11,11 +14,23 @@ internal sealed class SecondRecord(string type)
 
     public bool InPaperSpace => Number(67, 0.0) == 1.0;
 
+    /// <summary>Null when it is no curve or one of its numbers is none.</summary>
+    public IReadOnlyList<SecondPiece>? Pieces
+    {
+        get
+        {
+            if (!_tried) _pieces = SecondCurves.Of(this);
+            if (_pieces is { } found && found.Exists(piece => double.IsNaN(piece.At(0.5).To(default)))) _pieces = null;
+            _tried = true;
+            return _pieces;
+        }
+    }
+
     public string Text(int code)
     {
         foreach (var tag in Tags)
         {
-            if (tag.Code == code) return tag.Value.Trim();
+            if (tag.Code == code) return file.Text(tag);
         }
 
         return "";
@@ -25,13 +40,15 @@ internal sealed class SecondRecord(string type)
     {
         foreach (var tag in Tags)
         {
-            if (tag.Code == code) return SecondTags.Number(tag.Value);
+            if (tag.Code == code) return file.Number(tag);
         }
 
         return otherwise;
     }
 
-    public double[] Numbers(int code) => [.. Tags.Where(tag => tag.Code == code).Select(tag => SecondTags.Number(tag.Value))];
+    public double Number(SecondTag tag) => file.Number(tag);
+
+    public double[] Numbers(int code) => [.. Tags.Where(tag => tag.Code == code).Select(file.Number)];
 
     public SecondPoint Point(int code) => new(Number(code, double.NaN), Number(code + 10, double.NaN), Number(code + 20, 0.0));
 }

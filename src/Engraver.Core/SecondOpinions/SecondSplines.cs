@@ -3,10 +3,10 @@ namespace Engraver.Core.SecondOpinions;
 /// <summary>Splines by the textbook: de Boor for control points, a full linear system for fit points.</summary>
 internal static class SecondSplines
 {
-    private const int LargestSystem = 400;
+    private const int LargestSystem = 3000;
 
     /// <summary>Null for a spline of which no curve can be made.</summary>
-    public static List<Func<double, SecondPoint>>? Of(SecondRecord record)
+    public static List<SecondPiece>? Of(SecondRecord record)
     {
         var (controls, fits) = (Points(record, 10), Points(record, 11));
         return controls.Count > 0 ? OfControls(record, controls) : OfFitPoints(record, fits);
@@ -17,15 +17,15 @@ internal static class SecondSplines
         var points = new List<SecondPoint>();
         foreach (var tag in record.Tags)
         {
-            if (tag.Code == code) points.Add(new SecondPoint(SecondTags.Number(tag.Value), 0.0, 0.0));
-            else if (points.Count > 0 && tag.Code == code + 10) points[^1] = points[^1] with { Y = SecondTags.Number(tag.Value) };
-            else if (points.Count > 0 && tag.Code == code + 20) points[^1] = points[^1] with { Z = SecondTags.Number(tag.Value) };
+            if (tag.Code == code) points.Add(new SecondPoint(record.Number(tag), 0.0, 0.0));
+            else if (points.Count > 0 && tag.Code == code + 10) points[^1] = points[^1] with { Y = record.Number(tag) };
+            else if (points.Count > 0 && tag.Code == code + 20) points[^1] = points[^1] with { Z = record.Number(tag) };
         }
 
         return points;
     }
 
-    private static List<Func<double, SecondPoint>>? OfControls(SecondRecord record, List<SecondPoint> controls)
+    private static List<SecondPiece>? OfControls(SecondRecord record, List<SecondPoint> controls)
     {
         var degree = (int)record.Number(71, 3.0);
         if (degree < 1 || degree > 25 || controls.Count <= degree) return null;
@@ -33,11 +33,11 @@ internal static class SecondSplines
         var usable = knots.Length == controls.Count + degree + 1 && !knots.Zip(knots.Skip(1)).Any(pair => !(pair.First <= pair.Second)) && knots[degree] < knots[controls.Count];
         if (!usable) knots = [.. Enumerable.Range(0, controls.Count + degree + 1).Select(i => (double)Math.Clamp(i - degree, 0, controls.Count - degree))];
         if (weights.Length != controls.Count || !weights.All(weight => weight > 0.0)) weights = [.. controls.Select(_ => 1.0)];
-        var pieces = new List<Func<double, SecondPoint>>();
+        var pieces = new List<SecondPiece>();
         for (var span = degree; span < controls.Count; span++)
         {
             var (k, from, to) = (span, knots[span], knots[span + 1]);
-            if (from < to) pieces.Add(t => DeBoor(degree, k, knots, weights, controls, from + (t * (to - from))));
+            if (from < to) pieces.Add(new SecondPiece(t => DeBoor(degree, k, knots, weights, controls, from + (t * (to - from)))));
         }
 
         return pieces;
@@ -61,7 +61,7 @@ internal static class SecondSplines
         return (1.0 / shares[degree]) * points[degree];
     }
 
-    private static List<Func<double, SecondPoint>>? OfFitPoints(SecondRecord record, List<SecondPoint> given)
+    private static List<SecondPiece>? OfFitPoints(SecondRecord record, List<SecondPoint> given)
     {
         if (given.Count < 2) return null;
         var closed = ((int)record.Number(70, 0.0) & 1) != 0;
@@ -73,11 +73,11 @@ internal static class SecondSplines
         if (points.Count < 2) return [];
         var h = Enumerable.Range(0, points.Count - 1).Select(i => points[i].To(points[i + 1])).ToArray();
         var slopes = Slopes(points, h, closed, Unit(record, 12), Unit(record, 13));
-        var pieces = new List<Func<double, SecondPoint>>();
+        var pieces = new List<SecondPiece>();
         for (var i = 0; i + 1 < points.Count; i++)
         {
             var (a, b, ma, mb) = (points[i], points[i + 1], h[i] * slopes[i], h[i] * slopes[i + 1]);
-            pieces.Add(t => ((1 + (2 * t)) * (1 - t) * (1 - t) * a) + (t * (1 - t) * (1 - t) * ma) + (t * t * (3 - (2 * t)) * b) + (t * t * (t - 1) * mb));
+            pieces.Add(new SecondPiece(t => ((1 + (2 * t)) * (1 - t) * (1 - t) * a) + (t * (1 - t) * (1 - t) * ma) + (t * t * (3 - (2 * t)) * b) + (t * t * (t - 1) * mb)));
         }
 
         return pieces;

@@ -1,4 +1,4 @@
 namespace Engraver.Core.SecondOpinions;
 
-/// <summary>A group code and its value as text.</summary>
-internal readonly record struct SecondTag(int Code, string Value);
+/// <summary>A group code, and where in the file its value stands.</summary>
+internal readonly record struct SecondTag(int Code, int Start, int Length);

@@ -1,9 +1,10 @@
 namespace Engraver.Core.SecondOpinions;
 
-/// <summary>Counts, lengths and the box of what is drawn, by sampling: no formula of any curve.</summary>
+/// <summary>Counts, lengths and the box of what is drawn, by sampling: no formula of any curve but of the straight line.</summary>
 internal sealed class SecondTally
 {
     private const int Samples = 48;
+    private const int Thirds = 40;
     private const int DeepestHalving = 14;
     private const double EnoughAgreement = 1e-5;
 
@@ -15,16 +16,28 @@ internal sealed class SecondTally
 
     public (double Min, double Max) Y { get; private set; } = (double.PositiveInfinity, double.NegativeInfinity);
 
-    public void Add(string type, IEnumerable<Func<double, SecondPoint>> pieces, SecondFrame frame)
+    public void Add(string type, IReadOnlyList<SecondPiece> pieces, SecondFrame frame)
     {
         Counts[type] = Counts.GetValueOrDefault(type) + 1;
         foreach (var piece in pieces)
         {
-            SecondPoint Placed(double t) => frame.At(piece(t));
-            Length += LengthOf(Placed, 0.0, 1.0, DeepestHalving);
-            X = Widened(X, t => Placed(t).X);
-            Y = Widened(Y, t => Placed(t).Y);
+            if (piece.IsStraight) AddStraight(frame.At(piece.At(0.0)), frame.At(piece.At(1.0)));
+            else AddCurve(t => frame.At(piece.At(t)));
         }
+    }
+
+    private void AddStraight(SecondPoint from, SecondPoint to)
+    {
+        Length += from.To(to);
+        X = (Math.Min(X.Min, Math.Min(from.X, to.X)), Math.Max(X.Max, Math.Max(from.X, to.X)));
+        Y = (Math.Min(Y.Min, Math.Min(from.Y, to.Y)), Math.Max(Y.Max, Math.Max(from.Y, to.Y)));
+    }
+
+    private void AddCurve(Func<double, SecondPoint> placed)
+    {
+        Length += LengthOf(placed, 0.0, 1.0, DeepestHalving);
+        X = Widened(X, t => placed(t).X);
+        Y = Widened(Y, t => placed(t).Y);
     }
 
     /// <summary>Chords of two finenesses; their difference says how much is missing. Halved where they disagree.</summary>
@@ -55,15 +68,20 @@ internal sealed class SecondTally
     /// <summary>The largest sample, then thirds of its neighbourhood until nothing moves.</summary>
     private static double Highest(Func<double, double> value)
     {
-        var best = Enumerable.Range(0, Samples + 1).MaxBy(i => value((double)i / Samples));
+        var (best, most) = (0, double.NegativeInfinity);
+        for (var i = 0; i <= Samples; i++)
+        {
+            if (value((double)i / Samples) is var sample && sample > most) (best, most) = (i, sample);
+        }
+
         var (low, high) = (Math.Max(0.0, (best - 1.0) / Samples), Math.Min(1.0, (best + 1.0) / Samples));
-        for (var i = 0; i < 60; i++)
+        for (var i = 0; i < Thirds; i++)
         {
             var (first, second) = (low + ((high - low) / 3.0), high - ((high - low) / 3.0));
             if (value(first) < value(second)) low = first;
             else high = second;
         }
 
-        return Math.Max(value((double)best / Samples), value((low + high) / 2.0));
+        return Math.Max(most, value((low + high) / 2.0));
     }
 }

@@ -16,9 +16,14 @@ public static class ArcRecovery
     public static ArcRecoveryResult Recover(EntityTable analysed, double maxError)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxError);
-        var segments = analysed.ToSegments();
+        return Recover(analysed, analysed.ToSegments(), maxError);
+    }
+
+    /// <param name="segments">Those of the table.</param>
+    internal static ArcRecoveryResult Recover(EntityTable analysed, Segment[] segments, double maxError)
+    {
         var replacement = new ArcReplacement(analysed);
-        var contours = new ContourWalker(segments, GapShare * maxError).WalkAll();
+        var contours = Contours(segments, maxError);
         var junctions = contours.Where(contour => !contour.Closed).SelectMany(contour => new[] { contour.StartIn(segments), contour.EndIn(segments) }).ToHashSet();
         foreach (var contour in contours)
         {
@@ -26,5 +31,13 @@ public static class ArcRecovery
         }
 
         return replacement.ToResult();
+    }
+
+    /// <summary>The contours in which an arc may be.</summary>
+    private static List<Contour> Contours(Segment[] segments, double maxError)
+    {
+        if (ChordJoints.RowsOf(segments, GapShare * maxError, maxError) is not { } rows || rows.Length == segments.Length) return new ContourWalker(segments, GapShare * maxError).WalkAll();
+        var contours = new ContourWalker([.. rows.Select(row => segments[row])], GapShare * maxError).WalkAll();
+        return contours.ConvertAll(contour => contour with { Pieces = contour.Pieces.ToArray().Select(piece => piece with { Row = rows[piece.Row] }).ToArray() });
     }
 }

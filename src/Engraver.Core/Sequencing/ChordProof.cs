@@ -10,10 +10,10 @@ namespace Engraver.Core.Sequencing;
 internal readonly ref struct ChordProof(Point2D centre, double radius, double turn, in ChordTolerances tolerances)
 {
     /// <summary>Sine of the largest corner between two chords of an arc: a hexagon turns by 60 degrees, an octagon by 45, and both are meant.</summary>
-    private const double LargestCorner = 0.5;
+    public const double LargestCorner = 0.5;
 
     /// <summary>Part by which a corner may differ from what the circle asks for; chords of a circle have exactly theirs, however uneven they are.</summary>
-    private const double UnevenTurn = 0.6;
+    public const double UnevenTurn = 0.6;
 
     private readonly double _maxError = tolerances.MaxError;
     private readonly double _rounding = tolerances.Rounding;

@@ -33,7 +33,7 @@ public static class Sequencer
         }
 
         var duplicates = analysed.Count - kept.Count;
-        if (options.ArcTolerance is { } arcTolerance && ArcRecovery.Recover(kept, arcTolerance) is { Arcs.Count: > 0 } recovered)
+        if (options.ArcTolerance is { } arcTolerance && ArcRecovery.Recover(kept, segments, arcTolerance) is { Arcs.Count: > 0 } recovered)
         {
             findings.AddArcs(recovered);
             kept = recovered.Table;

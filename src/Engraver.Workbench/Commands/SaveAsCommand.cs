@@ -1,3 +1,6 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
@@ -5,17 +8,23 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>SAVEAS: Writes the drawing as edited, as DXF: every curve as what it is, with its layer and colour.</summary>
+/// <summary>SAVEAS: Writes the drawing as edited, as DXF: every curve as what it is, with its height, layer and colour, and the texts.</summary>
 internal sealed class SaveAsCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("SAVEAS", CommandGroup.File, "Writes the drawing as edited, as DXF: every curve as what it is, with its layer and colour.");
+    public CommandInfo Info { get; } = new("SAVEAS", CommandGroup.File, "Writes the drawing as edited, as DXF: every curve as what it is, with its height, layer and colour, and the texts.");
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
+        if (DrawingRest.Of(drawing) is { Count: > 0 } rest)
+        {
+            var types = string.Join(", ", rest.Select(part => FormattableString.Invariant($"{part.Count} {part.Type}")));
+            Findings.Say(context, drawing.FileName, [DocumentRules.NotSaved.At(default, rest.Sum(part => part.Count).ToString(CultureInfo.InvariantCulture), types)], Severity.Warning);
+        }
+
         var sheet = EditedDrawing.SheetOf(drawing, context.Document.Current.HiddenObjects);
         var name = await ReplacePrompt.AskAsync(context, "Enter name of DXF file").ConfigureAwait(false);
         OutputFile.Write(context.FileToWrite(name), output => DxfWriter.Write(sheet, output));
-        context.Say(FormattableString.Invariant($"{name} written: {CountText.Of(sheet.Entities.Count, "curve")} on {CountText.Of(sheet.Layers.Count, "layer")}, unit {drawing.Unit.Name}. Blocks are written as their curves, flat; text and the like are not written."));
+        context.Say(FormattableString.Invariant($"{name} written: {CountText.Of(sheet.Entities.Count, "curve")} and {CountText.Of(sheet.Texts.Count, "text")} on {CountText.Of(sheet.Layers.Count, "layer")}, unit {drawing.Unit.Name}. Blocks are written as their curves and texts; texts stand where the file had them."));
     }
 }

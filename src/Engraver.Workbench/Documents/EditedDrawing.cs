@@ -12,14 +12,18 @@ public static class EditedDrawing
     /// <summary>$INSUNITS of a drawing that was read as millimetres because it did not say.</summary>
     private const int Millimetres = 4;
 
-    /// <summary>Every curve in file order and direction, in the drawing's unit, with its layers and colours as they are. Heights are left out.</summary>
+    /// <summary>Every curve in file order and direction, in the drawing's unit, with its heights, layers and colours as they are; behind them the texts, where the file had them.</summary>
     /// <param name="hiddenObjects">What the operator hid for the moment: written as visible. All else that is invisible is written so.</param>
     public static DxfSheet SheetOf(Drawing drawing, IReadOnlyList<int> hiddenObjects)
     {
         var shown = hiddenObjects.ToHashSet();
         var entities = new List<DxfSheetEntity>(drawing.Entities.Count);
         for (var index = 0; index < drawing.Entities.Count; index++) entities.AddRange(Written(drawing, index, drawing.Entities[index].Hidden && !shown.Contains(index)));
-        return new DxfSheet([.. drawing.Layers.Select(LayerOf)], entities) { InsUnits = drawing.Unit.Code is > 0 and var code ? code : Millimetres };
+        return new DxfSheet([.. drawing.Layers.Select(LayerOf)], entities)
+        {
+            InsUnits = drawing.Unit.Code is > 0 and var code ? code : Millimetres,
+            Texts = [.. drawing.Texts.Select(text => new DxfSheetText(text, drawing.Layers[text.Layer].Name))],
+        };
     }
 
     private static DxfSheetLayer LayerOf(Layer layer) =>
@@ -30,9 +34,16 @@ public static class EditedDrawing
     {
         var entity = drawing.Entities[index];
         Segment[] segments = [.. Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => drawing.SegmentOf(drawing.Parts[part]))];
-        if (entity.Type is CurveType.LwPolyline or CurveType.Polyline && DxfPolylineWriter.CanWrite(segments, entity.Closed)) return [Made(segments[0]) with { Run = segments, Closed = entity.Closed }];
-        return segments.Select(Made);
+        var heights = Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => HeightsOf(drawing.Parts[part])).ToArray();
+        if (entity.Type is not (CurveType.LwPolyline or CurveType.Polyline) || !DxfPolylineWriter.CanWrite(segments, entity.Closed)) return Enumerable.Range(0, segments.Length).Select(Made);
+        var run = Made(0) with { Run = segments, Closed = entity.Closed };
+        if (Array.TrueForAll(heights, height => height.Start == heights[0].Start && height.End == heights[0].Start)) return [run];
+        var inSpace = Array.TrueForAll(segments, segment => segment.Kind == SegmentKind.Line);
+        double[] vertices = [.. heights.Select(height => height.Start), .. entity.Closed ? [] : new[] { heights[^1].End }];
+        return inSpace ? [run with { Heights = vertices }] : Enumerable.Range(0, segments.Length).Select(Made);
 
-        DxfSheetEntity Made(Segment segment) => new(segment, drawing.Layers[entity.Layer].Name, null, 0, 0) { Colour = entity.Colour, Hidden = hidden };
+        DxfSheetEntity Made(int part) => new(segments[part], drawing.Layers[entity.Layer].Name, null, 0, 0) { Colour = entity.Colour, Hidden = hidden, Z = heights[part] };
     }
+
+    private static (double Start, double End) HeightsOf(in DrawingPart part) => part.Kind == SegmentKind.Line ? (part.C, part.F) : part.IsFreeCurve ? default : (part.C, part.C);
 }

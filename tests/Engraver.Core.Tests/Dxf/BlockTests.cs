@@ -163,6 +163,36 @@ public class BlockTests
     }
 
     [Fact]
+    public void A_hundred_thousand_levels_of_nesting_are_expanded()
+    {
+        var drawing = Drawing(Chain(100_000, (0, "TEXT"), (1, "deep"), (10, 1), (20, 2), (40, 1)), [(0, "INSERT"), (2, "L100000"), (10, 5), (20, 0)]);
+
+        Assert.Empty(drawing.Diagnostics);
+        Assert.Equal((2, 100_006.0, 1.0), (drawing.Entities.Count, drawing.Parts[0].A, drawing.Parts[0].B));
+        Assert.Equal(("deep", 100_006.0), (Assert.Single(drawing.Texts).Content, drawing.Texts[0].Position.X));
+    }
+
+    [Fact]
+    public void A_circle_of_blocks_a_hundred_thousand_levels_down_is_refused_by_name()
+    {
+        var drawing = Drawing(Chain(100_000, Insert("L100000")), Insert("L100000"));
+
+        Assert.Equal(2, drawing.Entities.Count);
+        Assert.Equal(("DXF0018", "INSERT"), Assert.Single(drawing.Balance.RefusedInBlocks) is var refused ? (refused.DiagnosticId, refused.Type) : default);
+        Assert.Contains(drawing.Diagnostics, finding => finding.Message.Contains("'L100000'", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void An_array_inside_an_array_is_drawn_row_by_row_and_copy_by_copy()
+    {
+        var drawing = Drawing(
+            [.. Block("A", 0, 0, [(0, "CIRCLE"), (10, 0), (20, 0), (40, 1)]), .. Block("B", 0, 0, [(0, "CIRCLE"), (10, 0), (20, 0), (40, 2), .. Insert("A"), (70, 2), (44, 1), (0, "CIRCLE"), (10, 0), (20, 0), (40, 3)])],
+            [.. Insert("B"), (71, 2), (45, 100)]);
+
+        Assert.Equal("0,0,2 0,0,1 1,0,1 0,0,3 0,100,2 0,100,1 1,100,1 0,100,3", string.Join(' ', Reading.Parts(drawing).Select(part => $"{part.A:0},{part.B:0},{part.D:0}")));
+    }
+
+    [Fact]
     public void Inserts_that_bring_nothing_count_towards_the_limit_too()
     {
         (int, object)[] idle = [.. Enumerable.Repeat(Insert("Nothing"), 10).SelectMany(pairs => pairs)];
@@ -193,6 +223,14 @@ public class BlockTests
 
     private static Drawing Drawing(ReadOnlySpan<(int, object)> blocks, ReadOnlySpan<(int, object)> entities) =>
         Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", blocks).Section("ENTITIES", entities).End());
+
+    /// <summary>L0 holds a line, an arc and what is given; each further block only the one before, moved by 1 along x.</summary>
+    private static (int, object)[] Chain(int levels, params ReadOnlySpan<(int, object)> innermost)
+    {
+        var blocks = new List<(int, object)>(Block("L0", 0, 0, [.. LineAndArc, .. innermost]));
+        for (var level = 1; level <= levels; level++) blocks.AddRange(Block($"L{level}", 0, 0, [(0, "INSERT"), (2, $"L{level - 1}"), (10, 1), (20, 0)]));
+        return [.. blocks];
+    }
 
     private static (int, object)[] Block(string name, double baseX, double baseY, ReadOnlySpan<(int, object)> content) =>
         [(0, "BLOCK"), (2, name), (10, baseX), (20, baseY), .. content, (0, "ENDBLK")];

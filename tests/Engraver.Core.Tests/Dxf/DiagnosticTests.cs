@@ -31,7 +31,6 @@ public class DiagnosticTests
         ["DXF0017"] = Entities((0, "INSERT"), (2, "nowhere"), (10, 0), (20, 0)),
         ["DXF0018"] = Inserting([.. Line, (0, "INSERT"), (2, "B"), (10, 0), (20, 0)], (0, "INSERT"), (2, "B"), (10, 0), (20, 0)),
         ["DXF0019"] = Inserting(Line, (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (70, 32767), (71, 32767)),
-        ["DXF0020"] = DeepNest(),
         ["DXF0021"] = Entities([.. Spline, (40, 0), (40, 0)]),
         ["DXF0022"] = Entities([(0, "POLYLINE"), (0, "VERTEX"), (10, 0), (20, 0), (0, "VERTEX"), (10, 1), (20, 0), .. Line]),
         ["DXF0023"] = Entities((0, "VERTEX"), (10, 0), (20, 0)),
@@ -99,13 +98,6 @@ public class DiagnosticTests
 
     private static byte[] Inserting(ReadOnlySpan<(int, object)> content, params ReadOnlySpan<(int, object)> entities) => new DxfText()
         .Header("AC1015", 4).Section("BLOCKS", [(0, "BLOCK"), (2, "B"), .. content, (0, "ENDBLK")]).Section("ENTITIES", entities).End().ToAscii();
-
-    private static byte[] DeepNest()
-    {
-        var blocks = new List<(int, object)>([(0, "BLOCK"), (2, "L0"), .. Line, (0, "ENDBLK")]);
-        for (var level = 1; level <= 300; level++) blocks.AddRange([(0, "BLOCK"), (2, $"L{level}"), (0, "INSERT"), (2, $"L{level - 1}"), (10, 0), (20, 0), (0, "ENDBLK")]);
-        return new DxfText().Section("BLOCKS", [.. blocks]).Section("ENTITIES", (0, "INSERT"), (2, "L300"), (10, 0), (20, 0)).End().ToAscii();
-    }
 
     /// <summary>UTF-8 is declared by the version, the layer name is Latin-1.</summary>
     private static byte[] Foreign() => Encoding.Latin1.GetBytes(Encoding.UTF8.GetString(

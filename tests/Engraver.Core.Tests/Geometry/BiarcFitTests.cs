@@ -55,6 +55,21 @@ public class BiarcFitTests
         Assert.Equal(20.0 * Math.PI, pieces.Sum(piece => piece.Length), 1e-9);
     }
 
+    /// <summary>CAD writes a small circle so, and rounds: three arcs, each longer than a span, without a corner between them.</summary>
+    [Fact]
+    public void A_circle_of_four_rounded_spans_is_cut_by_three_arcs_across_them()
+    {
+        Point2D[] points = [new(-33.5, -75.75), new(-32.8115, -75.75), new(-32.25, -76.3115), new(-32.25, -77.0), new(-32.25, -77.6884), new(-32.8115, -78.25), new(-33.5, -78.25), new(-34.1885, -78.25), new(-34.75, -77.6884), new(-34.75, -77.0), new(-34.75, -76.3115), new(-34.1885, -75.75), new(-33.5, -75.75)];
+        var circle = FreeCurves.Spline(3, [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 4], points, [.. points.Select(_ => 1.0)]);
+
+        var pieces = BiarcFit.Fit(circle, 0.01);
+
+        Assert.Equal(3, pieces.Count);
+        Assert.All(pieces.Zip(pieces.Skip(1)), pair => Assert.True(Turn(pair.First.EndTangent, pair.Second.StartTangent) < 1e-9));
+        Assert.True(StaysWithin(circle, pieces, 0.01));
+        Assert.All(pieces, piece => Assert.True(Enumerable.Range(0, 101).All(i => circle.DistanceTo(piece.PointAt(i / 100.0)) <= 0.01)));
+    }
+
     [Fact]
     public void A_straight_spline_is_one_line() =>
         Assert.Equal(SegmentKind.Line, Assert.Single(BiarcFit.Fit(FreeCurves.Spline(3, [new(0, 0), new(1, 1), new(5, 5), new(9, 9), new(10, 10)], [1, 1, 1, 1, 1]), MaxError)).Kind);
@@ -75,14 +90,15 @@ public class BiarcFitTests
     public void A_curve_of_astronomic_size_comes_to_an_end() =>
         Assert.InRange(BiarcFit.Fit(FreeCurves.Ellipse(0, 0, 1e90, 0.3, 10.0, 5.0, 300.0).ToCurve(), MaxError).Count, 1, 100_000);
 
-    private static bool StaysWithin(RationalCurve curve)
+    private static bool StaysWithin(RationalCurve curve) => StaysWithin(curve, BiarcFit.Fit(curve, MaxError), MaxError);
+
+    private static bool StaysWithin(RationalCurve curve, IReadOnlyList<Segment> pieces, double error)
     {
-        var pieces = BiarcFit.Fit(curve, MaxError);
         var near = 0;
         for (var i = 0; i <= Samples; i++)
         {
             var place = curve.PointAt((double)i / Samples);
-            while (near < pieces.Count && !(pieces[near].DistanceTo(place) <= MaxError)) near++; // in order: the path follows the curve, it does not only pass
+            while (near < pieces.Count && !(pieces[near].DistanceTo(place) <= error)) near++; // in order: the path follows the curve, it does not only pass
         }
 
         return near < pieces.Count;

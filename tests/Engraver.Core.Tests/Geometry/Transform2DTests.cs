@@ -23,6 +23,25 @@ public class Transform2DTests
     }).QuickCheckThrowOnFailure();
 
     [Fact]
+    public void Lengths_and_directions_go_with_the_map() => Prop.ForAll(Arcs.Any, Any, (arc, map) =>
+    {
+        var (before, after) = (Segment.FromArc(arc), Segment.FromArc(map.Apply(arc)));
+        var tangent = map.Apply(new Point2D(0, 0) + before.StartTangent) - map.Apply(new Point2D(0, 0));
+        return Math.Abs(after.Length - (map.Scale * before.Length)) <= 1e-9 * (1.0 + after.Length)
+            && (after.StartTangent - (tangent * (1.0 / map.Scale))).Length < 1e-9
+            && after.Bounds is var box && Enumerable.Range(0, 33).Select(i => map.Apply(before.PointAt(i / 32.0))).All(place =>
+                place.X >= box.MinX - 1e-6 && place.X <= box.MaxX + 1e-6 && place.Y >= box.MinY - 1e-6 && place.Y <= box.MaxY + 1e-6);
+    }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void A_curve_and_its_places_go_the_same_way_and_its_length_is_scaled() => Prop.ForAll(FreeCurves.Splines, Any, (curve, map) =>
+    {
+        var mapped = curve.Mapped(map);
+        return Math.Abs(mapped.PlanLength - (map.Scale * curve.PlanLength)) <= 1e-6 * (1.0 + mapped.PlanLength)
+            && Enumerable.Range(0, 17).All(i => mapped.PointAt(i / 16.0).IsNear(map.Apply(curve.PointAt(i / 16.0)), 1e-8));
+    }).QuickCheckThrowOnFailure();
+
+    [Fact]
     public void A_mirror_turns_the_sense_round_and_a_whole_turn_stays_whole()
     {
         var circle = new ArcSegment(new Point2D(3, 4), 2, Angle.Zero, Angle.FullTurn);

@@ -52,6 +52,26 @@ public class SecondOpinionTests
         Assert.StartsWith("LINE: 1 curves, the second reading has 0", Differences(file)[0], StringComparison.Ordinal);
     }
 
+    /// <summary>More curves than fit into memory twice, blocks of 20,000 levels, an array in an array, entities ahead of the blocks.</summary>
+    [Fact]
+    public void Both_readings_of_large_and_deep_drawings_agree()
+    {
+        var chain = Enumerable.Range(1, 20_000).SelectMany(level => OddDrawings.Block($"L{level}", [(0, "INSERT"), (2, level == 1 ? "B" : $"L{level - 1}"), (10, 0.5), (20, 0), (70, level <= 2 ? 20 : 1), (71, level <= 2 ? 30 : 1), (44, 3), (45, 4)]));
+        var file = new DxfText().Header("AC1015", 4)
+            .Section("ENTITIES", [(0, "LINE"), (10, 0), (20, 0), (11, 1), (21, 0), .. OddDrawings.Insert("L20000", 1.0)])
+            .Section("BLOCKS", [.. OddDrawings.Block("B", [(0, "LINE"), (10, 0), (20, 0), (11, 1), (21, 0)]), .. chain]).End().ToAscii();
+
+        Assert.Equal(360_001, SecondOpinion.Of(file).Counts["LINE"]);
+        Assert.Empty(Differences(file));
+    }
+
+    [Theory]
+    [InlineData("\n")]
+    [InlineData("\r")]
+    [InlineData("\r\n")]
+    [InlineData("\r\r\n")]
+    public void Both_readings_take_lines_to_end_alike(string lineEnd) => Assert.Empty(Differences(OddDrawings.OneOfEverything().ToAscii(lineEnd)));
+
     [Fact]
     public void A_bomb_is_left_to_the_reader()
     {

@@ -153,6 +153,33 @@ public class ArcRecoveryTests
         Assert.Equal([points[15], points[40]], segments.Where(segment => segment.Kind == SegmentKind.Arc).Select(segment => segment.End));
     }
 
+    /// <summary>What cannot be of an arc is not joined to contours at all; that must change nothing. Boxes and loose lines around the wave, some of them touching it.</summary>
+    [Fact]
+    public void What_lies_around_changes_no_arc() => Prop.ForAll(Gen.Choose(1, 1_000_000).ToArbitrary(), seed =>
+    {
+        var random = new System.Random(seed);
+        var wave = Wave(random);
+        Segment[] lines = [.. wave.Zip(wave.Skip(1), Segment.FromLine)];
+        var around = Enumerable.Range(0, 60).Select(_ => new Point2D(3000.0 + random.Next(100), random.Next(100))).SelectMany(corner => new[]
+        {
+            Segment.FromLine(corner, corner + new Vector2D(3, 0)), Segment.FromLine(corner + new Vector2D(3, 4), corner), Segment.FromLine(corner, corner + new Vector2D(0, -5)),
+        }).ToArray();
+
+        var alone = Recover(Analysed(Loose(lines, random: null)));
+        var among = Recover(Analysed(Loose([.. lines, .. around], random: null)));
+
+        Assert.Equal(alone.Arcs.Select(note => (note.Lines, note.Deviation)), among.Arcs.Select(note => (note.Lines, note.Deviation)));
+        Assert.Equal(alone.Arcs.Count, Recover(Analysed(Loose([.. lines, .. around], random))).Arcs.Count, tolerance: 3);
+    }).Check(Config.QuickThrowOnFailure.WithMaxTest(20));
+
+    [Fact]
+    public void A_thousand_loose_ends_in_one_place_come_to_an_end()
+    {
+        var star = Enumerable.Range(0, 1000).Select(i => Segment.FromLine(new Point2D(0, 0), new Point2D(0, 0) + Vector2D.FromPolar(5.0, Angle.FromDegrees(0.36 * i)))).ToArray();
+
+        Assert.Empty(Recover(Analysed(Loose(star, random: null))).Arcs);
+    }
+
     [Fact]
     public void Lines_at_different_heights_are_no_plane_arc()
     {
@@ -186,6 +213,14 @@ public class ArcRecoveryTests
     private static EntityTable Analysed(DrawingBuilder builder) => ArcAnalysis.Analyse(EntityTableBuilder.Build(builder.Build(), LayerSelection.Default));
 
     private static DrawingBuilder Polyline(Point2D[] points) => new DrawingBuilder().Curve(CurveType.LwPolyline, [.. points.Zip(points.Skip(1), Segment.FromLine)]);
+
+    private static DrawingBuilder Loose(Segment[] lines, System.Random? random)
+    {
+        var builder = new DrawingBuilder();
+        if (random is not null) random.Shuffle(lines);
+        foreach (var line in lines) builder.Line(line.Start.X, line.Start.Y, line.End.X, line.End.Y);
+        return builder;
+    }
 
     private static Point2D[] Flatten(ArcSegment arc, int chords) => [.. Enumerable.Range(0, chords + 1).Select(i => arc.PointAt((double)i / chords))];
 

@@ -1,0 +1,73 @@
+using System.Globalization;
+using System.Text;
+
+namespace Engraver.Core.SecondOpinions;
+
+/// <summary>A DXF cut into tags in the plainest way: two lines at a time, or a code and its bytes. Nothing is kept of a tag but its place. Shares nothing with the reader it checks.</summary>
+internal sealed class SecondFile
+{
+    private const string BinaryMark = "AutoCAD Binary DXF\r\n\u001A\0";
+    private readonly byte[] _bytes;
+    private readonly bool _binary;
+
+    public SecondFile(byte[] file)
+    {
+        _binary = Encoding.Latin1.GetString(file, 0, Math.Min(file.Length, BinaryMark.Length)) == BinaryMark;
+        var wide = !_binary && file.Length > 1 && ((file[0] == 0xFF && file[1] == 0xFE) || file[1] == 0);
+        _bytes = wide ? Encoding.Latin1.GetBytes(Encoding.Unicode.GetString(file).TrimStart('\uFEFF')) : file;
+    }
+
+    public IEnumerable<SecondTag> Tags => _binary ? SecondBinary.Tags(_bytes, BinaryMark.Length) : Ascii();
+
+    /// <summary>The value as a line of an ASCII file would have it.</summary>
+    public string Line(SecondTag tag) => _binary && SecondBinary.SizeOf(tag.Code) > 0
+        ? SecondBinary.Number(_bytes, tag).ToString("R", CultureInfo.InvariantCulture)
+        : Encoding.Latin1.GetString(_bytes, tag.Start, tag.Length);
+
+    public string Text(SecondTag tag) => Encoding.Latin1.GetString(_bytes, tag.Start, tag.Length).Trim();
+
+    /// <summary>Not a number where the value is none as it stands: what the reader repairs is to show as a difference.</summary>
+    public double Number(SecondTag tag)
+    {
+        if (_binary && SecondBinary.SizeOf(tag.Code) > 0) return SecondBinary.Number(_bytes, tag);
+        return double.TryParse(_bytes.AsSpan(tag.Start, tag.Length), NumberStyles.Float, CultureInfo.InvariantCulture, out var number) ? number : double.NaN;
+    }
+
+    /// <summary>A line that should be a code and is none is passed over alone: the next may be one.</summary>
+    private IEnumerable<SecondTag> Ascii()
+    {
+        for (var at = 0; at < _bytes.Length;)
+        {
+            var (codeEnd, valueStart) = LineFrom(at);
+            if (valueStart < 0) yield break;
+            if (Code(at, codeEnd) is not { } code)
+            {
+                at = valueStart;
+                continue;
+            }
+
+            var (valueEnd, next) = LineFrom(valueStart);
+            if (code != 999) yield return new SecondTag(code, valueStart, valueEnd - valueStart);
+            at = next < 0 ? _bytes.Length : next;
+        }
+    }
+
+    private int? Code(int start, int end)
+    {
+        ReadOnlySpan<byte> line = _bytes.AsSpan(start, end - start);
+        line = line.Trim((ReadOnlySpan<byte>)[0xEF, 0xBB, 0xBF, (byte)' ', (byte)'\t']);
+        return int.TryParse(line, NumberStyles.Integer, CultureInfo.InvariantCulture, out var code) ? code : null;
+    }
+
+    /// <summary>Where a line ends and where the next begins; -1 when it is the last. LF, CR, CR LF and CR CR LF end a line.</summary>
+    private (int End, int Next) LineFrom(int start)
+    {
+        var length = _bytes.AsSpan(start).IndexOfAny((byte)'\r', (byte)'\n');
+        if (length < 0) return (_bytes.Length, -1);
+        var end = start + length;
+        var next = end;
+        while (next < end + 2 && next < _bytes.Length && _bytes[next] == '\r') next++;
+        if (next < _bytes.Length && _bytes[next] == '\n') return (end, next + 1);
+        return (end, end + 1);
+    }
+}

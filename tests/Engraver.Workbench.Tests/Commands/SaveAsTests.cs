@@ -1,0 +1,89 @@
+using Engraver.Core.Drawings;
+using Engraver.TestKit;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>SAVEAS loses nothing that the drawing holds, and says what the file held besides.</summary>
+public class SaveAsTests
+{
+    private static readonly (int, object)[] s_knots = [(40, 0.0), (40, 0.0), (40, 0.0), (40, 0.0), (40, 1.0), (40, 1.0), (40, 1.0), (40, 1.0)];
+
+    private static readonly (int, object)[] s_raised =
+    [
+        (0, "LINE"), (10, 1.0), (20, 2.0), (30, 3.0), (11, 4.0), (21, 5.0), (31, -6.0),
+        (0, "ARC"), (10, 5.0), (20, 0.0), (30, 7.0), (40, 2.0), (210, 0.0), (220, 0.0), (230, -1.0), (50, 10.0), (51, 80.0),
+        (0, "CIRCLE"), (10, 5.0), (20, 0.0), (30, 7.0), (40, 2.0),
+        (0, "LWPOLYLINE"), (90, 3), (70, 1), (38, 4.5), (10, 0.0), (20, 0.0), (42, 1.0), (10, 5.0), (20, 0.0), (10, 2.0), (20, 5.0),
+        (0, "POLYLINE"), (66, 1), (70, 9), (0, "VERTEX"), (10, 0.0), (20, 0.0), (30, 1.0), (70, 32), (0, "VERTEX"), (10, 3.0), (20, 0.0), (30, 2.0), (70, 32), (0, "VERTEX"), (10, 3.0), (20, 3.0), (30, 0.0), (70, 32), (0, "SEQEND"),
+        (0, "ELLIPSE"), (10, 0.0), (20, 0.0), (30, 2.5), (11, 5.0), (21, 0.0), (31, 0.0), (40, 0.5), (41, 0.0), (42, 3.0),
+        (0, "CIRCLE"), (10, 5.0), (20, 0.0), (30, 7.0), (40, 2.0), (210, 1.0), (220, 0.0), (230, 1.0),
+        (0, "SPLINE"), (70, 8), (71, 3), (72, 8), (73, 4), .. s_knots, (10, 0.0), (20, 0.0), (30, 0.0), (10, 1.0), (20, 2.0), (30, 1.0), (10, 3.0), (20, 2.0), (30, 4.0), (10, 4.0), (20, 0.0), (30, 9.0),
+    ];
+
+    private static readonly (int, object)[] s_texts =
+    [
+        (0, "TEXT"), (8, "CUT"), (10, 1.0), (20, 2.0), (30, 3.0), (40, 2.5), (1, "50%%d %%% 10^ 2 \\U+00D8\u8F2A"), (50, 30.0), (41, 0.8), (51, 15.0), (7, "NARROW"), (72, 1), (73, 2), (11, 4.0), (21, 5.0),
+        (0, "TEXT"), (10, 0.0), (20, 0.0), (40, 1.0), (1, "fit"), (72, 5), (11, 9.0), (21, 1.0),
+        (0, "MTEXT"), (10, 7.0), (20, 8.0), (40, 2.0), (41, 60.0), (71, 6), (44, 1.5), (50, 20.0), (3, new string('a', 300)), (1, "{\\H2;b}\\Pc \\\\ \\{d\\}\\~e"),
+        (0, "MTEXT"), (10, 7.0), (20, 8.0), (40, 2.0), (71, 1), (1, "back"), (210, 0.0), (220, 0.0), (230, -1.0), (50, 20.0),
+        (0, "INSERT"), (66, 1), (2, "B"), (10, 10.0), (20, 0.0), (41, 2.0), (42, 2.0), (50, 90.0), (0, "ATTRIB"), (10, 1.0), (20, 1.0), (40, 1.0), (1, "tag"), (2, "T"), (70, 1), (0, "SEQEND"),
+    ];
+
+    [Fact]
+    public async Task Heights_come_back_as_they_were()
+    {
+        await using var talk = new CommandTalk();
+        var (before, after) = await SavedAsync(talk, new DxfText().Header("AC1015", 4).Section("ENTITIES", s_raised).End());
+
+        Assert.Equal(8, before.Entities.Count);
+        Assert.Equal(before.Parts.Count, after.Parts.Count);
+        Assert.Equal(DrawingSummary.Of(before).Length.Total, DrawingSummary.Of(after).Length.Total, 1e-9);
+        Assert.Equal(DrawingSummary.Of(before).Length.PlanTotal, DrawingSummary.Of(after).Length.PlanTotal, 1e-9);
+        for (var part = 0; part < before.Parts.Count; part++) Assert.Equal(HeightsOf(before, part), HeightsOf(after, part));
+    }
+
+    [Fact]
+    public async Task Texts_come_back_as_they_were_placed()
+    {
+        await using var talk = new CommandTalk();
+        var (before, after) = await SavedAsync(talk, new DxfText().Header("AC1021", 4)
+            .Section("TABLES", (0, "STYLE"), (2, "STANDARD"), (70, 0), (3, "txt"), (0, "STYLE"), (2, "NARROW"), (70, 0), (3, "simplex.shx"))
+            .Section("BLOCKS", (0, "BLOCK"), (2, "B"), (10, 0.0), (20, 0.0), (0, "TEXT"), (10, 1.0), (20, 0.0), (40, 3.0), (1, "in a block"), (0, "ENDBLK"))
+            .Section("ENTITIES", s_texts).End());
+
+        Assert.Equal(6, before.Texts.Count);
+        Assert.Equal("50° % 10^2 Ø輪", before.Texts[0].Content);
+        Assert.Equal(before.Texts.Select(Shown), after.Texts.Select(Shown));
+        Assert.DoesNotContain("DOC0003", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task What_a_drawing_does_not_hold_is_counted_before_the_file_is_written()
+    {
+        await using var talk = new CommandTalk();
+        (int, object)[] point = [(0, "POINT"), (10, 0.0), (20, 0.0)];
+        await SavedAsync(talk, new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. s_raised, .. point, .. point, (0, "DIMENSION"), (0, "HATCH"), (91, 0), (0, "BODY")]).End());
+
+        Assert.Contains("DOC0003: 5 records are not written, because a drawing holds only curves and texts: 1 BODY, 1 DIMENSION, 1 HATCH, 2 POINT.", talk.Said, StringComparison.Ordinal);
+        Assert.True(talk.Said.IndexOf("DOC0003", StringComparison.Ordinal) < talk.Said.IndexOf("out.dxf written: 8 curves and 0 texts", StringComparison.Ordinal), talk.Said);
+    }
+
+    private static async Task<(Drawing Before, Drawing After)> SavedAsync(CommandTalk talk, DxfText file)
+    {
+        await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), file.ToAscii());
+        await talk.TypeAsync("OPEN", "in.dxf");
+        var before = talk.State.Drawing!;
+        await talk.TypeAsync("SAVEAS", "out.dxf", "OPEN", "out.dxf");
+        return (before, talk.State.Drawing!);
+    }
+
+    private static double[] HeightsOf(Drawing drawing, int index)
+    {
+        var part = drawing.Parts[index];
+        if (!part.IsFreeCurve) return part.Kind == Core.Geometry.SegmentKind.Line ? [part.C, part.F] : [part.C];
+        return [.. drawing.Curves[part.CurveIndex].Spans.ToArray().SelectMany(span => Enumerable.Range(0, span.Degree + 1).Select(i => Math.Round(span.Z(i), 9)))];
+    }
+
+    private static string Shown(PlacedText text) => FormattableString.Invariant(
+        $"{text.Content}|{text.Position.X:0.######} {text.Position.Y:0.######} {text.Position.Z}|{text.End?.X} {text.End?.Y}|{text.Height:0.######} {text.Rotation.Degrees:0.######} {text.WidthFactor:0.######} {text.Oblique.Degrees}|{text.Mirrored} {text.FrameWidth} {text.LineSpacing} {text.Column} {text.Row}|{text.Style} {text.Font} {text.Layer} {text.Hidden}");
+}
