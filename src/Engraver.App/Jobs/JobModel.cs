@@ -40,7 +40,7 @@ public sealed class JobModel : Observable
     }
 
     private IReadOnlyList<CheckLine> ChecksNow() => _desk.Derived.Job is { } job
-        ? [.. ArmingChecklist.Of(job, _desk.Session.Machine.Status, errorsAccepted: false).Checks.Select(check => new CheckLine(check.Passed, check.Sentence))]
+        ? [.. ArmingChecklist.Of(job, _desk.Session.Machine.Status, errorsAccepted: false).Checks.Select(check => new CheckLine(check))]
         : [];
 
     private List<PropertyLine> FiguresNow()
