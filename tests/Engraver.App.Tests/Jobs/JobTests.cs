@@ -24,11 +24,13 @@ public sealed class JobTests(DesktopFixture fixture)
     {
         here.Open("gasket.dxf");
         here.Enter("CNCCONNECT", "sim:?speed=1", "CNCARM", "Stream");
+        here.Show("Job");
         here.Click(here.Find<Button>("StartKey"));
-        here.Until(() => here.Commands.Machine.Status.Progress is { Position.X: not 0.0 });
+        here.Until(() => here.Commands.Machine.Status.Progress is { Position.X: > 1.0 });
+        here.Step();
+        Assert.DoesNotContain(Lines(here), line => line.Mark == "▲"); // a running job is away from its start as it should be
         here.Hands.Press(Key.Pause);
         here.Rest();
-        here.Show("Job");
 
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
         var warning = Assert.Single(Lines(here), line => line.Mark == "▲");
