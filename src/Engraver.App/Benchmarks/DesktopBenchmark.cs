@@ -15,17 +15,22 @@ internal static class DesktopBenchmark
     public const string Start = "start";
 
     private const string Canvas = "canvas";
+
     /// <summary>Processor that the window on a display uses while nobody touches it; with drawing and script. Then the window closes.</summary>
     public const string Idle = "idle";
 
     private const string Stop = "stop";
+
+    /// <summary>The same with keys sent to the window on a display, from outside; with a drawing a job is stopped too. Then the window closes.</summary>
+    public const string StopOnDisplay = "stop-display";
+
     /// <summary>All of the window painted anew, at two sizes.</summary>
     public const string Repaint = "repaint";
 
     /// <summary>From OPEN to the first picture and to everything that follows.</summary>
     public const string Open = "open";
 
-    public static IReadOnlyList<string> Names { get; } = [Start, Canvas, Stop, Repaint, Open, Idle];
+    public static IReadOnlyList<string> Names { get; } = [Start, Canvas, Stop, Repaint, Open, Idle, StopOnDisplay];
 
     /// <summary>One of those that need no window of the operator's.</summary>
     /// <returns>The sentence of what failed; null when all went well.</returns>

@@ -19,7 +19,7 @@ internal static class MemoryBenchmark
                 measure.Open(options.File!);
                 break;
             default:
-                using (var stop = new StopBenchmark(session, window, desktop, options.File, output)) stop.Run();
+                new StopBenchmark(session, window, desktop, options.File, output).Run();
                 break;
         }
     }

@@ -67,7 +67,7 @@ public sealed class CanvasFeed
 
     private void OnPlaybackMoved()
     {
-        _machineLeads = false;
+        _machineLeads = _desk.Derived.FollowsMachine;
         ShowTool();
     }
 

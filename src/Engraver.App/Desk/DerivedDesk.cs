@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Sequencing;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
 using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Desk;
@@ -10,9 +11,13 @@ namespace Engraver.App.Desk;
 public sealed class DerivedDesk(CommandSession session)
 {
     private DmcLines _lines = DmcLines.None;
+    private int? _segmentsDone;
 
     /// <summary>The tool of the playback stands somewhere else.</summary>
     public event Action? Moved;
+
+    /// <summary>The playback follows a job that runs on the machine.</summary>
+    public bool FollowsMachine => _segmentsDone is not null;
 
     public DerivedDocument Current { get; private set; } = DerivedDocument.Nothing;
 
@@ -67,7 +72,9 @@ public sealed class DerivedDesk(CommandSession session)
     {
         Current = session.Derivation.Current;
         if (!ReferenceEquals(session.Playback.Motion, Current.Motion)) session.Playback.Load(Current.Motion);
+        var runs = FollowMachine();
         LookWhereToolIs();
+        if (!runs) _segmentsDone = null;
     }
 
     /// <summary>Asks the playback where the tool is.</summary>
@@ -77,5 +84,19 @@ public sealed class DerivedDesk(CommandSession session)
         if (moment == Moment) return;
         Moment = moment;
         Moved?.Invoke();
+    }
+
+    /// <summary>While the job that is planned here runs, and once more at its end, the playback is put where the machine has come to.</summary>
+    /// <returns>True while a job runs.</returns>
+    private bool FollowMachine()
+    {
+        var status = session.Machine.Status;
+        var runs = status.State is MachineState.Running or MachineState.Stopping;
+        if (!runs && !FollowsMachine) return false;
+        if (Current.Motion is not { } motion || status.Progress is not { } told || told.SegmentCount != motion.SegmentCount || told.SegmentsDone == _segmentsDone) return runs;
+        if (!FollowsMachine) session.Playback.Pause();
+        _segmentsDone = told.SegmentsDone;
+        session.Playback.Scrub(told.SegmentsDone < motion.SegmentCount ? motion.TimeOfSegment(told.SegmentsDone) : motion.DurationSeconds);
+        return runs;
     }
 }

@@ -39,8 +39,9 @@ public sealed class JobModel : Observable
         Tell(null);
     }
 
+    /// <summary>Warnings are for the next start: while a job runs, the machine is away from its start as it should be.</summary>
     private IReadOnlyList<CheckLine> ChecksNow() => _desk.Derived.Job is { } job
-        ? [.. ArmingChecklist.Of(job, _desk.Session.Machine.Status, errorsAccepted: false).Checks.Select(check => new CheckLine(check.Passed, check.Sentence))]
+        ? [.. ArmingChecklist.Of(job, _desk.Session.Machine.Status, errorsAccepted: false).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
         : [];
 
     private List<PropertyLine> FiguresNow()

@@ -45,6 +45,14 @@ public sealed class PanelSizes
         ShowPalettes(folded);
     }
 
+    /// <summary>Something is typed: a folded command line comes up, so that it is seen.</summary>
+    public void BringCommandLine()
+    {
+        if (!IsFolded(PagesName)) return;
+        FoldPages();
+        _pages.Show("Command");
+    }
+
     /// <summary>F2: the history gets much room, and gives it back.</summary>
     public void ExpandHistory()
     {

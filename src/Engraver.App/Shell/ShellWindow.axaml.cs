@@ -82,6 +82,7 @@ public partial class ShellWindow : Window
     private void OnTyped(object? sender, TextInputEventArgs e)
     {
         if (HasKeyboard(e.Source) || Model.Connect.IsOpen || string.IsNullOrEmpty(e.Text)) return;
+        _panels.BringCommandLine();
         CommandLine.Type(e.Text);
         e.Handled = true;
     }

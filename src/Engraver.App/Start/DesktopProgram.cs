@@ -23,7 +23,7 @@ public static class DesktopProgram
     /// <returns>The exit code of the runner's contract.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
-        if (options.Benchmark is not (null or DesktopBenchmark.Start or DesktopBenchmark.Idle)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
+        if (options.Benchmark is not (null or DesktopBenchmark.Start or DesktopBenchmark.Idle or DesktopBenchmark.StopOnDisplay)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
         var session = new DesktopSession(options.Headless ? DesktopSession.OfNobody() : DesktopSession.OfUser());
         AppDomain.CurrentDomain.UnhandledException += EndWithMachineStopped;
         try
@@ -81,6 +81,12 @@ public static class DesktopProgram
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
             while (!window.CanvasFeed.IsCurrent) await Dispatcher.UIThread.InvokeAsync(() => window.CanvasFeed.Shown, DispatcherPriority.Background);
             window.Canvas.RefineNow();
+            if (options.Benchmark == DesktopBenchmark.StopOnDisplay)
+            {
+                await new DisplayStopBenchmark(session.Desk, window, Console.Out).RunAsync(options.File);
+                window.Close();
+            }
+
             if (options.Benchmark == DesktopBenchmark.Idle) IdleBenchmark.Watch(window, Console.Out);
             if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };

@@ -48,5 +48,5 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     }
 
     private void Report() => progress?.Report(new JobProgress(
-        ledger.Stroke, ledger.Sent, ledger.Executed, ledger.SegmentCount, machine.Here.X, machine.Here.Y, machine.IsToolOn, machine.Seconds));
+        ledger.Stroke, ledger.Sent, ledger.Executed, ledger.SegmentCount, machine.Here.X, machine.Here.Y, machine.IsToolOn, machine.Seconds, machine.State.Outputs));
 }

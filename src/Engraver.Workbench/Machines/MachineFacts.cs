@@ -61,7 +61,7 @@ internal sealed record MachineFacts
             FollowingError = JobRuns || Poll is not { } look ? null : new Vector2D(look.ErrorX / profile.CountsPerMillimetreX, look.ErrorY / profile.CountsPerMillimetreY),
             Speed = JobRuns ? null : Poll is { Moves: false } ? 0.0 : Poll?.Speed / profile.Scale.Largest,
             Inputs = JobRuns ? null : Poll?.Inputs,
-            Outputs = JobRuns ? null : Poll?.Outputs,
+            Outputs = JobRuns ? Progress?.Outputs : Poll?.Outputs,
             ToolCommanded = JobRuns ? Progress?.ToolOn : Poll?.Outputs is { } outputs ? (outputs & (1 << (profile.ToolOutput - 1))) != 0 : null,
             MotorsOn = JobRuns ? true : Poll is { } poll ? poll.MotorsOff.Length == 0 : null,
             Limit = JobRuns ? "" : Poll?.Limit ?? "",

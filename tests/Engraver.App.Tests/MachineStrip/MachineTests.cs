@@ -196,7 +196,6 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Step();
 
         Assert.Equal("FAULT", here.Find<TextBlock>("StateText").Text);
-        Assert.False(here.Find<Button>("ArmKey").IsEffectivelyEnabled);
         here.Show("Alarms");
         Assert.Equal(1, here.Find<ListBox>("AlarmList").ItemCount);
         Assert.All(here.Find<ListBox>("AlarmList").GetVisualDescendants().OfType<TextBlock>(), text => Assert.False(text.TextLayout.TextLines.Any(line => line.HasCollapsed || line.HasOverflowed), text.Text));
@@ -204,6 +203,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Step();
         Assert.DoesNotContain(here.Commands.Machine.Alarms.All, alarm => alarm.NeedsAcknowledging);
         Assert.NotEqual(MachineState.Ready, here.Commands.Machine.Status.State);
+        Assert.False(here.Find<Button>("ArmKey").IsEffectivelyEnabled);
     });
 
     [Fact]
@@ -215,12 +215,27 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Enter("CNCCONNECT", "sim:");
         var typed = here.Commands.Machine.Terminal.TypeAsync("SB 3", CancellationToken.None);
         here.Until(() => typed.IsCompleted && lamps.Bits == 4);
+        Assert.Equal(0xFF, here.Find<BitLamps>("InputLamps").Bits); // nothing is wired to them: pulled up
         Assert.True(lamps.IsEffectivelyVisible);
         here.Hands.Resize(new Size(1024, 700));
         here.Step();
 
         Assert.False(lamps.IsEffectivelyVisible);
         Assert.True(here.Find<ProgressBar>("ProgressLine").Bounds.Width >= 40);
+    });
+
+    [Fact]
+    public Task Outputs_are_known_while_a_job_runs() => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        here.Until(() => here.Window.Model.Machine is { Outputs: { } outputs, Tool: not "–" } && outputs != 0);
+
+        Assert.Equal(MachineState.Running, here.Commands.Machine.Status.State);
+        Assert.Null(here.Window.Model.Machine.Inputs); // the job does not ask for them
+        Assert.False(here.Find<Button>("ArmKey").IsEffectivelyEnabled);
+        Assert.False(here.Find<Button>("StartKey").IsEffectivelyEnabled);
+        here.Hands.Press(Key.Pause);
+        here.Rest();
     });
 
     [Fact]

@@ -25,6 +25,26 @@ public sealed class PlaybackTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task While_a_job_runs_the_playback_stands_where_the_machine_is() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Show("Table");
+        here.Enter("CNCCONNECT", "sim:?speed=20");
+        here.Click(here.Find<Button>("ArmKey"));
+        here.Rest();
+        here.Window.Model.Playback.PlayOrPause.Execute(null);
+        here.Click(here.Find<Button>("StartKey"));
+        here.Until(() => here.Commands.Machine.IsRunning && here.Desk.Derived.RowUnderTool > 1);
+
+        Assert.False(here.Window.Model.Playback.IsPlaying);
+        Assert.Contains(here.Window.Model.Playback.At, Enumerable.Range(0, here.Desk.Derived.Current.Motion!.SegmentCount).Select(here.Desk.Derived.Current.Motion.TimeOfSegment));
+        Assert.Equal(here.Desk.Derived.RowUnderTool, here.Find<ListBox>("RowList").SelectedIndex);
+        Assert.Equal(here.Window.Model.Playback.At, here.Find<Avalonia.Controls.Slider>("Scrub").Value);
+        here.Rest();
+        Assert.Equal(here.Window.Model.Playback.Total, here.Window.Model.Playback.At);
+    });
+
+    [Fact]
     public Task The_thumb_stands_in_the_middle_of_its_bar() => fixture.WithOperator(here =>
     {
         var thumb = here.Find<Avalonia.Controls.Slider>("Scrub").GetVisualDescendants().OfType<Avalonia.Controls.Primitives.Thumb>().First();

@@ -16,6 +16,21 @@ namespace Engraver.App.Tests.Shell;
 public sealed class ShellTests(DesktopFixture fixture)
 {
     [Fact]
+    public Task What_is_typed_is_seen_even_when_the_pages_are_folded() => fixture.WithOperator(here =>
+    {
+        here.Show("Table");
+        here.Hands.Press(Key.D9, RawInputModifiers.Control);
+        here.Step();
+        here.Hands.Type("ZO");
+        here.Step();
+
+        Assert.True(here.Find<TextBox>("LineBox").IsEffectivelyVisible);
+        Assert.Equal("ZO", here.Find<TextBox>("LineBox").Text);
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+    });
+
+    [Fact]
     public Task The_main_job_is_done_with_the_keyboard_alone() => fixture.WithOperator(here =>
     {
         here.Enter("OPEN", "nameplate.dxf", "CHECK", "CNCORDER", "Nearest", "CNCCONNECT", "sim:", "CNCARM", "Stream", "CNCRUN");

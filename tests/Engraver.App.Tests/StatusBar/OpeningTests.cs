@@ -20,9 +20,9 @@ public sealed class OpeningTests(DesktopFixture fixture)
         using var goOn = new ManualResetEventSlim();
         here.Commands.Progress.Changed += Hold;
         var opening = here.Desk.RunAsync("OPEN", file);
-        here.Until(() => told.IsSet && here.Window.Model.Status.IsWorking);
-        Assert.Matches("^[0-9]{1,2} % read", here.Find<TextBlock>("WorkText").Text);
-        Assert.True(here.Find<TextBlock>("WorkText").IsEffectivelyVisible);
+        var text = here.Find<TextBlock>("WorkText");
+        here.Until(() => told.IsSet && text.IsEffectivelyVisible && text.Text is { Length: > 0 }); // the word of it is on its way to the window
+        Assert.Matches("^[0-9]{1,2} % read", text.Text);
         here.Hands.Press(Key.Escape);
         here.Until(() => here.Desk.Cancelled.IsCompleted);
         goOn.Set();

@@ -57,12 +57,12 @@ public class MachineFactsTests
     [Fact]
     public void While_a_job_runs_the_place_is_what_the_job_says()
     {
-        var facts = s_idle with { JobRuns = true, Frame = new CountsPoint(10_000, 0), Progress = new JobProgress(2, 9, 7, 20, 3000, 4000, true, 1.5) };
+        var facts = s_idle with { JobRuns = true, Frame = new CountsPoint(10_000, 0), Progress = new JobProgress(2, 9, 7, 20, 3000, 4000, true, 1.5, Outputs: 5) };
         var status = facts.ToStatus(MachineProfile.Default, null);
 
         Assert.Equal((13.0, 3.0, 4.0), (status.MachinePosition!.Value.X, status.WorkPosition!.Value.X, status.WorkPosition.Value.Y));
         Assert.Equal((2, 7, 0.35), (status.Progress!.Stroke, status.Progress.SegmentsDone, status.Progress.Fraction));
-        Assert.Equal((true, null), (status.ToolCommanded!.Value, status.Inputs));
+        Assert.Equal((true, 5, null), (status.ToolCommanded!.Value, status.Outputs!.Value, status.Inputs));
     }
 
     private static MachineFacts With(MachinePoll poll) => s_idle with { Poll = poll };

@@ -1,0 +1,49 @@
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using Engraver.Galil.Jobs;
+
+namespace Engraver.App.Tests.Jobs;
+
+[Collection(DesktopCollection.Name)]
+public sealed class JobTests(DesktopFixture fixture)
+{
+    [Fact]
+    public Task What_is_not_so_is_marked_by_its_shape_and_its_colour() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Show("Job");
+
+        Assert.Contains(("✓", false, "The drawing has no errors.", false), Lines(here));
+        Assert.Contains(("✗", true, "No controller is connected; CNCCONNECT.", false), Lines(here));
+    });
+
+    /// <summary>After a stop the machine stands elsewhere than the next job begins: nothing forbids it, but it is not one of the things that are as they should be.</summary>
+    [Fact]
+    public Task A_warning_is_told_from_what_has_passed_by_word_shape_and_colour() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", "sim:?speed=1", "CNCARM", "Stream");
+        here.Show("Job");
+        here.Click(here.Find<Button>("StartKey"));
+        here.Until(() => here.Commands.Machine.Status.Progress is { Position.X: > 1.0 });
+        here.Step();
+        Assert.DoesNotContain(Lines(here), line => line.Mark == "▲"); // a running job is away from its start as it should be
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+
+        Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+        var warning = Assert.Single(Lines(here), line => line.Mark == "▲");
+        Assert.StartsWith("LOOK: The last job on this machine ended early", warning.Sentence, StringComparison.Ordinal);
+        Assert.True(warning.MarkIsColoured && warning.SentenceIsColoured);
+        Assert.All(Lines(here).Where(line => line.Mark == "✓"), line => Assert.False(line.MarkIsColoured || line.SentenceIsColoured));
+    });
+
+    /// <summary>The list as it stands on the page.</summary>
+    private static List<(string Mark, bool MarkIsColoured, string Sentence, bool SentenceIsColoured)> Lines(Operator here) =>
+    [
+        .. from row in here.Find<ItemsControl>("CheckList").GetVisualDescendants().OfType<Grid>()
+           let texts = row.Children.OfType<TextBlock>().ToArray()
+           select (texts[0].Text!, texts[0].Classes.Contains("warning"), texts[1].Text!, texts[1].Classes.Contains("warning")),
+    ];
+}
