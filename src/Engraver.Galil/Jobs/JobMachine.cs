@@ -14,7 +14,7 @@ internal sealed class JobMachine
     private const double SamplesPerSecond = 1024.0;
 
     /// <summary>Between two looks at the program in the controller, on a serial line.</summary>
-    private const int GlancesBetweenPolls = 8;
+    internal const int GlancesBetweenPolls = 8;
 
     /// <summary>Controller time that ran so much faster than the wall between two polls is no jitter.</summary>
     private const int ClockSamples = 30;
