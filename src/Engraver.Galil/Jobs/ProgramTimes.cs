@@ -7,6 +7,9 @@ namespace Engraver.Galil.Jobs;
 /// <param name="line">Null for a network, on which loading is nothing beside the cutting.</param>
 internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
 {
+    /// <summary>Around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the question for the watchdog; and about half a poll until its end is seen.</summary>
+    private const int BytesAroundChunk = 210;
+
     /// <summary>The line that assigns x and y and calls #RAPID, and the lines of that.</summary>
     private const int RapidStatements = 10;
 
@@ -21,7 +24,7 @@ internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
         if (line is null) return 0.0;
         var frame = new ControllerFrame(program.Start, program.Start);
         var chunks = new WatchedJob(program, frame, dryRun: false).Pack(program.Strokes, DmcLimits.ProgramLines, null).Chunks;
-        return chunks.Sum(chunk => 2.0 * chunk.Text.Length * line.ByteSeconds);
+        return chunks.Sum(chunk => (BytesAroundChunk + (2.0 * chunk.Text.Length)) * line.ByteSeconds);
     }
 
     internal override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program) => RapidStatements * SecondsPerStatement;
