@@ -81,7 +81,7 @@ internal sealed class CommandDesk(Machine machine, SimulatorOptions options) : I
         if (!handle.IsSerial) return true;
         if (options.IsVirtual) machine.Advance(machine.Serial.ByteTime);
         if (machine.Serial.Echo) handle.Send([value]);
-        return handle.IsReceivingText || !machine.TakeSerial((char)value);
+        return handle.IsReceivingText || !machine.Inputs.TakeSerial((char)value);
     }
 
     void ICommandSink.Answered(Handle handle, int replyLength)

@@ -10,7 +10,7 @@ internal sealed class Machine
     private static readonly long TicksPerSample = TimeSpan.TicksPerMillisecond;
 
     private long _clockTicks;
-    private bool _wasMoving;
+    private readonly MotionRecorder _recorder;
     private int _sampleMicroseconds = 1000;
     private long _timeBefore;
     private long _timeSince;
@@ -19,6 +19,8 @@ internal sealed class Machine
     {
         Options = options;
         Motion = new MotionKernel(options);
+        _recorder = new MotionRecorder(Motion, Io);
+        Inputs = new InputChanges(this);
         Records = new DataRecordPush(this);
         Capture = new ArrayCapture(this);
         Program = new ProgramMemory(options.ProgramLines);
@@ -49,7 +51,10 @@ internal sealed class Machine
 
     public MessageRouter Messages { get; }
 
-    public MotionRecord Record { get; } = new();
+    public MotionRecord Record => _recorder.Record;
+
+    /// <summary>The hands at the machine, and the serial line into its programs.</summary>
+    public InputChanges Inputs { get; }
 
     /// <summary>Samples since power up: TIME.</summary>
     public long Sample { get; private set; }
@@ -159,38 +164,7 @@ internal sealed class Machine
 
         Io.SetOutputs(value);
         _outputChanges++;
-        if (!_wasMoving || !Motion.CanProgress) AppendRow();
-    }
-
-    /// <summary>An input changes: latches, selective abort and the input interrupt look at it (galil-dmc.md C, D).</summary>
-    public void SetInput(int input, bool level)
-    {
-        var before = Io.Input(input);
-        Io.SetInput(input, level);
-        if (before == level) return;
-        var polarity = Motion.Polarity;
-        if (input <= Axis.Real && Motion.Axes[input - 1].Latch is { IsArmed: true, WaitsForIndex: false } latch && level == polarity.LatchOnRise)
-            latch.Catch(Motion.Axes[input - 1].Motor.Position);
-        if (input > Axis.Real && !level && polarity.SelectiveAbort)
-        {
-            Motion.Halt(Motion.Axes[input - 1 - Axis.Real], StopCode.SelectiveAbort, motorsOff: false);
-            Threads.Interrupt("POSERR");
-        }
-
-        WatchInputs();
-    }
-
-    /// <summary>Starts #ININT when a watched input has its level.</summary>
-    public void WatchInputs()
-    {
-        if (InputInterrupt.IsDue(Io.Inputs) && Threads.Interrupt("ININT")) InputInterrupt.Taken();
-    }
-
-    /// <summary>A character came in over the serial port; true when it belongs to the program alone (CI n,1).</summary>
-    public bool TakeSerial(char c)
-    {
-        if (SerialInterrupt.Accept(c) && Threads[0].IsRunning && Threads.Interrupt("COMINT")) SerialInterrupt.Taken();
-        return SerialInterrupt.TakesData;
+        _recorder.OutputsChanged(Sample);
     }
 
     /// <summary>AB: no ramps; motors with OE 1 or 3 go off (B.8).</summary>
@@ -241,7 +215,7 @@ internal sealed class Machine
             Records.Step();
             Capture.Step();
             Threads.ForgetUnusedTime();
-            _wasMoving = false;
+            _recorder.Rested();
             return;
         }
 
@@ -254,30 +228,11 @@ internal sealed class Machine
 
     private void StepMotion()
     {
-        if (!_wasMoving && Motion.CanProgress) RecordStart();
-
-        var moved = Motion.Step();
-        _wasMoving = moved;
-        if (moved) AppendRow();
+        _recorder.Before(Sample);
+        _recorder.After(Sample, Motion.Step());
         if (Motion.Contour.WasLate && Motion.Contour.TakeLateness()) LastError = Tc.ContourTooSlow;
 
         for (var hits = Motion.TakeLimitHits(); hits > 0; hits--) Threads.Interrupt("LIMSWI");
         for (var hits = Motion.TakeErrorHits(); hits > 0; hits--) Threads.Interrupt("POSERR");
-    }
-
-    /// <summary>The place a motion starts from, unless the last row says it already.</summary>
-    private void RecordStart()
-    {
-        var row = Row(Sample - 1);
-        var count = Record.Count;
-        if (count == 0 || Record[count - 1] with { Sample = row.Sample } != row) Record.Append(row);
-    }
-
-    private void AppendRow() => Record.Append(Row(Sample));
-
-    private MotionSample Row(long sample)
-    {
-        var axes = Motion.Axes;
-        return new(sample, axes[0].Reference, axes[1].Reference, axes[2].Reference, axes[3].Reference, Io.Outputs);
     }
 }

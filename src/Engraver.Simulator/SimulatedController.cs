@@ -157,7 +157,7 @@ public sealed class SimulatedController : IAsyncDisposable
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(input, 1);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(input, 8);
-        _core.With(m => m.SetInput(input, level));
+        _core.With(m => m.Inputs.Set(input, level));
     }
 
     /// <summary>The abort input was hit: all motion stops without a ramp, programs too unless CN's fifth field is 1 (galil-dmc.md D).</summary>

@@ -7,11 +7,13 @@ namespace Engraver.Cli.Output;
 /// <summary>How the plan of a job is told.</summary>
 internal static class PlanReport
 {
-    public static PlanJson Json(PreparedJob job)
+    /// <param name="program">Of the job, made fit for the link; null when there is nothing this machine can cut.</param>
+    /// <param name="times">Of the program, over the link.</param>
+    public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times)
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);
-        if (job.Motion.Program is not { } program) return new PlanJson(null, length, travel, null, null, null);
-        var (times, peaks) = (MotionTime.Of(program), MotionPeaks.Of(program));
+        if (program is null) return new PlanJson(null, length, travel, null, null, null);
+        var peaks = MotionPeaks.Of(program);
         return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, null);
     }
 

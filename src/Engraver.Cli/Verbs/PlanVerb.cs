@@ -1,31 +1,44 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
-using Engraver.Galil.Programs;
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver plan</c>: how long the streamed job will take on the machine, and what it asks of it.</summary>
+/// <summary><c>engraver plan</c>: how long the job will take on the machine, and what it asks of it.</summary>
 internal static class PlanVerb
 {
     public static Command Build(VerbHost host)
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
+        var connect = ConnectOption.New(required: false, "Where the job will run: over a serial line every byte takes time. Nothing is sent there.");
+        var mode = ModeOption.New();
         var command = new Command("plan", "Says how long the job takes on the machine, without a machine.");
         drawing.AddTo(command);
-        command.Options.Add(json);
+        foreach (var option in (Option[])[json, connect, mode]) command.Options.Add(option);
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
+            var way = ModeOption.Mode(parsed.GetValue(mode));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var job = JobPreparation.Prepare(read, settings, MotionStyle.Continuous);
-            var plan = PlanReport.Json(job);
+            var job = JobPreparation.Prepare(read, settings, MachineRunOptions.StyleOf(way));
+            var (plan, findings) = Planned(job, parsed.GetValue(connect), way);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);
             else PlanReport.Text(host.Out, plan);
-            return Task.FromResult(host.Report(parsed, read.FileName, job.Diagnostics));
+            return Task.FromResult(host.Report(parsed, read.FileName, [.. job.Diagnostics, .. findings]));
         });
         return command;
+    }
+
+    private static (PlanJson Plan, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, JobMode mode)
+    {
+        if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default), []);
+        var fit = MachineRun.FitToLink(program, address, mode, job.Drawing);
+        return (PlanReport.Json(job, fit.Program, MachineRun.PlannedTimes(fit.Program, address, mode)), fit.Diagnostics);
     }
 }

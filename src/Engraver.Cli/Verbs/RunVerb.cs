@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Galil.Jobs;
@@ -17,19 +16,15 @@ internal sealed class RunVerb
 {
     private readonly VerbHost _host;
     private readonly DrawingOptions _drawing = new();
-    private readonly Option<ControllerAddress?> _connect = new("--connect") { Required = true, HelpName = "URL", Description = "tcp://HOST:PORT, serial://DEVICE?baud=19200, or sim: for the simulated controller (sim:?speed=1 in real time).", CustomParser = ParseAddress };
-    private readonly Option<string> _mode = new("--mode") { Description = "stream: vector sequences fed live; calls: the paper's #LINEAR and #CIRC; program: the job downloaded and run in the controller, chunk by chunk.", DefaultValueFactory = _ => "stream" };
+    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, "tcp://HOST:PORT, serial://DEVICE?baud=19200, or sim: for the simulated controller (sim:?speed=1 in real time).");
+    private readonly Option<string> _mode = ModeOption.New();
     private readonly Option<bool> _json = JsonOption.New();
     private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = "Where progress is journalled (default: the user's data folder)." };
     private readonly Option<bool> _dryRun = new("--dry-run") { Description = "Every motion, but the tool stays off." };
     private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = "Write every line on the wire." };
     private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = "Start although the drawing has errors." };
 
-    private RunVerb(VerbHost host)
-    {
-        _host = host;
-        _mode.AcceptOnlyFromAmong("stream", "calls", "program");
-    }
+    private RunVerb(VerbHost host) => _host = host;
 
     public static Command Build(VerbHost host)
     {
@@ -44,7 +39,7 @@ internal sealed class RunVerb
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var settings = _drawing.Settings(parsed);
-        var mode = Mode(parsed.GetValue(_mode));
+        var mode = ModeOption.Mode(parsed.GetValue(_mode));
         var read = DrawingFile.Open(_drawing.File(parsed), settings, stop);
         var job = JobPreparation.Prepare(read, settings, MachineRunOptions.StyleOf(mode));
         var code = _host.Report(parsed, read.FileName, job.Diagnostics);
@@ -59,8 +54,6 @@ internal sealed class RunVerb
         // Accepted errors are errors all the same: the job was done as far as it can be (docs/pipeline.md).
         return ended == ExitCode.Done ? code : ended;
     }
-
-    private static JobMode Mode(string? word) => word switch { "calls" => JobMode.Calls, "program" => JobMode.Program, _ => JobMode.Stream };
 
     private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, MotionProgram program, JobMode mode, CancellationToken stop)
     {
@@ -126,18 +119,5 @@ internal sealed class RunVerb
         {
             throw new UsageException($"{path} cannot be written: {unwritable.Message}", unwritable);
         }
-    }
-
-    internal static ControllerAddress? ParseAddress(ArgumentResult result)
-    {
-        var word = result.Tokens[0].Value;
-        if (!ControllerAddress.TryParse(word, out var address))
-        {
-            result.AddError($"--connect: '{word}' is no controller address; write {ControllerAddress.Forms}.");
-            return null;
-        }
-
-        if (address is SerialAddress && SerialLink.WhyUnsupported is { } why) result.AddError($"--connect: {why}");
-        return address;
     }
 }

@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
+using System.Text.Json;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Simulator;
@@ -20,16 +21,34 @@ internal static class SimulateVerb
         var baud = new Option<int>("--baud") { HelpName = "N", Description = "Rate of the serial port, which every byte takes its time by.", DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
         var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = "Controller seconds for each second on the wall; max: virtual time.", DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
         var record = new Option<string?>("--record") { HelpName = "FILE", Description = "Write every motor sample and output change as CSV (t,a,b,c,d,outputs)." };
-        var command = new Command("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record };
-        command.SetAction((parsed, stop) => RunAsync(host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(speed), parsed.GetValue(record), stop));
+        var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = "What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md)." };
+        var command = new Command("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, faults };
+        command.SetAction((parsed, stop) => RunAsync(
+            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), new SimulatorOptions { Speed = parsed.GetValue(speed), Faults = Faults(parsed.GetValue(faults)) }, stop));
         return command;
     }
 
-    private static async Task<int> RunAsync(VerbHost host, int? port, int? datagrams, string? serial, int baud, double speed, string? record, CancellationToken stop)
+    private static async Task<int> RunAsync(VerbHost host, int? port, int? datagrams, string? serial, int baud, string? record, SimulatorOptions options, CancellationToken stop)
     {
         using var csv = record is null ? null : Create(record);
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed });
+        await using var controller = new SimulatedController(options);
         if (csv is not null) controller.Record.AttachCsv(csv);
+        try
+        {
+            await ServeAsync(host, controller, port, datagrams, serial, baud, stop).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException) when (stop.IsCancellationRequested)
+        {
+            // A signal may come before everything has been said; it ends the serving like any other.
+        }
+
+        return controller.RecordFailure is { } failure ? throw new UsageException($"{record} is incomplete: {failure.Message}", failure) : ExitCode.Done;
+    }
+
+    /// <summary>Opens every way in, says so, and serves until the signal.</summary>
+    /// <exception cref="OperationCanceledException">The signal.</exception>
+    private static async Task ServeAsync(VerbHost host, SimulatedController controller, int? port, int? datagrams, string? serial, int baud, CancellationToken stop)
+    {
         if (port is not null || (serial is null && datagrams is null)) await ListenAsync(host, "tcp", controller.ListenTcpAsync, port ?? 0, stop).ConfigureAwait(false);
         if (datagrams is { } place) await ListenAsync(host, "udp", controller.ListenUdpAsync, place, stop).ConfigureAwait(false);
 
@@ -39,10 +58,7 @@ internal static class SimulateVerb
             await SayAsync(host, $"listening serial://{serial}", stop).ConfigureAwait(false);
         }
 
-        var ended = new TaskCompletionSource();
-        await using var registration = stop.Register(ended.SetResult).ConfigureAwait(false);
-        await ended.Task.ConfigureAwait(false);
-        return controller.RecordFailure is { } failure ? throw new UsageException($"{record} is incomplete: {failure.Message}", failure) : ExitCode.Done;
+        await Task.Delay(Timeout.InfiniteTimeSpan, stop).ConfigureAwait(false);
     }
 
     /// <exception cref="ControllerLinkException">The port is taken or may not be used.</exception>
@@ -88,6 +104,20 @@ internal static class SimulateVerb
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
             throw new UsageException($"{path} cannot be written: {unwritable.Message}", unwritable);
+        }
+    }
+
+    /// <exception cref="UsageException">The file cannot be read or is no plan of faults.</exception>
+    private static FaultPlan? Faults(string? path)
+    {
+        if (path is null) return null;
+        try
+        {
+            return FaultPlan.Parse(File.ReadAllText(path));
+        }
+        catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or JsonException)
+        {
+            throw new UsageException($"--faults {path}: {unusable.Message}", unusable);
         }
     }
 

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Engraver.Cli.Options;
 using Engraver.Cli.Terminals;
 using Engraver.Galil.Links;
 using Engraver.Galil.Profiles;
@@ -14,7 +15,7 @@ internal static class TerminalVerb
 
     public static Command Build(VerbHost host)
     {
-        var connect = new Option<ControllerAddress?>("--connect") { Required = true, HelpName = "URL", Description = "Where the controller is; as for run.", CustomParser = RunVerb.ParseAddress };
+        var connect = ConnectOption.New(required: true, "Where the controller is; as for run.");
         var command = new Command("terminal", "Talks to a controller line by line: type help, or pipe commands in, one a line.") { connect };
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(connect)!, stop));
         return command;

@@ -49,7 +49,7 @@ internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : ISequence
         var arguments = ResidentServer.Arguments(segment, here, speed);
         var where = Text($" Drawing entity {segment.EntityIndex}.");
         if (await machine.SendAsync(arguments, where).ConfigureAwait(false) is { Ends: true } refused) return refused;
-        if (await machine.ToolOnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.Tool.OnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         var calls = machine.State.Calls;
         if (await machine.SendAsync(ResidentServer.GoCommand, where).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         ledger.Sent++;

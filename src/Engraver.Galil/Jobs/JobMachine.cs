@@ -10,35 +10,25 @@ namespace Engraver.Galil.Jobs;
 /// <summary>The machine as a job sees it: commands with the heartbeat between them, polls, the tool. Nothing is sent after the operator's stop.</summary>
 internal sealed class JobMachine
 {
-    /// <summary>Samples in a second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so a settle time is never cut short.</summary>
-    private const double SamplesPerSecond = 1024.0;
-
     /// <summary>Between two looks at the program in the controller, on a serial line.</summary>
-    private const int GlancesBetweenPolls = 8;
-
-    /// <summary>Controller time that ran so much faster than the wall between two polls is no jitter.</summary>
-    private const int ClockSamples = 30;
-    private const double ClockFactor = 3.0;
+    internal const int GlancesBetweenPolls = 8;
 
     private readonly ControllerSession _session;
-    private readonly JobOptions _options;
+    private readonly JobClock _clock;
     private readonly JobLedger _ledger;
     private readonly Action _polled;
     private readonly CancellationToken _stop;
     private readonly Heartbeat _heartbeat;
     private readonly StopHandleWatch _stopHandle;
-    private long? _startTime;
-    private long _polledAt;
     private int _glances;
-    private long _sampleAtPoll;
-    private bool _clockRunsAhead;
 
     public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, Action polled, CancellationToken stop)
     {
         _session = session;
         Profile = program.Profile;
         Start = program.Start;
-        _options = options;
+        _clock = new JobClock(session, options.PollInterval);
+        Tool = new JobTool(this, options.DryRun);
         _ledger = ledger;
         _polled = polled;
         _stop = stop;
@@ -68,14 +58,13 @@ internal sealed class JobMachine
     /// <summary>Where the machine stands, job frame.</summary>
     public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
 
-    /// <summary>Switched on by our own command.</summary>
-    public bool ToolOn { get; private set; }
-
     /// <summary>The serial line that the job goes over; null for none.</summary>
     public SerialLine? Line => _session.Line;
 
+    public JobTool Tool { get; }
+
     /// <summary>Whether the tool output is on, as the controller said last; whoever switched it. A dry run has no tool.</summary>
-    public bool IsToolOn => !_options.DryRun && Known is { } state && (state.Outputs & (1 << (Profile.ToolOutput - 1))) != 0;
+    public bool IsToolOn => Tool.IsSeenOn(Known);
 
     /// <summary>What to add to the report of a refused line of the program in the controller, by its line number.</summary>
     public Func<int, string> PlaceInProgram { get; set; } = _ => "";
@@ -84,10 +73,10 @@ internal sealed class JobMachine
     public CancellationToken Stop => _stop;
 
     /// <summary>Wall time since the last poll.</summary>
-    public TimeSpan SincePoll => _session.Time.GetElapsedTime(_polledAt);
+    public TimeSpan SincePoll => _clock.SincePoll;
 
-    /// <summary>Controller time since the job began: samples of the nominal length TM. The counter wraps at 2^31.</summary>
-    public double Seconds => _startTime is { } start && Known is { } state ? SamplesSince(start, state.Time) * (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6 : 0.0;
+    /// <summary>Controller time since the job began.</summary>
+    public double Seconds => _clock.Seconds;
 
     public async ValueTask<JobStep> SendAsync(string command, string where = "") =>
         await ReplyAsync(command).ConfigureAwait(false) is Rejected rejected ? Refuse(rejected, where) : JobStep.Done;
@@ -154,23 +143,13 @@ internal sealed class JobMachine
 
     private async ValueTask<JobStep> PolledAsync()
     {
-        NoteClock();
-        _polledAt = _session.Time.GetTimestamp();
+        _clock.Polled(State.Time);
         _heartbeat.Saw(State.Time);
-        _startTime ??= State.Time;
         _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, IsToolOn));
         _polled();
         await _stopHandle.LookAsync().ConfigureAwait(false);
         if (State.Tripped || State.ProgramError != 0 || !State.ProgramRuns) return await ProgramEndedAsync().ConfigureAwait(false);
         return await BeatAsync().ConfigureAwait(false);
-    }
-
-    /// <summary>Also in the middle of a job: the comparison at connect is spoiled by a host that was busy just then.</summary>
-    private void NoteClock()
-    {
-        var samples = State.Time - _sampleAtPoll;
-        if (_sampleAtPoll > 0 && samples >= ClockSamples && samples > ClockFactor * SincePoll.TotalMilliseconds) _clockRunsAhead = true;
-        _sampleAtPoll = State.Time;
     }
 
     private string HeartbeatCommand => ResidentServer.HeartbeatCommand(Limit);
@@ -192,7 +171,7 @@ internal sealed class JobMachine
             var (value, end) = await AskAsync(operand).ConfigureAwait(false);
             if (end.Ends || wanted(value)) return end;
             if (await PollAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
-            await PauseAsync().ConfigureAwait(false);
+            await _clock.PauseAsync(_stop).ConfigureAwait(false);
         }
     }
 
@@ -208,7 +187,7 @@ internal sealed class JobMachine
         {
             if (await look().ConfigureAwait(false) is { Ends: true } end) return end;
             if (reached(State)) return JobStep.Done;
-            await PauseAsync().ConfigureAwait(false);
+            await _clock.PauseAsync(_stop).ConfigureAwait(false);
         }
     }
 
@@ -228,10 +207,6 @@ internal sealed class JobMachine
         return JobStep.Done;
     }
 
-    public ValueTask<JobStep> ToolOnAsync() => _options.DryRun || ToolOn ? new(JobStep.Done) : SwitchToolAsync(true);
-
-    public ValueTask<JobStep> ToolOffAsync() => ToolOn ? SwitchToolAsync(false) : new(JobStep.Done);
-
     /// <summary>Nothing is asked over the second handle any more.</summary>
     public ValueTask EndWatchAsync() => _stopHandle.EndAsync();
 
@@ -249,21 +224,4 @@ internal sealed class JobMachine
         var code = (TcCode)State.ProgramError;
         return Refuse(new Rejected(code, TcCodes.Text(code), Text($"line {line:0} of the downloaded program")), PlaceInProgram((int)line));
     }
-
-    private async ValueTask<JobStep> SwitchToolAsync(bool on)
-    {
-        if (await SendAsync(Text($"{(on ? "SB" : "CB")} {Profile.ToolOutput}")).ConfigureAwait(false) is { Ends: true } refused) return refused;
-        ToolOn = on;
-        if (await GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        var from = State.Time;
-        var samples = Math.Ceiling(Profile.ToolSettleSeconds * SamplesPerSecond);
-        return await GlanceUntilAsync(state => SamplesSince(from, state.Time) >= samples).ConfigureAwait(false);
-    }
-
-    private async ValueTask PauseAsync()
-    {
-        if (!_clockRunsAhead && _options.PollInterval > TimeSpan.Zero) await Task.Delay(_options.PollInterval, _session.Time, _stop).ConfigureAwait(false);
-    }
-
-    private static long SamplesSince(long from, long to) => to >= from ? to - from : to - from + (1L << 31);
 }

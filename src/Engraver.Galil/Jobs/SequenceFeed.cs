@@ -124,7 +124,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
     private async ValueTask<JobStep> BeginAsync()
     {
-        if (await machine.ToolOnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.Tool.OnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         _begun = true;
         return await machine.SendAsync("BGS").ConfigureAwait(false);
     }
@@ -161,7 +161,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     {
         ledger.Underruns++;
         ConfirmUpTo(_sent);
-        if (await machine.ToolOffAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         if (await machine.SendAsync("AB 1").ConfigureAwait(false) is { Ends: true } refused) return refused;
         return await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false);
     }

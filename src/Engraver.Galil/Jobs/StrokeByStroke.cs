@@ -35,6 +35,6 @@ internal sealed class StrokeByStroke(MotionProgram program, JobMachine machine, 
             log.SequenceDone();
         }
 
-        return await machine.ToolOffAsync().ConfigureAwait(false);
+        return await machine.Tool.OffAsync().ConfigureAwait(false);
     }
 }

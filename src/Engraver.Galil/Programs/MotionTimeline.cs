@@ -48,14 +48,14 @@ public sealed class MotionTimeline
     private void AddStroke(int index, CountsPoint from)
     {
         var stroke = Program.Strokes[index];
-        var rapid = MotionTime.RapidTo(stroke.Start, from, Program);
+        var rapid = MotionTime.RapidTo(stroke.Start, from, Program, CommandTimes.Ethernet);
         Add(MotionSpanKind.Dwell, rapid.Dwell, index, 0, from, from, toolOn: false);
         Add(MotionSpanKind.Rapid, rapid.Rapid, index, 0, from, stroke.Start, toolOn: false);
-        var settle = MotionTime.ToolSeconds(Program.Profile.ToolSettleSeconds);
+        var settle = MotionTime.ToolAt(stroke.Start, Program, CommandTimes.Ethernet).Dwell;
         for (var i = 0; i < stroke.Sequences.Count; i++)
         {
             var sequence = stroke.Sequences[i];
-            var cut = MotionTime.Cut(sequence, Program);
+            var cut = MotionTime.Cut(sequence, Program, CommandTimes.Ethernet);
             Add(MotionSpanKind.Dwell, cut.Dwell, index, i, sequence.Start, sequence.Start, toolOn: i > 0);
             if (i == 0) Add(MotionSpanKind.Dwell, settle, index, 0, sequence.Start, sequence.Start, toolOn: true);
             Add(MotionSpanKind.Cut, cut.Cutting, index, i, sequence.Start, sequence.End, toolOn: true);

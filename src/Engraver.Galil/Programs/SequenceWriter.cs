@@ -7,7 +7,7 @@ namespace Engraver.Galil.Programs;
 internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame frame, SequenceSpelling spelling)
 {
     /// <summary>Buffered before the machine starts; the rest follows while it moves.</summary>
-    private const int SentBeforeStart = 480;
+    internal const int SentBeforeStart = 480;
 
     /// <summary>Between two looks at the buffer no more segments are sent than #ROOM has waited for.</summary>
     private const int RoomWaitedFor = 50;

@@ -9,7 +9,7 @@ public static class WireFeed
     public const int SegmentsBetweenPolls = 64;
 
     /// <summary>Buffer places in use; the feeder leaves a few alone.</summary>
-    private const int Places = DmcLimits.SegmentBuffer - 5;
+    internal const int Places = DmcLimits.SegmentBuffer - 5;
 
     /// <summary>Bytes of a look at the path and its answer.</summary>
     private const int PollBytes = 100;

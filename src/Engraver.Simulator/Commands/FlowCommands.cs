@@ -83,7 +83,7 @@ internal static class FlowCommands
     {
         End(reader);
         reader.Machine.InputInterrupt.Rearm();
-        reader.Machine.WatchInputs();
+        reader.Machine.Inputs.Watch();
     }
 
     private static void If(StatementReader reader)

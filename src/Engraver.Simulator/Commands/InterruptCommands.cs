@@ -20,7 +20,7 @@ internal static class InterruptCommands
         reader.ExpectEnd();
         var levels = (byte)AxisParameters.InRange(Field(fields, 3) ?? 0, 0, 255);
         reader.Machine.InputInterrupt.Arm(Mask(Field(fields, 0), Field(fields, 1), Field(fields, 2)), levels);
-        reader.Machine.WatchInputs();
+        reader.Machine.Inputs.Watch();
     }
 
     /// <summary>CI 1 interrupts at a carriage return, CI 2 at any character, CI 0 not; CI -1 forgets what has come. A second field 1 takes the port from the command interpreter [U].</summary>

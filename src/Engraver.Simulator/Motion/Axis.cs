@@ -8,9 +8,7 @@ internal sealed class Axis
     public const string Letters = "ABCDNM";
     public const int Real = 4;
 
-    private double _target;
-    private double _speed;
-    private int _direction = 1;
+    private readonly IndependentProfile _profile;
     private double _smoothed;
     private double _shift;
 
@@ -20,6 +18,7 @@ internal sealed class Axis
         Index = index;
         Inputs = new AxisInputs(polarity, options.Switches.FirstOrDefault(s => s.Axis == index));
         Motor = new Motor(index < Real ? options.ServoLag : TimeSpan.Zero);
+        _profile = new IndependentProfile(this);
     }
 
     public int Index { get; }
@@ -79,7 +78,7 @@ internal sealed class Axis
     public bool IsStopping { get; private set; }
 
     /// <summary>It brakes for the end of its move: the final deceleration of the status word (A.9).</summary>
-    public bool IsEnding { get; private set; }
+    public bool IsEnding => _profile.IsEnding;
 
     /// <summary>The profile has ended but its smoothed output has not.</summary>
     public bool IsSmoothing => !IsMoving && Math.Abs(Position - _smoothed) >= 0.5;
@@ -120,11 +119,9 @@ internal sealed class Axis
     public bool IsStepper => Math.Abs(MotorType.Value) >= 2;
 
     /// <summary>Signed commanded speed of the independent move in counts/s.</summary>
-    public double Velocity => _speed * _direction;
+    public double Velocity => _profile.Velocity;
 
-    public bool IsAtSpeed => IsMoving && _speed == Commanded;
-
-    private double Commanded => IsStopping ? 0 : Homing?.Speed ?? (CurrentMove == AxisMove.Jog ? Math.Abs(JogSpeed) : CruiseSpeed);
+    public bool IsAtSpeed => IsMoving && _profile.IsAtSpeed;
 
     public double Setting(string mnemonic, double atStart) => Settings.TryGetValue(mnemonic, out var value) ? value.Value : atStart;
 
@@ -150,7 +147,7 @@ internal sealed class Axis
         _shift += difference;
         Position += difference;
         _smoothed += difference;
-        _target += difference;
+        _profile.Target += difference;
         MoveStart += difference;
         TrippointReference += difference;
         Motor.Define(Motor.Position + difference);
@@ -176,12 +173,10 @@ internal sealed class Axis
         CurrentMove = NextMove;
         Homing = CurrentMove is AxisMove.Home or AxisMove.FindEdge or AxisMove.FindIndex ? new HomingRun(this, CurrentMove) : null;
         if (Homing is not null) NextMove = AxisMove.Relative;
-        _target = PendingTarget() ?? 0;
-        _direction = Homing?.Direction ?? (CurrentMove == AxisMove.Jog ? Math.Sign(JogSpeed) : Math.Sign(_target - Position));
-        _direction = _direction == 0 ? 1 : _direction;
+        double target = PendingTarget() ?? 0;
+        _profile.Begin(target, Homing?.Direction ?? (CurrentMove == AxisMove.Jog ? Math.Sign(JogSpeed) : Math.Sign(target - Position)));
         Smoothing = Setting("IT", 1);
         MoveStart = Position;
-        _speed = 0;
         TrippointReference = Position;
         IsMoving = true;
         IsStopping = false;
@@ -194,16 +189,16 @@ internal sealed class Axis
         AbsoluteTarget = target;
         NextMove = AxisMove.Tracking;
         if (!IsMoving) Begin();
-        _target = target;
+        _profile.Target = target;
     }
 
     /// <summary>IP in motion: a jog jumps, a move goes further (C).</summary>
     /// <exception cref="CommandRefusedException">TC 16: the other way, or the axis already stops.</exception>
     public void Extend(int counts)
     {
-        if (IsStopping || (CurrentMove != AxisMove.Jog && Math.Sign(counts) != _direction)) throw new CommandRefusedException(Tc.WrongSignOfIncrement);
+        if (IsStopping || (CurrentMove != AxisMove.Jog && Math.Sign(counts) != _profile.Direction)) throw new CommandRefusedException(Tc.WrongSignOfIncrement);
         if (CurrentMove == AxisMove.Jog) SetPosition(Position + counts);
-        else _target += counts;
+        else _profile.Target += counts;
     }
 
     public void Stop(int stopCode)
@@ -223,11 +218,16 @@ internal sealed class Axis
     }
 
     /// <summary>One sample; false when the move ended in it.</summary>
-    public bool Step() =>
-        IsStopping || CurrentMove == AxisMove.Jog ? StepFree()
-        : Homing is { } homing ? StepHoming(homing)
-        : CurrentMove == AxisMove.Tracking && MustTurn() ? StepFree()
-        : StepToTarget();
+    public bool Step()
+    {
+        if (_profile.Step() is not { } code) return true;
+        StopCode = code;
+        End();
+        return false;
+    }
+
+    /// <summary>In a homing the switches are passed by the command, not by the motor behind it.</summary>
+    public void PassSwitches() => Inputs.MoveTo(Position - _shift);
 
     /// <summary>Behind every sample: the smoothed output and the motor follow.</summary>
     public void Follow()
@@ -247,69 +247,13 @@ internal sealed class Axis
             || (velocity < 0 && (Inputs.ReverseHit || (ReverseSoftLimit != int.MinValue && Reference <= ReverseSoftLimit)));
     }
 
-    private bool StepToTarget()
-    {
-        if (_speed == 0 && CurrentMove == AxisMove.Tracking) _direction = Math.Sign(_target - Position) is var sign && sign != 0 ? sign : _direction;
-        var remaining = Math.Abs(_target - Position);
-        var towards = Ramp.Towards(_speed, Commanded, Acceleration, Deceleration, Ramp.Sample);
-        var braking = Math.Max(_speed - (Deceleration * Ramp.Sample), Ramp.Braking(_speed, remaining, 0, Deceleration, Ramp.Sample));
-        var next = Math.Min(towards, braking);
-        IsEnding = braking < towards;
-        var distance = (_speed + Math.Max(0, next)) / 2 * Ramp.Sample;
-        if (distance >= remaining - 1e-6 || (next <= 0 && remaining < 0.5))
-        {
-            SetPosition(_target);
-            StopCode = Motion.StopCode.AtTarget;
-            End();
-            return false;
-        }
-
-        _speed = Math.Max(0, next);
-        SetPosition(Position + (_direction * distance));
-        return true;
-    }
-
-    /// <summary>A tracked target lies behind, or too near to stop in front of it.</summary>
-    private bool MustTurn() =>
-        _speed > 0 && (_target - Position) * _direction < (_speed * _speed / (2 * Deceleration)) - (_speed * Ramp.Sample);
-
-    private bool StepFree()
-    {
-        // A jog that changes its sign brakes to zero first and then turns round.
-        var turning = !IsStopping && (CurrentMove == AxisMove.Tracking || (Math.Sign(JogSpeed) == -_direction && JogSpeed != 0));
-        Roll(turning ? 0 : Commanded);
-        if (_speed == 0 && turning) _direction = -_direction;
-        if (_speed > 0 || !IsStopping) return true;
-        End();
-        return false;
-    }
-
-    private bool StepHoming(HomingRun homing)
-    {
-        _direction = homing.Direction;
-        Roll(homing.Speed);
-        Inputs.MoveTo(Position - _shift);
-        if (homing.Look(this, ref _speed) is not { } code) return true;
-        StopCode = code;
-        End();
-        return false;
-    }
-
-    private void Roll(double commanded)
-    {
-        var next = Ramp.Towards(_speed, commanded, Acceleration, Deceleration, Ramp.Sample);
-        SetPosition(Position + (_direction * (_speed + next) / 2 * Ramp.Sample));
-        _speed = next;
-    }
-
     private void End()
     {
         SetPosition(Math.Round(Position, MidpointRounding.AwayFromZero));
         LastStop = (int)Position;
-        _speed = 0;
+        _profile.Rest();
         IsMoving = false;
         IsStopping = false;
-        IsEnding = false;
         Homing = null;
     }
 }

@@ -12,7 +12,7 @@ namespace Engraver.Workbench.Commands;
 /// <remarks>One caller at a time, except that while a job runs commands that are heard then (CNCSTOP, CNCSTATUS) and <see cref="CancelAsync"/> may come from another. Reads and writes follow hmi-conventions.md section 4.</remarks>
 public sealed class CommandSession : IAsyncDisposable
 {
-    private readonly Stack<CommandFrame> _frames = new();
+    private readonly FrameStack _frames = new();
     private readonly ScriptQueue _scripts = new();
     private ICommand? _last;
 
@@ -57,11 +57,11 @@ public sealed class CommandSession : IAsyncDisposable
     public AliasTable Aliases { get; private set; }
 
     /// <summary>True while a command is at work and asks nothing.</summary>
-    public bool IsBusy => _frames.TryPeek(out var frame) && frame.Pending is null;
+    public bool IsBusy => _frames.Top is { Pending: null };
 
     /// <summary>What is waited for now.</summary>
-    public PromptView Prompt => _frames.TryPeek(out var frame) && frame.Pending is { } asks
-        ? new PromptView(frame.Info.Name, Before() + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.WantsPoint)
+    public PromptView Prompt => _frames.Top is { Pending: { } asks } frame
+        ? new PromptView(frame.Info.Name, _frames.Before + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.WantsPoint)
         : PromptView.Idle;
 
     internal CommandEnvironment Environment { get; }
@@ -107,16 +107,7 @@ public sealed class CommandSession : IAsyncDisposable
     public IReadOnlyList<CommandSuggestion> Suggest(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
-        var name = CommandWord.Bare(typed);
-        if (name.Length == 0) return [];
-        var aliases = Aliases.Commands
-            .Where(pair => pair.Key.StartsWith(name, StringComparison.OrdinalIgnoreCase))
-            .OrderBy(pair => pair.Key.Length).ThenBy(pair => pair.Key, StringComparer.Ordinal)
-            .Select(pair => (Alias: pair.Key, Command: Catalog.Find(pair.Value)))
-            .Where(pair => pair.Command is not null)
-            .Select(pair => new CommandSuggestion(pair.Alias, pair.Command!.Info));
-        var names = Catalog.All.Where(info => info.Name.StartsWith(name, StringComparison.OrdinalIgnoreCase)).Select(info => new CommandSuggestion(null, info));
-        return [.. aliases, .. names];
+        return CommandNames.Suggest(typed, Catalog, Aliases);
     }
 
     public async ValueTask DisposeAsync()
@@ -157,13 +148,11 @@ public sealed class CommandSession : IAsyncDisposable
 
     private void OnDerived(object? sender, EventArgs e) => Playback.Load(Derivation.Current.Motion);
 
-    private string Before() => _frames.Count > 1 ? new string('>', 2 * (_frames.Count - 1)) : "";
-
     private async Task<FeedResult> FeedOneAsync(string input, CancellationToken cancellation)
     {
         if (IsBusy) return await HearAsync(input, cancellation).ConfigureAwait(false);
         if (SystemVariables.Of(Settings.Current, "CMDECHO") != 0.0) Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
-        if (!_frames.TryPeek(out var frame)) return await BeginAsync(input, cancellation).ConfigureAwait(false);
+        if (_frames.Top is not { } frame) return await BeginAsync(input, cancellation).ConfigureAwait(false);
         if (input.StartsWith('\'')) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
         return frame.Answer(input, LastPoint) is { } wanted ? new FeedResult.NotUnderstood(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
@@ -196,62 +185,38 @@ public sealed class CommandSession : IAsyncDisposable
     private async Task<FeedResult> BeginInsideAsync(CommandFrame outer, string input, CancellationToken cancellation)
     {
         if (Find(input) is not { } command) return new FeedResult.NotUnderstood($"Unknown command '{input}'; HELP lists what there is.");
-        if (!command.Info.Transparent || _frames.Count > 1) return new FeedResult.NotUnderstood($"{command.Info.Name} cannot be used inside {outer.Info.Name}; end that first.");
+        if (!command.Info.Transparent || _frames.IsNested) return new FeedResult.NotUnderstood($"{command.Info.Name} cannot be used inside {outer.Info.Name}; end that first.");
         return await StartAsync(command, cancellation).ConfigureAwait(false);
     }
 
     private async Task<FeedResult> StartAsync(ICommand command, CancellationToken cancellation)
     {
-        var frame = new CommandFrame(command.Info);
-        _frames.Push(frame);
+        var frame = _frames.Push(command.Info);
         frame.Start(command, new CommandContext(this, frame));
         return await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
 
     private async Task<FeedResult> SettleAsync(CommandFrame frame, CancellationToken cancellation)
     {
-        var result = await SettledAsync(frame, cancellation).ConfigureAwait(false);
-        if (result is not FeedResult.Done || !_frames.TryPeek(out var outer)) return result;
+        var result = await _frames.SettledAsync(frame, cancellation).ConfigureAwait(false);
+        if (result is not FeedResult.Done || _frames.Top is not { } outer) return result;
         Say(MessageKind.Note, $"Resuming {outer.Info.Name} command.");
         return new FeedResult.Asking();
     }
 
-    /// <summary>A command that fails in a way nobody expects is over like any other, and the next one can begin.</summary>
-    private async Task<FeedResult> SettledAsync(CommandFrame frame, CancellationToken cancellation)
+    private Task EndAllAsync()
     {
-        try
-        {
-            return await frame.SettledAsync(cancellation).ConfigureAwait(false);
-        }
-        finally
-        {
-            RemoveEnded();
-        }
-    }
-
-    private async Task EndAllAsync()
-    {
-        CancelFrames();
-        await Task.WhenAll(_frames.Select(frame => frame.Ended)).ConfigureAwait(false);
-        RemoveEnded();
+        _scripts.Clear();
+        return _frames.EndAllAsync();
     }
 
     private void CancelFrames()
     {
         _scripts.Clear();
-        foreach (var frame in _frames.ToArray()) frame.Cancel();
+        _frames.Cancel();
     }
 
-    private void RemoveEnded()
-    {
-        while (_frames.TryPeek(out var frame) && frame.Ended.IsCompleted) _frames.Pop().Dispose();
-    }
-
-    private ICommand? Find(string input)
-    {
-        var name = CommandWord.Bare(input);
-        return Catalog.Find(name) ?? (Aliases.CommandOf(name) is { } meant ? Catalog.Find(meant) : null);
-    }
+    private ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);
 
     /// <summary>Feeds what is queued, until a command fails or the inputs are used up.</summary>
     private async Task<FeedResult> RunScriptsAsync(CancellationToken cancellation)

@@ -18,6 +18,12 @@ public static class MachineRun
         ? WireFit.Of(program, new SerialLine(serial.Baud), drawing.SourceOf)
         : new WireFit(program, []);
 
+    /// <summary>How long the program will take over this link.</summary>
+    /// <param name="program">Made fit for the link (<see cref="FitToLink"/>).</param>
+    /// <param name="address">Null for none: as over a network.</param>
+    public static MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, JobMode mode) =>
+        JobTime.Of(program, address is SerialAddress serial ? new SerialLine(serial.Baud) : null, mode);
+
     /// <param name="job">Prepared in the style of the mode, with a motion program.</param>
     /// <param name="program">Of <paramref name="job"/>, made fit for the link (<see cref="FitToLink"/>).</param>
     /// <exception cref="Galil.Protocol.ControllerException">The link never came up. A link lost later is an outcome, not an exception.</exception>
@@ -50,7 +56,7 @@ public static class MachineRun
         };
         await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
-        return new MachineRunReport(result, Judge(job, program, result, connection, samplesBefore, options.DryRun), session.Identity.Model, MotionTime.Estimate(program));
+        return new MachineRunReport(result, Judge(job, program, result, connection, samplesBefore, options.DryRun), session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
     }
 
     private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, MachineConnection connection, int samplesBefore, bool dryRun)

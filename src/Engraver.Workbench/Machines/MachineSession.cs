@@ -17,8 +17,7 @@ public sealed class MachineSession : IAsyncDisposable
     private readonly Lock _guard = new();
     private readonly TimeProvider _time;
     private readonly MachineBoard _board;
-    private CancellationTokenSource? _job;
-    private TaskCompletionSource? _jobEnded;
+    private readonly JobAtWork _work;
     private MachineConnection? _connection;
     private ControllerAddress? _address;
     private MachineWatch? _watch;
@@ -27,6 +26,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         _time = time;
         _board = new MachineBoard(time, RaiseChanged);
+        _work = new JobAtWork(_board.JobIsOver, RaiseChanged);
         Terminal = new LiveTerminal(time, AnswerAsync);
     }
 
@@ -59,13 +59,7 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>True for a controller that lives in this process.</summary>
     public bool IsSimulation => _connection?.Simulator is not null;
 
-    public bool IsRunning
-    {
-        get
-        {
-            lock (_guard) return _job is not null;
-        }
-    }
+    public bool IsRunning => _work.Stop is not null;
 
     /// <summary>The last word of the job under way or just ended; null before the first.</summary>
     public JobProgress? Progress { get; private set; }
@@ -191,14 +185,7 @@ public sealed class MachineSession : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        Task ended;
-        lock (_guard)
-        {
-            ended = _jobEnded?.Task ?? Task.CompletedTask;
-            _ = _job?.CancelAsync();
-        }
-
-        await ended.ConfigureAwait(false);
+        await _work.EndAsync().ConfigureAwait(false);
         await DisconnectAsync().ConfigureAwait(false);
         _board.Dispose();
     }
@@ -206,7 +193,9 @@ public sealed class MachineSession : IAsyncDisposable
     private (CancellationTokenSource? Job, MachineWatch? Watch) AtWork()
     {
         _board.StopAsked();
-        lock (_guard) return (_job, _watch);
+        MachineWatch? watch;
+        lock (_guard) watch = _watch;
+        return (_work.Stop, watch); // in this order: a job that begins meanwhile is stopped as well
     }
 
     private async Task UrgentlyAsync(MachineWatch watch, Task act)
@@ -221,32 +210,13 @@ public sealed class MachineSession : IAsyncDisposable
         }
     }
 
-    /// <summary>One job at a time, which <see cref="Stop"/> and the caller's token end.</summary>
-    private async Task<MachineRunReport> WithStopAsync(Func<CancellationToken, Task<MachineRunReport>> run, CancellationToken cancellation)
-    {
-        var stop = new CancellationTokenSource(); // not disposed: a stop may come at any moment, and it holds no timer
-        var ended = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-        lock (_guard)
+    private Task<MachineRunReport> WithStopAsync(Func<CancellationToken, Task<MachineRunReport>> run, CancellationToken cancellation) => _work.RunAsync(
+        async stop =>
         {
-            if (_job is not null) throw new InvalidOperationException("A job runs already.");
-            (_job, _jobEnded) = (stop, ended);
-        }
-
-        Progress = null;
-        RaiseChanged();
-        await using var outer = cancellation.Register(stop.Cancel).ConfigureAwait(false);
-        try
-        {
-            return LastRun = await run(stop.Token).ConfigureAwait(false);
-        }
-        finally
-        {
-            lock (_guard) _job = null;
-            _board.JobIsOver();
-            ended.TrySetResult();
-            RaiseChanged();
-        }
-    }
+            Progress = null;
+            return LastRun = await run(stop).ConfigureAwait(false);
+        },
+        cancellation);
 
     private async Task<MachineRunReport> RunWatchedAsync(MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, CancellationToken stop)
     {

@@ -33,6 +33,10 @@ public class SerialRunTests
         Assert.Equal((0, 0), (report.GetProperty("underruns").GetInt32(), report.GetProperty("rejected").GetInt32()));
         Assert.Equal(report.GetProperty("segmentsSent").GetInt32(), report.GetProperty("segmentsExecuted").GetInt32());
         Assert.Equal(0, controller.Status.Outputs & Tool);
+        var plan = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf(name), "--mode", mode, "--connect", "serial:///dev/ttyS0?baud=19200", "--json"));
+        var (planned, took) = (report.GetProperty("plannedSeconds").GetDouble(), report.GetProperty("seconds").GetDouble());
+        Assert.InRange(planned, 0.95 * took, 1.05 * took);
+        Assert.Equal(planned, plan.GetProperty("seconds").GetProperty("total").GetDouble(), precision: 9);
     }
 
     [Theory]

@@ -52,6 +52,42 @@ public class SimulateVerbTests
     }
 
     [Fact]
+    public async Task A_signal_that_comes_before_everything_is_served_is_exit_0_too()
+    {
+        using var early = new CancellationTokenSource();
+        await early.CancelAsync();
+        var run = await CliRun.Of(early.Token, "simulate");
+
+        Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+    }
+
+    [Fact]
+    public async Task A_faults_file_makes_the_controller_refuse_what_it_says()
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        using var simulate = EngraverProcess.Start("simulate", "--speed", "max", "--faults", folder.WithFile("faults.json", """{"refusals":[{"command":2,"tcCode":32}]}"""));
+        using var client = new TcpClient("127.0.0.1", PortOf(await simulate.LineAsync("listening tcp://127.0.0.1:", patience.Token)));
+
+        Assert.Equal(":", await AskAsync(client, "n=1\r", patience.Token));
+        Assert.Equal("?", await AskAsync(client, "n=2\r", patience.Token));
+        Assert.StartsWith("32 ", await AskAsync(client, "TC1\r", patience.Token), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("{\"refusal\":[]}")]
+    [InlineData("no JSON")]
+    [InlineData(null)]
+    public async Task A_faults_file_that_is_none_is_exit_2_with_one_sentence(string? content)
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of("simulate", "--faults", content is null ? folder.PathOf("missing.json") : folder.WithFile("faults.json", content));
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("--faults", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task A_port_that_is_none_is_told_by_the_name_of_its_option()
     {
         var run = await CliRun.Of("simulate", "--udp", "65536");

@@ -1,0 +1,25 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Engraver.Galil.Links;
+
+namespace Engraver.Cli.Options;
+
+/// <summary><c>--connect</c>: where a controller is.</summary>
+internal static class ConnectOption
+{
+    public static Option<ControllerAddress?> New(bool required, string description) =>
+        new("--connect") { Required = required, HelpName = "URL", Description = description, CustomParser = Parse };
+
+    private static ControllerAddress? Parse(ArgumentResult result)
+    {
+        var word = result.Tokens[0].Value;
+        if (!ControllerAddress.TryParse(word, out var address))
+        {
+            result.AddError($"--connect: '{word}' is no controller address; write {ControllerAddress.Forms}.");
+            return null;
+        }
+
+        if (address is SerialAddress && SerialLink.WhyUnsupported is { } why) result.AddError($"--connect: {why}");
+        return address;
+    }
+}

@@ -1,0 +1,27 @@
+namespace Engraver.Galil.Jobs;
+
+/// <summary>The tool of a job: switched by commands, and given its time to settle by the controller's clock. A dry run has none.</summary>
+internal sealed class JobTool(JobMachine machine, bool dryRun)
+{
+    /// <summary>Samples in a second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so a settle time is never cut short.</summary>
+    private const double SamplesPerSecond = 1024.0;
+
+    private bool _isOn;
+
+    public ValueTask<JobStep> OnAsync() => dryRun || _isOn ? new(JobStep.Done) : SwitchAsync(true);
+
+    public ValueTask<JobStep> OffAsync() => _isOn ? SwitchAsync(false) : new(JobStep.Done);
+
+    /// <summary>Whether the output is on, as the controller said last; whoever switched it.</summary>
+    public bool IsSeenOn(MachineState? known) => !dryRun && known is { } state && (state.Outputs & (1 << (machine.Profile.ToolOutput - 1))) != 0;
+
+    private async ValueTask<JobStep> SwitchAsync(bool on)
+    {
+        if (await machine.SendAsync(JobMachine.Text($"{(on ? "SB" : "CB")} {machine.Profile.ToolOutput}")).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        _isOn = on;
+        if (await machine.GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        var from = machine.State.Time;
+        var samples = Math.Ceiling(machine.Profile.ToolSettleSeconds * SamplesPerSecond);
+        return await machine.GlanceUntilAsync(state => JobClock.SamplesSince(from, state.Time) >= samples).ConfigureAwait(false);
+    }
+}

@@ -1,0 +1,38 @@
+using Engraver.Simulator.Motion;
+
+namespace Engraver.Simulator;
+
+/// <summary>What follows when something outside changes: an input line, or a character on the serial port (galil-dmc.md C, C.3, D).</summary>
+internal sealed class InputChanges(Machine machine)
+{
+    /// <summary>An input gets a level: latches, selective abort and the input interrupt look at it.</summary>
+    public void Set(int input, bool level)
+    {
+        var before = machine.Io.Input(input);
+        machine.Io.SetInput(input, level);
+        if (before == level) return;
+        var polarity = machine.Motion.Polarity;
+        if (input <= Axis.Real && machine.Motion.Axes[input - 1].Latch is { IsArmed: true, WaitsForIndex: false } latch && level == polarity.LatchOnRise)
+            latch.Catch(machine.Motion.Axes[input - 1].Motor.Position);
+        if (input > Axis.Real && !level && polarity.SelectiveAbort)
+        {
+            machine.Motion.Halt(machine.Motion.Axes[input - 1 - Axis.Real], StopCode.SelectiveAbort, motorsOff: false);
+            machine.Threads.Interrupt("POSERR");
+        }
+
+        Watch();
+    }
+
+    /// <summary>Starts #ININT when a watched input has its level.</summary>
+    public void Watch()
+    {
+        if (machine.InputInterrupt.IsDue(machine.Io.Inputs) && machine.Threads.Interrupt("ININT")) machine.InputInterrupt.Taken();
+    }
+
+    /// <summary>A character came in over the serial port; true when it belongs to the program alone (CI n,1).</summary>
+    public bool TakeSerial(char c)
+    {
+        if (machine.SerialInterrupt.Accept(c) && machine.Threads[0].IsRunning && machine.Threads.Interrupt("COMINT")) machine.SerialInterrupt.Taken();
+        return machine.SerialInterrupt.TakesData;
+    }
+}

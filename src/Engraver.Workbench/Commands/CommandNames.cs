@@ -1,0 +1,29 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>What is meant by a typed name or the beginning of one.</summary>
+internal static class CommandNames
+{
+    /// <summary>By name or alias; null for none.</summary>
+    public static ICommand? Find(string input, CommandCatalog catalog, AliasTable aliases)
+    {
+        var name = CommandWord.Bare(input);
+        return catalog.Find(name) ?? (aliases.CommandOf(name) is { } meant ? catalog.Find(meant) : null);
+    }
+
+    /// <summary>Commands whose name or alias begins with what is typed; an alias that is meant exactly comes first.</summary>
+    public static IReadOnlyList<CommandSuggestion> Suggest(string typed, CommandCatalog catalog, AliasTable table)
+    {
+        var name = CommandWord.Bare(typed);
+        if (name.Length == 0) return [];
+        var aliases = table.Commands
+            .Where(pair => pair.Key.StartsWith(name, StringComparison.OrdinalIgnoreCase))
+            .OrderBy(pair => pair.Key.Length).ThenBy(pair => pair.Key, StringComparer.Ordinal)
+            .Select(pair => (Alias: pair.Key, Command: catalog.Find(pair.Value)))
+            .Where(pair => pair.Command is not null)
+            .Select(pair => new CommandSuggestion(pair.Alias, pair.Command!.Info));
+        var names = catalog.All.Where(info => info.Name.StartsWith(name, StringComparison.OrdinalIgnoreCase)).Select(info => new CommandSuggestion(null, info));
+        return [.. aliases, .. names];
+    }
+}
