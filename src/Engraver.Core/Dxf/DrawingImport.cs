@@ -156,8 +156,6 @@ internal sealed class DrawingImport
             found = true;
             _content.ReadEntity(_definitions.Unfinished is { } block ? block : _modelSpace);
         }
-
-        if (found) _sections++;
     }
 
     private void ReadEntities()
