@@ -119,12 +119,15 @@ public static class DxfRules
         "{type} at {place} has no control points; a cubic spline through its {count} fit points was used (chord lengths, its end tangents where it gives any).",
         "Compare its course with the CAD program's.");
 
+    public static readonly DiagnosticRule OutsideOfSections = new("DXF0042", Severity.Warning,
+        "At {place} entities stand outside of every section; they were taken as part of the drawing.", "Compare the drawing with the original: an ENDSEC too many, or a lost SECTION.");
+
     /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: those curves are taken.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         EmptyFile, NotDxf, UnitsAssumed, DwgFile, Truncated, DamagedRecord, BadValue, MissingValue, RepeatedValue, NoLength, NegativeRadius, TypeNotRead,
         TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
         WidthIgnored, NoExtrusion, NothingInserted, SplineWeights, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, SplineUnusable, BlockTwice, UnknownCodePage,
-        OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints,
+        OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints, OutsideOfSections,
     ];
 }

@@ -5,7 +5,7 @@ using System.Text;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Pairs of lines: a group code, then its value. Line ends may be LF, CR LF, CR CR LF or CR, also mixed; codes may have blanks around them.</summary>
+/// <summary>Pairs of lines: a group code, then its value. Line ends may be LF, CR LF, CR CR LF, LF CR or CR, also mixed; codes may have blanks around them.</summary>
 internal sealed class AsciiTagSource : DxfTagSource
 {
     private const int ShownText = 40;
@@ -109,7 +109,7 @@ internal sealed class AsciiTagSource : DxfTagSource
         var at = 0;
         while (at < line.Length && line[at] is (byte)' ' or (byte)'\t') at++;
         var negative = at < line.Length && line[at] == '-';
-        if (negative) at++;
+        if (negative || (at < line.Length && line[at] == '+')) at++;
         var first = at;
         for (; at < line.Length && (uint)line[at] - '0' <= 9; at++)
         {
@@ -174,7 +174,7 @@ internal sealed class AsciiTagSource : DxfTagSource
 
     private static int LineEndLength(ReadOnlySpan<byte> end)
     {
-        if (end[0] == '\n') return 1;
+        if (end[0] == '\n') return end.Length > 2 && end[1] == '\r' && end[2] is not ((byte)'\n' or (byte)'\r') ? 2 : 1;
         if (end.Length > 1 && end[1] == '\n') return 2;
         return end.Length > 2 && end[1] == '\r' && end[2] == '\n' ? 3 : 1;
     }

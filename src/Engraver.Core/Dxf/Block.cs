@@ -15,6 +15,9 @@ internal sealed class Block(string name, Vector3D basePoint, int firstCurve)
     /// <summary>One past the last curve.</summary>
     public int EndCurve { get; set; } = firstCurve;
 
+    /// <summary>True when nothing can come of it and nothing is reported of it.</summary>
+    public bool IsEmpty => EndCurve == FirstCurve && Inserts.Count == 0 && Troubles.Count == 0 && Texts.Count == 0;
+
     /// <summary>What its splines cost an expansion beyond one step each: they may have a million spans.</summary>
     public long ExtraSteps { get; set; }
 

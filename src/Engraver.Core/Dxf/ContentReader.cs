@@ -19,38 +19,45 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         if (_record.Kind == RecordKind.Polyline) ReadVertices();
         if (_record.Kind == RecordKind.Insert) attributes = ReadAttributes();
         if (!target.Takes(_record)) return;
+        if (_record.Kind == RecordKind.Insert) AddInsert(target, attributes);
+        else if (DrawsCurve()) AddCurve(target);
+        else if ((RecordKinds.ChoiceOf(_record.Kind) & cut) != 0) AddOutlines(target);
+        else AddOther(target);
+    }
+
+    /// <summary>Maps the record when it is one of the curves; false when it is not.</summary>
+    private bool DrawsCurve()
+    {
         switch (_record.Kind)
         {
             case RecordKind.Line:
                 _mapper.Line(_record);
-                break;
+                return true;
             case RecordKind.Arc:
                 _mapper.Arc(_record);
-                break;
+                return true;
             case RecordKind.Circle:
                 _mapper.Circle(_record);
-                break;
+                return true;
             case RecordKind.Ellipse:
                 _mapper.Ellipse(_record);
-                break;
+                return true;
             case RecordKind.Spline:
                 _mapper.Spline(_record);
-                break;
+                return true;
             case RecordKind.LwPolyline:
                 _mapper.LwPolyline(_record, records.Truncated);
-                break;
+                return true;
             case RecordKind.Polyline:
                 _mapper.FinishPolyline(_record);
-                break;
-            case RecordKind.Insert:
-                AddInsert(target, attributes);
-                return;
+                return true;
             default:
-                if ((RecordKinds.ChoiceOf(_record.Kind) & cut) != 0) AddOutlines(target);
-                else AddOther(target);
-                return;
+                return false;
         }
+    }
 
+    private void AddCurve(IContentTarget target)
+    {
         if (_record.Fault is { } fault) target.Refuse(_record, fault);
         else target.AddCurve(_record, _mapper.Shape);
     }
@@ -70,6 +77,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         outlines.Map(_record);
         if (_record.Fault is { } fault) target.Refuse(_record, fault);
         else target.AddCurves(_record, outlines.Shapes);
+        if (_record.Oddity is { } odd) target.Note(odd);
     }
 
     private void AddOther(IContentTarget target)

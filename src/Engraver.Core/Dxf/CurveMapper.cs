@@ -54,7 +54,7 @@ internal sealed class CurveMapper
         var (centre, major, ratio) = (record.Point(10), record.Point(11), record.Required(40));
         var normal = record.Extrusion();
         if (normal == default) Note(record, DxfRules.NoExtrusion, "");
-        var up = normal == default ? new Vector3D(0.0, 0.0, 1.0) : normal * (1.0 / normal.Length);
+        var up = normal == default ? new Vector3D(0.0, 0.0, 1.0) : normal.Unit();
         var start = record.Number(41, 0.0);
         var sweep = WholeTurns.Sweep(start, record.Number(42, Math.Tau), Math.Tau);
         var ellipse = new EllipseArc(centre, major, up.Cross(major) * ratio, Angle.FromRadians(start), sweep == Math.Tau ? Angle.FullTurn : Angle.FromRadians(sweep));
@@ -157,6 +157,7 @@ internal sealed class CurveMapper
 
     private void Finish(EntityRecord record)
     {
+        if (!Shape.IsInRange) record.Refuse(DxfRules.OutOfRange, record.Line, "");
         if (Shape.Parts.IsEmpty) Note(record, DxfRules.NoLength, "");
         if (record.Oddity is { } odd) Shape.Oddities.Add(odd);
         if (record.RepeatedCode != 0) Note(record, DxfRules.RepeatedValue, record.RepeatedCode.ToString(CultureInfo.InvariantCulture));

@@ -6,7 +6,8 @@ namespace Engraver.Core.Dxf;
 /// <summary>The curve that a record draws, before it goes into the columns. Filled again for every record.</summary>
 internal sealed class CurveShape
 {
-    private DrawingPart[] _parts = new DrawingPart[16];
+    /// <summary>Grows from nothing: a hatch may have a million loops, each a shape of its own.</summary>
+    private DrawingPart[] _parts = [];
     private int _count;
 
     public CurveType Type { get; private set; }
@@ -22,6 +23,20 @@ internal sealed class CurveShape
     public List<RationalCurve> Curves { get; } = [];
 
     public Span<DrawingPart> MutableParts => _parts.AsSpan(0, _count);
+
+    /// <summary>False when a factor (a ratio, a bulge, a weight) carried a value beyond what can be reckoned with, though every number was usable as written.</summary>
+    public bool IsInRange
+    {
+        get
+        {
+            foreach (ref readonly var part in Parts)
+            {
+                if (part.IsFreeCurve ? !PlacedPart.InRange(Curves[part.CurveIndex]) : !PlacedPart.InRange(new Vector3D(part.A, part.B, part.D))) return false;
+            }
+
+            return true;
+        }
+    }
 
     /// <summary>The row for the column of entities; its parts are still to be placed.</summary>
     public DrawingEntity ToEntity(EntityRecord record) => new()
@@ -46,7 +61,7 @@ internal sealed class CurveShape
 
     public void Add(in DrawingPart part)
     {
-        if (_count == _parts.Length) Array.Resize(ref _parts, _count * 2);
+        if (_count == _parts.Length) Array.Resize(ref _parts, Math.Max(2, _count * 2));
         _parts[_count++] = part;
     }
 

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
@@ -16,14 +15,11 @@ internal sealed class DrawingImport
     private readonly RecordReader _records;
     private readonly ContentReader _content;
     private readonly LayerTable _layers;
-    private readonly StyleTable _styles = new();
+    private readonly DefinitionReader _definitions;
     private readonly TextExpander _texts;
-    private readonly Dictionary<int, Block> _blocks = [];
-    private readonly CurveColumns _blockCurves = new();
     private readonly CurveColumns _curves = new();
     private readonly BalanceSheet _balance;
     private readonly ModelSpace _modelSpace;
-    private readonly EntityRecord _record = new();
     private readonly List<(int Position, int Line)> _postponed = [];
     private int _sections;
     private int? _lastDefinitions;
@@ -38,11 +34,14 @@ internal sealed class DrawingImport
         if (tags.IsUtf8) _text.UseUtf8();
         var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Of(tags, cancellation) : new MultiLineStyles();
         _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, cancellation) { Progress = options.Progress };
-        _content = new ContentReader(_records, new TextMapper(_styles), new OutlineMapper(multiLines), options.Cut);
+        var styles = new StyleTable();
+        _content = new ContentReader(_records, new TextMapper(styles), new OutlineMapper(multiLines), options.Cut);
         _layers = new LayerTable(_records.Layers);
         _balance = new BalanceSheet(_log);
-        var expander = new BlockExpander(_blocks, _records.Blocks, _blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
-        _texts = new TextExpander(_blocks, _layers, cancellation);
+        var (blocks, blockCurves) = (new Dictionary<int, Block>(), new CurveColumns());
+        _definitions = new DefinitionReader(_records, _content, styles, _layers, blocks, blockCurves, _balance, _log);
+        var expander = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
+        _texts = new TextExpander(blocks, _layers, cancellation);
         _modelSpace = new ModelSpace(_curves, expander, _texts, _balance, _log);
     }
 
@@ -52,7 +51,8 @@ internal sealed class DrawingImport
         while (_records.Next != RecordKind.FileEnd)
         {
             if (_records.Next == RecordKind.Section) ReadSection();
-            else _records.Skip();
+            else if (_records.Next == RecordKind.SectionEnd) _records.Skip();
+            else ReadLoose();
         }
 
         if (_records.Truncated) _log.Add(DxfRules.Truncated, _records.NextLine, _log.Place(_records.NextLine));
@@ -81,6 +81,7 @@ internal sealed class DrawingImport
     private void ReadSection()
     {
         _sections++;
+        _definitions.Finish();
         var name = _records.EnterSection();
         switch (name)
         {
@@ -88,11 +89,11 @@ internal sealed class DrawingImport
                 ReadHeader();
                 break;
             case "TABLES":
-                ReadTables();
+                ReadDefinitions();
                 _readTables = true;
                 break;
             case "BLOCKS":
-                ReadBlocks();
+                ReadDefinitions();
                 _readBlocks = true;
                 break;
             case "ENTITIES" when IsAheadOfItsBlocks():
@@ -106,7 +107,6 @@ internal sealed class DrawingImport
                 _records.Skip();
                 break;
         }
-
 
         while (!AtSectionEnd()) _records.Skip();
         if (_records.Next == RecordKind.SectionEnd) _records.Skip();
@@ -131,42 +131,31 @@ internal sealed class DrawingImport
         if (_header.CodePage is { } name && !_text.UseCodePage(name)) _log.Add(DxfRules.UnknownCodePage, 0, name);
     }
 
-    private void ReadTables()
+    private void ReadDefinitions()
     {
-        for (_records.Skip(); !AtSectionEnd();)
+        for (_records.Skip(); !AtSectionEnd();) _definitions.Take();
+    }
+
+    /// <summary>
+    /// Records behind an ENDSEC too many, or in front of the first SECTION. Definitions are taken; entities go on with the block that the ENDSEC has cut off, otherwise they are the
+    /// drawing's. The operator is told.
+    /// </summary>
+    private void ReadLoose()
+    {
+        var found = false;
+        for (; !AtSectionEnd();)
         {
-            if (_records.Next is not (RecordKind.LayerEntry or RecordKind.StyleEntry))
+            if (!RecordKinds.IsEntity(_records.Next))
             {
-                _records.Skip();
+                if (_records.Next == RecordKind.BlockEnd) _definitions.Finish();
+                _definitions.Take();
                 continue;
             }
 
-            _records.Read(_record);
-            if (_record.Kind == RecordKind.StyleEntry) _styles.Define(_record);
-            else if (_record.Fault is { } fault) _log.Add(fault);
-            else if (_record.Name >= 0) _layers.Define(_record);
+            if (!found) _log.Add(DxfRules.OutsideOfSections, _records.NextLine, _log.Place(_records.NextLine));
+            found = true;
+            _content.ReadEntity(_definitions.Unfinished is { } block ? block : _modelSpace);
         }
-    }
-
-    private void ReadBlocks()
-    {
-        for (_records.Skip(); !AtSectionEnd();)
-        {
-            if (_records.Next == RecordKind.Block) ReadBlock();
-            else _records.Skip();
-        }
-    }
-
-    private void ReadBlock()
-    {
-        _records.Read(_record);
-        var basePoint = new Vector3D(_record.Number(10, 0.0), _record.Number(20, 0.0), _record.Number(30, 0.0));
-        var block = new Block(_record.Name < 0 ? "" : _records.Blocks[_record.Name], basePoint, _blockCurves.Count);
-        if (_record.Fault is { } fault) _balance.AddInBlock(fault);
-        else if (_record.Name >= 0 && !_blocks.TryAdd(_record.Name, block)) _log.Add(_record.Finding(DxfRules.BlockTwice, block.Name, refused: false));
-        var content = new BlockContent(block, _blockCurves);
-        while (!AtSectionEnd() && _records.Next is not (RecordKind.Block or RecordKind.BlockEnd)) _content.ReadEntity(content);
-        if (_records.Next == RecordKind.BlockEnd) _records.Skip();
     }
 
     private void ReadEntities()

@@ -24,7 +24,7 @@ public static class DxfReader
         ArgumentNullException.ThrowIfNull(options);
         var bytes = file.Span;
         if (bytes.IsEmpty) return Unreadable(fileName, 0, DxfRules.EmptyFile.At(default));
-        if (IsDwg(bytes)) return Unreadable(fileName, bytes.Length, DxfRules.DwgFile.At(default, Encoding.ASCII.GetString(bytes[..6])));
+        if (IsDwg(bytes)) return Unreadable(fileName, bytes.Length, DxfRules.DwgFile.At(default, Encoding.ASCII.GetString(bytes[..6]).TrimEnd('\0')));
         if (ForeignFile.NameOf(bytes) is { } foreign) return Unreadable(fileName, bytes.Length, DxfRules.OtherFormat.At(default, foreign));
         var import = new DrawingImport(TagsOf(file), options, cancellation);
         return import.ReadSections()
@@ -39,8 +39,9 @@ public static class DxfReader
         return new AsciiTagSource(narrowed is null ? file : narrowed) { IsUtf8 = narrowed is not null || file.Span.StartsWith("\uFEFF"u8) };
     }
 
-    /// <summary>A DWG opens with AC and four digits or dots, then binary; in a DXF a version never stands in the first line.</summary>
-    private static bool IsDwg(ReadOnlySpan<byte> bytes) => bytes.Length > 6 && bytes.StartsWith("AC"u8) && bytes[2..6].IndexOfAnyExcept(VersionBytes) < 0;
+    /// <summary>A DWG opens with AC and four digits or dots (the first releases: MC0.0), then binary; in a DXF a version never stands in the first line.</summary>
+    private static bool IsDwg(ReadOnlySpan<byte> bytes) =>
+        bytes.Length > 6 && ((bytes.StartsWith("AC"u8) && bytes[2..6].IndexOfAnyExcept(VersionBytes) < 0) || bytes.StartsWith("MC0.0\0"u8));
 
     private static string Beginning(ReadOnlySpan<byte> bytes)
     {

@@ -99,21 +99,30 @@ internal sealed class EntityRecord
         _values[slot] = value;
     }
 
-    /// <summary>Keeps the pair in its place, and of a kept code also the first value. What is no number is left out: these records are construction, and junk in them harms nothing.</summary>
-    public void Collect(DxfTagSource tags, TextDecoding decode)
+    /// <summary>Keeps the pair in its place, and of a kept code also the first value. What is no number is left out.</summary>
+    /// <returns>False for a value that should be a number and is none: it harms what is cut, not what is only shown.</returns>
+    public bool Collect(DxfTagSource tags, TextDecoding decode)
     {
         var code = tags.Code;
         _embedded |= code == EmbeddedObject;
-        if (_embedded) return;
+        if (_embedded) return true;
         if (code is 1 or 2 or 3 or 4 or 7 or 100)
         {
             if (code == 100) Sequence.Add(new CodedNumber(code, Texts.Count));
             Texts.Add(new CodedText(code, decode(tags.Value)));
-            return;
+            return true;
         }
 
         if (code == TrueColour && tags.TryNumber(out var colour) && !Has(code)) Set(code, colour);
-        if (code is not ((>= 10 and < 100) or (>= 210 and <= 230)) || !tags.TryNumber(out var value)) return;
+        if (code is not ((>= 10 and < 100) or (>= 210 and <= 230))) return true;
+        if (!tags.TryNumber(out var value)) return false;
+        Collect(code, value);
+        return true;
+    }
+
+    /// <summary>Keeps a number in its place.</summary>
+    public void Collect(int code, double value)
+    {
         Sequence.Add(new CodedNumber(code, value));
         if (Keeps(code) && !Has(code)) Set(code, value);
     }

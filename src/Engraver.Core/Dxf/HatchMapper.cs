@@ -18,8 +18,9 @@ internal sealed class HatchMapper
     {
         var pairs = CollectionsMarshal.AsSpan(record.Sequence);
         var elevation = record.Number(30, 0.0);
-        var end = IndexOf(pairs, 0, AfterLoops);
-        for (var at = IndexOf(pairs, 0, LoopStart); at < end;)
+        var first = IndexOf(pairs, 0, LoopStart);
+        var end = IndexOf(pairs, first, AfterLoops);
+        for (var at = first; at < end;)
         {
             var next = Math.Min(IndexOf(pairs, at + 1, LoopStart), end);
             var loop = pairs[(at + 1)..next];

@@ -37,6 +37,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
                 break;
         }
 
+        if (Shapes.Exists(shape => !shape.IsInRange)) record.Refuse(DxfRules.OutOfRange, record.Line, "");
         if (Shapes.Count == 0) record.Refuse(DxfRules.OutlineUnusable, record.Line, "no edge with a length");
     }
 
@@ -46,7 +47,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
         var points = new List<Vector3D>();
         foreach (var point in VertexRun.Of(CollectionsMarshal.AsSpan(record.Sequence), 10))
         {
-            if (points.Count == 0 || points[^1] != point) points.Add(point);
+            if (points.Count == 0 || VertexRun.AreApart(points[^1], point)) points.Add(point);
         }
 
         if (points.Count < 2) return;

@@ -88,7 +88,17 @@ internal static class PlacedPart
     private static bool IsLevel(in Placement placement) =>
         Math.Abs(placement.XAxis.Z) <= FlatSlope * placement.XAxis.Length && Math.Abs(placement.YAxis.Z) <= FlatSlope * placement.YAxis.Length;
 
-    private static bool InRange(Vector3D point) =>
+    public static bool InRange(RationalCurve curve)
+    {
+        foreach (var span in curve.Spans)
+        {
+            if (!InRange(span)) return false;
+        }
+
+        return true;
+    }
+
+    public static bool InRange(Vector3D point) =>
         Math.Abs(point.X) <= DxfNumber.Largest && Math.Abs(point.Y) <= DxfNumber.Largest && Math.Abs(point.Z) <= DxfNumber.Largest;
 
     private static bool InRange(BezierSpan span)

@@ -16,10 +16,10 @@ internal readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector
     public static Placement OfExtrusion(Vector3D direction)
     {
         if (direction is { X: 0.0, Y: 0.0 }) return direction.Z > 0.0 ? Identity : new(new(-1.0, 0.0, 0.0), new(0.0, 1.0, 0.0), new(0.0, 0.0, -1.0), default);
-        var normal = direction * (1.0 / direction.Length);
+        var normal = direction.Unit();
         var helper = Math.Abs(normal.X) < NearWorldZ && Math.Abs(normal.Y) < NearWorldZ ? new Vector3D(0.0, 1.0, 0.0) : new Vector3D(0.0, 0.0, 1.0);
         var x = helper.Cross(normal);
-        x *= 1.0 / x.Length;
+        x = x.Unit();
         return new Placement(x, normal.Cross(x), normal, default);
     }
 

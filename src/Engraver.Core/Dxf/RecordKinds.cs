@@ -29,6 +29,10 @@ internal static class RecordKinds
     public static bool HasNumbers(RecordKind kind) => kind is not (RecordKind.Unknown or RecordKind.Construction or RecordKind.Text or RecordKind.Point
         or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.StyleEntry) && !IsOutline(kind);
 
+    /// <summary>True for what stands in ENTITIES or in a block and is known there.</summary>
+    public static bool IsEntity(RecordKind kind) => kind is (>= RecordKind.Line and <= RecordKind.Polyline) or RecordKind.Insert or RecordKind.Text or RecordKind.Point or RecordKind.Construction
+        || IsOutline(kind);
+
     /// <summary>True for construction that an operator may want cut all the same (<see cref="CutChoice"/>).</summary>
     public static bool IsOutline(RecordKind kind) => kind is RecordKind.Hatch or RecordKind.MultiLine or RecordKind.Leader or RecordKind.Helix or RecordKind.Face;
 

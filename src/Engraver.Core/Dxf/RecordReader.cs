@@ -133,11 +133,22 @@ internal sealed class RecordReader
                 record.Name = Layers.IdOf(_tags.Value);
                 break;
             default:
-                if (RecordKinds.IsCollected(record.Kind, _cut)) record.Collect(_tags, _decode);
+                if (RecordKinds.IsCollected(record.Kind, _cut)) Collect(record);
                 else AcceptNumber(record, _tags.Code);
                 break;
         }
     }
+
+    /// <summary>A bad number of an outline would bend what is cut; in a text it harms nothing.</summary>
+    private void Collect(EntityRecord record)
+    {
+        if (record.Collect(_tags, _decode) || !RecordKinds.IsOutline(record.Kind)) return;
+        if (TryOddNumber(record, _tags.Code, out var value)) record.Collect(_tags.Code, value);
+        else RefuseValue(record, _tags.Code);
+    }
+
+    private void RefuseValue(EntityRecord record, int code) =>
+        record.Refuse(DxfRules.BadValue, _tags.ValueLine, string.Create(CultureInfo.InvariantCulture, $"group {code} is '{ShownText()}'"));
 
     private void AcceptNumber(EntityRecord record, int code)
     {
@@ -145,7 +156,7 @@ internal sealed class RecordReader
         var repeats = (record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 30 or 40 or 41 or 42) || (record.Kind == RecordKind.Spline && code is 10 or 20 or 30 or 11 or 21 or 31 or 40 or 41);
         if (!_tags.TryNumber(out var value) && !TryOddNumber(record, code, out value))
         {
-            if (code != EntityRecord.TrueColour) record.Refuse(DxfRules.BadValue, _tags.ValueLine, string.Create(CultureInfo.InvariantCulture, $"group {code} is '{ShownText()}'"));
+            if (code != EntityRecord.TrueColour) RefuseValue(record, code);
         }
         else if (repeats)
         {

@@ -10,6 +10,10 @@ internal sealed class SplineMapper
 {
     private const int DegreeWithoutGroup = 3;
     private const int ClosedFlag = 1;
+
+    /// <summary>A weight so much smaller than the largest is none.</summary>
+    private const double SmallestWeight = 1e-60;
+
     private readonly List<Vector3D> _controls = [];
     private readonly List<Vector3D> _fitPoints = [];
     private readonly List<double> _knots = [];
@@ -46,7 +50,7 @@ internal sealed class SplineMapper
         var isTorn = _controls.Exists(point => double.IsNaN(point.Y)) || _fitPoints.Exists(point => double.IsNaN(point.Y));
         if (isTorn) record.Refuse(DxfRules.MissingValue, record.Line, "20 or 21 for one of its points");
         if (record.Fault is not null) return;
-        var curve = _controls.Count > 0 ? FromControls(record, shape) : FromFitPoints(record, shape);
+        var curve = _controls.Count > 0 && (_controls.Count > _degree || _fitPoints.Count < 2) ? FromControls(record, shape) : FromFitPoints(record, shape);
         if (curve is null) return;
         shape.Closed = curve.IsClosed;
         shape.Add(curve);
@@ -101,12 +105,13 @@ internal sealed class SplineMapper
     /// <summary>Weights that do not fit, or are not all positive, cannot be meant: all are taken as 1 then.</summary>
     private double[] Homogeneous(EntityRecord record, CurveShape shape)
     {
-        var weighted = _weights.Count == _controls.Count && _weights.TrueForAll(weight => weight > 0.0);
+        var largest = _weights.DefaultIfEmpty(1.0).Max(); // only their ratios count
+        var weighted = _weights.Count == _controls.Count && largest > 0.0 && _weights.TrueForAll(weight => weight / largest > SmallestWeight);
         if (!weighted && _weights.Count > 0) Note(record, shape, DxfRules.SplineWeights, string.Create(CultureInfo.InvariantCulture, $"{_weights.Count} weights for {_controls.Count} control points"));
         var points = new double[_controls.Count * BezierSpan.Stride];
         for (var i = 0; i < _controls.Count; i++)
         {
-            var weight = weighted ? _weights[i] : 1.0;
+            var weight = weighted ? _weights[i] / largest : 1.0;
             var point = _controls[i] * weight;
             (points[4 * i], points[(4 * i) + 1], points[(4 * i) + 2], points[(4 * i) + 3]) = (point.X, point.Y, point.Z, weight);
         }
@@ -120,10 +125,10 @@ internal sealed class SplineMapper
         var points = new List<Vector3D>();
         foreach (var point in _fitPoints)
         {
-            if (points.Count == 0 || points[^1] != point) points.Add(point);
+            if (points.Count == 0 || VertexRun.AreApart(points[^1], point)) points.Add(point);
         }
 
-        while (closed && points.Count > 1 && points[^1] == points[0]) points.RemoveAt(points.Count - 1);
+        while (closed && points.Count > 1 && !VertexRun.AreApart(points[^1], points[0])) points.RemoveAt(points.Count - 1);
         if (_fitPoints.Count < 2) record.Refuse(DxfRules.SplineUnusable, record.Line, string.Create(CultureInfo.InvariantCulture, $"no control points and {_fitPoints.Count} fit points"));
         if (points.Count < 2) return null;
         Note(record, shape, DxfRules.SplineFromFitPoints, string.Create(CultureInfo.InvariantCulture, $"{_fitPoints.Count}"));

@@ -20,6 +20,14 @@ internal static class VertexRun
         return points;
     }
 
+    /// <summary>False for one spot, and for two so near that the square of their distance cannot be divided by.</summary>
+    public static bool AreApart(Vector3D first, Vector3D second)
+    {
+        const double SmallestSquare = 1e-200;
+        var step = second - first;
+        return step.Dot(step) > SmallestSquare;
+    }
+
     /// <summary>Joins neighbours; two on one spot have no line between them.</summary>
     public static void Connect(IReadOnlyList<Vector3D> points, bool closed, CurveShape shape)
     {

@@ -5,6 +5,13 @@ public readonly record struct Vector3D(double X, double Y, double Z)
 {
     public double Length => Math.Sqrt(Dot(this));
 
+    /// <summary>The same direction with length 1, also where the squares of the components underflow or overflow. Not for the zero vector.</summary>
+    public Vector3D Unit()
+    {
+        var scaled = this * (1.0 / Math.Max(Math.Max(Math.Abs(X), Math.Abs(Y)), Math.Abs(Z)));
+        return scaled * (1.0 / scaled.Length);
+    }
+
     public double Dot(Vector3D other) => (X * other.X) + (Y * other.Y) + (Z * other.Z);
 
     public Vector3D Cross(Vector3D other) => new((Y * other.Z) - (Z * other.Y), (Z * other.X) - (X * other.Z), (X * other.Y) - (Y * other.X));

@@ -52,6 +52,7 @@ public class DiagnosticTests
         ["DXF0039"] = Inserting([(0, "TEXT"), (10, 0), (20, 0), (40, 1), (1, "x")], (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (70, 32767), (71, 32767)),
         ["DXF0040"] = "%PDF-1.7\n"u8.ToArray(),
         ["DXF0041"] = Entities((0, "SPLINE"), (71, 3), (11, 1), (21, 0), (11, 2), (21, 2), (11, 5), (21, 0)),
+        ["DXF0042"] = new DxfText().Header("AC1015", 4).Add(Line).End().ToAscii(),
     };
 
     public static TheoryData<string> Ids => [.. DxfRules.All.Select(rule => rule.Id)];

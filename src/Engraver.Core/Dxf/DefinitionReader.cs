@@ -1,0 +1,56 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Reads what entities refer to: the layers and text styles of TABLES, the blocks of BLOCKS.</summary>
+internal sealed class DefinitionReader(
+    RecordReader records, ContentReader content, StyleTable styles, LayerTable layers, Dictionary<int, Block> blocks, CurveColumns curves, BalanceSheet balance, ImportLog log)
+{
+    /// <summary>The block is an external reference or laid over as one: its drawing is another file.</summary>
+    private const int ExternalFlags = 4 | 8;
+
+    private readonly EntityRecord _record = new();
+
+    /// <summary>The block that its section's end has cut off before ENDBLK; null when there is none.</summary>
+    public BlockContent? Unfinished { get; private set; }
+
+    /// <summary>Takes a definition; every other record is passed over.</summary>
+    public void Take()
+    {
+        if (records.Next == RecordKind.Block) TakeBlock();
+        else if (records.Next is RecordKind.LayerEntry or RecordKind.StyleEntry) TakeTableEntry();
+        else records.Skip();
+    }
+
+    /// <summary>No record that follows belongs to a block that has not ended.</summary>
+    public void Finish() => Unfinished = null;
+
+    private void TakeTableEntry()
+    {
+        records.Read(_record);
+        if (_record.Kind == RecordKind.StyleEntry) styles.Define(_record);
+        else if (_record.Fault is { } fault) log.Add(fault);
+        else if (_record.Name >= 0) layers.Define(_record);
+    }
+
+    private void TakeBlock()
+    {
+        records.Read(_record);
+        var basePoint = new Vector3D(_record.Number(10, 0.0), _record.Number(20, 0.0), _record.Number(30, 0.0));
+        var block = new Block(_record.Name < 0 ? "" : records.Blocks[_record.Name], basePoint, curves.Count);
+        var target = new BlockContent(block, curves);
+        while (records.Next is not (RecordKind.Block or RecordKind.BlockEnd or RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd)) content.ReadEntity(target);
+        Unfinished = records.Next == RecordKind.SectionEnd ? target : null;
+        if (records.Next == RecordKind.BlockEnd) records.Skip();
+        Define(block);
+    }
+
+    /// <summary>An external reference without content is not in the file, so that its inserts are refused instead of drawing nothing.</summary>
+    private void Define(Block block)
+    {
+        if (_record.Fault is { } fault) balance.AddInBlock(fault);
+        else if (_record.Name < 0 || ((_record.Flags(70) & ExternalFlags) != 0 && block.IsEmpty)) return;
+        else if (!blocks.TryAdd(_record.Name, block)) log.Add(_record.Finding(DxfRules.BlockTwice, block.Name, refused: false));
+    }
+}
