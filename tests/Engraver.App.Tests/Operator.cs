@@ -45,7 +45,17 @@ internal sealed class Operator
 
     public void Step() => _fixture.Desktop.Step();
 
-    public void Until(Func<bool> condition) => _fixture.Desktop.StepUntil(condition, s_patience);
+    public void Until(Func<bool> condition)
+    {
+        try
+        {
+            _fixture.Desktop.StepUntil(condition, s_patience);
+        }
+        catch (TimeoutException late)
+        {
+            throw new TimeoutException($"{late.Message} The history ends with:\n{string.Join('\n', History.TakeLast(15))}", late);
+        }
+    }
 
     /// <summary>Types words with Enter after each, and waits until all is worked on.</summary>
     public void Enter(params ReadOnlySpan<string> words)

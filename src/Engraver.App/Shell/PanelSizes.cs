@@ -45,11 +45,10 @@ public sealed class PanelSizes
         ShowPalettes(folded);
     }
 
-    /// <summary>Something is typed: a folded command line comes up, so that it is seen.</summary>
+    /// <summary>Something is typed: the command line comes to the front, so that it is seen.</summary>
     public void BringCommandLine()
     {
-        if (!IsFolded(PagesName)) return;
-        FoldPages();
+        if (IsFolded(PagesName)) FoldPages();
         _pages.Show("Command");
     }
 

@@ -59,7 +59,7 @@ internal sealed class SecondFile
         return int.TryParse(line, NumberStyles.Integer, CultureInfo.InvariantCulture, out var code) ? code : null;
     }
 
-    /// <summary>Where a line ends and where the next begins; -1 when it is the last. LF, CR, CR LF and CR CR LF end a line.</summary>
+    /// <summary>Where a line ends and where the next begins; -1 when it is the last. LF, CR, CR LF, CR CR LF and LF CR end a line.</summary>
     private (int End, int Next) LineFrom(int start)
     {
         var length = _bytes.AsSpan(start).IndexOfAny((byte)'\r', (byte)'\n');
@@ -67,7 +67,9 @@ internal sealed class SecondFile
         var end = start + length;
         var next = end;
         while (next < end + 2 && next < _bytes.Length && _bytes[next] == '\r') next++;
-        if (next < _bytes.Length && _bytes[next] == '\n') return (end, next + 1);
-        return (end, end + 1);
+        if (next < _bytes.Length && _bytes[next] == '\n') next++;
+        else next = end + 1;
+        if (_bytes[end] == '\n' && next + 1 < _bytes.Length && _bytes[next] == '\r' && _bytes[next + 1] is not ((byte)'\r' or (byte)'\n')) next++;
+        return (end, next);
     }
 }

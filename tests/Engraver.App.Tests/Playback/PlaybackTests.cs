@@ -28,8 +28,8 @@ public sealed class PlaybackTests(DesktopFixture fixture)
     public Task While_a_job_runs_the_playback_stands_where_the_machine_is() => fixture.WithOperator(here =>
     {
         here.Open("paper-001.dxf");
-        here.Show("Table");
         here.Enter("CNCCONNECT", "sim:?speed=20");
+        here.Show("Table");
         here.Click(here.Find<Button>("ArmKey"));
         here.Rest();
         here.Window.Model.Playback.PlayOrPause.Execute(null);

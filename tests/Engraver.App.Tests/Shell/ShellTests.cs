@@ -15,11 +15,13 @@ namespace Engraver.App.Tests.Shell;
 [Collection(DesktopCollection.Name)]
 public sealed class ShellTests(DesktopFixture fixture)
 {
-    [Fact]
-    public Task What_is_typed_is_seen_even_when_the_pages_are_folded() => fixture.WithOperator(here =>
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public Task What_is_typed_is_seen_even_when_another_page_is_in_front_or_all_are_folded(bool folded) => fixture.WithOperator(here =>
     {
         here.Show("Table");
-        here.Hands.Press(Key.D9, RawInputModifiers.Control);
+        if (folded) here.Hands.Press(Key.D9, RawInputModifiers.Control);
         here.Step();
         here.Hands.Type("ZO");
         here.Step();

@@ -66,6 +66,7 @@ public class SecondOpinionTests
     }
 
     [Theory]
+    [InlineData("\n\r")]
     [InlineData("\n")]
     [InlineData("\r")]
     [InlineData("\r\n")]
