@@ -13,6 +13,7 @@ namespace Engraver.SoftwarePlatform.Headless;
 public sealed class HeadlessDesktop
 {
     private static readonly TimeSpan FrameTime = TimeSpan.FromSeconds(1.0 / 60);
+    private static readonly TimeSpan s_shortestWait = TimeSpan.FromMilliseconds(1);
     private ImmutableList<HeadlessWindow> _windows = [];
     private SoftwareDispatcher? _dispatcher;
     private HandFiredTimer? _frames;
@@ -63,7 +64,8 @@ public sealed class HeadlessDesktop
             if (condition()) return;
             var left = timeout - watch.Elapsed;
             if (left <= TimeSpan.Zero) throw new TimeoutException($"The condition did not come to hold within {timeout.TotalSeconds} s.");
-            Loop.WaitForWork(_frames!.IsWanted && left > FrameTime ? FrameTime : left, CancellationToken.None);
+            var rest = left > s_shortestWait ? left : s_shortestWait; // a wait below the clock's step is none
+            Loop.WaitForWork(_frames!.IsWanted && left > FrameTime ? FrameTime : rest, CancellationToken.None);
         }
     }
 

@@ -140,7 +140,9 @@ public class NetworkRunTests
         using var patience = new CancellationTokenSource(s_patience);
         await using var controller = new SimulatedController(new SimulatorOptions());
         var running = CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
-        await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+        var cutting = controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+        Assert.True(await Task.WhenAny(running, cutting) == cutting, running.IsCompleted ? (await running).Error + (await running).Out : "");
+        await cutting;
         controller.DropConnections();
         var cutAt = controller.Status.Sample;
         var run = await running;
