@@ -1,0 +1,42 @@
+using Engraver.Simulator;
+
+namespace Engraver.Cli.Tests.Runs;
+
+/// <summary>A job beside other work of the same process: an opening drawing, tiles, a plan. The controller's dead man allows one second, so the heartbeat must not wait until a thread of the pool is free.</summary>
+[Collection(nameof(BusyProcess))]
+public class BusyProcessTests
+{
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("program")]
+    public async Task A_job_reaches_its_end_while_more_work_waits_than_the_machine_has_cores(string mode)
+    {
+        using var folder = new TemporaryFolder();
+        using var over = new CancellationTokenSource();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 4 });
+        var place = await controller.ListenTcpAsync(0, CancellationToken.None);
+        var others = Enumerable.Range(0, Environment.ProcessorCount * 4).Select(_ => Task.Run(() => WorkUntil(over.Token))).ToArray();
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "tcp://" + place, "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
+        await over.CancelAsync();
+        var work = await Task.WhenAll(others);
+
+        Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
+        Assert.All(work, rounds => Assert.True(rounds > 0));
+    }
+
+    private static long WorkUntil(CancellationToken over)
+    {
+        var rounds = 0L;
+        while (!over.IsCancellationRequested)
+        {
+            rounds++;
+            Thread.SpinWait(1000);
+        }
+
+        return rounds;
+    }
+}
+
+/// <summary>Tests that keep every core busy on purpose run alone.</summary>
+[CollectionDefinition(nameof(BusyProcess), DisableParallelization = true)]
+public sealed class BusyProcess;
