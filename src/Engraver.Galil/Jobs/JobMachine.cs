@@ -27,7 +27,7 @@ internal sealed class JobMachine
         _session = session;
         Profile = program.Profile;
         Start = program.Start;
-        _clock = new JobClock(session, options.PollInterval);
+        _clock = new JobClock(session.Time, (session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6, options.PollInterval);
         Tool = new JobTool(this, options.DryRun);
         _ledger = ledger;
         _polled = polled;
@@ -117,6 +117,7 @@ internal sealed class JobMachine
     /// <summary>Asks where the machine is. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
+        _clock.Asks();
         if (Line is null) return await ReadAsync(MachineState.Operands, MachineState.Of).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
         if (await ReadAsync(MachineState.ProgramOperands, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
         return await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
@@ -126,6 +127,7 @@ internal sealed class JobMachine
     public async ValueTask<JobStep> GlanceAsync()
     {
         if (Line is null || Known is null || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
+        _clock.Asks();
         if (await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
 
         // The axes were last seen at work for the path: now that it has ended they must be asked again.

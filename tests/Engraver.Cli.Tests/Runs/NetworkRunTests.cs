@@ -68,7 +68,7 @@ public class NetworkRunTests
     {
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 20 });
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 5 });
         Assert.Equal(":::::::", await AskAsync(controller, "DL\r#OWNER\rMG 1\rEN\r\\VSS=6002;VAS=51200;SPA=1234;VR 0.3;CW 2\r", patience.Token));
         const string Questions = "MG _VSS,_VAS,_SPA,_VRS{$8.4},_CW\rUL\r";
         var before = await AskAsync(controller, Questions, patience.Token);
@@ -83,7 +83,7 @@ public class NetworkRunTests
         Assert.NotEqual(before, await AskAsync(controller, Questions, patience.Token));
         var run = await CliRun.Of(words);
 
-        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
         Assert.Equal(before, await AskAsync(controller, Questions, patience.Token));
     }
 

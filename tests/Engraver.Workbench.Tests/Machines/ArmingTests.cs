@@ -80,7 +80,7 @@ public class ArmingTests
     {
         await using var talk = new Commands.CommandTalk();
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
-        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=20", "CNCARM", "Stream");
+        await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=4", "CNCARM", "Stream");
         Assert.DoesNotContain("LOOK", talk.Said, StringComparison.Ordinal);
         var cutting = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         talk.Session.Machine.Changed += (_, _) => { if (talk.Session.Machine.Status is { ToolCommanded: true, WorkPosition.X: > 60 }) cutting.TrySetResult(); };
