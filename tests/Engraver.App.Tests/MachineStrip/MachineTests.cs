@@ -199,6 +199,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Step();
 
         Assert.Equal("FAULT", here.Find<TextBlock>("StateText").Text);
+        Assert.Equal(("–", "–", null), (here.Window.Model.Machine.Tool, here.Window.Model.Machine.Feed, here.Window.Model.Machine.Outputs));
         var tab = here.Find<PageTabs>("Pages").Pages.Single(page => page.Key == "Alarms");
         Assert.Equal((1, false), (tab.Waiting, tab.IsMade));
         var told = here.Find<PageTabs>("Pages").GetVisualDescendants().OfType<ListBoxItem>().Single(item => item.DataContext == tab);
