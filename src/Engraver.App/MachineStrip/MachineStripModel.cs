@@ -80,11 +80,7 @@ public sealed class MachineStripModel : Observable
     public string SegmentsText => _status.Progress is { } at ? Text.Of("Machine.SegmentsText", at.SegmentsDone, at.SegmentCount) : "";
 
     /// <summary>Empty while no job has a progress.</summary>
-    public string TimeLeft => _status.Progress is { } at ? Text.Of("Machine.TimeLeft", ClockText.Of(SecondsLeft(at))) : "";
-
-    /// <summary>By the plan of the segments that are still to do; dwells at their true length.</summary>
-    private double SecondsLeft(EngravedProgress at) =>
-        _desk.Derived.Current.Motion is { } motion && at.SegmentsDone < Math.Min(at.SegmentCount, motion.SegmentCount) ? motion.DurationSeconds - motion.TimeOfSegment(at.SegmentsDone) : 0.0;
+    public string TimeLeft => _status.Progress is { } at ? Text.Of("Machine.TimeLeft", ClockText.Of(_desk.Derived.SecondsLeft(at.SegmentsDone, at.SegmentCount))) : "";
 
     private void Look()
     {

@@ -1,3 +1,4 @@
+using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
@@ -27,7 +28,7 @@ public sealed class TypingTests(DesktopFixture fixture)
             if (way != "as it is") here.Hands.Press(Key.F2);
             here.Rest();
             var last = list.ContainerFromIndex(list.ItemCount - 1);
-            var bottom = last?.TranslatePoint(new Avalonia.Point(0, last.Bounds.Height), list)?.Y ?? double.PositiveInfinity;
+            var bottom = last?.TranslatePoint(new Point(0, last.Bounds.Height), list)?.Y ?? double.PositiveInfinity;
             Assert.True(bottom <= list.Bounds.Height + 0.5, FormattableString.Invariant($"{way}: {bottom} of {list.Bounds.Height}"));
         }
     });
