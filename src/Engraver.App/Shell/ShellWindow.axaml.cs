@@ -30,7 +30,7 @@ public partial class ShellWindow : Window
         Palettes.SetPages(Model.Palettes(), "Layers");
         Pages.SetPages(Model.Pages(), "Command");
         CanvasPlace.Child = Canvas;
-        Canvas.Commands = new CanvasDesk(desk, Model.Command.Cancel, Model.Status.Point, () => OpenMenuOnCanvas(menus));
+        Canvas.Commands = new CanvasDesk(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
         CanvasFeed = new CanvasFeed(desk, Canvas);
         _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
         (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
@@ -75,13 +75,6 @@ public partial class ShellWindow : Window
     {
         if (_files.WantsDialogs) Model.Connect.Open();
         else _ = _files.RunAsync("CNCCONNECT");
-    }
-
-    private void OpenMenuOnCanvas(MenuBuilder menus)
-    {
-        var menu = new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) };
-        menu.Closed += GiveKeyboardBack;
-        menu.Open(Canvas);
     }
 
     /// <summary>A menu that has closed, whether something was chosen or not, keeps the keyboard no longer: what is typed next is for the command line.</summary>

@@ -244,6 +244,7 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Contains("4", here.Find<TextBlock>("SummaryText").Text, StringComparison.Ordinal);
         var names = here.Find<ListBox>("LineList").Items.Cast<PropertyLine>().Select(line => line.Name).ToList();
         Assert.All(SlotNames.All.Zip(SlotNames.Units), slot => Assert.Contains($"{slot.First} {slot.Second}".TrimEnd(), names));
+        Assert.Contains("1 Start X mm", names);
         Assert.Contains("10 Radius mm", names);
         Assert.Contains("15 Sweep deg", names);
     });
