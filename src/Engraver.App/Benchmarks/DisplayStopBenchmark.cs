@@ -13,9 +13,6 @@ namespace Engraver.App.Benchmarks;
 internal sealed class DisplayStopBenchmark(WorkDesk desk, ShellWindow window, TextWriter output)
 {
     private const nuint PauseKey = 0xFF13;
-    private const int Presses = 200;
-    private const int Jobs = 100;
-    private const int Segments = 1_000_000;
 
     /// <summary>Writes a Markdown table. On the user interface thread.</summary>
     /// <param name="drawing">The job that is stopped again and again; null: that is not measured.</param>
@@ -27,11 +24,11 @@ internal sealed class DisplayStopBenchmark(WorkDesk desk, ShellWindow window, Te
         using var keyboard = new FakedKeyboard();
         await desk.RunAsync("CNCCONNECT", wire.Address);
         await output.WriteLineAsync(StopEar.Head);
-        await MeasureAsync("idle", ear, keyboard);
-        window.Canvas.Scene = CanvasScene.Of(BenchmarkDrawing.Of(Segments));
+        await MeasureAsync(StopPresses.Idle, ear, keyboard);
+        window.Canvas.Scene = CanvasScene.Of(BenchmarkDrawing.Of(StopPresses.Segments));
         var redraw = new DispatcherTimer(TimeSpan.FromMilliseconds(1), DispatcherPriority.Render, (_, _) => window.Canvas.RefineAgain());
         redraw.Start();
-        await MeasureAsync("draws 1,000,000 segments again and again", ear, keyboard);
+        await MeasureAsync(StopPresses.Redraws, ear, keyboard);
         redraw.Stop();
         if (drawing is not null) await MeasureJobsAsync(drawing, ear, keyboard);
         await desk.RunAsync("CNCDISCONNECT");
@@ -39,12 +36,7 @@ internal sealed class DisplayStopBenchmark(WorkDesk desk, ShellWindow window, Te
 
     private async Task MeasureAsync(string what, StopEar ear, FakedKeyboard keyboard)
     {
-        var times = new double[Presses];
-        await OnThread(() =>
-        {
-            for (var i = 0; i < times.Length; i++) times[i] = Press(keyboard, ear.AwaitStop);
-            return 0.0;
-        });
+        var times = await StopPresses.TimesAsync(StopPresses.AtRest, () => Press(keyboard, ear.AwaitStop));
         await output.WriteLineAsync(StopEar.Row(what, times));
     }
 
@@ -52,8 +44,8 @@ internal sealed class DisplayStopBenchmark(WorkDesk desk, ShellWindow window, Te
     {
         await desk.RunAsync("OPEN", file);
         await desk.SettleAsync();
-        var times = new double[Jobs];
-        for (var i = 0; i < Jobs; i++)
+        var times = new double[StopPresses.Jobs];
+        for (var i = 0; i < times.Length; i++)
         {
             while (desk.Session.Machine.Armed is null)
             {
@@ -65,11 +57,11 @@ internal sealed class DisplayStopBenchmark(WorkDesk desk, ShellWindow window, Te
             await UntilAsync(() => desk.Session.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 }, run);
             if (run.IsCompleted) throw new InvalidOperationException("The job ended before it was stopped.");
             ear.Forget();
-            times[i] = await OnThread(() => Press(keyboard, ear.AwaitBrake));
+            times[i] = (await StopPresses.TimesAsync(1, () => Press(keyboard, ear.AwaitBrake)))[0];
             await run;
         }
 
-        await output.WriteLineAsync(StopEar.Row("runs a job", times));
+        await output.WriteLineAsync(StopEar.Row(StopPresses.RunsJob, times));
     }
 
     /// <summary>Ends when the condition holds, or with the work beside it.</summary>
@@ -95,6 +87,4 @@ internal sealed class DisplayStopBenchmark(WorkDesk desk, ShellWindow window, Te
         keyboard.Send(PauseKey, down: false);
         return milliseconds;
     }
-
-    private static Task<double> OnThread(Func<double> work) => Task.Factory.StartNew(work, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 }

@@ -14,9 +14,6 @@ namespace Engraver.App.Benchmarks;
 /// <param name="drawing">The job that is stopped again and again; null: that is not measured.</param>
 internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, string? drawing, TextWriter output)
 {
-    private const int Presses = 200;
-    private const int Jobs = 100;
-    private const int Segments = 1_000_000;
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
 
     /// <summary>Writes a Markdown table. On the user interface thread.</summary>
@@ -27,9 +24,9 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         using var ear = new StopEar(wire);
         Await(session.Desk.RunAsync("CNCCONNECT", wire.Address));
         output.WriteLine(StopEar.Head);
-        Measure("idle", ear, hand => desktop.StepUntil(() => hand.IsCompleted, TimeSpan.FromHours(1)));
-        window.Canvas.Scene = CanvasScene.Of(BenchmarkDrawing.Of(Segments));
-        Measure("draws 1,000,000 segments again and again", ear, Redraw);
+        Measure(StopPresses.Idle, ear, hand => desktop.StepUntil(() => hand.IsCompleted, TimeSpan.FromHours(1)));
+        window.Canvas.Scene = CanvasScene.Of(BenchmarkDrawing.Of(StopPresses.Segments));
+        Measure(StopPresses.Redraws, ear, Redraw);
         Measure("its thread is held up", ear, hand => hand.GetAwaiter().GetResult());
         if (drawing is not null) MeasureJobs(drawing, ear);
         Await(session.Desk.RunAsync("CNCDISCONNECT"));
@@ -42,21 +39,21 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
     {
         Await(session.Desk.RunAsync("OPEN", file));
         Await(session.Desk.SettleAsync());
-        var times = new double[Jobs];
-        for (var i = 0; i < Jobs; i++)
+        var times = new double[StopPresses.Jobs];
+        for (var i = 0; i < times.Length; i++)
         {
             Arm();
             var run = session.Desk.StartArmedAsync();
             desktop.StepUntil(() => session.Desk.Session.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 } || run.IsCompleted, s_patience);
             if (run.IsCompleted) throw new InvalidOperationException("The job ended before it was stopped.");
             ear.Forget();
-            var stopped = OnThread(() => Press(ear.AwaitBrake));
+            var stopped = StopPresses.TimesAsync(1, () => Press(ear.AwaitBrake));
             Await(stopped);
-            times[i] = stopped.Result;
+            times[i] = stopped.Result[0];
             Await(run);
         }
 
-        output.WriteLine(StopEar.Row("runs a job", times));
+        output.WriteLine(StopEar.Row(StopPresses.RunsJob, times));
     }
 
     /// <summary>What the watch sees of a machine that has just come to rest takes START back: then it is armed again.</summary>
@@ -71,15 +68,9 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
 
     private void Measure(string what, StopEar ear, Action<Task> meanwhile)
     {
-        var times = new double[Presses];
-        var hand = OnThread(() =>
-        {
-            for (var i = 0; i < times.Length; i++) times[i] = Press(ear.AwaitStop);
-            return 0.0;
-        });
+        var hand = StopPresses.TimesAsync(StopPresses.AtRest, () => Press(ear.AwaitStop));
         meanwhile(hand);
-        hand.GetAwaiter().GetResult();
-        output.WriteLine(StopEar.Row(what, times));
+        output.WriteLine(StopEar.Row(what, hand.GetAwaiter().GetResult()));
     }
 
     private double Press(Func<long, double> heard)
@@ -88,8 +79,6 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         desktop.Windows[0].Press(Key.Pause);
         return heard(pressed);
     }
-
-    private static Task<double> OnThread(Func<double> work) => Task.Factory.StartNew(work, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
     private void Redraw(Task hand)
     {

@@ -1,4 +1,3 @@
-using System.Collections.Specialized;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.Interactivity;
@@ -19,6 +18,7 @@ public partial class CommandWindowView : UserControl
         LineBox.AddHandler(TextInputEvent, OnLineText, RoutingStrategies.Tunnel);
         SuggestionList.AddHandler(PointerReleasedEvent, OnSuggestionClick, RoutingStrategies.Tunnel | RoutingStrategies.Bubble, handledEventsToo: true);
         HistoryList.Items.CollectionChanged += OnHistory;
+        HistoryList.SizeChanged += OnHistory;
     }
 
     private CommandWindowModel Model => (CommandWindowModel)DataContext!;
@@ -75,8 +75,8 @@ public partial class CommandWindowView : UserControl
         if ((e.Source as Control)?.DataContext is CommandSuggestion suggestion) Model.Take(suggestion);
     }
 
-    /// <summary>The last line is always seen; however many lines come at once, one scroll follows.</summary>
-    private void OnHistory(object? sender, NotifyCollectionChangedEventArgs e)
+    /// <summary>The last line is always seen, also when the room for the lines changes; however many lines come at once, one scroll follows.</summary>
+    private void OnHistory(object? sender, EventArgs e)
     {
         if (_scrolling) return;
         _scrolling = true;

@@ -29,6 +29,9 @@ public sealed class DerivedDesk(CommandSession session)
 
     public double TotalSeconds => Current.Motion?.DurationSeconds ?? 0.0;
 
+    /// <summary>How long the job takes over the link that the machine is connected by, seconds; 0 without a plan. The playback shows it as over a network.</summary>
+    public double PlannedSeconds => Current.Plan?.Total ?? 0.0;
+
     public double AtSeconds => Moment?.Seconds ?? 0.0;
 
     /// <summary>What the tool does where it stands; null without a plan.</summary>
@@ -66,6 +69,10 @@ public sealed class DerivedDesk(CommandSession session)
     {
         if (seconds != AtSeconds) session.Playback.Scrub(seconds);
     }
+
+    /// <summary>What the plan says is left when so many segments are cut, seconds; dwells at their true length, the exchange over a serial line spread evenly.</summary>
+    public double SecondsLeft(int segmentsDone, int segmentCount) =>
+        Current.Motion is { } motion && segmentsDone < Math.Min(segmentCount, motion.SegmentCount) ? (motion.DurationSeconds - motion.TimeOfSegment(segmentsDone)) * PlannedSeconds / motion.DurationSeconds : 0.0;
 
     /// <summary>Takes what is there now.</summary>
     internal void Look()

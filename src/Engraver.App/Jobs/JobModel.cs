@@ -62,7 +62,7 @@ public sealed class JobModel : Observable
             figures.Add(new(Text.Of("Job.Travel"), Text.Of("Job.Millimetres", sequence.Travel)));
         }
 
-        if (_desk.Derived.TotalSeconds is > 0.0 and var seconds) figures.Insert(0, new(Text.Of("Job.Time"), ClockText.Of(seconds)));
+        if (_desk.Derived.PlannedSeconds is > 0.0 and var seconds) figures.Insert(0, new(Text.Of("Job.Time"), ClockText.Of(seconds)));
         return figures;
     }
 }

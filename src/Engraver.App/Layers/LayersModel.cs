@@ -8,7 +8,7 @@ namespace Engraver.App.Layers;
 public sealed class LayersModel : Observable
 {
     private readonly WorkDesk _desk;
-    private IReadOnlyList<Layer>? _shown;
+    private Drawing? _shown;
 
     public LayersModel(WorkDesk desk)
     {
@@ -19,13 +19,15 @@ public sealed class LayersModel : Observable
 
     public IReadOnlyList<LayerRow> Layers { get; private set; } = [];
 
+    public bool IsEmpty => Layers.Count == 0;
+
     private void Look()
     {
         var drawing = _desk.Session.Document.Current.Drawing;
-        if (ReferenceEquals(drawing?.Layers, _shown)) return;
-        _shown = drawing?.Layers;
+        if (ReferenceEquals(drawing, _shown)) return;
+        _shown = drawing;
         Layers = drawing is null ? [] : Rows(drawing);
-        Tell(nameof(Layers));
+        Tell(null);
     }
 
     private List<LayerRow> Rows(Drawing drawing)

@@ -73,12 +73,14 @@ public sealed class MachineStripModel : Observable
     public double Progress => _status.Progress?.Fraction ?? 0.0;
 
     public string ProgressText => _status.Progress is { } at
-        ? Text.Of("Machine.ProgressText", at.Fraction * 100.0, at.SegmentsDone, at.SegmentCount, ClockText.Of(at.Seconds), ClockText.Of(SecondsLeft(at)))
+        ? Text.Of("Machine.ProgressText", at.Fraction * 100.0, ClockText.Of(at.Seconds))
         : Unknown;
 
-    /// <summary>By the plan of the segments that are still to do; dwells at their true length.</summary>
-    private double SecondsLeft(EngravedProgress at) =>
-        _desk.Derived.Current.Motion is { } motion && at.SegmentsDone < Math.Min(at.SegmentCount, motion.SegmentCount) ? motion.DurationSeconds - motion.TimeOfSegment(at.SegmentsDone) : 0.0;
+    /// <summary>How many segments of how many are cut; empty while no job has a progress.</summary>
+    public string SegmentsText => _status.Progress is { } at ? Text.Of("Machine.SegmentsText", at.SegmentsDone, at.SegmentCount) : "";
+
+    /// <summary>Empty while no job has a progress.</summary>
+    public string TimeLeft => _status.Progress is { } at ? Text.Of("Machine.TimeLeft", ClockText.Of(_desk.Derived.SecondsLeft(at.SegmentsDone, at.SegmentCount))) : "";
 
     private void Look()
     {

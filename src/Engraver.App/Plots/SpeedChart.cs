@@ -17,6 +17,9 @@ public sealed class SpeedChart : Control
     private const double RightRoom = 10;
     private const double CursorWidth = 2;
 
+    /// <summary>Feeds are told per minute everywhere.</summary>
+    private const double SecondsPerMinute = 60.0;
+
     public static readonly StyledProperty<SpeedCurve?> CurveProperty = AvaloniaProperty.Register<SpeedChart, SpeedCurve?>(nameof(Curve));
     public static readonly StyledProperty<double> AtProperty = AvaloniaProperty.Register<SpeedChart, double>(nameof(At), defaultBindingMode: Avalonia.Data.BindingMode.TwoWay);
     public static readonly StyledProperty<IBrush?> LineBrushProperty = AvaloniaProperty.Register<SpeedChart, IBrush?>(nameof(LineBrush));
@@ -64,8 +67,9 @@ public sealed class SpeedChart : Control
         context.FillRectangle(Brushes.Transparent, new Rect(Bounds.Size));
         if (Curve is not { Peak: > 0.0, TotalSeconds: > 0.0 } curve) return;
         var field = Field;
-        DrawGrid(context, field, curve);
-        context.DrawGeometry(null, new Pen(LineBrush, 1.2), LineOf(curve, field));
+        var speeds = ChartMarks.Speeds(curve.Peak * SecondsPerMinute, field.Height);
+        DrawGrid(context, field, speeds, curve.TotalSeconds);
+        context.DrawGeometry(null, new Pen(LineBrush, 1.2), LineOf(curve, field, speeds[^1]));
         var x = field.X + (field.Width * Math.Clamp(At / curve.TotalSeconds, 0.0, 1.0));
         context.DrawLine(new Pen(CursorBrush, CursorWidth), new Point(x, field.Y), new Point(x, field.Bottom));
     }
@@ -83,36 +87,40 @@ public sealed class SpeedChart : Control
         if (e.GetCurrentPoint(this).Properties.IsLeftButtonPressed) Choose(e.GetPosition(this));
     }
 
-    private static StreamGeometry LineOf(SpeedCurve curve, Rect field)
+    private static StreamGeometry LineOf(SpeedCurve curve, Rect field, double top)
     {
         var line = new StreamGeometry();
         using var pen = line.Open();
         pen.BeginFigure(field.BottomLeft, isFilled: false);
         foreach (var sample in curve.Samples)
         {
-            pen.LineTo(new Point(field.X + (field.Width * sample.Seconds / curve.TotalSeconds), field.Bottom - (field.Height * sample.Speed / curve.Peak)));
+            pen.LineTo(new Point(field.X + (field.Width * sample.Seconds / curve.TotalSeconds), field.Bottom - (field.Height * sample.Speed * SecondsPerMinute / top)));
         }
 
         pen.EndFigure(isClosed: false);
         return line;
     }
 
-    private void DrawGrid(DrawingContext context, Rect field, SpeedCurve curve)
+    /// <param name="speeds">mm/min; the last is the top of the field.</param>
+    private void DrawGrid(DrawingContext context, Rect field, IReadOnlyList<double> speeds, double totalSeconds)
     {
-        const int Lines = 4;
         var pen = new Pen(GridBrush);
-        for (var line = 0; line <= Lines; line++)
+        foreach (var speed in speeds)
         {
-            var y = field.Bottom - (field.Height * line / Lines);
+            var y = field.Bottom - (field.Height * speed / speeds[^1]);
             context.DrawLine(pen, new Point(field.X, y), new Point(field.Right, y));
-            var label = LabelOf((curve.Peak * line / Lines).ToString("0.#", CultureInfo.InvariantCulture));
+            var label = LabelOf(speed.ToString("0.##", CultureInfo.InvariantCulture));
             context.DrawText(label, new Point(field.X - 6 - label.Width, y - (label.Height / 2)));
         }
 
         context.DrawText(LabelOf(Text.Of("Plot.Axis")), new Point(6, 2));
-        context.DrawText(LabelOf(ClockText.Of(0)), new Point(field.X, field.Bottom + 4));
-        var end = LabelOf(ClockText.Of(curve.TotalSeconds));
-        context.DrawText(end, new Point(field.Right - end.Width, field.Bottom + 4));
+        foreach (var seconds in ChartMarks.Seconds(totalSeconds, field.Width))
+        {
+            var x = field.X + (field.Width * seconds / totalSeconds);
+            context.DrawLine(pen, new Point(x, field.Y), new Point(x, field.Bottom));
+            var label = LabelOf(ClockText.Of(seconds));
+            context.DrawText(label, new Point(Math.Min(x - (label.Width / 2), Bounds.Width - label.Width - 2), field.Bottom + 4));
+        }
     }
 
     private FormattedText LabelOf(string text) =>

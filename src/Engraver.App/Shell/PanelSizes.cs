@@ -4,7 +4,7 @@ using Engraver.App.Tabs;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The rooms of the palettes and the pages: sized by hand, folded to their strip of tabs, kept between two starts.</summary>
+/// <summary>The rooms of the palettes and the pages: sized by hand, folded to their strip of tabs, kept between two starts. A smaller window takes from them before the canvas is gone, and gives it back.</summary>
 public sealed class PanelSizes
 {
     private const string PagesName = "pages";
@@ -14,15 +14,24 @@ public sealed class PanelSizes
     private const double LeastPagesHeight = 110;
     private const double LeastPalettesWidth = 240;
     private const double HistoryHeight = 420;
+
+    /// <summary>What the playback bar and a strip of canvas above it need, and the tools in several columns beside them.</summary>
+    private const double LeastCanvasHeight = 140;
+    private const double LeastCanvasWidth = 340;
+    private const double SplitterSize = 4;
     private readonly WorkDesk _desk;
     private readonly RowDefinition _pagesRow;
     private readonly ColumnDefinition _palettesColumn;
     private readonly PageTabs _pages;
     private readonly PageTabs _palettes;
 
-    public PanelSizes(WorkDesk desk, RowDefinition pagesRow, ColumnDefinition palettesColumn, PageTabs pages, PageTabs palettes)
+    /// <param name="rows">Of canvas, splitter and pages.</param>
+    /// <param name="columns">Of tools, canvas, splitter and palettes.</param>
+    public PanelSizes(WorkDesk desk, Grid rows, Grid columns, PageTabs pages, PageTabs palettes)
     {
-        (_desk, _pagesRow, _palettesColumn, _pages, _palettes) = (desk, pagesRow, palettesColumn, pages, palettes);
+        (_desk, _pagesRow, _palettesColumn, _pages, _palettes) = (desk, rows.RowDefinitions[^1], columns.ColumnDefinitions[^1], pages, palettes);
+        rows.SizeChanged += (_, e) => _pagesRow.MaxHeight = Math.Max(LeastPagesHeight, e.NewSize.Height - SplitterSize - LeastCanvasHeight);
+        columns.SizeChanged += (_, e) => _palettesColumn.MaxWidth = Math.Max(LeastPalettesWidth, e.NewSize.Width - SplitterSize - LeastCanvasWidth);
         pages.FoldWanted += (_, _) => FoldPages();
         palettes.FoldWanted += (_, _) => FoldPalettes();
         ShowPages(IsFolded(PagesName));

@@ -25,6 +25,8 @@ namespace Engraver.App.Shell;
 /// <summary>The state of the one window: its parts, each with a model of its own, and its title.</summary>
 public sealed class ShellModel : Observable
 {
+    private readonly PageTab _alarms;
+
     /// <param name="act">What a menu entry or a tool does; the window adds what only a window can (a file dialog).</param>
     public ShellModel(WorkDesk desk, Func<string, ICommand> act)
     {
@@ -35,7 +37,8 @@ public sealed class ShellModel : Observable
         Playback = new PlaybackModel(desk);
         Connect = new ConnectModel(desk);
         Tools = ToolColumn.For(desk, act);
-        desk.Changed += () => Tell(nameof(Title));
+        _alarms = new PageTab("Alarms", () => new AlarmsView { DataContext = new AlarmsModel(desk) });
+        desk.Changed += Look;
     }
 
     public WorkDesk Desk { get; }
@@ -81,7 +84,13 @@ public sealed class ShellModel : Observable
         new("Command", () => new CommandWindowView { DataContext = Command }),
         new("Table", () => new TableView { DataContext = new TableModel(Desk) }),
         new("Findings", () => new FindingsView { DataContext = new FindingsModel(Desk) }),
-        new("Alarms", () => new AlarmsView { DataContext = new AlarmsModel(Desk) }),
+        _alarms,
         new("Terminal", () => new TerminalView { DataContext = new TerminalModel(Desk) }),
     ];
+
+    private void Look()
+    {
+        Tell(nameof(Title));
+        _alarms.Waiting = Desk.Session.Machine.Alarms.All.Count(alarm => alarm.NeedsAcknowledging);
+    }
 }

@@ -32,9 +32,10 @@ public partial class ShellWindow : Window
         CanvasPlace.Child = Canvas;
         Canvas.Commands = new CanvasDesk(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
         CanvasFeed = new CanvasFeed(desk, Canvas);
-        _panels = new PanelSizes(desk, Rows.RowDefinitions[2], Columns.ColumnDefinitions[3], Pages, Palettes);
+        _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
         (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
         if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
+        MainMenu.Closed += GiveKeyboardBack;
         AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
         AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
     }
@@ -74,6 +75,12 @@ public partial class ShellWindow : Window
     {
         if (_files.WantsDialogs) Model.Connect.Open();
         else _ = _files.RunAsync("CNCCONNECT");
+    }
+
+    /// <summary>A menu that has closed, whether something was chosen or not, keeps the keyboard no longer: what is typed next is for the command line.</summary>
+    private void GiveKeyboardBack(object? sender, RoutedEventArgs e)
+    {
+        if (FocusManager?.GetFocusedElement() is MenuItem) FocusManager.Focus(null);
     }
 
     /// <summary>True where the keyboard belongs to something else: a text box, an open menu.</summary>

@@ -35,7 +35,8 @@ public sealed class StatusBarModel : Observable
 
     public double Fraction => _desk.Session.Progress.Fraction ?? 0.0;
 
-    public string Unit => _desk.Session.Document.Current.Drawing?.Unit.Name ?? Text.Of("Status.Millimetres");
+    /// <summary>Of the drawing, and so of the coordinates; tolerances are millimetres whatever it is.</summary>
+    public string Unit => Text.Of("Status.Unit", _desk.Session.Document.Current.Drawing?.Unit.Name ?? Text.Of("Status.Millimetres"));
 
     public string JoinTolerance => Text.Of("Status.Join", _desk.Session.Document.Current.Settings.JoinToleranceMm);
 

@@ -17,12 +17,13 @@ public sealed class SlotCells : Control
     public const double AllWidth = NumberWidth + (EntitySlot.Count * CellWidth) + RoomAtTheEdge;
 
     private const double RoomAtTheEdge = 6;
+    private const double UnitBelow = 6.5;
 
     public static readonly StyledProperty<TableRow?> RowProperty = AvaloniaProperty.Register<SlotCells, TableRow?>(nameof(Row));
 
     static SlotCells() => AffectsRender<SlotCells>(RowProperty, TextElement.ForegroundProperty, TextElement.FontSizeProperty);
 
-    /// <summary>Null: the names of the slots.</summary>
+    /// <summary>Null: the names of the slots, with their units under them.</summary>
     public TableRow? Row
     {
         get => GetValue(RowProperty);
@@ -31,19 +32,31 @@ public sealed class SlotCells : Control
 
     public override void Render(DrawingContext context)
     {
-        Write(context, Row is { } numbered ? (numbered.Index + 1).ToString(CultureInfo.InvariantCulture) : "#", NumberWidth - 10);
+        if (Row is { } row)
+        {
+            Write(context, (row.Index + 1).ToString(CultureInfo.InvariantCulture), RightOf(-1), 0);
+            for (var slot = 0; slot < EntitySlot.Count; slot++) Write(context, row.Figure(slot), RightOf(slot), 0);
+            return;
+        }
+
+        Write(context, "#", RightOf(-1), -UnitBelow);
         for (var slot = 0; slot < EntitySlot.Count; slot++)
         {
-            Write(context, Row?.Figure(slot) ?? SlotNames.All[slot], NumberWidth + ((slot + 1) * CellWidth) - 10);
+            Write(context, SlotNames.All[slot], RightOf(slot), -UnitBelow);
+            Write(context, SlotNames.Units[slot], RightOf(slot), UnitBelow);
         }
     }
 
     protected override Size MeasureOverride(Size availableSize) => new(AllWidth, 20);
 
-    private void Write(DrawingContext context, string text, double right)
+    /// <summary>Where the text of a slot ends; -1 is the number of the row.</summary>
+    private static double RightOf(int slot) => NumberWidth + ((slot + 1) * CellWidth) - 10;
+
+    /// <param name="below">From the middle line.</param>
+    private void Write(DrawingContext context, string text, double right, double below)
     {
         var typeface = new Typeface(TextElement.GetFontFamily(this));
         var line = new FormattedText(text, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, typeface, TextElement.GetFontSize(this), TextElement.GetForeground(this));
-        context.DrawText(line, new Point(right - line.Width, (Bounds.Height - line.Height) / 2));
+        context.DrawText(line, new Point(right - line.Width, ((Bounds.Height - line.Height) / 2) + below));
     }
 }

@@ -4,8 +4,18 @@ using Engraver.Core.EntityTables;
 
 namespace Engraver.App.Tables;
 
-/// <summary>What the 16 slots are called.</summary>
+/// <summary>What the 16 slots are called, and in which unit they are.</summary>
 public static class SlotNames
 {
     public static IReadOnlyList<string> All { get; } = [.. Enumerable.Range(0, EntitySlot.Count).Select(slot => Text.Of("Slot." + slot.ToString(CultureInfo.InvariantCulture)))];
+
+    /// <summary>Empty for a slot that is a count or a kind.</summary>
+    public static IReadOnlyList<string> Units { get; } = [.. Enumerable.Range(0, EntitySlot.Count).Select(UnitOf)];
+
+    private static string UnitOf(int slot) => slot switch
+    {
+        >= EntitySlot.StartX and <= EntitySlot.Radius => Text.Of("SlotUnit.Length"),
+        EntitySlot.StartAngle or EntitySlot.EndAngle or EntitySlot.Sweep => Text.Of("SlotUnit.Angle"),
+        _ => "",
+    };
 }

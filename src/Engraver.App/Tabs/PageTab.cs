@@ -1,11 +1,13 @@
 using Avalonia.Controls;
+using Engraver.App.Binding;
 
 namespace Engraver.App.Tabs;
 
 /// <summary>A page behind a tab; made when it is first shown, because the first frame must not wait for pages nobody looks at.</summary>
-public sealed class PageTab(string key, Func<Control> make)
+public sealed class PageTab(string key, Func<Control> make) : Observable
 {
     private Control? _page;
+    private int _waiting;
 
     /// <summary>Name of the page; its title is the text <c>Page.KEY</c>.</summary>
     public string Key => key;
@@ -15,4 +17,16 @@ public sealed class PageTab(string key, Func<Control> make)
     public bool IsMade => _page is not null;
 
     public Control Page => _page ??= make();
+
+    /// <summary>How much on the page waits for the operator; told on the tab, whether the page is made or not.</summary>
+    public int Waiting
+    {
+        get => _waiting;
+        set
+        {
+            if (Set(ref _waiting, value)) Tell(nameof(IsWaiting));
+        }
+    }
+
+    public bool IsWaiting => Waiting > 0;
 }

@@ -28,6 +28,7 @@ public sealed class CommandSession : IAsyncDisposable
         View.Change(state => SystemVariables.Restore(state, Settings.Current));
         Document.Changed += OnDocumentChanged;
         Derivation.Changed += OnDerived;
+        Machine.Changed += OnMachineChanged;
     }
 
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
@@ -115,6 +116,7 @@ public sealed class CommandSession : IAsyncDisposable
         await EndAllAsync().ConfigureAwait(false);
         Document.Changed -= OnDocumentChanged;
         Derivation.Changed -= OnDerived;
+        Machine.Changed -= OnMachineChanged;
         Derivation.Dispose();
         await Machine.DisposeAsync().ConfigureAwait(false);
     }
@@ -146,7 +148,13 @@ public sealed class CommandSession : IAsyncDisposable
         if (Machine.Armed is { Job: var job } && (!ReferenceEquals(job.Drawing, state.Drawing) || job.Settings != state.Settings)) Machine.Disarm();
     }
 
-    private void OnDerived(object? sender, EventArgs e) => Playback.Load(Derivation.Current.Motion);
+    private void OnDerived(object? sender, EventArgs e)
+    {
+        if (!ReferenceEquals(Playback.Motion, Derivation.Current.Motion)) Playback.Load(Derivation.Current.Motion);
+    }
+
+    /// <summary>How long the job takes depends on the line it goes over.</summary>
+    private void OnMachineChanged(object? sender, EventArgs e) => Derivation.Line = Machine.Line;
 
     private async Task<FeedResult> FeedOneAsync(string input, CancellationToken cancellation)
     {

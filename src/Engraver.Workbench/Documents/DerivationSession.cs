@@ -1,4 +1,5 @@
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
 
 namespace Engraver.Workbench.Documents;
 
@@ -10,6 +11,7 @@ public sealed class DerivationSession : IDisposable
     private readonly DocumentSession _document;
     private Work? _work;
     private JobMode _mode = JobMode.Stream;
+    private SerialAddress? _line;
     private bool _keepsUp;
 
     public DerivationSession(DocumentSession document)
@@ -26,7 +28,7 @@ public sealed class DerivationSession : IDisposable
     public DerivedDocument Current { get; private set; } = DerivedDocument.Nothing;
 
     /// <summary>True when <see cref="Current"/> is of the document as it stands.</summary>
-    public bool IsCurrent => IsOf(Current, _document.Current, Mode);
+    public bool IsCurrent => IsOf(Current, _document.Current, Mode, Line);
 
     /// <summary>The way of running that jobs are prepared for.</summary>
     public JobMode Mode
@@ -35,6 +37,18 @@ public sealed class DerivationSession : IDisposable
         set
         {
             _mode = value;
+            if (_keepsUp) _ = ForCurrentAsync(CancellationToken.None);
+        }
+    }
+
+    /// <summary>The serial line that the machine is connected by; null for none. Another one makes another plan of the same job.</summary>
+    public SerialAddress? Line
+    {
+        get => _line;
+        set
+        {
+            if (_line == value) return;
+            _line = value;
             if (_keepsUp) _ = ForCurrentAsync(CancellationToken.None);
         }
     }
@@ -58,8 +72,8 @@ public sealed class DerivationSession : IDisposable
         lock (_guard)
         {
             var state = _document.Current;
-            if (IsOf(Current, state, _mode)) return Task.FromResult(Current);
-            if (_work is null || !IsOf(_work.Wanted, state, _mode)) Begin(new DerivedDocument(state, _mode));
+            if (IsOf(Current, state, _mode, _line)) return Task.FromResult(Current);
+            if (_work is null || !IsOf(_work.Wanted, state, _mode, _line)) Begin(new DerivedDocument(state, _mode) { Line = _line });
             return _work!.Result.WaitAsync(cancellation);
         }
     }
@@ -70,6 +84,8 @@ public sealed class DerivationSession : IDisposable
         lock (_guard) _work?.Cancel.Cancel();
     }
 
+    private static bool IsOf(DerivedDocument derived, DocumentState state, JobMode mode, SerialAddress? line) => derived.Line == line && IsOf(derived, state, mode);
+
     private static bool IsOf(DerivedDocument derived, DocumentState state, JobMode mode) =>
         derived.Mode == mode && ReferenceEquals(derived.State.Drawing, state.Drawing) && derived.State.Settings == state.Settings;
 
@@ -77,7 +93,8 @@ public sealed class DerivationSession : IDisposable
     {
         _work?.Cancel.Cancel();
         var cancel = new CancellationTokenSource();
-        var work = Task.Run(() => DerivedDocument.Of(wanted.State, wanted.Mode, cancel.Token), cancel.Token);
+        var known = IsOf(Current, wanted.State, wanted.Mode) ? Current : null;
+        var work = Task.Run(() => (known ?? DerivedDocument.Of(wanted.State, wanted.Mode, cancel.Token)).Over(wanted.Line), cancel.Token);
         _work = new Work(wanted, cancel, FinishAsync(work, cancel));
     }
 
@@ -99,7 +116,7 @@ public sealed class DerivationSession : IDisposable
     {
         lock (_guard)
         {
-            if (_work is not null && !IsOf(_work.Wanted, _document.Current, _mode))
+            if (_work is not null && !IsOf(_work.Wanted, _document.Current, _mode, _line))
             {
                 _work.Cancel.Cancel();
                 _work = null;

@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Sequencing;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Playback;
@@ -25,7 +26,10 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 
     public PreparedJob? Job { get; init; }
 
-    /// <summary>The planned time by kind; null when there is nothing to cut.</summary>
+    /// <summary>The serial line that <see cref="Plan"/> counts; null: a network.</summary>
+    public SerialAddress? Line { get; init; }
+
+    /// <summary>The planned time by kind, over <see cref="Line"/>; null when there is nothing to cut.</summary>
     public MotionTimes? Plan { get; init; }
 
     /// <summary>The planned motion; null when there is nothing to cut.</summary>
@@ -56,6 +60,15 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
         {
             return derived with { Problem = unfit.Message, Findings = Sorted(drawing.Diagnostics) };
         }
+    }
+
+    /// <summary>The same, planned over another line.</summary>
+    internal DerivedDocument Over(SerialAddress? line)
+    {
+        if (line == Line) return this;
+        if (Job is not { Motion.Program: { SegmentCount: > 0 } program, Drawing: var drawing }) return this with { Line = line };
+        var fit = MachineRun.FitToLink(program, line, Mode, drawing).Program;
+        return this with { Line = line, Plan = line is null ? MotionTime.Of(program) : MachineRun.PlannedTimes(fit, line, Mode) };
     }
 
     private DerivedDocument WithMotion(PreparedJob job, CancellationToken cancellation)

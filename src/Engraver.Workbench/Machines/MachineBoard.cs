@@ -88,7 +88,7 @@ internal sealed class MachineBoard : IDisposable
         {
             if (_facts.Link is null) return;
             before = _facts.Poll;
-            _facts = _facts with { Poll = poll, Lost = null, SeenAt = _time.GetUtcNow() };
+            _facts = _facts with { Poll = poll, PollIsOld = false, Lost = null, SeenAt = _time.GetUtcNow() };
         }
 
         MachineAlarms.Seen(Alarms, poll, Link);
@@ -120,7 +120,7 @@ internal sealed class MachineBoard : IDisposable
 
     public void JobBegins()
     {
-        Change(facts => facts with { JobRuns = true, Stopping = false, Progress = null });
+        Change(facts => facts with { JobRuns = true, PollIsOld = true, Stopping = false, Progress = null });
         MachineAlarms.Begun(Alarms);
         DisarmOrTell();
     }

@@ -20,6 +20,9 @@ internal sealed record MachineFacts
     /// <summary>The last look; null before the first.</summary>
     public MachinePoll? Poll { get; init; }
 
+    /// <summary>A job has moved the machine since the last look.</summary>
+    public bool PollIsOld { get; init; }
+
     /// <summary>Why the link is lost; null while it stands.</summary>
     public string? Lost { get; init; }
 
@@ -41,6 +44,9 @@ internal sealed record MachineFacts
     /// <summary>Where that was, also after the connection is gone.</summary>
     public string? LastLink { get; init; }
 
+    /// <summary>What the last look says of now: nothing while a job runs, nothing once the link is lost.</summary>
+    private MachinePoll? Now => JobRuns || Lost is not null ? null : Poll;
+
     /// <summary>When the controller was heard last.</summary>
     public DateTimeOffset SeenAt { get; init; }
 
@@ -58,13 +64,13 @@ internal sealed record MachineFacts
             IsSimulation = IsSimulation,
             MachinePosition = place is { } at ? Millimetres(profile, at.X, at.Y) : null,
             WorkPosition = place is { } here && Frame is { } frame ? Millimetres(profile, (double)here.X - frame.X, (double)here.Y - frame.Y) : null,
-            FollowingError = JobRuns || Poll is not { } look ? null : new Vector2D(look.ErrorX / profile.CountsPerMillimetreX, look.ErrorY / profile.CountsPerMillimetreY),
-            Speed = JobRuns ? null : Poll is { Moves: false } ? 0.0 : Poll?.Speed / profile.Scale.Largest,
-            Inputs = JobRuns ? null : Poll?.Inputs,
-            Outputs = JobRuns ? Progress?.Outputs : Poll?.Outputs,
-            ToolCommanded = JobRuns ? Progress?.ToolOn : Poll?.Outputs is { } outputs ? (outputs & (1 << (profile.ToolOutput - 1))) != 0 : null,
-            MotorsOn = JobRuns ? true : Poll is { } poll ? poll.MotorsOff.Length == 0 : null,
-            Limit = JobRuns ? "" : Poll?.Limit ?? "",
+            FollowingError = Now is not { } look ? null : new Vector2D(look.ErrorX / profile.CountsPerMillimetreX, look.ErrorY / profile.CountsPerMillimetreY),
+            Speed = Now is { Moves: false } ? 0.0 : Now?.Speed / profile.Scale.Largest,
+            Inputs = Now?.Inputs,
+            Outputs = JobRuns ? Progress?.Outputs : Now?.Outputs,
+            ToolCommanded = JobRuns ? Progress?.ToolOn : Now?.Outputs is { } outputs ? (outputs & (1 << (profile.ToolOutput - 1))) != 0 : null,
+            MotorsOn = JobRuns ? true : Now is { } poll ? poll.MotorsOff.Length == 0 : null,
+            Limit = Now?.Limit ?? "",
             LastRefusal = LastRefusal,
             LastOutcome = LastOutcome,
             Progress = Progress is { } told ? Engraved(profile, told) : null,
@@ -88,8 +94,8 @@ internal sealed record MachineFacts
         _ => armed is null ? (MachineState.Ready, "") : (MachineState.Armed, ""),
     };
 
-    /// <summary>Controller's counts.</summary>
-    private CountsPoint? PlaceCounts() => JobRuns && Progress is { } told && Frame is { } frame
+    /// <summary>Controller's counts; the last that is known, also when the link is lost.</summary>
+    private CountsPoint? PlaceCounts() => (JobRuns || PollIsOld) && Progress is { } told && Frame is { } frame
         ? new CountsPoint(told.X + frame.X, told.Y + frame.Y)
         : Poll is { } look ? new CountsPoint(look.X, look.Y) : null;
 

@@ -54,6 +54,9 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>Where the controller is; null while none is connected.</summary>
     public string? Description => _connection?.Description;
 
+    /// <summary>The serial line it is connected by; null for none or another link.</summary>
+    public SerialAddress? Line => _address as SerialAddress;
+
     public ControllerIdentity? Identity { get; private set; }
 
     /// <summary>True for a controller that lives in this process.</summary>

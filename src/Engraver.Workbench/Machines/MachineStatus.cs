@@ -22,7 +22,7 @@ public sealed record MachineStatus
     /// <summary>True for a controller that lives in this process.</summary>
     public bool IsSimulation { get; init; }
 
-    /// <summary>The commanded position by the controller's own zero (_RPA, _RPB), mm.</summary>
+    /// <summary>The commanded position by the controller's own zero (_RPA, _RPB), mm; the last that is known once the link is lost, when everything else is null.</summary>
     public Point2D? MachinePosition { get; init; }
 
     /// <summary>In the drawing's millimetres, by the frame of the job that runs or ran last; null before the first.</summary>

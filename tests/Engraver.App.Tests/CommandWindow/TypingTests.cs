@@ -1,3 +1,4 @@
+using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
@@ -15,6 +16,21 @@ public sealed class TypingTests(DesktopFixture fixture)
         here.Hands.Type("dist");
 
         Assert.Equal("dist", here.Window.Model.Command.Line);
+    });
+
+    [Fact]
+    public Task The_last_line_of_the_history_is_seen_however_large_the_history_is() => fixture.WithOperator(here =>
+    {
+        for (var i = 0; i < 12; i++) here.Enter("CNCSTATUS");
+        var list = here.Find<ListBox>("HistoryList");
+        foreach (var way in new[] { "as it is", "F2", "back" })
+        {
+            if (way != "as it is") here.Hands.Press(Key.F2);
+            here.Rest();
+            var last = list.ContainerFromIndex(list.ItemCount - 1);
+            var bottom = last?.TranslatePoint(new Point(0, last.Bounds.Height), list)?.Y ?? double.PositiveInfinity;
+            Assert.True(bottom <= list.Bounds.Height + 0.5, FormattableString.Invariant($"{way}: {bottom} of {list.Bounds.Height}"));
+        }
     });
 
     [Fact]

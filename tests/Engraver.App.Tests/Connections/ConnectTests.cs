@@ -103,6 +103,7 @@ public sealed class ConnectTests(DesktopFixture fixture)
         var sheet = here.Window.GetVisualDescendants().OfType<ConnectView>().Single();
         var area = new Rect(sheet.Bounds.Size).TransformToAABB(sheet.TransformToVisual(here.Window)!.Value);
 
+        Assert.True(area.Width > 0 && here.Window.StopArea.Width >= 64, "one of them is not there");
         Assert.False(area.Intersects(here.Window.StopArea));
         here.Hands.Press(Key.Escape);
     });

@@ -1,7 +1,10 @@
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
+using Engraver.App.Jobs;
+using Engraver.App.Texts;
 using Engraver.Galil.Jobs;
+using Engraver.Simulator;
 
 namespace Engraver.App.Tests.Jobs;
 
@@ -37,6 +40,32 @@ public sealed class JobTests(DesktopFixture fixture)
         Assert.StartsWith("LOOK: The last job on this machine ended early", warning.Sentence, StringComparison.Ordinal);
         Assert.True(warning.MarkIsColoured && warning.SentenceIsColoured);
         Assert.All(Lines(here).Where(line => line.Mark == "✓"), line => Assert.False(line.MarkIsColoured || line.SentenceIsColoured));
+    });
+
+    [Fact]
+    public Task The_planned_time_is_of_the_line_that_the_controller_is_connected_by() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Show("Job");
+        var network = here.Desk.Derived.PlannedSeconds;
+        Assert.Equal(ClockText.Of(network), PlannedTime());
+        var folder = Directory.CreateTempSubdirectory("serial-");
+        var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        var serving = controller.ServeSerialAsync(Path.Combine(folder.FullName, "tty"), 115200, CancellationToken.None);
+        here.Until(() => serving.IsCompleted);
+        here.Enter("CNCCONNECT", FormattableString.Invariant($"serial://{Path.Combine(folder.FullName, "tty")}?baud=115200"));
+        here.Rest();
+
+        Assert.True(here.Desk.Derived.PlannedSeconds > network + 1.0);
+        Assert.Equal(ClockText.Of(here.Desk.Derived.PlannedSeconds), PlannedTime());
+        Assert.Equal(here.Desk.Derived.PlannedSeconds, here.Desk.Derived.SecondsLeft(0, 70), 3.0);
+        here.Enter("CNCDISCONNECT");
+        Assert.Equal(ClockText.Of(network), PlannedTime());
+        var ending = controller.DisposeAsync().AsTask();
+        here.Until(() => ending.IsCompleted);
+        folder.Delete(recursive: true);
+
+        string PlannedTime() => ((JobModel)here.Find<ItemsControl>("CheckList").DataContext!).Figures.Single(figure => figure.Name == "Planned time").Value;
     });
 
     /// <summary>The list as it stands on the page.</summary>

@@ -24,6 +24,21 @@ public sealed class LayersTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task The_curves_of_a_layer_are_counted_anew_when_some_are_erased() => fixture.WithOperator(here =>
+    {
+        Assert.True(here.Find<TextBlock>("NoLayersText").IsEffectivelyVisible);
+        here.Open("gasket.dxf");
+        Assert.False(here.Find<TextBlock>("NoLayersText").IsEffectivelyVisible);
+        Assert.Equal(30, CurvesOf("VENTS"));
+        here.Enter("ERASE", "LA", "VENTS", "");
+        Assert.Equal(0, CurvesOf("VENTS"));
+        here.Enter("U");
+        Assert.Equal(30, CurvesOf("VENTS"));
+
+        int CurvesOf(string layer) => here.Find<ListBox>("LayerList").Items.Cast<LayerRow>().Single(row => row.Name == layer).Curves;
+    });
+
+    [Fact]
     public Task Frozen_and_not_plotted_are_switched_apart() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");

@@ -3,6 +3,7 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.MachineStrip;
+using Engraver.App.Tabs;
 using Engraver.Galil.Jobs;
 using Engraver.Simulator;
 using Engraver.Workbench.Machines;
@@ -23,7 +24,9 @@ public sealed class MachineTests(DesktopFixture fixture)
 
         Assert.Equal("READY", here.Find<TextBlock>("StateText").Text);
         Assert.True(here.Find<TextBlock>("SimulationWord").IsEffectivelyVisible);
-        Assert.Equal(new Thickness(4), here.Find<Border>("Frame").BorderThickness);
+        var frame = here.Find<Border>("Frame");
+        Assert.Equal(new Thickness(4), frame.BorderThickness);
+        Assert.Same(here.Window.FindResource(here.Window.ActualThemeVariant, "SimulationBrush"), frame.BorderBrush);
     });
 
     [Fact]
@@ -196,12 +199,19 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Step();
 
         Assert.Equal("FAULT", here.Find<TextBlock>("StateText").Text);
+        Assert.Equal(("–", "–", null), (here.Window.Model.Machine.Tool, here.Window.Model.Machine.Feed, here.Window.Model.Machine.Outputs));
+        var tab = here.Find<PageTabs>("Pages").Pages.Single(page => page.Key == "Alarms");
+        Assert.Equal((1, false), (tab.Waiting, tab.IsMade));
+        var told = here.Find<PageTabs>("Pages").GetVisualDescendants().OfType<ListBoxItem>().Single(item => item.DataContext == tab);
+        Assert.Contains(told.GetVisualDescendants().OfType<TextBlock>(), text => text is { Text: "1", IsEffectivelyVisible: true });
         here.Show("Alarms");
         Assert.Equal(1, here.Find<ListBox>("AlarmList").ItemCount);
         Assert.All(here.Find<ListBox>("AlarmList").GetVisualDescendants().OfType<TextBlock>(), text => Assert.False(text.TextLayout.TextLines.Any(line => line.HasCollapsed || line.HasOverflowed), text.Text));
         here.Click(here.Find<Button>("AcknowledgeAllButton"));
         here.Step();
         Assert.DoesNotContain(here.Commands.Machine.Alarms.All, alarm => alarm.NeedsAcknowledging);
+        here.Rest();
+        Assert.DoesNotContain(told.GetVisualDescendants().OfType<TextBlock>(), text => text is { Text: "1", IsEffectivelyVisible: true });
         Assert.NotEqual(MachineState.Ready, here.Commands.Machine.Status.State);
         Assert.False(here.Find<Button>("ArmKey").IsEffectivelyEnabled);
     });

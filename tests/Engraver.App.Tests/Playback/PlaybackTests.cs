@@ -47,6 +47,7 @@ public sealed class PlaybackTests(DesktopFixture fixture)
     [Fact]
     public Task The_thumb_stands_in_the_middle_of_its_bar() => fixture.WithOperator(here =>
     {
+        here.Open("paper-001.dxf");
         var thumb = here.Find<Avalonia.Controls.Slider>("Scrub").GetVisualDescendants().OfType<Avalonia.Controls.Primitives.Thumb>().First();
         var button = here.MiddleOf(here.Find<Avalonia.Controls.Button>("PlayButton"));
 

@@ -32,6 +32,34 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Rest();
     });
 
+    /// <summary>The menus keep the keyboard only while they are open.</summary>
+    [Theory]
+    [InlineData("Escape")]
+    [InlineData("Title")]
+    [InlineData("Canvas")]
+    [InlineData("Entry")]
+    [InlineData("OnCanvas")]
+    public Task What_is_typed_after_a_menu_goes_to_the_command_line(string way) => fixture.WithOperator(here =>
+    {
+        var view = here.Find<MenuItem>("ViewMenu");
+        if (way == "OnCanvas") here.Hands.Click(here.MiddleOf(here.Window.Canvas), MouseButton.Right);
+        else here.Click(view);
+        if (way == "Title") here.Click(view);
+        else if (way == "Canvas") here.Click(here.Window.Canvas);
+        else if (way == "Entry") here.Click(view.Items.OfType<MenuItem>().First());
+        else here.Hands.Press(Key.Escape);
+        here.Rest();
+        here.Hands.Type("E");
+        here.Hands.Press(Key.F2);
+        here.Step();
+
+        Assert.Equal(way == "Entry" ? "ZOOM" : null, here.Desk.Prompt.Command);
+        Assert.Equal("E", here.Window.Model.Command.Line);
+        Assert.True(here.Find<PageTabs>("Pages").Bounds.Height > 250, "F2 was not heard");
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+    });
+
     [Fact]
     public Task The_main_job_is_done_with_the_keyboard_alone() => fixture.WithOperator(here =>
     {
@@ -115,11 +143,68 @@ public sealed class ShellTests(DesktopFixture fixture)
             Assert.True(box.Width > 0 && whole.Contains(box), $"{name} at {box}");
         }
 
-        var column = here.Find<ItemsControl>("ToolColumn");
-        var last = column.GetVisualDescendants().OfType<Button>().Last();
-        var bottom = last.TranslatePoint(new Point(0, last.Bounds.Height), column)!.Value.Y;
-        Assert.True(bottom <= column.Bounds.Height, FormattableString.Invariant($"{bottom} of tools in {column.Bounds.Height}"));
+        here.Enter("CNCARM", "Stream", "CNCRUN");
+        Assert.Equal("00:00 left", here.Find<TextBlock>("TimeLeftText").Text);
+        Assert.Equal("70 / 70", here.Find<TextBlock>("SegmentsText").Text);
+        Assert.All(here.Find<Control>("MachineStrip").GetVisualDescendants().OfType<TextBlock>().Where(text => text.IsEffectivelyVisible), text => Assert.False(text.TextLayout.TextLines.Any(line => line.HasCollapsed || line.HasOverflowed), text.Text));
+        Assert.Equal("", CutOff(here));
+        here.Hands.Press(Key.F2);
+        here.Step();
+        Assert.Equal("", CutOff(here));
+        here.Hands.Press(Key.F2);
+        here.Step();
     });
+
+    /// <summary>Pages and palettes that were drawn large in a large window take no more than there is, and have their size again when there is room.</summary>
+    [Fact]
+    public Task A_smaller_window_takes_from_the_panels_before_the_canvas_is_gone() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1900, 1000));
+        here.Step();
+        var (pages, palettes) = (here.Find<PageTabs>("Pages"), here.Find<PageTabs>("Palettes"));
+        var corner = pages.TranslatePoint(new Point(200, -2), here.Window)!.Value;
+        here.Hands.Drag(corner, corner.WithY(250));
+        var edge = palettes.TranslatePoint(new Point(-2, 60), here.Window)!.Value;
+        here.Hands.Drag(edge, edge.WithX(700));
+        here.Step();
+        var large = (pages.Bounds.Height, palettes.Bounds.Width);
+        Assert.True(large is { Item1: > 600, Item2: > 1000 }, $"{large}");
+        here.Hands.Resize(new Size(1024, 700));
+        here.Step();
+
+        Assert.Equal("", CutOff(here));
+        Assert.True(here.Window.Canvas.Bounds is { Width: >= 200, Height: >= 80 }, $"{here.Window.Canvas.Bounds}");
+        var line = here.Find<TextBox>("LineBox");
+        Assert.True(line.TranslatePoint(new Point(0, line.Bounds.Height), here.Window)!.Value.Y < 690, "the command line is below the window");
+        here.Hands.Resize(new Size(1900, 1000));
+        here.Step();
+        Assert.Equal(large, (pages.Bounds.Height, palettes.Bounds.Width));
+    });
+
+    [Fact]
+    public Task The_frame_of_the_simulation_moves_nothing() => fixture.WithOperator(here =>
+    {
+        here.Step();
+        var frame = here.Find<Border>("Frame");
+        var (before, unlit) = (PlacesOf(), frame.BorderBrush);
+        here.Enter("CNCCONNECT", "sim:");
+
+        Assert.Equal(before, PlacesOf());
+        Assert.NotEqual(unlit, frame.BorderBrush);
+
+        List<(string?, Point?)> PlacesOf() => [.. new[] { "MainMenu", "StopKey", "ToolColumn", "CanvasPlace", "PlayButton", "Palettes", "Pages", "CoordinateText" }.Select(name => (name, here.Find<Control>(name).TranslatePoint(default, here.Window)))];
+    });
+
+    [Fact]
+    public Task The_window_has_an_icon() => fixture.WithOperator(here => Assert.NotNull(here.Window.Icon));
+
+    /// <summary>The tools that do not stand whole in their column.</summary>
+    private static string CutOff(Operator here)
+    {
+        var column = here.Find<ItemsControl>("ToolColumn");
+        var room = new Rect(column.Bounds.Size);
+        return string.Join(", ", column.GetVisualDescendants().OfType<Button>().Where(tool => !room.Contains(new Rect(tool.Bounds.Size).TransformToAABB(tool.TransformToVisual(column)!.Value))).Select(tool => tool.Tag));
+    }
 
     [Fact]
     public Task A_tool_runs_its_command() => fixture.WithOperator(here =>
@@ -158,7 +243,10 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Equal(4, here.Commands.Document.Current.Selection.Count);
         Assert.Contains("4", here.Find<TextBlock>("SummaryText").Text, StringComparison.Ordinal);
         var names = here.Find<ListBox>("LineList").Items.Cast<PropertyLine>().Select(line => line.Name).ToList();
-        Assert.All(SlotNames.All, slot => Assert.Contains(slot, names));
+        Assert.All(SlotNames.All.Zip(SlotNames.Units), slot => Assert.Contains($"{slot.First} {slot.Second}".TrimEnd(), names));
+        Assert.Contains("1 Start X mm", names);
+        Assert.Contains("10 Radius mm", names);
+        Assert.Contains("15 Sweep deg", names);
     });
 
     [Fact]

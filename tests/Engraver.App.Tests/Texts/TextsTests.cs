@@ -57,7 +57,7 @@ public sealed class TextsTests
 
     [Fact]
     public void A_text_with_figures_is_written_with_a_point() =>
-        Assert.Equal("join 0.01", Engraver.App.Texts.Text.Of("Status.Join", 0.01));
+        Assert.Equal("join 0.01 mm", Engraver.App.Texts.Text.Of("Status.Join", 0.01));
 
     [Theory]
     [InlineData(0, "0 errors")]

@@ -1,6 +1,9 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Documents;
@@ -40,6 +43,22 @@ public sealed class DerivationSessionTests : IDisposable
         _document.Take("X", _document.Current with { Settings = _document.Current.Settings with { MaxErrorMm = 0.01 } });
         Assert.False(_derivation.IsCurrent);
         Assert.NotSame(first, await _derivation.ForCurrentAsync(CancellationToken.None));
+    }
+
+    [Fact]
+    public async Task Another_line_makes_another_plan_of_the_same_job()
+    {
+        var network = await _derivation.ForCurrentAsync(CancellationToken.None);
+        _derivation.Line = new SerialAddress("/dev/ttyS0", 9600);
+        Assert.False(_derivation.IsCurrent);
+        var serial = await _derivation.ForCurrentAsync(CancellationToken.None);
+
+        var fit = MachineRun.FitToLink(network.Job!.Motion.Program!, _derivation.Line, JobMode.Stream, network.Job.Drawing).Program;
+        Assert.Equal(MachineRun.PlannedTimes(fit, _derivation.Line, JobMode.Stream), serial.Plan);
+        Assert.True(serial.Plan!.Value.Total > network.Plan!.Value.Total);
+        Assert.Same(network.Motion, serial.Motion);
+        _derivation.Line = null;
+        Assert.Equal(network.Plan, (await _derivation.ForCurrentAsync(CancellationToken.None)).Plan);
     }
 
     [Fact]

@@ -65,6 +65,22 @@ public class MachineFactsTests
         Assert.Equal((true, 5, null), (status.ToolCommanded!.Value, status.Outputs!.Value, status.Inputs));
     }
 
+    /// <summary>The last look was before the job: it says neither where the machine stands now nor what the tool does.</summary>
+    [Fact]
+    public void Once_the_link_is_lost_only_the_last_place_is_known()
+    {
+        var watched = With(s_rest with { X = 7000, Outputs = 0, Inputs = 255, Speed = 0.0 }) with { Lost = "gone" };
+        var told = watched with { PollIsOld = true, Frame = new CountsPoint(10_000, 0), Progress = new JobProgress(2, 9, 7, 20, 3000, 4000, true, 1.5, Outputs: 5) };
+        foreach (var (facts, x) in new[] { (watched, 7.0), (told, 13.0) })
+        {
+            var status = facts.ToStatus(MachineProfile.Default, null);
+            Assert.Equal(x, status.MachinePosition!.Value.X);
+            Assert.Equal((null, null, null, null, null, null), (status.ToolCommanded, status.Outputs, status.Inputs, status.Speed, status.MotorsOn, status.FollowingError));
+        }
+
+        Assert.Equal(13.0, (told with { Lost = null }).ToStatus(MachineProfile.Default, null).MachinePosition!.Value.X);
+    }
+
     private static MachineFacts With(MachinePoll poll) => s_idle with { Poll = poll };
 
     private static MachineState State(MachineFacts facts) => facts.ToStatus(MachineProfile.Default, null).State;

@@ -7,9 +7,12 @@ internal readonly record struct GridStep(double Minor, int MinorPerMajor)
 {
     public const double FewestPixels = 10.0;
 
-    public static GridStep For(double unitsPerPixel)
+    public static GridStep For(double unitsPerPixel) => AtLeast(unitsPerPixel * FewestPixels);
+
+    /// <summary>The smallest step that is not below a distance.</summary>
+    /// <param name="least">Positive.</param>
+    public static GridStep AtLeast(double least)
     {
-        var least = unitsPerPixel * FewestPixels;
         var decade = Math.Pow(10.0, Math.Floor(Math.Log10(least)));
         foreach (var (factor, major) in (ReadOnlySpan<(double, int)>)[(1.0, 10), (2.0, 5), (5.0, 10), (10.0, 10), (20.0, 5)])
         {
