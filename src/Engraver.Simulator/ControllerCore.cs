@@ -51,7 +51,7 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             Pace();
-            _silence.Heard();
+            _silence.Heard(null);
             return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, _desk) { Disconnect = disconnect, Datagrams = datagrams });
         }
     }
@@ -62,7 +62,7 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             Pace();
-            _silence.Heard();
+            _silence.Heard(null);
             return Machine.Serial.Plug(baud, new Handle(SerialPort.HandleIndex, 0, 0, _desk) { Disconnect = disconnect });
         }
     }
@@ -73,7 +73,7 @@ internal sealed class ControllerCore : IDisposable
         {
             Pace();
             handle.Receive(bytes);
-            _silence.Heard();
+            _silence.Heard(handle);
             Notify();
             TickWithin(TickPeriod);
         }
@@ -85,7 +85,7 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             handle.Close();
-            _silence.Heard();
+            _silence.Heard(null);
             Notify();
             TickWithin(TickPeriod);
         }

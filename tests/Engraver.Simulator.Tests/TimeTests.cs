@@ -47,6 +47,34 @@ public class TimeTests
     }
 
     [Fact]
+    public async Task At_max_a_host_that_has_not_taken_its_answer_is_busy_and_not_silent()
+    {
+        await using var rig = new Rig();
+        rig.Download("WT 1000\nn=1\nEN").Do("n=0", "XQ");
+        await using var host = rig.Controller.OpenConnection();
+        host.Write("TP\r"u8);
+        var before = rig.Controller.Status.Sample;
+
+        rig.Time.Advance(TimeSpan.FromMilliseconds(450));
+        Assert.Equal(before, rig.Controller.Status.Sample);
+        Assert.NotEqual(0, host.Read(new byte[100]));
+        rig.Time.Advance(Silence);
+        Assert.InRange(rig.Controller.Status.Sample, 1000, 1100);
+    }
+
+    [Fact]
+    public async Task At_max_a_host_that_never_takes_its_answer_holds_nothing_up_for_ever()
+    {
+        await using var rig = new Rig();
+        rig.Download("WT 1000\nn=1\nEN").Do("n=0", "XQ");
+        await using var host = rig.Controller.OpenConnection();
+        host.Write("TP\r"u8);
+
+        rig.Time.Advance(TimeSpan.FromMilliseconds(510));
+        Assert.InRange(rig.Controller.Status.Sample, 1000, 1100);
+    }
+
+    [Fact]
     public async Task At_max_an_open_sequence_waits_two_seconds_for_its_host()
     {
         await using var rig = new Rig();

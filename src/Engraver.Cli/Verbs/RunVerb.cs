@@ -90,6 +90,7 @@ internal sealed class RunVerb
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal), ContractJson.Default.RunJson);
         else _host.Out.WriteLine(RunText.Sentence(job, report));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
+        if (report.TraceFailure is { } failure) _host.Error.WriteLine($"engraver: the trace is not whole: {failure} Give another file or make room; the job was not touched by it.");
         foreach (var left in report.Result.NotRestored) _host.Error.WriteLine($"engraver: not restored: {left}");
         return report.Result.Outcome switch
         {

@@ -29,5 +29,15 @@ internal sealed class JobJournal : IDisposable
 
     public void Write<T>(T line) => _file?.WriteLine(JsonSerializer.Serialize(line, Json));
 
-    public void Dispose() => _file?.Dispose();
+    /// <summary>Each line was flushed as it was written: what the disk refuses now, it has refused before, and the job has said so.</summary>
+    public void Dispose()
+    {
+        try
+        {
+            _file?.Dispose();
+        }
+        catch (IOException)
+        {
+        }
+    }
 }

@@ -10,6 +10,18 @@ internal sealed class ByteQueue
     private bool _completed;
     private TaskCompletionSource? _waiting;
 
+    /// <summary>Bytes that were not read yet.</summary>
+    public int Count
+    {
+        get
+        {
+            lock (_gate)
+            {
+                return _count;
+            }
+        }
+    }
+
     public void Write(ReadOnlySpan<byte> bytes)
     {
         TaskCompletionSource? reader;

@@ -55,6 +55,12 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
     /// <summary>Cuts the connection from the controller's side.</summary>
     public Action? Disconnect { get; set; }
 
+    /// <summary>Whether bytes lie in the operating system that either side has not taken yet; null where there is nothing between.</summary>
+    public Func<bool>? Between { get; set; }
+
+    /// <summary>The host has not taken all of its answer, or what it said since has not arrived: it is busy, not silent.</summary>
+    public bool IsInConversation => !IsClosed && (Output.Count > 0 || Between?.Invoke() == true);
+
     /// <summary>Inside a download: the command gets no prompt before its text has ended.</summary>
     public bool IsReceivingText => _downloading || _arrayTarget is not null;
 

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed.</summary>
+/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed. A device is written as it stands, for a rename would put a file in its place.</summary>
 public static class OutputFile
 {
     /// <summary>Writes UTF-8 text with LF line ends.</summary>
@@ -12,14 +12,31 @@ public static class OutputFile
     {
         if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException($"There is no folder {folder}.");
         if (Directory.Exists(path)) throw new IOException("That is a folder.");
+        var target = new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
+        if (IsDevice(path) || IsDevice(target)) WriteInPlace(path, write);
+        else Replace(target, write);
+    }
+
+    /// <summary>True for what the system keeps where it keeps its devices and open files, such as the standard output.</summary>
+    private static bool IsDevice(string path)
+    {
+        var full = Path.GetFullPath(path);
+        if (OperatingSystem.IsWindows() || !File.Exists(full)) return false;
+        return (full.StartsWith("/dev/", StringComparison.Ordinal) && !full.StartsWith("/dev/shm/", StringComparison.Ordinal)) || full.StartsWith("/proc/", StringComparison.Ordinal);
+    }
+
+    private static void WriteInPlace(string path, Action<TextWriter> write)
+    {
+        using var writer = Text(new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite));
+        write(writer);
+    }
+
+    private static void Replace(string path, Action<TextWriter> write)
+    {
         var temporary = $"{path}.{Environment.ProcessId}.tmp";
         try
         {
-            using (var writer = new StreamWriter(temporary, append: false, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { NewLine = "\n" })
-            {
-                write(writer);
-            }
-
+            using (var writer = Text(new FileStream(temporary, FileMode.Create))) write(writer);
             File.Move(temporary, path, overwrite: true);
         }
         finally
@@ -27,4 +44,6 @@ public static class OutputFile
             File.Delete(temporary);
         }
     }
+
+    private static StreamWriter Text(Stream stream) => new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { NewLine = "\n" };
 }

@@ -43,8 +43,7 @@ public static class MachineRun
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         var samplesBefore = connection.Simulator?.Record.Count ?? 0;
-        await using var traceFile = options.TracePath is { } path ? new StreamWriter(path) : null;
-        var sessionOptions = new SessionOptions { Trace = traceFile is null ? null : new WireTrace(traceFile, time) };
+        var trace = options.TracePath is { } path ? new WireTrace(new StreamWriter(path), time) : null;
         var jobOptions = new JobOptions
         {
             Mode = options.Mode,
@@ -54,9 +53,18 @@ public static class MachineRun
             DryRun = options.DryRun,
             SourceOf = job.Drawing.SourceOf,
         };
-        await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
-        var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
-        return new MachineRunReport(result, Judge(job, program, result, connection, samplesBefore, options.DryRun), session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
+        try
+        {
+            await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, new SessionOptions { Trace = trace }, time, stop).ConfigureAwait(false);
+            var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
+            trace?.Close();
+            return new MachineRunReport(
+                result, Judge(job, program, result, connection, samplesBefore, options.DryRun), session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total, trace?.Failure);
+        }
+        finally
+        {
+            trace?.Close();
+        }
     }
 
     private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, MachineConnection connection, int samplesBefore, bool dryRun)

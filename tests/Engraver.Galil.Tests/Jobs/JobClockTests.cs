@@ -40,4 +40,47 @@ public class JobClockTests
         Assert.False(clock.RunsAhead);
         Assert.Equal(0.0, clock.Seconds);
     }
+
+    [Theory]
+    [InlineData(1.6, 0.3, true)] // virtual time: each question costs 1.6 ms of it, whatever the wall says
+    [InlineData(1.6, 1.7, false)]
+    [InlineData(25.0, 25.0, false)] // a real controller on a slow wire
+    public async Task Polls_in_a_row_show_a_clock_that_only_counts_commands(double samplesPerPoll, double milliseconds, bool ahead)
+    {
+        var time = new ManualTimeProvider();
+        var clock = new JobClock(time, 0.001, TimeSpan.FromMilliseconds(10));
+        var samples = 0.0;
+        for (var poll = 0; poll < 30; poll++)
+        {
+            clock.Asks();
+            time.Advance(TimeSpan.FromMilliseconds(milliseconds));
+            clock.Polled((long)(samples += samplesPerPoll));
+            Assert.True(clock.PauseAsync(CancellationToken.None).AsTask().IsCompletedSuccessfully);
+        }
+
+        Assert.Equal(ahead, clock.RunsAhead);
+    }
+
+    [Fact]
+    public async Task A_busy_start_hides_it_only_until_the_next_row()
+    {
+        var time = new ManualTimeProvider();
+        var clock = new JobClock(time, 0.001, TimeSpan.FromMilliseconds(10));
+        var (samples, pauses) = (0.0, 0);
+        for (var poll = 0; poll < 250 && !clock.RunsAhead; poll++)
+        {
+            clock.Asks();
+            time.Advance(TimeSpan.FromMilliseconds(poll < 40 ? 5.0 : 0.3));
+            clock.Polled((long)(samples += 1.6));
+            var pause = clock.PauseAsync(CancellationToken.None).AsTask();
+            if (pause.IsCompleted) continue;
+            pauses++;
+            time.Advance(TimeSpan.FromMilliseconds(10));
+            samples += 10.0;
+            await pause;
+        }
+
+        Assert.True(clock.RunsAhead);
+        Assert.Equal(150, pauses);
+    }
 }

@@ -33,6 +33,24 @@ public class JournalTests
         Assert.Equal(1600, executed[^1]);
     }
 
+    [Fact]
+    public async Task A_journal_on_a_full_disk_ends_the_job_before_anything_moves_and_says_why()
+    {
+        if (OperatingSystem.IsWindows()) return; // no device is always full there
+        await using var bench = new SimulatedBench();
+        var folder = Directory.CreateTempSubdirectory();
+        var full = Path.Combine(folder.FullName, "job.jsonl");
+        File.CreateSymbolicLink(full, "/dev/full");
+
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { JournalPath = full });
+        folder.Delete(recursive: true);
+
+        Assert.Equal(JobOutcome.Refused, result.Outcome);
+        Assert.Contains("The journal cannot be written: No space left", result.Sentence, StringComparison.Ordinal);
+        Assert.Equal(0, bench.Controller.Status.Outputs);
+        Assert.Equal((0, 0), (result.SegmentsSent, bench.Controller.Record.Count));
+    }
+
     private static (int Stroke, int Entity, int Executed) At(JsonElement line) =>
         (line.GetProperty("stroke").GetInt32(), line.GetProperty("entity").GetInt32(), line.GetProperty("segmentsExecuted").GetInt32());
 

@@ -165,5 +165,19 @@ public class CommandChannelTests
         Assert.Equal("0.001500 A > MG x\n0.001500 A <  1.0000 | :\n", text.ToString());
     }
 
+    [Fact]
+    public async Task A_trace_on_a_full_disk_ends_and_the_commands_go_on()
+    {
+        if (OperatingSystem.IsWindows()) return; // no device is always full there
+        var trace = new WireTrace(new StreamWriter("/dev/full") { AutoFlush = true }, _time);
+        await using var channel = new CommandChannel(new ScriptedLink(_ => ":"), "A", Limit, _time, trace);
+
+        Assert.IsType<Accepted>(await channel.SendAsync("STS", CancellationToken.None));
+        Assert.IsType<Accepted>(await channel.SendAsync("CB 1", CancellationToken.None));
+        trace.Close();
+
+        Assert.Contains("No space left", trace.Failure, StringComparison.Ordinal);
+    }
+
     private CommandChannel Channel(ScriptedLink link) => new(link, "A", Limit, _time, null);
 }
