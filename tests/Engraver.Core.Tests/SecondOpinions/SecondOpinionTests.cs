@@ -44,6 +44,38 @@ public class SecondOpinionTests
         Assert.Contains(differences, text => text.StartsWith("extents: ", StringComparison.Ordinal));
     }
 
+    /// <summary>What stands outside of sections, or in the block that is model space, is the drawing's for both.</summary>
+    [Fact]
+    public void Both_readings_take_the_same_for_the_drawing()
+    {
+        (int, object)[] line = [(0, "LINE"), (8, "0"), (10, 0), (20, 0), (11, 3), (21, 4)];
+        var loose = new DxfText().Add(line).Header("AC1015", 4).Section("ENTITIES", line).Add(line).Add((0, "ENDSEC")).End();
+        var packed = new DxfText().Header("AC1015", 4).Section("BLOCKS", OddDrawings.Block("*Model_Space", line)).Section("ENTITIES", line).End();
+
+        Assert.Empty(Differences(loose.ToAscii()));
+        Assert.Empty(Differences(packed.ToAscii()));
+        Assert.Equal((3, 2), (Reading.Of(loose).Entities.Count, Reading.Of(packed).Entities.Count));
+    }
+
+    /// <summary>UTF-16 of both orders, with and without a mark; an R12 binary whose first code needs three bytes.</summary>
+    [Fact]
+    public void Both_readings_know_wide_text_and_a_comment_that_opens_a_binary_file()
+    {
+        var text = System.Text.Encoding.ASCII.GetString(OddDrawings.OneOfEverything().ToAscii());
+        foreach (var wide in (ReadOnlySpan<System.Text.Encoding>)[System.Text.Encoding.Unicode, System.Text.Encoding.BigEndianUnicode])
+        {
+            Assert.Empty(Differences(wide.GetBytes(text)));
+            Assert.Empty(Differences(wide.GetBytes("\uFEFF" + text)));
+        }
+
+        Assert.Empty(Differences(new DxfText().Add((999, "made by hand")).Add([.. OddDrawings.OneOfEverything().Pairs]).ToBinary(oneByteCodes: true)));
+    }
+
+    /// <summary>A curve with a cusp comes to rest on its way: chords must be short there.</summary>
+    [Fact]
+    public void Both_readings_measure_a_cusp_alike() =>
+        Assert.Empty(Differences(DxfText.WithEntities((0, "SPLINE"), (71, 3), (40, 0), (40, 0), (40, 0), (40, 0), (40, 1), (40, 1), (40, 1), (40, 1), (10, 0), (20, 0), (10, 100), (20, 100), (10, 0), (20, 100), (10, 100), (20, 0)).ToAscii()));
+
     [Fact]
     public void What_the_reader_repairs_is_a_difference()
     {
