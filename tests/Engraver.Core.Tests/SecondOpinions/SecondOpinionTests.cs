@@ -77,6 +77,14 @@ public class SecondOpinionTests
         (0, "ELLIPSE"), (10, 0), (20, 0), (11, -16.446122721951824), (21, -16.702579524623026), (40, 1e-6), (41, 3.4845848090756792), (42, 1.296001523415514)).ToAscii()));
 
     [Fact]
+    public void Both_readings_take_a_knot_that_was_rounded_down_for_the_one_before_it()
+    {
+        (int, object)[] knots = [.. new[] { 0, 0, 0, 0, 0.5, 0.49999999999, 1, 1, 1, 1 }.Select(knot => (40, (object)knot))];
+
+        Assert.Empty(Differences(DxfText.WithEntities([(0, "SPLINE"), (71, 3), .. knots, (10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0), (10, 5), (20, 5)]).ToAscii()));
+    }
+
+    [Fact]
     public void What_the_reader_repairs_is_a_difference()
     {
         var file = DxfText.WithEntities((0, "LINE"), (10, "1,5"), (20, 0), (11, 3), (21, 0)).ToAscii();
