@@ -15,6 +15,9 @@ internal sealed class DefinitionReader(
     /// <summary>The block that its section's end has cut off before ENDBLK; null when there is none.</summary>
     public BlockContent? Unfinished { get; private set; }
 
+    /// <summary>Where the blocks that are model space begin, as far as they hold anything: some programs write the drawing there and not in ENTITIES.</summary>
+    public List<(int Position, int Line)> ModelSpaceBlocks { get; } = [];
+
     /// <summary>Takes a definition; every other record is passed over.</summary>
     public void Take()
     {
@@ -36,15 +39,34 @@ internal sealed class DefinitionReader(
 
     private void TakeBlock()
     {
+        var start = records.Bookmark();
         records.Read(_record);
+        if (_record.Name >= 0 && IsModelSpace(records.Blocks[_record.Name]))
+        {
+            PassModelSpace(start);
+            return;
+        }
+
         var basePoint = new Vector3D(_record.Number(10, 0.0), _record.Number(20, 0.0), _record.Number(30, 0.0));
         var block = new Block(_record.Name < 0 ? "" : records.Blocks[_record.Name], basePoint, curves.Count);
         var target = new BlockContent(block, curves);
-        while (records.Next is not (RecordKind.Block or RecordKind.BlockEnd or RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd)) content.ReadEntity(target);
+        while (!EndsBlock()) content.ReadEntity(target);
         Unfinished = records.Next == RecordKind.SectionEnd ? target : null;
         if (records.Next == RecordKind.BlockEnd) records.Skip();
         Define(block);
     }
+
+    /// <summary>R13 and later, and R12 as later releases write it.</summary>
+    private static bool IsModelSpace(string block) => block.Equals("*MODEL_SPACE", StringComparison.OrdinalIgnoreCase) || block.Equals("$MODEL_SPACE", StringComparison.OrdinalIgnoreCase);
+
+    private void PassModelSpace((int Position, int Line) start)
+    {
+        if (!EndsBlock()) ModelSpaceBlocks.Add(start);
+        while (!EndsBlock()) records.Skip();
+        if (records.Next == RecordKind.BlockEnd) records.Skip();
+    }
+
+    private bool EndsBlock() => records.Next is RecordKind.Block or RecordKind.BlockEnd or RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;
 
     /// <summary>An external reference without content is not in the file, so that its inserts are refused instead of drawing nothing.</summary>
     private void Define(Block block)

@@ -62,6 +62,12 @@ internal sealed class DrawingImport
             ReadEntities();
         }
 
+        foreach (var block in _definitions.ModelSpaceBlocks)
+        {
+            _tags.Return(block);
+            ReadModelSpaceBlock();
+        }
+
         return _sections > 0;
     }
 
@@ -162,6 +168,13 @@ internal sealed class DrawingImport
     {
         _records.Skip();
         while (!AtSectionEnd()) _content.ReadEntity(_modelSpace);
+    }
+
+    /// <summary>What stands in the block that is model space. It comes last, for its inserts need the blocks behind it.</summary>
+    private void ReadModelSpaceBlock()
+    {
+        _records.Skip();
+        while (!AtSectionEnd() && _records.Next is not (RecordKind.Block or RecordKind.BlockEnd)) _content.ReadEntity(_modelSpace);
     }
 
     private LengthUnit Unit()

@@ -50,6 +50,9 @@ internal sealed class RecordReader
     /// <summary>Is told how far reading is; null: nobody.</summary>
     public IProgress<double>? Progress { get; init; }
 
+    /// <summary>Where the next record begins: <see cref="DxfTagSource.Return"/> and <see cref="Skip()"/> lead to the one behind it.</summary>
+    public (int Position, int Line) Bookmark() => _tags.Bookmark();
+
     /// <summary>Reads the next record whole, whatever it is.</summary>
     public void Read(EntityRecord record)
     {

@@ -14,18 +14,19 @@ internal static class TextContent
     {
         var text = Carets(Percents(raw));
         var result = new StringBuilder(text.Length);
+        var lastEnd = text.LastIndexOf(';'); // known once: a hostile text may open a million codes and end none
         for (var at = 0; at < text.Length; at++)
         {
             if (text[at] is '{' or '}') continue;
             if (text[at] != '\\' || at + 1 == text.Length) result.Append(text[at]);
-            else at = Code(text, at + 1, result);
+            else at = Code(text, at + 1, lastEnd, result);
         }
 
         return result.ToString();
     }
 
-    /// <summary>Takes the code whose letter stands at <paramref name="at"/>; returns its last character.</summary>
-    private static int Code(string text, int at, StringBuilder result)
+    /// <summary>Takes the code whose letter stands at <paramref name="at"/>; returns its last character. Behind <paramref name="lastEnd"/> no code ends.</summary>
+    private static int Code(string text, int at, int lastEnd, StringBuilder result)
     {
         switch (text[at])
         {
@@ -41,9 +42,9 @@ internal static class TextContent
             case 'L' or 'l' or 'O' or 'o' or 'K' or 'k':
                 return at;
             case 'S':
-                return Stack(text, at, result);
+                return at < lastEnd ? Stack(text, at, result) : at;
             case 'A' or 'C' or 'c' or 'F' or 'f' or 'H' or 'Q' or 'T' or 'W' or 'p':
-                return text.IndexOf(';', at) is var end and >= 0 ? end : at;
+                return at < lastEnd ? text.IndexOf(';', at) : at;
             default:
                 result.Append('\\').Append(text[at]); // no code: it is what it looks like
                 return at;
@@ -54,7 +55,6 @@ internal static class TextContent
     private static int Stack(string text, int at, StringBuilder result)
     {
         var end = text.IndexOf(';', at);
-        if (end < 0) return at;
         var fraction = text[(at + 1)..end];
         var bar = fraction.AsSpan().IndexOfAny('^', '/', '#');
         var (upper, lower) = bar < 0 ? (fraction, "") : (fraction[..bar].Trim(), fraction[(bar + 1)..].Trim());

@@ -3,6 +3,9 @@ namespace Engraver.Core.Geometry;
 /// <summary>A non-uniform rational B-spline as written: degree, knots and control points. Its domain is knot[degree] to knot[count], whatever lies outside.</summary>
 public sealed class NurbsCurve
 {
+    /// <summary>A knot that falls by no more than this part of the whole range is one with the knot before it: it was rounded.</summary>
+    private const double KnotRounding = 1e-9;
+
     private readonly double[] _knots;
     private readonly double[] _points;
 
@@ -13,7 +16,7 @@ public sealed class NurbsCurve
     {
         if (!AreUsable(knots, degree, homogeneous.Length / BezierSpan.Stride)) throw new ArgumentException("Knots, degree and control points do not fit together.", nameof(knots));
         Degree = degree;
-        _knots = knots;
+        _knots = Levelled(knots);
         _points = homogeneous;
     }
 
@@ -24,16 +27,26 @@ public sealed class NurbsCurve
 
     public int PointCount => _points.Length / BezierSpan.Stride;
 
-    /// <summary>As many knots as points + degree + 1, never falling, with a domain that has a length.</summary>
+    /// <summary>As many knots as points + degree + 1, never falling but for rounding, with a domain that has a length.</summary>
     public static bool AreUsable(ReadOnlySpan<double> knots, int degree, int points)
     {
         if (degree < 1 || degree > LargestDegree || points <= degree || knots.Length != points + degree + 1) return false;
-        for (var i = 1; i < knots.Length; i++)
+        var (highest, slack) = (knots[0], KnotRounding * (knots[^1] - knots[0]));
+        foreach (var knot in knots)
         {
-            if (!(knots[i] >= knots[i - 1])) return false;
+            if (!(knot >= highest - slack)) return false;
+            highest = Math.Max(highest, knot);
         }
 
         return knots[degree] < knots[points] && double.IsFinite(knots[^1] - knots[0]);
+    }
+
+    /// <summary>Each knot at least as high as all before it.</summary>
+    private static double[] Levelled(double[] knots)
+    {
+        var level = (double[])knots.Clone();
+        for (var i = 1; i < level.Length; i++) level[i] = Math.Max(level[i], level[i - 1]);
+        return level;
     }
 
     /// <summary>The knots that stand in for unusable ones: uniform, the curve begins and ends at its outer control points.</summary>

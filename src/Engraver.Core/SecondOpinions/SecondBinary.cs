@@ -5,7 +5,7 @@ internal static class SecondBinary
 {
     public static IEnumerable<SecondTag> Tags(byte[] file, int at)
     {
-        var narrow = at + 1 < file.Length && file[at] == 0 && file[at + 1] != 0;
+        var narrow = at + 1 < file.Length && ((file[at] == 0 && file[at + 1] != 0) || file[at] == 255);
         while (at + 2 < file.Length)
         {
             int code = narrow ? file[at++] : BitConverter.ToInt16(file, at);

@@ -13,8 +13,10 @@ internal sealed class SecondFile
     public SecondFile(byte[] file)
     {
         _binary = Encoding.Latin1.GetString(file, 0, Math.Min(file.Length, BinaryMark.Length)) == BinaryMark;
-        var wide = !_binary && file.Length > 1 && ((file[0] == 0xFF && file[1] == 0xFE) || file[1] == 0);
-        _bytes = wide ? Encoding.Latin1.GetBytes(Encoding.Unicode.GetString(file).TrimStart('\uFEFF')) : file;
+        var wide = _binary || file.Length < 2 ? null
+            : (file[0] == 0xFF && file[1] == 0xFE) || file[1] == 0 ? Encoding.Unicode
+            : (file[0] == 0xFE && file[1] == 0xFF) || file[0] == 0 ? Encoding.BigEndianUnicode : null;
+        _bytes = wide is null ? file : Encoding.Latin1.GetBytes(wide.GetString(file).TrimStart('\uFEFF'));
     }
 
     public IEnumerable<SecondTag> Tags => _binary ? SecondBinary.Tags(_bytes, BinaryMark.Length) : Ascii();

@@ -47,6 +47,10 @@ internal sealed class SecondReading
         }
 
         if (waiting is not null) DrawEntity(waiting);
+        foreach (var name in (string[])["*MODEL_SPACE", "$MODEL_SPACE"])
+        {
+            foreach (var content in _blocks.GetValueOrDefault(name)?.Content ?? []) DrawEntity(content);
+        }
     }
 
     private void DrawEntity(SecondRecord record)

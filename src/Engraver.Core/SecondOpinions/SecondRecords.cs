@@ -1,6 +1,6 @@
 namespace Engraver.Core.SecondOpinions;
 
-/// <summary>The records of a file's BLOCKS and ENTITIES sections, one after the other; only the one under way is in memory.</summary>
+/// <summary>The records of a file's BLOCKS and ENTITIES sections, one after the other; only the one under way is in memory. What stands outside of every section goes with ENTITIES.</summary>
 internal static class SecondRecords
 {
     /// <param name="file">Gone through once for each enumeration.</param>
@@ -9,22 +9,25 @@ internal static class SecondRecords
     {
         var record = new SecondRecord(file, "");
         var inside = false;
+        var loose = wanted == "ENTITIES"; // no section has begun, or the last one has ended
         foreach (var tag in file.Tags)
         {
             if (tag.Code != 0)
             {
-                if (inside || record.Type == "SECTION") record.Tags.Add(tag);
+                if (inside || loose || record.Type == "SECTION") record.Tags.Add(tag);
                 continue;
             }
 
-            if (inside) yield return record;
-            if (record.Type == "SECTION") inside = record.Tags is [{ Code: 2 }, ..] && record.Text(2).Equals(wanted, StringComparison.OrdinalIgnoreCase);
+            if (inside || loose) yield return record;
+            if (record.Type == "SECTION" && record.Tags is [{ Code: 2 }, ..]) (inside, loose) = (record.Text(2).Equals(wanted, StringComparison.OrdinalIgnoreCase), false);
             record = new SecondRecord(file, file.Text(tag).ToUpperInvariant());
-            if (!inside || record.Type is not ("ENDSEC" or "EOF" or "SECTION")) continue;
+            if (record.Type is not ("ENDSEC" or "EOF" or "SECTION")) continue;
+            loose = wanted == "ENTITIES" && (record.Type == "ENDSEC" || (loose && record.Type == "SECTION"));
+            if (!inside) continue;
             inside = false;
             yield return new SecondRecord(file, "ENDSEC");
         }
 
-        if (inside) yield return record;
+        if (inside || loose) yield return record;
     }
 }

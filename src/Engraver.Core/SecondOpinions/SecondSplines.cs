@@ -30,6 +30,7 @@ internal static class SecondSplines
         var degree = (int)record.Number(71, 3.0);
         if (degree < 1 || degree > 25 || controls.Count <= degree) return null;
         var (knots, weights) = (record.Numbers(40), record.Numbers(41));
+        Climb(knots);
         var usable = knots.Length == controls.Count + degree + 1 && !knots.Zip(knots.Skip(1)).Any(pair => !(pair.First <= pair.Second)) && knots[degree] < knots[controls.Count];
         if (!usable) knots = [.. Enumerable.Range(0, controls.Count + degree + 1).Select(i => (double)Math.Clamp(i - degree, 0, controls.Count - degree))];
         if (weights.Length != controls.Count || !weights.All(weight => weight > 0.0)) weights = [.. controls.Select(_ => 1.0)];
@@ -41,6 +42,15 @@ internal static class SecondSplines
         }
 
         return pieces;
+    }
+
+    /// <summary>A knot that lies under the one before it by a thousand-millionth of their range was rounded.</summary>
+    private static void Climb(double[] knots)
+    {
+        for (var i = 1; i < knots.Length; i++)
+        {
+            if (knots[i] < knots[i - 1] && knots[i - 1] - knots[i] <= 1e-9 * (knots[^1] - knots[0])) knots[i] = knots[i - 1];
+        }
     }
 
     private static SecondPoint DeBoor(int degree, int span, double[] knots, double[] weights, List<SecondPoint> controls, double u)

@@ -8,6 +8,13 @@ internal sealed class SecondTally
     private const int DeepestHalving = 14;
     private const double EnoughAgreement = 1e-5;
 
+    /// <summary>Numbers of chords of which one is no multiple of the other: a sharp turn that falls between the points of both is not missed by both to the same amount.</summary>
+    private const int Coarse = 7;
+    private const int Fine = 16;
+
+    /// <summary>What a sum of chords misses shrinks with the square of their number.</summary>
+    private const double Gain = (double)(Fine * Fine) / (Coarse * Coarse);
+
     public Dictionary<string, int> Counts { get; } = new(StringComparer.Ordinal);
 
     public double Length { get; private set; }
@@ -43,8 +50,8 @@ internal sealed class SecondTally
     /// <summary>Chords of two finenesses; their difference says how much is missing. Halved where they disagree.</summary>
     private static double LengthOf(Func<double, SecondPoint> curve, double from, double to, int depth)
     {
-        var (coarse, fine) = (Chords(curve, from, to, 8), Chords(curve, from, to, 16));
-        if (depth == 0 || Math.Abs(fine - coarse) <= EnoughAgreement * fine) return ((4.0 * fine) - coarse) / 3.0;
+        var (coarse, fine) = (Chords(curve, from, to, Coarse), Chords(curve, from, to, Fine));
+        if (depth == 0 || Math.Abs(fine - coarse) <= EnoughAgreement * fine) return ((Gain * fine) - coarse) / (Gain - 1.0);
         var middle = (from + to) / 2.0;
         return LengthOf(curve, from, middle, depth - 1) + LengthOf(curve, middle, to, depth - 1);
     }

@@ -104,6 +104,20 @@ public class FreeCurveTests
         Assert.Equal(Reading.Entities(Spline).Curves[0].PlanLength, drawing.Curves[0].PlanLength, 1e-12);
     }
 
+    /// <summary>A double knot of which the second was rounded down is one double knot, not a reason to take all knots for unusable.</summary>
+    [Theory]
+    [InlineData(0.5, 0.49999999999, 1.0)]
+    [InlineData(0.5, 0.5, 0.99999999999)]
+    public void A_knot_that_falls_by_rounding_is_one_with_the_knot_before_it(double first, double second, double last)
+    {
+        (int, object)[] points = [(10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0), (10, 5), (20, 5)];
+        Drawing With(params double[] knots) => Reading.Entities([(0, "SPLINE"), (71, 3), .. knots.Select(knot => (40, (object)knot)), .. points]);
+        var rounded = With(0, 0, 0, 0, first, second, 1, 1, 1, last);
+
+        Assert.Empty(Reading.Ids(rounded));
+        Assert.Equal(With(0, 0, 0, 0, 0.5, 0.5, 1, 1, 1, 1).Curves[0].PlanLength, rounded.Curves[0].PlanLength, 1e-9);
+    }
+
     [Theory]
     [InlineData(0)]
     [InlineData(-2)]

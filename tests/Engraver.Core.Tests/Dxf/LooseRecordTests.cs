@@ -27,6 +27,22 @@ public class LooseRecordTests
         Assert.Equal(["DXF0002"], Reading.Ids(Reading.Of(new DxfText().Add(s_line).End())));
     }
 
+    /// <summary>Some programs write the drawing into the block that is model space. Its inserts may need blocks that come later.</summary>
+    [Theory]
+    [InlineData("*Model_Space", 2)]
+    [InlineData("$MODEL_SPACE", 2)]
+    [InlineData("*Paper_Space", 0)]
+    public void What_stands_in_the_block_of_model_space_is_the_drawings(string name, int cut)
+    {
+        var file = new DxfText().Header("AC1015", 4)
+            .Section("BLOCKS", [.. OddDrawings.Block(name, [.. s_line, .. OddDrawings.Insert("A", 2.0)]), .. OddDrawings.Block("A", s_line)])
+            .Section("ENTITIES", s_line).End();
+        var drawing = Reading.Of(file);
+
+        Assert.Equal((cut + 1, cut + 1, cut + 1), (drawing.Balance.Read, drawing.Balance.Cut, drawing.Entities.Count));
+        Assert.Empty(Reading.Ids(drawing));
+    }
+
     [Fact]
     public void An_ENDSEC_inside_a_block_does_not_spill_its_content_into_the_drawing()
     {

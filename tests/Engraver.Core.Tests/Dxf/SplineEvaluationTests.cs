@@ -30,22 +30,26 @@ public class SplineEvaluationTests
         }
     }
 
+    /// <summary>What chords miss shrinks with the square of their number, so two sums tell the length far better than either.</summary>
     [Fact]
     public void Its_length_is_the_sum_of_many_small_chords()
     {
         for (var seed = 1; seed <= 40; seed++)
         {
             var spline = Spline.Random(new Random(seed));
-            var sum = 0.0;
+            var length = 0.0;
             foreach (var (from, to) in spline.Spans)
             {
                 var places = Enumerable.Range(0, 1001).Select(i => spline.At(Math.Min(from + ((to - from) * i / 1000.0), Math.BitDecrement(to)))).ToArray();
-                sum += places.Zip(places.Skip(1), (a, b) => Math.Sqrt(Math.Pow(a[0] - b[0], 2) + Math.Pow(a[1] - b[1], 2) + Math.Pow(a[2] - b[2], 2))).Sum();
+                length += ((4.0 * Chords(places)) - Chords([.. places.Where((_, i) => i % 2 == 0)])) / 3.0;
             }
 
-            Assert.Equal(1.0, DrawingSummary.Of(Reading.Entities(spline.Pairs())).Length.Total / sum, 1e-4);
+            Assert.Equal(1.0, DrawingSummary.Of(Reading.Entities(spline.Pairs())).Length.Total / length, 1e-8);
         }
     }
+
+    private static double Chords(double[][] places) =>
+        places.Zip(places.Skip(1), (a, b) => Math.Sqrt(Math.Pow(a[0] - b[0], 2) + Math.Pow(a[1] - b[1], 2) + Math.Pow(a[2] - b[2], 2))).Sum();
 
     private sealed record Spline(int Degree, double[] Knots, double[] Weights, double[][] Controls)
     {

@@ -116,5 +116,14 @@ public class TextTests
         Assert.Equal("Деталь №5", Assert.Single(Reading.Of(bytes).Texts).Content);
     }
 
+    /// <summary>Each code looks for its end only where there is one: with a search to the end of the text for each of them this would take minutes.</summary>
+    [Fact]
+    public void A_million_codes_that_never_end_are_left_out()
+    {
+        var codes = string.Concat(Enumerable.Repeat(@"\A\S", 1_000_000));
+
+        Assert.Equal("x;y", Single((0, "MTEXT"), (10, 0), (20, 0), (40, 1), (1, "x;" + codes + "y")).Content);
+    }
+
     private static PlacedText Single(params ReadOnlySpan<(int Code, object Value)> pairs) => Assert.Single(Reading.Entities(pairs).Texts);
 }

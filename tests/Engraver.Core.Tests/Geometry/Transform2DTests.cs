@@ -37,7 +37,7 @@ public class Transform2DTests
     public void A_curve_and_its_places_go_the_same_way_and_its_length_is_scaled() => Prop.ForAll(FreeCurves.Splines, Any, (curve, map) =>
     {
         var mapped = curve.Mapped(map);
-        return Math.Abs(mapped.PlanLength - (map.Scale * curve.PlanLength)) <= 1e-6 * (1.0 + mapped.PlanLength)
+        return Math.Abs(mapped.PlanLength - (map.Scale * curve.PlanLength)) <= 1e-9 * (1.0 + mapped.PlanLength)
             && Enumerable.Range(0, 17).All(i => mapped.PointAt(i / 16.0).IsNear(map.Apply(curve.PointAt(i / 16.0)), 1e-8));
     }).QuickCheckThrowOnFailure();
 

@@ -44,6 +44,46 @@ public class SecondOpinionTests
         Assert.Contains(differences, text => text.StartsWith("extents: ", StringComparison.Ordinal));
     }
 
+    /// <summary>What stands outside of sections, or in the block that is model space, is the drawing's for both.</summary>
+    [Fact]
+    public void Both_readings_take_the_same_for_the_drawing()
+    {
+        (int, object)[] line = [(0, "LINE"), (8, "0"), (10, 0), (20, 0), (11, 3), (21, 4)];
+        var loose = new DxfText().Add(line).Header("AC1015", 4).Section("ENTITIES", line).Add(line).Add((0, "ENDSEC")).End();
+        var packed = new DxfText().Header("AC1015", 4).Section("BLOCKS", OddDrawings.Block("*Model_Space", line)).Section("ENTITIES", line).End();
+
+        Assert.Empty(Differences(loose.ToAscii()));
+        Assert.Empty(Differences(packed.ToAscii()));
+        Assert.Equal((3, 2), (Reading.Of(loose).Entities.Count, Reading.Of(packed).Entities.Count));
+    }
+
+    /// <summary>UTF-16 of both orders, with and without a mark; an R12 binary whose first code needs three bytes.</summary>
+    [Fact]
+    public void Both_readings_know_wide_text_and_a_comment_that_opens_a_binary_file()
+    {
+        var text = System.Text.Encoding.ASCII.GetString(OddDrawings.OneOfEverything().ToAscii());
+        foreach (var wide in (ReadOnlySpan<System.Text.Encoding>)[System.Text.Encoding.Unicode, System.Text.Encoding.BigEndianUnicode])
+        {
+            Assert.Empty(Differences(wide.GetBytes(text)));
+            Assert.Empty(Differences(wide.GetBytes("\uFEFF" + text)));
+        }
+
+        Assert.Empty(Differences(new DxfText().Add((999, "made by hand")).Add([.. OddDrawings.OneOfEverything().Pairs]).ToBinary(oneByteCodes: true)));
+    }
+
+    /// <summary>The tip of the thinnest ellipse there is: chords of two finenesses that both cut it short by the same amount are no proof.</summary>
+    [Fact]
+    public void Both_readings_measure_a_sharp_turn_alike() => Assert.Empty(Differences(DxfText.WithEntities(
+        (0, "ELLIPSE"), (10, 0), (20, 0), (11, -16.446122721951824), (21, -16.702579524623026), (40, 1e-6), (41, 3.4845848090756792), (42, 1.296001523415514)).ToAscii()));
+
+    [Fact]
+    public void Both_readings_take_a_knot_that_was_rounded_down_for_the_one_before_it()
+    {
+        (int, object)[] knots = [.. new[] { 0, 0, 0, 0, 0.5, 0.49999999999, 1, 1, 1, 1 }.Select(knot => (40, (object)knot))];
+
+        Assert.Empty(Differences(DxfText.WithEntities([(0, "SPLINE"), (71, 3), .. knots, (10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0), (10, 5), (20, 5)]).ToAscii()));
+    }
+
     [Fact]
     public void What_the_reader_repairs_is_a_difference()
     {
