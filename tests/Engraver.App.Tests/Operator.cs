@@ -105,6 +105,7 @@ internal sealed class Operator
     public void Leave()
     {
         Window.Close();
+        if (Window.IsVisible) Window.Close(); // a job runs: the second one is meant
         Step();
         var leaving = Session.DisposeAsync().AsTask();
         Until(() => leaving.IsCompleted);

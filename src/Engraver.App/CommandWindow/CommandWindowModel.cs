@@ -81,6 +81,16 @@ public sealed class CommandWindowModel : Observable
         _ = _desk.FeedAsync(input);
     }
 
+    /// <summary>Pasted text of several lines: the whole ones go to the command session behind what was typed, what follows the last line's end stays to be typed on.</summary>
+    public void Paste(string text)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        var all = (Line + text).ReplaceLineEndings("\n");
+        var end = all.LastIndexOf('\n');
+        Line = all[(end + 1)..];
+        _ = _desk.FeedLinesAsync(all[..(end + 1)]);
+    }
+
     public void Take(CommandSuggestion suggestion)
     {
         Line = "";

@@ -1,5 +1,6 @@
 using Avalonia.Controls;
 using Avalonia.Input;
+using Avalonia.Input.Platform;
 using Avalonia.Interactivity;
 using Avalonia.Threading;
 using Engraver.Workbench.Commands;
@@ -16,6 +17,7 @@ public partial class CommandWindowView : UserControl
         InitializeComponent();
         LineBox.AddHandler(KeyDownEvent, OnLineKey, RoutingStrategies.Tunnel);
         LineBox.AddHandler(TextInputEvent, OnLineText, RoutingStrategies.Tunnel);
+        LineBox.PastingFromClipboard += OnPasting;
         SuggestionList.AddHandler(PointerReleasedEvent, OnSuggestionClick, RoutingStrategies.Tunnel | RoutingStrategies.Bubble, handledEventsToo: true);
         HistoryList.Items.CollectionChanged += OnHistory;
         HistoryList.SizeChanged += OnHistory;
@@ -35,6 +37,22 @@ public partial class CommandWindowView : UserControl
         Model.Line += text;
         LineBox.Focus();
         LineBox.CaretIndex = Model.Line.Length;
+    }
+
+    /// <summary>Ctrl+V: text goes into the line as it would be typed, several lines go to the commands.</summary>
+    public async Task PasteAsync()
+    {
+        var clipboard = TopLevel.GetTopLevel(this)?.Clipboard;
+        if (clipboard is null || await clipboard.TryGetTextAsync() is not { Length: > 0 } text) return;
+        if (text.AsSpan().ContainsAny('\r', '\n'))
+        {
+            Model.Paste(text);
+            LineBox.CaretIndex = Model.Line.Length;
+            return;
+        }
+
+        LineBox.Focus();
+        LineBox.SelectedText = text;
     }
 
     /// <summary>A key that was pressed somewhere else.</summary>
@@ -68,6 +86,13 @@ public partial class CommandWindowView : UserControl
         if (e.Text != " " || !Model.SpaceSubmits) return;
         Model.Submit();
         e.Handled = true;
+    }
+
+    /// <summary>Left to itself the box would take the first line and drop the others.</summary>
+    private void OnPasting(object? sender, RoutedEventArgs e)
+    {
+        e.Handled = true;
+        _ = PasteAsync();
     }
 
     private void OnSuggestionClick(object? sender, PointerReleasedEventArgs e)

@@ -96,6 +96,13 @@ public sealed class WorkDesk : IAsyncDisposable
         return Enqueue(() => Session.FeedAsync(input, _closing.Token));
     }
 
+    /// <summary>Takes pasted lines.</summary>
+    public Task<FeedResult> FeedLinesAsync(string lines) =>
+        IsBusy && Session.IsBusy ? Watched(Task.Run(() => Session.FeedLinesAsync(lines, _closing.Token))) : Enqueue(() => Session.FeedLinesAsync(lines, _closing.Token));
+
+    /// <summary>A line of the window itself in the history.</summary>
+    public void Tell(MessageKind kind, string text) => Said?.Invoke([new CommandMessage(kind, text)]);
+
     /// <summary>Runs a command with its first answers, as a menu or a switch does: what asks is ended first, unless the command may run inside it.</summary>
     public Task<FeedResult> RunAsync(params string[] inputs)
     {

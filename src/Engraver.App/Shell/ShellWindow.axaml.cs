@@ -8,6 +8,7 @@ using Engraver.App.CommandWindow;
 using Engraver.App.Desk;
 using Engraver.App.Menus;
 using Engraver.App.Safety;
+using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Shell;
 
@@ -18,6 +19,7 @@ public partial class ShellWindow : Window
     private readonly StopKeys _stopKeys;
     private readonly FileQuestions _files;
     private readonly PanelSizes _panels;
+    private bool _warnedOfJob;
 
     public ShellWindow(WorkDesk desk, StopKeys stopKeys)
     {
@@ -35,6 +37,7 @@ public partial class ShellWindow : Window
         _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
         (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
         if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
+        desk.Changed += () => _warnedOfJob &= desk.IsMoving;
         MainMenu.Closed += GiveKeyboardBack;
         AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
         AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
@@ -54,9 +57,25 @@ public partial class ShellWindow : Window
     protected override void OnClosing(WindowClosingEventArgs e)
     {
         base.OnClosing(e);
+        if (IsHeldByJob(e.CloseReason))
+        {
+            e.Cancel = true;
+            return;
+        }
+
         _panels.Keep();
         var maximised = WindowState == WindowState.Maximized;
         _desk.Session.Settings.Change(settings => maximised ? settings with { WindowMaximised = true } : settings with { WindowMaximised = false, WindowWidth = Width, WindowHeight = Height });
+    }
+
+    /// <summary>Closing ends a job, so that the first wish to close while anything moves is answered with a warning; the second one is meant.</summary>
+    private bool IsHeldByJob(WindowCloseReason reason)
+    {
+        if (!_desk.IsMoving || _warnedOfJob || reason is WindowCloseReason.ApplicationShutdown or WindowCloseReason.OSShutdown) return false;
+        _warnedOfJob = true;
+        _panels.BringCommandLine();
+        _desk.Tell(MessageKind.Warning, Texts.Text.Of("Window.JobRuns"));
+        return true;
     }
 
     /// <summary>What an entry of the menus and tools does.</summary>
@@ -101,6 +120,14 @@ public partial class ShellWindow : Window
         if (Model.Connect.IsOpen)
         {
             e.Handled = ConnectSheet.Press(e);
+            return;
+        }
+
+        if (!HasKeyboard(e.Source) && e is { Key: Key.V, KeyModifiers: KeyModifiers.Control })
+        {
+            _panels.BringCommandLine();
+            _ = CommandLine.PasteAsync();
+            e.Handled = true;
             return;
         }
 

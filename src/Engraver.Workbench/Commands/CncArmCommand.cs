@@ -30,7 +30,7 @@ internal sealed class CncArmCommand : ICommand
         foreach (var check in checklist.Checks) Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, "Not armed.");
         var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);
-        context.Say(FormattableString.Invariant($"Armed until {armed.Until:HH:mm:ss} UTC: {mode.Mode}{(mode.DryRun ? ", tool off" : "")}. START or CNCRUN begins."));
+        context.Say(FormattableString.Invariant($"Armed until {TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone):HH:mm:ss}: {mode.Mode}{(mode.DryRun ? ", tool off" : "")}. START or CNCRUN begins."));
     }
 
     private static void Say(CommandContext context, ArmingCheck check)

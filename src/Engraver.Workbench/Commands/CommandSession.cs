@@ -85,9 +85,18 @@ public sealed class CommandSession : IAsyncDisposable
         Environment.Journal?.WriteLine(ScriptText.Write(input.Trim()));
         var result = await FeedOneAsync(input.Trim(), cancellation).ConfigureAwait(false);
         if (_scripts.IsRunnable && !IsBusy) result = await RunScriptsAsync(cancellation).ConfigureAwait(false);
-        if (result is FeedResult.Failed failed) Say(MessageKind.Error, failed.Sentence);
-        if (result is FeedResult.NotUnderstood unclear) Say(MessageKind.Error, unclear.Sentence);
-        return result;
+        return Told(result);
+    }
+
+    /// <summary>Takes several lines at once, as pasted text is: a script of them, under the rules for scripts. While a command is at work nothing of it is taken.</summary>
+    /// <param name="cancellation">As for one input.</param>
+    public async Task<FeedResult> FeedLinesAsync(string lines, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(lines);
+        if (IsBusy) return Told(new FeedResult.NotUnderstood("A command is at work; pasted lines are not taken until it has ended."));
+        Environment.Journal?.WriteLine(lines.TrimEnd());
+        QueueScript("pasted lines", lines);
+        return Told(await RunScriptsAsync(cancellation).ConfigureAwait(false));
     }
 
     /// <summary>Esc: ends what asks and clears the selection. A command at work is told to end (a job stops the machine first); who fed it hears how.</summary>
@@ -222,6 +231,13 @@ public sealed class CommandSession : IAsyncDisposable
     {
         _scripts.Clear();
         _frames.Cancel();
+    }
+
+    private FeedResult Told(FeedResult result)
+    {
+        if (result is FeedResult.Failed failed) Say(MessageKind.Error, failed.Sentence);
+        if (result is FeedResult.NotUnderstood unclear) Say(MessageKind.Error, unclear.Sentence);
+        return result;
     }
 
     private ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);

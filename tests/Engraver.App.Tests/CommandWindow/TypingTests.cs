@@ -33,6 +33,33 @@ public sealed class TypingTests(DesktopFixture fixture)
         }
     });
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public Task Pasted_lines_are_all_taken_and_what_follows_the_last_stays_to_be_typed_on(bool inTheLine) => fixture.WithOperator(here =>
+    {
+        if (inTheLine) here.Hands.Type("op");
+        fixture.Desktop.ClipboardText = (inTheLine ? "en" : "open") + " paper-001.dxf\r\nzoom e\r\nlist 4 d";
+        here.Hands.Press(Key.V, RawInputModifiers.Control);
+        here.Until(() => here.Window.Model.Command.Line == "list 4 d");
+        here.Rest();
+
+        Assert.Equal(4, here.Commands.Document.Current.Drawing!.Entities.Count);
+        Assert.Contains(here.History, line => line.EndsWith(" zoom", StringComparison.Ordinal));
+    });
+
+    [Fact]
+    public Task One_pasted_line_goes_where_the_caret_is() => fixture.WithOperator(here =>
+    {
+        here.Hands.Type("opn");
+        here.Hands.Press(Key.Left);
+        fixture.Desktop.ClipboardText = "e";
+        here.Hands.Press(Key.V, RawInputModifiers.Control);
+        here.Until(() => here.Window.Model.Command.Line.Length == 4);
+
+        Assert.Equal("open", here.Window.Model.Command.Line);
+    });
+
     [Fact]
     public Task Space_is_enter_until_an_answer_may_hold_spaces() => fixture.WithOperator(here =>
     {

@@ -62,6 +62,31 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
         here.Rest();
     });
 
+    [Fact]
+    public Task While_a_job_runs_the_first_wish_to_close_is_answered_with_a_warning_and_the_second_stops_the_machine() => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        here.Window.Close();
+        here.Step();
+
+        Assert.True(here.Window.IsVisible);
+        Assert.True(here.Commands.Machine.IsRunning);
+        Assert.Contains("close once more", here.History.Last(), StringComparison.Ordinal);
+
+        here.Hands.Press(Key.Pause);
+        here.Until(() => !here.Desk.IsMoving && !here.Commands.Machine.IsRunning);
+        here.Rest();
+        here.Window.Model.Command.Line = "";
+        StartAgain(here);
+        here.Window.Close();
+        here.Step();
+        Assert.True(here.Window.IsVisible); // another job, another warning
+
+        here.Window.Close();
+        here.Step();
+        Assert.False(here.Window.IsVisible);
+    });
+
     /// <param name="key">Null: the on-screen STOP of the main window.</param>
     private static void Press(Operator here, HeadlessWindow front, Key? key)
     {
@@ -72,7 +97,13 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
     private static void StartSlowly(Operator here)
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", "sim:?speed=1", "CNCARM", "Stream");
+        here.Enter("CNCCONNECT", "sim:?speed=1");
+        StartAgain(here);
+    }
+
+    private static void StartAgain(Operator here)
+    {
+        here.Enter("CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Key.Enter);
         here.Until(() => here.Commands.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 });

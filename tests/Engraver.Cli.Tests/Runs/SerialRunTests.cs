@@ -123,6 +123,7 @@ public class SerialRunTests
     [InlineData(ExitCode.Usage, "simulate", "--serial", "/no/such/folder/tty")]
     [InlineData(ExitCode.Usage, "simulate", "--serial", "DRAWING")]
     [InlineData(ExitCode.Usage, "simulate", "--baud", "7")]
+    [InlineData(ExitCode.Usage, "simulate", "--tcp", "0", "--baud", "9600")]
     public async Task What_cannot_be_a_serial_line_is_one_sentence_and_its_exit_code(int code, params string[] args)
     {
         var run = await CliRun.Of([.. args.Select(arg => arg == "DRAWING" ? SampleDrawing.PathOf("paper-001") : arg)]);

@@ -56,6 +56,21 @@ public sealed class ScriptedStartTests : IAsyncDisposable
     }
 
     [Fact]
+    public async Task In_the_desktop_pasted_lines_start_no_more_than_a_script()
+    {
+        await using var session = await SessionAsync(desktop: true, "");
+        await RunScriptAsync(session);
+
+        var end = Assert.IsType<FeedResult.Failed>(await session.FeedLinesAsync("CNCARM Stream\r\nCNCRUN\r\n", CancellationToken.None));
+
+        Assert.Contains("pasted lines(2)", end.Sentence, StringComparison.Ordinal);
+        Assert.Contains("START", end.Sentence, StringComparison.Ordinal);
+        Assert.Contains(_said, text => text == end.Sentence);
+        AssertNothingMoved(session);
+        Assert.NotNull(session.Machine.Armed);
+    }
+
+    [Fact]
     public async Task The_help_of_CNCRUN_says_so()
     {
         await using var session = await SessionAsync(desktop: true, "HELP CNCRUN\n");
