@@ -16,7 +16,8 @@ public static class ContourNesting
     {
         var outlines = new ContourOutline[contours.Count];
         for (var i = 0; i < outlines.Length; i++) outlines[i] = ContourOutline.Of(contours[i], segments);
-        var tree = BoxTree.Of([.. outlines.Select(outline => outline.Region is null ? outline.Bounds : outline.Bounds.Grown(tolerance))]);
+        int[] closed = [.. Enumerable.Range(0, outlines.Length).Where(i => outlines[i].Region is not null)]; // the long lines of a drawing lie in each other's boxes by the thousand
+        var tree = BoxTree.Of([.. closed.Select(i => outlines[i].Bounds.Grown(tolerance))]);
         var inside = new int[outlines.Length];
         var candidates = new List<int>();
         for (var i = 0; i < inside.Length; i++)
@@ -24,6 +25,7 @@ public static class ContourNesting
             candidates.Clear();
             var witness = outlines[i].Witness(0, Witnesses);
             tree.Overlapping(Bounds2D.Of(witness, witness), candidates);
+            for (var at = 0; at < candidates.Count; at++) candidates[at] = closed[candidates[at]];
             inside[i] = DirectlyAround(i, outlines, candidates, tolerance);
         }
 

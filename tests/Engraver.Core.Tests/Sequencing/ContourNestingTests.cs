@@ -23,6 +23,10 @@ public class ContourNestingTests
         Assert.Equal([-1, 0, 0], InsideOf(new DrawingBuilder().Square(0, 0, 100).Arc(50, 50, 20, 10, 350).Circle(50, 50, 2)));
 
     [Fact]
+    public void Open_contours_before_and_between_the_closed_ones_confuse_nobody() =>
+        Assert.Equal([-1, -1, 1, 1], InsideOf(new DrawingBuilder().Line(-50, -50, -60, -60).Square(0, 0, 100).Line(10, 10, 20, 20).Circle(50, 50, 2)));
+
+    [Fact]
     public void An_arc_bulges_out_of_its_chord()
     {
         var halfDisc = new DrawingBuilder().Line(-10, 0, 10, 0).Arc(0, 0, 10, 0, 180);
