@@ -44,7 +44,8 @@ public partial class CommandWindowView : UserControl
     {
         var clipboard = TopLevel.GetTopLevel(this)?.Clipboard;
         if (clipboard is null || await clipboard.TryGetTextAsync() is not { Length: > 0 } text) return;
-        if (text.AsSpan().ContainsAny('\r', '\n'))
+        var line = text.TrimEnd('\r', '\n'); // one line is one, with its end or without: a file name may hold spaces
+        if (line.AsSpan().ContainsAny('\r', '\n'))
         {
             Model.Paste(text);
             LineBox.CaretIndex = Model.Line.Length;
@@ -52,7 +53,7 @@ public partial class CommandWindowView : UserControl
         }
 
         LineBox.Focus();
-        LineBox.SelectedText = text;
+        LineBox.SelectedText = line;
     }
 
     /// <summary>A key that was pressed somewhere else.</summary>

@@ -42,8 +42,24 @@ public static class MachineRun
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        var samplesBefore = connection.Simulator?.Record.Count ?? 0;
         var trace = options.TracePath is { } path ? new WireTrace(new StreamWriter(path), time) : null;
+        MachineRunReport report;
+        try
+        {
+            report = await InSessionAsync(job, program, connection, options, new SessionOptions { Trace = trace }, time, progress, stop).ConfigureAwait(false);
+        }
+        finally
+        {
+            trace?.Close(); // behind the session: until its links are closed something may be heard
+        }
+
+        return report with { TraceFailure = trace?.Failure };
+    }
+
+    private static async Task<MachineRunReport> InSessionAsync(
+        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, SessionOptions sessionOptions, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
+    {
+        var samplesBefore = connection.Simulator?.Record.Count ?? 0;
         var jobOptions = new JobOptions
         {
             Mode = options.Mode,
@@ -53,18 +69,9 @@ public static class MachineRun
             DryRun = options.DryRun,
             SourceOf = job.Drawing.SourceOf,
         };
-        try
-        {
-            await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, new SessionOptions { Trace = trace }, time, stop).ConfigureAwait(false);
-            var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
-            trace?.Close();
-            return new MachineRunReport(
-                result, Judge(job, program, result, connection, samplesBefore, options.DryRun), session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total, trace?.Failure);
-        }
-        finally
-        {
-            trace?.Close();
-        }
+        await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
+        var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
+        return new MachineRunReport(result, Judge(job, program, result, connection, samplesBefore, options.DryRun), session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
     }
 
     private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, MachineConnection connection, int samplesBefore, bool dryRun)

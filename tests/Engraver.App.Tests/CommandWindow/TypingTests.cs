@@ -49,6 +49,18 @@ public sealed class TypingTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task One_pasted_line_with_its_end_is_still_one_answer() => fixture.WithOperator(here =>
+    {
+        here.Enter("open");
+        fixture.Desktop.ClipboardText = "no such drawing.dxf\n";
+        here.Hands.Press(Key.V, RawInputModifiers.Control);
+        here.Until(() => here.Window.Model.Command.Line.Length > 0);
+
+        Assert.Equal("no such drawing.dxf", here.Window.Model.Command.Line);
+        Assert.Equal("OPEN", here.Desk.Prompt.Command);
+    });
+
+    [Fact]
     public Task One_pasted_line_goes_where_the_caret_is() => fixture.WithOperator(here =>
     {
         here.Hands.Type("opn");
