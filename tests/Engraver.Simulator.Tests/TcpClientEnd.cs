@@ -18,9 +18,10 @@ internal sealed class TcpClientEnd : IDisposable
         return client;
     }
 
-    /// <summary>Sends a line and reads until as many prompts as commands have come.</summary>
+    /// <summary>Sends a line and reads until as many prompts as commands have come: they may come in several parts.</summary>
     public async Task<string> AskAsync(string line, CancellationToken cancellation)
     {
+        var commands = 1 + line.Count(c => c == ';');
         await _socket.SendAsync(Encoding.Latin1.GetBytes(line + "\r"), cancellation);
         var reply = new StringBuilder();
         do
@@ -29,8 +30,23 @@ internal sealed class TcpClientEnd : IDisposable
             Assert.NotEqual("", part);
             reply.Append(part);
         }
-        while (reply[^1] is not (':' or '?'));
+        while (Prompts(reply.ToString()) < commands);
         return reply.ToString();
+    }
+
+    /// <summary>Prompts stand where a line begins, or behind another prompt.</summary>
+    private static int Prompts(string reply)
+    {
+        var count = 0;
+        var start = true;
+        foreach (var c in reply)
+        {
+            var prompt = start && (c is ':' or '?');
+            count += prompt ? 1 : 0;
+            start = prompt || c == '\n';
+        }
+
+        return count;
     }
 
     /// <summary>What comes next; empty when the controller closed the line.</summary>
