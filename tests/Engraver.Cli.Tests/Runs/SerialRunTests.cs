@@ -10,6 +10,9 @@ namespace Engraver.Cli.Tests.Runs;
 public class SerialRunTests
 {
     private const byte Tool = 1;
+
+    /// <summary>A quarter of real time: the dead man waits four seconds of the wall, so that a busy computer does not set it off.</summary>
+    private const double Slowly = 0.25;
     private const double AllowedDeviation = 0.0025 + 0.001;
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
 
@@ -84,9 +87,9 @@ public class SerialRunTests
     {
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
-        await using var controller = await ServeAsync(folder, 1.0);
+        await using var controller = await ServeAsync(folder, Slowly);
         var running = RunAsync(folder, SampleDrawing.PathOf("paper-001"), "--mode", mode);
-        await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+        await CuttingAsync(controller, running, patience.Token);
         controller.DropConnections();
         var cutAt = controller.Status.Sample;
         var run = await running;
@@ -105,9 +108,9 @@ public class SerialRunTests
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
         using var stop = new CancellationTokenSource();
-        await using var controller = await ServeAsync(folder, 1.0);
+        await using var controller = await ServeAsync(folder, Slowly);
         var running = RunAsync(folder, stop.Token, SampleDrawing.PathOf("paper-001"), "--mode", mode);
-        await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
+        await CuttingAsync(controller, running, patience.Token);
         await stop.CancelAsync();
         var run = await running;
 
@@ -130,6 +133,14 @@ public class SerialRunTests
 
         Assert.Equal(code, run.ExitCode);
         Assert.Single(run.Error.TrimEnd().Split('\n'));
+    }
+
+    /// <summary>Until the tool cuts; a run that ended before that is told.</summary>
+    private static async Task CuttingAsync(SimulatedController controller, Task<CliRun> running, CancellationToken cancellation)
+    {
+        var cutting = controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, cancellation);
+        Assert.True(await Task.WhenAny(running, cutting) == cutting, running.IsCompleted ? (await running).Error + (await running).Out : "");
+        await cutting;
     }
 
     private static async Task<SimulatedController> ServeAsync(TemporaryFolder folder, double speed)
