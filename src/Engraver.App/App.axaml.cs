@@ -27,10 +27,12 @@ public partial class App : Application
         desk.Failed += OnFailed;
         Dispatcher.UIThread.UnhandledException += OnUnhandled;
         var keys = InputElement.KeyDownEvent.AddClassHandler<Window>((_, e) => e.Handled |= PressOnce(session.StopKeys, e), RoutingStrategies.Tunnel);
+        var leaving = InputElement.KeyDownEvent.AddClassHandler<Window>(LeaveDialog);
         var window = new ShellWindow(desk, session.StopKeys);
         window.Closed += (_, _) =>
         {
             keys.Dispose();
+            leaving.Dispose();
             Dispatcher.UIThread.UnhandledException -= OnUnhandled;
         };
         return window;
@@ -44,6 +46,14 @@ public partial class App : Application
             session.Failures.Take(e.Exception);
             e.Handled = true;
         }
+    }
+
+    /// <summary>Esc leaves a dialog (a file dialog too), unless it stopped the machine or closed something in the dialog.</summary>
+    private static void LeaveDialog(Window window, KeyEventArgs e)
+    {
+        if (e.Key != Key.Escape || window is ShellWindow || window.Owner is null) return;
+        e.Handled = true;
+        window.Close();
     }
 
     /// <summary>The shell asks its stop keys itself.</summary>

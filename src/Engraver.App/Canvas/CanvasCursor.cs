@@ -1,3 +1,4 @@
+using System.Globalization;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Media;
@@ -11,6 +12,9 @@ namespace Engraver.App.Canvas;
 internal sealed class CanvasCursor : Control
 {
     private const double MarkerSize = 6.0;
+    private const double TipDistance = 18.0;
+    private const double TipPadding = 5.0;
+    private const double TipFontSize = 12.0;
     private const uint WindowColour = 0xFF3C82F0;
     private const uint CrossingColour = 0xFF46B450;
     private const uint SnapColour = 0xFF2EE06A;
@@ -31,13 +35,34 @@ internal sealed class CanvasCursor : Control
 
     public SelectionBox? Box { get; set; }
 
+    /// <summary>From the point before to the place that a click means.</summary>
+    public (Point From, Point To)? Line { get; set; }
+
+    /// <summary>What stands beside the crosshair; empty for nothing.</summary>
+    public string Tip { get; set; } = "";
+
     public (Point Place, SnapKinds Kind)? Snap { get; set; }
 
     public override void Render(DrawingContext context)
     {
         if (Box is { } box) DrawBox(context, box);
+        if (Line is { } line) context.DrawLine(CanvasBrushes.Pen(Colours.Crosshair, dashed: true), line.From, line.To);
         if (Snap is { } snap) DrawSnap(context, snap.Place, snap.Kind);
-        if (Place is { } place) DrawCrosshair(context, place);
+        if (Place is not { } place) return;
+        DrawCrosshair(context, place);
+        if (Tip.Length > 0) DrawTip(context, place);
+    }
+
+    /// <summary>Right below the cursor, or on its other side where there is no room.</summary>
+    private void DrawTip(DrawingContext context, Point place)
+    {
+        var text = new FormattedText(Tip, CultureInfo.InvariantCulture, FlowDirection.LeftToRight, Typeface.Default, TipFontSize, CanvasBrushes.Brush(Colours.Crosshair));
+        var size = new Size(text.Width + (2.0 * TipPadding), text.Height + (2.0 * TipPadding));
+        var corner = new Point(
+            place.X + TipDistance + size.Width <= Bounds.Width ? place.X + TipDistance : place.X - TipDistance - size.Width,
+            place.Y + TipDistance + size.Height <= Bounds.Height ? place.Y + TipDistance : place.Y - TipDistance - size.Height);
+        context.DrawRectangle(CanvasBrushes.Brush(Colours.Background, 0.9), CanvasBrushes.Pen(Colours.Rapid), new Rect(corner, size).Translate(new Vector(0.5, 0.5)), 3.0, 3.0);
+        context.DrawText(text, corner + new Point(TipPadding, TipPadding));
     }
 
     private static void DrawBox(DrawingContext context, SelectionBox box)

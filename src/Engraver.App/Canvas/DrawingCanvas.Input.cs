@@ -21,9 +21,6 @@ public sealed partial class DrawingCanvas
     /// <summary>Half the side of the pickbox, in units of the control (PICKBOX).</summary>
     public double PickBox { get; set; } = 4.0;
 
-    /// <summary>Half the side of the box in which object snaps are found.</summary>
-    public double Aperture { get; set; } = 10.0;
-
     /// <summary>How far one step of the wheel zooms, 3 to 100 (ZOOMFACTOR).</summary>
     public double ZoomFactor { get; set; } = 60.0;
 
@@ -44,7 +41,7 @@ public sealed partial class DrawingCanvas
         Focus();
         if (ButtonOf(e.GetCurrentPoint(this).Properties.PointerUpdateKind) is not { } button) return;
         e.Pointer.Capture(this);
-        _pointer.AsksForPoint = Commands?.AsksForPoint ?? false;
+        LookWhatIsAsked();
         var at = PlaceOf(e);
         Do(_pointer.Press(at, button, e.KeyModifiers.HasFlag(KeyModifiers.Shift), e.ClickCount, () => EntityAt(at) is not null));
         e.Handled = true;
@@ -93,11 +90,6 @@ public sealed partial class DrawingCanvas
     /// <summary>Esc, wherever the focus is: the shell calls it after the machine has had its turn.</summary>
     public void Escape() => Do(_pointer.Escape());
 
-    /// <summary>The entity under the pickbox when it stands here (units of the control); null: none.</summary>
-    internal int? EntityAt(Point2D at) => Scene is { } scene ? ScenePick.Nearest(scene, ToDrawing(at), PickBox * UnitsPerPoint) : null;
-
-    private double UnitsPerPoint => _keeper.View.UnitsPerPixel * Scaling;
-
     private static PointerButton? ButtonOf(PointerUpdateKind kind) => kind switch
     {
         PointerUpdateKind.LeftButtonPressed or PointerUpdateKind.LeftButtonReleased => PointerButton.Left,
@@ -111,8 +103,6 @@ public sealed partial class DrawingCanvas
         var at = e.GetPosition(this);
         return new Point2D(at.X, at.Y);
     }
-
-    private Point2D ToDrawing(Point2D at) => _keeper.View.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling));
 
     private void Do(CanvasIntent intent)
     {
@@ -149,22 +139,8 @@ public sealed partial class DrawingCanvas
         if (intent is CanvasIntent.ZoomExtents) commands.ZoomExtents();
         else if (intent is CanvasIntent.Cancel) commands.Cancel();
         else if (intent is CanvasIntent.Menu menu) commands.Menu(ToDrawing(menu.At));
-        else if (intent is CanvasIntent.GivePoint given) commands.PointGiven(Snapped(given.At));
+        else if (intent is CanvasIntent.GivePoint given) commands.PointGiven(Aimed(given.At));
         else if (intent is CanvasIntent.Pick pick && EntityAt(pick.At) is { } entity) commands.PickAt(ToDrawing(pick.At), entity, pick.Remove);
-    }
-
-    private void Hover(Point2D at)
-    {
-        _pointer.AsksForPoint = Commands?.AsksForPoint ?? false;
-        var hovered = _pointer.AsksForPoint || _pointer.Box is not null ? null : EntityAt(at);
-        if (hovered != _signs.Hovered)
-        {
-            _signs.Hovered = hovered;
-            _signs.InvalidateVisual();
-        }
-
-        _cursor.Snap = _pointer.AsksForPoint && SnapAt(at) is { } snap ? (ToControl(snap.Place), snap.Kind) : null;
-        Commands?.CursorAt(_pointer.AsksForPoint ? Snapped(at) : ToDrawing(at));
     }
 
     /// <summary>Brings the finding under the cursor into the middle, nearer by <see cref="FindingZoom"/>.</summary>
@@ -173,35 +149,5 @@ public sealed partial class DrawingCanvas
         var place = ToDrawing(at);
         if (View is not { } view || !view.Current.Shown.HasFlag(CanvasLayers.Findings)) return;
         if (Overlay?.FindingNear(place, FindingReach * UnitsPerPoint) is { } finding) view.FocusOn(new ViewFocus(finding, ""), view.Current.Height / FindingZoom);
-    }
-
-    /// <summary>The drawing moved under the cursor.</summary>
-    private void HoverAgain()
-    {
-        if (_cursor.Place is { } at) Hover(new Point2D(at.X, at.Y));
-    }
-
-    private void ShowCursor()
-    {
-        (_cursor.Box, _cursor.AsksForPoint, _cursor.PickBox) = (_pointer.Box, _pointer.AsksForPoint, PickBox);
-        _cursor.InvalidateVisual();
-    }
-
-    /// <summary>The object snap, else the snap grid, else the place itself.</summary>
-    private Point2D Snapped(Point2D at)
-    {
-        if (SnapAt(at) is { } snap) return snap.Place;
-        var place = ToDrawing(at);
-        return View?.Current is { Snap: true, SnapSpacing: > 0.0 and var step } ? new Point2D(Math.Round(place.X / step) * step, Math.Round(place.Y / step) * step) : place;
-    }
-
-    private SnapPoint? SnapAt(Point2D at) => Scene is { } scene && View?.Current is { ObjectSnap: true } state
-        ? ObjectSnap.Find(scene, ToDrawing(at), Aperture * UnitsPerPoint, (SnapKinds)state.ObjectSnapModes)
-        : null;
-
-    private Point ToControl(Point2D place)
-    {
-        var pixel = _keeper.View.ToPixels(place);
-        return new Point(pixel.X / Scaling, pixel.Y / Scaling);
     }
 }

@@ -31,15 +31,15 @@ public sealed partial class DrawingCanvas : Panel
     private readonly CanvasPicture _picture;
     private readonly CanvasSigns _signs = new() { IsHitTestVisible = false };
     private readonly CanvasCursor _cursor = new() { IsHitTestVisible = false };
-    private readonly DispatcherTimer _still = new() { Interval = TimeSpan.FromMilliseconds(40.0) };
+    private readonly PictureRefiner _refiner;
 
     public DrawingCanvas()
     {
         _picture = new CanvasPicture(_keeper) { IsHitTestVisible = false };
         Children.AddRange([_picture, _signs, _cursor]);
         (Background, Focusable, ClipToBounds, Cursor) = (Brushes.Transparent, true, true, new Cursor(StandardCursorType.None));
+        _refiner = new PictureRefiner(_keeper);
         _keeper.Refined += (_, _) => _picture.InvalidateVisual();
-        _still.Tick += (_, _) => StandStill();
     }
 
     /// <summary>The drawing; null: none is open.</summary>
@@ -97,6 +97,13 @@ public sealed partial class DrawingCanvas : Panel
     /// <summary>What is drawn is what is wanted: nothing is being refined.</summary>
     public bool IsFresh => _keeper.IsFresh;
 
+    /// <summary>How long nothing must move until the picture is drawn anew.</summary>
+    internal TimeSpan Stillness
+    {
+        get => _refiner.Stillness;
+        set => _refiner.Stillness = value;
+    }
+
     /// <summary>There is a picture of the scene, though not yet of everything that is wanted.</summary>
     internal bool HasPictureOfScene => _keeper.HasPictureOf(Scene);
 
@@ -108,11 +115,9 @@ public sealed partial class DrawingCanvas : Panel
     /// <summary>Draws the wanted picture now instead of when the hand is still: for pictures that are kept and for tests.</summary>
     public void RefineNow()
     {
-        _still.Stop();
-        _keeper.Abandon();
         UpdateView();
         UpdateContent();
-        if (_keeper.View.Size.Width > 0) _keeper.Refine(CancellationToken.None);
+        _refiner.RefineNow();
     }
 
     /// <summary>Draws the picture although it is there already; for benchmarks.</summary>
@@ -142,8 +147,7 @@ public sealed partial class DrawingCanvas : Panel
 
     protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
     {
-        _still.Stop();
-        _keeper.Abandon();
+        _refiner.Rest();
         base.OnDetachedFromVisualTree(e);
     }
 
@@ -180,7 +184,9 @@ public sealed partial class DrawingCanvas : Panel
         var view = new CanvasView(state.Centre, state.Height / pixels.Height, pixels);
         if (view == _keeper.View) return;
         _keeper.View = view;
-        WaitForHand();
+        UpdateSigns();
+        _picture.InvalidateVisual();
+        _refiner.WaitForHand();
     }
 
     private void UpdateContent()
@@ -194,32 +200,7 @@ public sealed partial class DrawingCanvas : Panel
         if (content == _keeper.Content) return;
         _keeper.Content = content;
         UpdateSigns();
-        DrawSoon();
-    }
-
-    /// <summary>The view moves: show what is there at once, and draw when the hand is still.</summary>
-    private void WaitForHand()
-    {
-        UpdateSigns();
-        _picture.InvalidateVisual();
-        _keeper.Abandon();
-        _still.Stop();
-        DrawSoon();
-    }
-
-    /// <summary>Nothing to wait for before the first picture; a picture that is being drawn is finished first, so that steady changes (a running machine) cannot starve it.</summary>
-    private void DrawSoon()
-    {
-        if (_keeper.IsDrawing) return;
-        if (_keeper.HasPicture || Scene is null) _still.Start();
-        else StandStill();
-    }
-
-    private async void StandStill()
-    {
-        _still.Stop();
-        if (_keeper.IsFresh || _keeper.IsDrawing || _keeper.View.Size.Width <= 0) return;
-        if (await _keeper.RefineAsync() && !_keeper.IsFresh) DrawSoon();
+        _refiner.DrawSoon();
     }
 
     private void UpdateSigns()

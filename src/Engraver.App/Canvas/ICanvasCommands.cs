@@ -1,12 +1,16 @@
 using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Canvas;
 
 /// <summary>What the operator does on the canvas, in terms of the document: the shell connects it to the command session. Drawing units.</summary>
 public interface ICanvasCommands
 {
-    /// <summary>A command asks for a point: clicks give points and pick nothing.</summary>
-    bool AsksForPoint { get; }
+    /// <summary>What a command asks to be pointed at: clicks give points and pick nothing; null when none asks.</summary>
+    PointAim? Aim { get; }
+
+    /// <summary>The instruction of the command that asks.</summary>
+    string Asked { get; }
 
     /// <summary>Select what lies under the pickbox.</summary>
     /// <param name="entity">The nearest entity there.</param>

@@ -32,7 +32,7 @@ public sealed class CommandWindowModel : Observable
     public Act Choose { get; }
 
     /// <summary>Instruction and default without the options, which stand beside it to be clicked.</summary>
-    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Of("Command.Working") : WithoutOptions(_desk.Prompt.Text);
+    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Of("Command.Working") : PromptLine.WithoutOptions(_desk.Prompt.Text);
 
     public IReadOnlyList<Keyword> Options => _desk.Prompt.Options;
 
@@ -148,14 +148,5 @@ public sealed class CommandWindowModel : Observable
         _shown = _desk.Prompt;
         Tell(nameof(Options));
         Tell(nameof(HasOptions));
-    }
-
-    private static string WithoutOptions(string prompt)
-    {
-        var open = prompt.IndexOf(" [", StringComparison.Ordinal);
-        var close = open < 0 ? -1 : prompt.IndexOf(']', open);
-        if (close < 0) return prompt;
-        var before = prompt[..open];
-        return (before.EndsWith(" or", StringComparison.Ordinal) ? before[..^3] : before) + prompt[(close + 1)..];
     }
 }

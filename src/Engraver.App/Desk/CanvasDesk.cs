@@ -1,7 +1,9 @@
 using System.Globalization;
 using Engraver.App.Canvas;
+using Engraver.App.CommandWindow;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Desk;
 
@@ -11,7 +13,9 @@ namespace Engraver.App.Desk;
 /// <param name="menu">The right button while nothing is asked.</param>
 public sealed class CanvasDesk(WorkDesk desk, Action cancel, Action<Point2D> pointed, Action menu) : ICanvasCommands
 {
-    public bool AsksForPoint => desk.Prompt.WantsPoint;
+    public PointAim? Aim => desk.Prompt.Aim;
+
+    public string Asked => PromptLine.WithoutOptions(desk.Prompt.Text);
 
     /// <summary>Selects, and moves the tool of the playback to where the entity is cut.</summary>
     public void PickAt(Point2D place, int entity, bool remove)

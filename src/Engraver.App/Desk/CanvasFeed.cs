@@ -40,6 +40,7 @@ public sealed class CanvasFeed
         if (!ReferenceEquals(_desk.Derived.Job, _job)) Shown = Task.WhenAll(Shown, ShowJobAsync(_job = _desk.Derived.Job));
         if (!ReferenceEquals(_canvas.Selection, state.Selection)) _canvas.Selection = state.Selection;
         TakeVariables(_desk.Session.Settings.Current);
+        _canvas.TakeAim();
         ShowTool();
     }
 

@@ -10,8 +10,8 @@ public static class MenuLayout
     private static readonly IReadOnlyList<MenuSection> s_wished =
     [
         new("File", ["OPEN", "RECENT", "CLOSE", Separator, "SAVEAS", "EXPORT", Separator, "SCRIPT", "REINIT", "OPTIONS", Separator, "Window.Exit"]),
-        new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", Separator, "ERASE", "MOVE", "ROTATE", "SCALE", "MIRROR", "ARRAY", "EXPLODE", "REVERSE", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS"]),
-        new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "OSNAP", "DYNAMICINPUT", Separator, "SHOW", "THEME", Separator, "Window.Palettes", "Window.Pages", "Window.History"]),
+        new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", "Window.SelectAll", Separator, "ERASE", "MOVE", "COPY", "ROTATE", "SCALE", "MIRROR", "ARRAY", "EXPLODE", "REVERSE", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS"]),
+        new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "OSNAP", "DYNAMICINPUT", Separator, "SHOW", "THEME", Separator, "Window.Palettes", "Window.Pages", "Window.Clean", "Window.History"]),
         new("Drawing", ["LAYER", "PROPERTIES", "LIST", Separator, "DIST", "ID", "AREA", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", Separator, "CNCUNITS", "CNCCUT"]),
         new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "ENTER", "TOOLSTART", "STARTPOINT", "PIN", "LEADIN", "LINK", Separator, "OFFSET", "POCKET", Separator, "PLAYBACK", Separator, "CNCMAXERR", "CNCJOINTOL", "CNCDUPLICATES", "CNCRECOVER"]),
         new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCARM", "CNCRUN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "ALARMS", "CNCTERMINAL", Separator, "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA"]),
@@ -20,7 +20,7 @@ public static class MenuLayout
     ];
 
     /// <summary>The right button on the canvas.</summary>
-    public static IReadOnlyList<string> OnCanvas { get; } = ["SELECT", "PROPERTIES", "LIST", Separator, "MOVE", "ROTATE", "ERASE", Separator, "ENTER", "TOOLSTART", Separator, "ZOOM", "REGEN", Separator, "U", "REDO"];
+    public static IReadOnlyList<string> OnCanvas { get; } = ["SELECT", "PROPERTIES", "LIST", Separator, "MOVE", "COPY", "ROTATE", "ERASE", Separator, "ENTER", "TOOLSTART", Separator, "ZOOM", "REGEN", Separator, "U", "REDO"];
 
     /// <summary>The menus of what is built.</summary>
     public static IReadOnlyList<MenuSection> For(CommandCatalog catalog)

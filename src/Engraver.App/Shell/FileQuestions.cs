@@ -1,18 +1,25 @@
-using Avalonia.Controls;
 using Avalonia.Platform.Storage;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
 
 namespace Engraver.App.Shell;
 
-/// <summary>A command that was clicked and asks for a file to read gets a file dialog; typed, it takes the name from the command line.</summary>
-public sealed class FileQuestions(WorkDesk desk, TopLevel window)
+/// <summary>A command that was clicked and asks for a file at once gets a file dialog; typed, it takes the name from the command line.</summary>
+/// <param name="dialogs">Where dialogs come from.</param>
+public sealed class FileQuestions(WorkDesk desk, Func<IStorageProvider> dialogs)
 {
-    private static readonly Dictionary<string, string> s_patterns = new Dictionary<string, string>(StringComparer.Ordinal)
+    private static readonly Dictionary<string, string[]> s_toRead = new Dictionary<string, string[]>(StringComparer.Ordinal)
     {
-        ["OPEN"] = "*.dxf",
-        ["SCRIPT"] = "*.scr",
-        ["CNCPROFILE"] = "*.json",
+        ["OPEN"] = ["*.dxf"],
+        ["SCRIPT"] = ["*.scr"],
+        ["CNCPROFILE"] = ["*.json"],
+        ["VERIFY"] = ["*.dmc"],
+    };
+
+    private static readonly Dictionary<string, string[]> s_toWrite = new Dictionary<string, string[]>(StringComparer.Ordinal)
+    {
+        ["SAVEAS"] = ["*.dxf"],
+        ["EXPORT"] = ["*.svg", "*.csv", "*.json", "*.dmc", "*.dxf"],
     };
 
     /// <summary>FILEDIA.</summary>
@@ -21,16 +28,35 @@ public sealed class FileQuestions(WorkDesk desk, TopLevel window)
     public async Task RunAsync(string command)
     {
         await desk.RunAsync(command);
-        if (!WantsDialogs || !s_patterns.TryGetValue(command, out var pattern) || desk.Prompt.Command != command || !window.StorageProvider.CanOpen) return;
-        var files = await window.StorageProvider.OpenFilePickerAsync(OptionsFor(command, pattern));
+        if (!WantsDialogs || desk.Prompt.Command != command) return;
+        if (s_toRead.TryGetValue(command, out var read) && dialogs().CanOpen) await AnswerAsync(command, await ToReadAsync(command, read));
+        else if (s_toWrite.TryGetValue(command, out var write) && dialogs().CanSave) await AnswerAsync(command, await ToWriteAsync(command, write));
+    }
+
+    /// <summary>What the command was meanwhile answered with, or its end, is left alone.</summary>
+    private async Task AnswerAsync(string command, IStorageItem? file)
+    {
         if (desk.Prompt.Command != command) return;
-        if (files is [var file, ..] && file.TryGetLocalPath() is { } path) await desk.FeedAsync(path);
+        if (file?.TryGetLocalPath() is { } path) await desk.FeedAsync(path);
         else await desk.CancelAsync();
     }
 
-    private static FilePickerOpenOptions OptionsFor(string command, string pattern) => new()
+    private async Task<IStorageItem?> ToReadAsync(string command, string[] patterns)
+    {
+        var files = await dialogs().OpenFilePickerAsync(new FilePickerOpenOptions { Title = Text.Of("Command." + command), FileTypeFilter = TypesOf(patterns) });
+        return files is [var file, ..] ? file : null;
+    }
+
+    /// <summary>Whether a file is replaced is asked by the command itself.</summary>
+    private async Task<IStorageItem?> ToWriteAsync(string command, string[] patterns) => await dialogs().SaveFilePickerAsync(new FilePickerSaveOptions
     {
         Title = Text.Of("Command." + command),
-        FileTypeFilter = [new FilePickerFileType(pattern) { Patterns = [pattern] }, new FilePickerFileType(Text.Of("Files.All")) { Patterns = ["*"] }],
-    };
+        FileTypeChoices = TypesOf(patterns),
+        DefaultExtension = patterns[0][2..],
+        SuggestedFileName = Path.GetFileNameWithoutExtension(desk.Session.Document.Current.Drawing?.FileName),
+        ShowOverwritePrompt = false,
+    });
+
+    private static IReadOnlyList<FilePickerFileType> TypesOf(string[] patterns) =>
+        [.. patterns.Select(pattern => new FilePickerFileType(pattern) { Patterns = [pattern] }), new FilePickerFileType(Text.Of("Files.All")) { Patterns = ["*"] }];
 }

@@ -7,13 +7,14 @@ namespace Engraver.App.Shell;
 /// <summary>The rooms of the palettes and the pages: sized by hand, folded to their strip of tabs, kept between two starts. A smaller window takes from them before the canvas is gone, and gives it back.</summary>
 public sealed class PanelSizes
 {
+    private const string HistoryName = "history";
     private const string PagesName = "pages";
     private const string PalettesName = "palettes";
     private const double FoldedPagesHeight = 29;
     private const double FoldedPalettesWidth = 30;
     private const double LeastPagesHeight = 110;
     private const double LeastPalettesWidth = 240;
-    private const double HistoryHeight = 420;
+    private const double DefaultHistoryHeight = 420;
 
     /// <summary>What the playback bar and a strip of canvas above it need, and the tools in several columns beside them.</summary>
     private const double LeastCanvasHeight = 140;
@@ -24,6 +25,7 @@ public sealed class PanelSizes
     private readonly ColumnDefinition _palettesColumn;
     private readonly PageTabs _pages;
     private readonly PageTabs _palettes;
+    private bool _isExpanded;
 
     /// <param name="rows">Of canvas, splitter and pages.</param>
     /// <param name="columns">Of tools, canvas, splitter and palettes.</param>
@@ -61,19 +63,29 @@ public sealed class PanelSizes
         _pages.Show("Command");
     }
 
-    /// <summary>F2: the history gets much room, and gives it back.</summary>
+    /// <summary>F2: the history gets much room, and gives it back. How much, by hand, is remembered beside the usual height.</summary>
     public void ExpandHistory()
     {
-        if (IsFolded(PagesName)) FoldPages();
-        _pages.Show("Command");
+        BringCommandLine();
+        Keep();
+        _isExpanded = !_isExpanded;
         var usual = SizeOf(PagesName, DefaultPagesHeight);
-        _pagesRow.Height = new GridLength(_pagesRow.Height.Value >= HistoryHeight ? Math.Min(usual, DefaultPagesHeight) : HistoryHeight);
+        _pagesRow.Height = new GridLength(_isExpanded ? Math.Max(usual, SizeOf(HistoryName, DefaultHistoryHeight)) : usual);
+    }
+
+    /// <summary>Ctrl+0: nothing but the canvas, and all of it back.</summary>
+    public void FoldAll()
+    {
+        var (pages, palettes) = (IsFolded(PagesName), IsFolded(PalettesName));
+        var unfolds = pages && palettes;
+        if (pages == unfolds) FoldPages();
+        if (palettes == unfolds) FoldPalettes();
     }
 
     /// <summary>Remembers the sizes as they are.</summary>
     public void Keep() => _desk.Session.Settings.Change(settings =>
     {
-        if (!IsFolded(PagesName)) settings = settings.WithPanelSize(PagesName, _pagesRow.Height.Value);
+        if (!IsFolded(PagesName)) settings = settings.WithPanelSize(_isExpanded ? HistoryName : PagesName, _pagesRow.Height.Value);
         if (!IsFolded(PalettesName)) settings = settings.WithPanelSize(PalettesName, _palettesColumn.Width.Value);
         return settings;
     });
@@ -87,6 +99,7 @@ public sealed class PanelSizes
 
     private void ShowPages(bool folded)
     {
+        _isExpanded = false;
         _pagesRow.MinHeight = folded ? FoldedPagesHeight : LeastPagesHeight;
         _pagesRow.Height = new GridLength(folded ? FoldedPagesHeight : SizeOf(PagesName, DefaultPagesHeight));
         _pages.ShowFolded(folded, "FoldUpIcon", "FoldDownIcon");

@@ -16,11 +16,21 @@ public static class ShellKeys
         (KeyModifiers.None, Key.F9) => "Switch.SNAP",
         (KeyModifiers.None, Key.F12) => "Switch.DYNAMICINPUT",
         (KeyModifiers.Control, Key.O) => "OPEN",
+        (KeyModifiers.Control, Key.S) => "SAVEAS",
         (KeyModifiers.Control, Key.Q) => "Window.Exit",
-        (KeyModifiers.Control, Key.Z) => "U",
-        (KeyModifiers.Control, Key.Y) => "REDO",
+        (KeyModifiers.Control, Key.D0) => "Window.Clean",
         (KeyModifiers.Control, Key.D1) => "Window.Palettes",
         (KeyModifiers.Control, Key.D9) => "Window.Pages",
+        _ => null,
+    };
+
+    /// <summary>The same for keys that edit text in a text box.</summary>
+    public static string? CommandOutsideText(KeyEventArgs e) => (e.KeyModifiers, e.Key) switch
+    {
+        (KeyModifiers.Control, Key.A) => "Window.SelectAll",
+        (KeyModifiers.Control, Key.Z) => "U",
+        (KeyModifiers.Control, Key.Y) => "REDO",
+        (KeyModifiers.None, Key.Delete) => "Window.EraseSelected",
         _ => null,
     };
 }

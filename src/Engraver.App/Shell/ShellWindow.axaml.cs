@@ -8,7 +8,6 @@ using Engraver.App.CommandWindow;
 using Engraver.App.Desk;
 using Engraver.App.Menus;
 using Engraver.App.Safety;
-using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Shell;
 
@@ -19,13 +18,14 @@ public partial class ShellWindow : Window
     private readonly StopKeys _stopKeys;
     private readonly FileQuestions _files;
     private readonly PanelSizes _panels;
-    private bool _warnedOfJob;
+    private readonly ClosingGuard _guard;
 
     public ShellWindow(WorkDesk desk, StopKeys stopKeys)
     {
         (_desk, _stopKeys) = (desk, stopKeys);
         InitializeComponent();
-        _files = new FileQuestions(desk, this);
+        _files = new FileQuestions(desk, () => StorageProvider);
+        _guard = new ClosingGuard(desk);
         DataContext = Model = new ShellModel(desk, ActOf);
         var menus = new MenuBuilder(name => MenuTitle.Typed(desk.Session, name), ActOf);
         MainMenu.ItemsSource = menus.Build(MenuLayout.For(desk.Session.Catalog));
@@ -37,7 +37,6 @@ public partial class ShellWindow : Window
         _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
         (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
         if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
-        desk.Changed += () => _warnedOfJob &= desk.IsMoving;
         MainMenu.Closed += GiveKeyboardBack;
         AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
         AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);
@@ -57,8 +56,9 @@ public partial class ShellWindow : Window
     protected override void OnClosing(WindowClosingEventArgs e)
     {
         base.OnClosing(e);
-        if (IsHeldByJob(e.CloseReason))
+        if (_guard.Holds(e.CloseReason))
         {
+            _panels.BringCommandLine();
             e.Cancel = true;
             return;
         }
@@ -68,23 +68,16 @@ public partial class ShellWindow : Window
         _desk.Session.Settings.Change(settings => maximised ? settings with { WindowMaximised = true } : settings with { WindowMaximised = false, WindowWidth = Width, WindowHeight = Height });
     }
 
-    /// <summary>Closing ends a job, so that the first wish to close while anything moves is answered with a warning; the second one is meant.</summary>
-    private bool IsHeldByJob(WindowCloseReason reason)
-    {
-        if (!_desk.IsMoving || _warnedOfJob || reason is WindowCloseReason.ApplicationShutdown or WindowCloseReason.OSShutdown) return false;
-        _warnedOfJob = true;
-        _panels.BringCommandLine();
-        _desk.Tell(MessageKind.Warning, Texts.Text.Of("Window.JobRuns"));
-        return true;
-    }
-
     /// <summary>What an entry of the menus and tools does.</summary>
     private Act ActOf(string name) => name switch
     {
         "Window.Exit" => new Act(() => Close()),
         "Window.Palettes" => new Act(() => _panels.FoldPalettes()),
         "Window.Pages" => new Act(() => _panels.FoldPages()),
+        "Window.Clean" => new Act(() => _panels.FoldAll()),
         "Window.History" => new Act(() => _panels.ExpandHistory()),
+        "Window.SelectAll" => new Act(SelectAll),
+        "Window.EraseSelected" => new Act(EraseSelected),
         _ when name.StartsWith("Switch.", StringComparison.Ordinal) => Model.Status.Switches.First(toggle => toggle.Command == name["Switch.".Length..]).Switch,
         "CNCCONNECT" => new Act(AskForController),
         _ => new Act(() => _ = _files.RunAsync(name)),
@@ -94,6 +87,18 @@ public partial class ShellWindow : Window
     {
         if (_files.WantsDialogs) Model.Connect.Open();
         else _ = _files.RunAsync("CNCCONNECT");
+    }
+
+    /// <summary>As an answer where objects are asked for, else for the next command.</summary>
+    private void SelectAll()
+    {
+        if (_desk.Prompt.Options.Any(option => option.Name == "ALL")) _ = _desk.FeedAsync("ALL");
+        else if (_desk.Prompt.Command is null) _ = _desk.RunAsync("SELECT", "ALL", "");
+    }
+
+    private void EraseSelected()
+    {
+        if (_desk.Prompt.Command is null && _desk.Session.Document.Current.Selection.Count > 0) _ = _desk.RunAsync("ERASE");
     }
 
     /// <summary>A menu that has closed, whether something was chosen or not, keeps the keyboard no longer: what is typed next is for the command line.</summary>
@@ -131,8 +136,12 @@ public partial class ShellWindow : Window
             return;
         }
 
-        e.Handled = e.Key == Key.Escape ? Escape() : ShellKeys.CommandOf(e) is { } command ? Run(command) : !HasKeyboard(e.Source) && e.KeyModifiers == KeyModifiers.None && CommandLine.Press(e.Key);
+        e.Handled = e.Key == Key.Escape ? Escape() : CommandOf(e) is { } command ? Run(command) : !HasKeyboard(e.Source) && e.KeyModifiers == KeyModifiers.None && CommandLine.Press(e.Key);
     }
+
+    /// <summary>Keys that edit text are left to a text box; the empty command line needs none.</summary>
+    private string? CommandOf(KeyEventArgs e) =>
+        ShellKeys.CommandOf(e) ?? (e.Source is TextBox box && (box != CommandLine.LineBox || box.Text is { Length: > 0 }) ? null : ShellKeys.CommandOutsideText(e));
 
     private bool Escape()
     {

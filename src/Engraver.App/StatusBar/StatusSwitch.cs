@@ -1,5 +1,6 @@
 using Engraver.App.Binding;
 using Engraver.App.Desk;
+using Engraver.App.Texts;
 using Engraver.Workbench.Views;
 
 namespace Engraver.App.StatusBar;
@@ -12,6 +13,9 @@ public sealed class StatusSwitch(string name, string command, Func<ViewState, bo
     public string Name => name;
 
     public string Command => command;
+
+    /// <summary>What it does, with its key.</summary>
+    public string Tip => Text.Of("Switch." + name);
 
     public bool IsOn => isOn(desk.Session.View.Current);
 

@@ -42,14 +42,15 @@ public sealed class HeadlessDesktop
 
     private SoftwareDispatcher Loop => _dispatcher ?? throw new InvalidOperationException("The desktop is not in use yet: set the application up first.");
 
-    /// <summary>Does all work that is due, draws one frame, and does the work that came of it.</summary>
+    /// <summary>Does all work that is due, draws it, and does the work that came of it: afterwards the windows show all that was wanted before.</summary>
+    /// <remarks>Avalonia hands its changes to the renderer in one batch at a time, and a batch may be waiting from before: then the changes of now go with the second frame.</remarks>
     public void Step()
     {
         Dispatcher.UIThread.VerifyAccess();
         Loop.RunDue();
         Dispatcher.UIThread.RunJobs();
-        _frames!.Fire();
-        Dispatcher.UIThread.RunJobs();
+        Draw();
+        if (_frames!.IsWanted) Draw();
     }
 
     /// <summary>Steps until the condition holds; between steps it waits for what the dispatcher waits for, and draws 60 frames a second while something moves.</summary>
@@ -97,6 +98,12 @@ public sealed class HeadlessDesktop
         ActiveWindow = window;
         before?.TellFocus(false);
         window?.TellFocus(true);
+    }
+
+    private void Draw()
+    {
+        _frames!.Fire();
+        Dispatcher.UIThread.RunJobs();
     }
 
     /// <summary>Text on this clipboard is there at once, so nothing is waited for.</summary>

@@ -6,7 +6,13 @@ namespace Engraver.Workbench.CommandLanguage;
 /// <summary>Asks for a point in drawing units: <c>x,y</c>, <c>#x,y</c>, <c>@dx,dy</c>, <c>dist&lt;angle</c>, <c>@dist&lt;angle</c>, <c>@</c> (the last point). Angles in degrees, counter-clockwise from +X.</summary>
 public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Instruction)
 {
-    public override bool TakesPoint => true;
+    /// <summary>What the point is for.</summary>
+    public PointUse Use { get; init; }
+
+    /// <summary>Where the way to it begins, or the first corner; null when it stands alone.</summary>
+    public Point2D? From { get; init; }
+
+    public override PointAim Aim => new(Use, From);
 
     public override Reading<Point2D> Read(string typed, Point2D lastPoint)
     {

@@ -1,6 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands;
 
@@ -17,14 +18,15 @@ internal sealed class ArrayCommand : ICommand
         var type = await context.ChoiceAsync("Enter array type", Keyword.List("Rectangular", "POlar"), context.Remembered("ARRAY", "Rectangular")).ConfigureAwait(false);
         context.Remember("ARRAY", type);
         var maps = type == "Rectangular" ? await RectangularAsync(context).ConfigureAwait(false) : await PolarAsync(context).ConfigureAwait(false);
-        var edited = context.Drawing;
+        var (drawing, edited) = (context.Drawing, context.Drawing);
         foreach (var map in maps)
         {
             cancellation.ThrowIfCancellationRequested();
             if (!DrawingEdit.TryCopy(edited, selected, map, out edited)) throw new CommandException(CommandFailure.Usage, "That cannot be copied so (out of range, or an ellipse or spline is among it); nothing was changed.");
         }
 
-        DrawingChange.Take(context, edited, selected);
+        var along = DrawingChange.TextsAlong(context, selected);
+        DrawingChange.Take(context, edited with { Texts = EditedTexts.Copied(drawing, along, maps) }, selected);
     }
 
     private static async Task<IReadOnlyList<Transform2D>> RectangularAsync(CommandContext context)

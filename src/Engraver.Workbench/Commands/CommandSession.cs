@@ -14,6 +14,7 @@ public sealed class CommandSession : IAsyncDisposable
 {
     private readonly FrameStack _frames = new();
     private readonly ScriptQueue _scripts = new();
+    private readonly SessionTies _ties;
     private ICommand? _last;
 
     public CommandSession(CommandEnvironment environment, CommandCatalog catalog)
@@ -26,9 +27,7 @@ public sealed class CommandSession : IAsyncDisposable
         Settings = new SettingsSession(environment.SettingsFile, environment.Time);
         Aliases = ReloadAliases();
         View.Change(state => SystemVariables.Restore(state, Settings.Current));
-        Document.Changed += OnDocumentChanged;
-        Derivation.Changed += OnDerived;
-        Machine.Changed += OnMachineChanged;
+        _ties = new SessionTies(Document, Machine, Derivation, Playback);
     }
 
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
@@ -62,7 +61,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>What is waited for now.</summary>
     public PromptView Prompt => _frames.Top is { Pending: { } asks } frame
-        ? new PromptView(frame.Info.Name, _frames.Before + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.WantsPoint)
+        ? new PromptView(frame.Info.Name, _frames.Before + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.Prompt.Aim)
         : PromptView.Idle;
 
     internal CommandEnvironment Environment { get; }
@@ -123,9 +122,7 @@ public sealed class CommandSession : IAsyncDisposable
     public async ValueTask DisposeAsync()
     {
         await EndAllAsync().ConfigureAwait(false);
-        Document.Changed -= OnDocumentChanged;
-        Derivation.Changed -= OnDerived;
-        Machine.Changed -= OnMachineChanged;
+        _ties.Dispose();
         Derivation.Dispose();
         await Machine.DisposeAsync().ConfigureAwait(false);
     }
@@ -148,22 +145,6 @@ public sealed class CommandSession : IAsyncDisposable
     }
 
     internal AliasTable ReloadAliases() => Aliases = AliasFiles.Read(Environment.AliasFile, Catalog);
-
-    /// <summary>The machine is the one of the settings; what was armed from another drawing or other settings is not what would run now.</summary>
-    private void OnDocumentChanged(object? sender, EventArgs e)
-    {
-        var state = Document.Current;
-        Machine.Profile = state.Settings.Machine;
-        if (Machine.Armed is { Job: var job } && (!ReferenceEquals(job.Drawing, state.Drawing) || job.Settings != state.Settings)) Machine.Disarm();
-    }
-
-    private void OnDerived(object? sender, EventArgs e)
-    {
-        if (!ReferenceEquals(Playback.Motion, Derivation.Current.Motion)) Playback.Load(Derivation.Current.Motion);
-    }
-
-    /// <summary>How long the job takes depends on the line it goes over.</summary>
-    private void OnMachineChanged(object? sender, EventArgs e) => Derivation.Line = Machine.Line;
 
     private async Task<FeedResult> FeedOneAsync(string input, CancellationToken cancellation)
     {
@@ -251,12 +232,7 @@ public sealed class CommandSession : IAsyncDisposable
             result = cancellation.IsCancellationRequested ? new FeedResult.Cancelled() : await FeedOneAsync(next.Token.Text, cancellation).ConfigureAwait(false);
             if (result is FeedResult.Asking or FeedResult.Done) continue;
             await EndAllAsync().ConfigureAwait(false);
-            return result switch
-            {
-                FeedResult.Failed failed => failed with { Sentence = next.Place(failed.Sentence) },
-                FeedResult.NotUnderstood unclear => new FeedResult.Failed(CommandFailure.Usage, next.Place(unclear.Sentence)),
-                _ => result,
-            };
+            return next.Placed(result);
         }
 
         return result;

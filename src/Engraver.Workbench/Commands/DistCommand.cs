@@ -10,7 +10,7 @@ internal sealed class DistCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var first = await context.ValueAsync(new PointPrompt("Specify first point")).ConfigureAwait(false);
-        var second = await context.ValueAsync(new PointPrompt("Specify second point")).ConfigureAwait(false);
+        var second = await context.ValueAsync(new PointPrompt("Specify second point") { From = first }).ConfigureAwait(false);
         var way = second - first;
         context.Say(
             $"Distance = {NumberPrompt.Show(way.Length)}, Angle in XY Plane = {NumberPrompt.Show(way.Direction.Positive().Degrees)}, Delta X = {NumberPrompt.Show(way.X)}, Delta Y = {NumberPrompt.Show(way.Y)}",

@@ -1,6 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands;
@@ -14,7 +15,8 @@ internal static class DrawingChange
         var drawing = context.Drawing;
         var fits = copy ? DrawingEdit.TryCopy(drawing, selected, map, out var edited) : DrawingEdit.TryTransform(drawing, selected, map, out edited);
         if (!fits) throw new CommandException(CommandFailure.Usage, "That would move objects out of range; nothing was changed.");
-        Take(context, edited, selected);
+        var along = TextsAlong(context, selected);
+        Take(context, edited with { Texts = copy ? EditedTexts.Copied(drawing, along, [map]) : EditedTexts.Moved(drawing, along, map) }, selected);
     }
 
     /// <summary>Erases objects; those that are hidden keep their places in mind.</summary>
@@ -23,7 +25,7 @@ internal static class DrawingChange
     {
         var gone = erased.Distinct().Order().ToList();
         var hidden = context.Document.Current.HiddenObjects.Except(gone).Select(index => index - BelowIn(gone, index));
-        var left = DrawingEdit.Erase(context.Drawing, gone);
+        var left = DrawingEdit.Erase(context.Drawing, gone) with { Texts = asDoubles ? context.Drawing.Texts : EditedTexts.Without(context.Drawing, TextsAlong(context, gone)) };
         Take(context, left, [], [.. hidden], asDoubles ? Enumerable.Range(0, left.Entities.Count) : []);
     }
 
@@ -34,6 +36,14 @@ internal static class DrawingChange
     /// <summary>For an edit that leaves every object in its place.</summary>
     /// <param name="previous">What the command worked on, by its index in the edited drawing.</param>
     public static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Take(context, edited, previous, context.Document.Current.HiddenObjects, []);
+
+    /// <summary>The texts that go along with these curves; says how many do not.</summary>
+    public static IReadOnlyList<PlacedText> TextsAlong(CommandContext context, IReadOnlyList<int> selected)
+    {
+        var along = EditedTexts.Along(context.Drawing, selected);
+        if (context.Drawing.Texts.Count - along.Count is > 0 and var left) context.Say($"{CountText.Of(left, "text")} left as before: texts go along only with every visible curve of the drawing.");
+        return along;
+    }
 
     public static Drawing WithHidden(Drawing drawing, IEnumerable<int> indices, bool hidden) =>
         drawing with { Entities = drawing.Entities.With(indices.Select(index => (index, drawing.Entities[index] with { Hidden = hidden })), []) };

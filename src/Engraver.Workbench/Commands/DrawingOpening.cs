@@ -19,6 +19,7 @@ internal static class DrawingOpening
         if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {CommandWording.Of(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message}");
         RememberView(context);
         context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
+        context.Document.MarkKept();
         context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
         context.Say($"{CountText.Of(drawing.Entities.Count, "curve")} on {CountText.Of(drawing.Layers.Count, "layer")}, unit {drawing.Unit.Name}.");

@@ -13,10 +13,10 @@ internal sealed class EnterCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var answer = await context.AskAsync(new PointPrompt("Select entering entity") { Options = Keyword.List("Handle", "Point", "None") }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new PointPrompt("Select entering entity") { Options = Keyword.List("Handle", "Point", "None"), Use = PointUse.Object }).ConfigureAwait(false);
         var place = answer switch
         {
-            Answer<Point2D>.Value { Of: var point } => AtEntity(drawing, ObjectSelection.At(drawing, point) ?? throw new CommandException(CommandFailure.Usage, "No object there.")),
+            Answer<Point2D>.Value { Of: var point } => AtEntity(drawing, ObjectSelection.At(context, point) ?? throw new CommandException(CommandFailure.Usage, "No object there.")),
             Answer<Point2D>.Chosen { Option: "Handle" } => new EnteringPlace.ByHandle(await HandleAsync(context).ConfigureAwait(false)),
             Answer<Point2D>.Chosen { Option: "Point" } => new EnteringPlace.ByPoint(DrawingUnits.ToMillimetres(drawing, await context.ValueAsync(new PointPrompt("Specify entering point")).ConfigureAwait(false))),
             _ => null,

@@ -7,7 +7,7 @@ namespace Engraver.Workbench.Commands;
 /// <summary>"Select objects:" as AutoCAD asks it, verb first or noun first. Coordinates are drawing units.</summary>
 internal static class ObjectSelection
 {
-    /// <summary>A pick takes the nearest object within this part of the drawing's size.</summary>
+    /// <summary>A pick takes the nearest object within this part of the size of the drawing or of the view, whichever is smaller.</summary>
     private const double PickboxShare = 0.01;
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Window", "Crossing", "ALL", "Last", "Previous", "Handle", "LAyer", "Remove", "Add", "Undo");
@@ -29,7 +29,7 @@ internal static class ObjectSelection
     {
         var drawing = context.Drawing;
         var picking = new Picking();
-        var prompt = new PointPrompt("Select objects") { Options = s_options, EnterEnds = true };
+        var prompt = new PointPrompt("Select objects") { Options = s_options, EnterEnds = true, Use = PointUse.Object };
         while (await context.AskAsync(prompt).ConfigureAwait(false) is var answer and not Answer<Point2D>.Ended)
         {
             switch (answer)
@@ -46,10 +46,11 @@ internal static class ObjectSelection
     }
 
     /// <summary>The visible object under a point; null when there is none.</summary>
-    public static int? At(Drawing drawing, Point2D point)
+    public static int? At(CommandContext context, Point2D point)
     {
+        var (drawing, view) = (context.Drawing, context.View.Current.Window);
         var box = DrawingPick.BoundsOf(drawing, DrawingPick.Visible(drawing));
-        return DrawingPick.Nearest(drawing, point, PickboxShare * Math.Max(box.Width, box.Height));
+        return DrawingPick.Nearest(drawing, point, PickboxShare * Math.Min(Math.Max(box.Width, box.Height), Math.Max(view.Width, view.Height)));
     }
 
     private static async Task<IReadOnlyList<int>> ByOptionAsync(CommandContext context, Drawing drawing, string option) => option switch
@@ -66,8 +67,8 @@ internal static class ObjectSelection
     /// <summary>On an object: that one. On empty space: a box, to the right a window, to the left a crossing.</summary>
     private static async Task<IReadOnlyList<int>> ByPointAsync(CommandContext context, Drawing drawing, Point2D point)
     {
-        if (At(drawing, point) is { } entity) return [entity];
-        var corner = await context.ValueAsync(new PointPrompt("Specify opposite corner")).ConfigureAwait(false);
+        if (At(context, point) is { } entity) return [entity];
+        var corner = await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = point }).ConfigureAwait(false);
         var box = Bounds2D.Of(point, corner);
         return [.. corner.X >= point.X ? DrawingPick.Inside(drawing, box) : DrawingPick.Touching(drawing, box)];
     }
@@ -75,7 +76,7 @@ internal static class ObjectSelection
     private static async Task<Bounds2D> BoxAsync(CommandContext context)
     {
         var first = await context.ValueAsync(new PointPrompt("Specify first corner")).ConfigureAwait(false);
-        return Bounds2D.Of(first, await context.ValueAsync(new PointPrompt("Specify opposite corner")).ConfigureAwait(false));
+        return Bounds2D.Of(first, await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = first }).ConfigureAwait(false));
     }
 
     private static IReadOnlyList<int> ByHandle(Drawing drawing, string handle) => [.. DrawingPick.Visible(drawing).Where(entity => IsHandle(drawing, entity, handle))];

@@ -8,8 +8,6 @@ internal abstract class PendingAsk(Prompt prompt)
 {
     public Prompt Prompt => prompt;
 
-    public abstract bool WantsPoint { get; }
-
     /// <summary>Hands an input to the waiting command.</summary>
     /// <returns>Null when it was an answer; otherwise what is wanted instead, and the command goes on waiting.</returns>
     public abstract string? TryAnswer(string typed, Point2D lastPoint);

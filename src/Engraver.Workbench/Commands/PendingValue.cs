@@ -11,8 +11,6 @@ internal sealed class PendingValue<T>(ValuePrompt<T> prompt) : PendingAsk(prompt
 
     public Task<Answer<T>> Answer => _answer.Task;
 
-    public override bool WantsPoint => Prompt.TakesPoint;
-
     public override string? TryAnswer(string typed, Point2D lastPoint)
     {
         if (typed.Length == 0 && Prompt.Default is null && Prompt.EnterEnds) return Take(new Answer<T>.Ended());

@@ -8,8 +8,8 @@ namespace Engraver.Workbench.Commands;
 /// <param name="Options">To be clicked or completed.</param>
 /// <param name="Default">What Enter alone means; null when nothing.</param>
 /// <param name="TakesSpaces">True when Space is a letter and not Enter.</param>
-/// <param name="WantsPoint">True when a click on the canvas is an answer (its coordinates are fed).</param>
-public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, bool WantsPoint)
+/// <param name="Aim">The place that a click on the canvas answers with (its coordinates are fed); null when it is no answer.</param>
+public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, PointAim? Aim)
 {
-    public static PromptView Idle { get; } = new(null, "Command:", [], null, false, false);
+    public static PromptView Idle { get; } = new(null, "Command:", [], null, false, null);
 }

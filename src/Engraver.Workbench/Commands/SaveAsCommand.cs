@@ -25,6 +25,7 @@ internal sealed class SaveAsCommand : ICommand
         var sheet = EditedDrawing.SheetOf(drawing, context.Document.Current.HiddenObjects);
         var name = await ReplacePrompt.AskAsync(context, "Enter name of DXF file").ConfigureAwait(false);
         OutputFile.Write(context.FileToWrite(name), output => DxfWriter.Write(sheet, output));
-        context.Say(FormattableString.Invariant($"{name} written: {CountText.Of(sheet.Entities.Count, "curve")} and {CountText.Of(sheet.Texts.Count, "text")} on {CountText.Of(sheet.Layers.Count, "layer")}, unit {drawing.Unit.Name}. Blocks are written as their curves and texts; texts stand where the file had them."));
+        context.Document.MarkKept();
+        context.Say(FormattableString.Invariant($"{name} written: {CountText.Of(sheet.Entities.Count, "curve")} and {CountText.Of(sheet.Texts.Count, "text")} on {CountText.Of(sheet.Layers.Count, "layer")}, unit {drawing.Unit.Name}. Blocks are written as their curves and texts."));
     }
 }

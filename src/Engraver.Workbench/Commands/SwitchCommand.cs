@@ -18,7 +18,7 @@ internal sealed class SwitchCommand : ICommand
     public static IReadOnlyList<ICommand> All { get; } =
     [
         new SwitchCommand("ORTHO", "ORTHOMODE", "Points go straight across or straight up from the last one: on or off."),
-        new SwitchCommand("DYNAMICINPUT", "DYNMODE", "Input fields at the crosshair: on or off."),
+        new SwitchCommand("DYNAMICINPUT", "DYNMODE", "What is asked and where the crosshair stands, shown beside it: on or off."),
     ];
 
     public CommandInfo Info { get; }

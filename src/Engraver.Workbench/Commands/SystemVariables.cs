@@ -21,7 +21,7 @@ internal static class SystemVariables
         Seen("GRIDUNIT", "Distance of grid lines, drawing units.", 10, 1e-6, 1e6, false, v => v.GridSpacing, (v, x) => v with { GridSpacing = x }),
         Seen("SNAPMODE", "1: the crosshair jumps to the raster.", 0, 0, 1, true, v => v.Snap ? 1 : 0, (v, x) => v with { Snap = x != 0.0 }),
         Seen("SNAPUNIT", "Distance of the places of the raster, drawing units.", 10, 1e-6, 1e6, false, v => v.SnapSpacing, (v, x) => v with { SnapSpacing = x }),
-        Seen("DYNMODE", "1: input fields at the crosshair.", 1, 0, 1, true, v => v.DynamicInput ? 1 : 0, (v, x) => v with { DynamicInput = x != 0.0 }),
+        Seen("DYNMODE", "1: what is asked and where the crosshair stands is shown beside it.", 1, 0, 1, true, v => v.DynamicInput ? 1 : 0, (v, x) => v with { DynamicInput = x != 0.0 }),
     ];
 
     public static IEnumerable<SystemVariable> All => s_table.Select(row => row.Variable);

@@ -42,7 +42,7 @@ internal sealed class ZoomCommand : ICommand
 
     private static async Task WindowAsync(CommandContext context, Point2D first)
     {
-        var second = await context.ValueAsync(new PointPrompt("Specify opposite corner")).ConfigureAwait(false);
+        var second = await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = first }).ConfigureAwait(false);
         if (second == first) throw new CommandException(CommandFailure.Usage, "The window has no extent.");
         context.View.SetWindow(Bounds2D.Of(first, second));
     }

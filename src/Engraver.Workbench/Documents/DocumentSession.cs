@@ -1,3 +1,5 @@
+using Engraver.Core.Drawings;
+
 namespace Engraver.Workbench.Documents;
 
 /// <summary>What the operator has loaded, and every step that led there. One of the two places that change over time; the states themselves never do.</summary>
@@ -6,11 +8,15 @@ public sealed class DocumentSession
 {
     private readonly Stack<Step> _undo = new();
     private readonly Stack<Step> _redo = new();
+    private Drawing? _kept;
 
     /// <summary>Raised after the current state has become another one.</summary>
     public event EventHandler? Changed;
 
     public DocumentState Current { get; private set; } = DocumentState.Nothing;
+
+    /// <summary>The drawing is another one than was opened or written last: leaving the program would lose it.</summary>
+    public bool IsEdited => Current.Drawing is { } drawing && !ReferenceEquals(drawing, _kept);
 
     /// <summary>Names of the steps that can be undone, the last one first.</summary>
     public IEnumerable<string> UndoNames => _undo.Select(step => step.Name);
@@ -28,6 +34,9 @@ public sealed class DocumentSession
         _redo.Clear();
         Become(next);
     }
+
+    /// <summary>The drawing as it is now stands in a file.</summary>
+    public void MarkKept() => _kept = Current.Drawing;
 
     /// <summary>Sets what is selected, without a step.</summary>
     public void Select(IReadOnlyList<int> selection, IReadOnlyList<int> previous) => Become(Current with { Selection = selection, Previous = previous });

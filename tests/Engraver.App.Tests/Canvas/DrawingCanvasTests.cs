@@ -8,6 +8,7 @@ using Engraver.App.Canvas.Scenes;
 using Engraver.Core.Geometry;
 using Engraver.SoftwarePlatform.Headless;
 using Engraver.TestKit;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Views;
 
 namespace Engraver.App.Tests.Canvas;
@@ -49,11 +50,14 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     public Task A_zoom_shows_the_old_picture_larger_at_once_and_the_new_one_when_the_hand_is_still() => With((canvas, view, hands, _) =>
     {
         canvas.RefineNow();
+        var stillness = canvas.Stillness;
+        canvas.Stillness = TimeSpan.FromHours(1); // however long the steps take
         hands.Wheel(new Point(200, 100), new Vector(0, 6));
         Draw();
         Assert.Equal(Colors.White, hands.PixelAt(20, 100));
         Assert.Equal(Colors.White, hands.PixelAt(200, 101));
 
+        canvas.Stillness = stillness;
         fixture.Desktop.StepUntil(() => canvas.IsFresh, s_patience);
         Draw();
 
@@ -88,7 +92,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     [Fact]
     public Task A_point_that_is_asked_for_snaps_to_the_end_of_the_line() => With((_, view, hands, heard) =>
     {
-        heard.AsksForPoint = true;
+        heard.Aim = PointAim.Place;
         hands.Click(new Point(297, 104));
         view.Change(state => state with { ObjectSnap = false, Snap = true, SnapSpacing = 10.0 });
         hands.Click(new Point(298, 103));
@@ -148,12 +152,79 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         hands.SetScale(1.0);
     });
 
-    /// <summary>One step for what was asked for, one for the frame that shows it.</summary>
-    private void Draw()
+    /// <summary>ORTHO makes way for an object snap, and needs a point before.</summary>
+    [Fact]
+    public Task With_ortho_a_point_goes_straight_across_or_up_from_the_one_before() => With((_, view, hands, heard) =>
     {
-        fixture.Desktop.Step();
-        fixture.Desktop.Step();
-    }
+        view.Change(state => state with { Ortho = true });
+        heard.Aim = new PointAim(PointUse.Place, new Point2D(-120.0, -20.0));
+        hands.Click(new Point(330, 180));
+        hands.Click(new Point(90, 20));
+        hands.Click(new Point(297, 104));
+        heard.Aim = PointAim.Place;
+        hands.Click(new Point(330, 180));
+
+        Assert.Equal([new Point2D(130.0, -20.0), new Point2D(-120.0, 130.0), new Point2D(100.0, 50.0), new Point2D(130.0, -30.0)], heard.Points);
+    });
+
+    [Fact]
+    public Task A_line_leads_from_the_point_before_to_where_a_click_would_be() => With((canvas, view, hands, heard) =>
+    {
+        view.Change(state => state with { Ortho = true, DynamicInput = false });
+        hands.MovePointer(new Point(330, 280));
+        heard.Aim = new PointAim(PointUse.Place, new Point2D(-120.0, -100.0));
+        canvas.TakeAim();
+        Draw();
+
+        Assert.Contains(Enumerable.Range(100, 60), x => hands.PixelAt(x, 249) != Color.FromUInt32(CanvasTheme.Dark.Background) || hands.PixelAt(x, 250) != Color.FromUInt32(CanvasTheme.Dark.Background));
+        Assert.Null(canvas.Box);
+    });
+
+    [Fact]
+    public Task The_opposite_corner_is_asked_for_with_a_box_and_nothing_snaps() => With((canvas, _, hands, heard) =>
+    {
+        heard.Aim = new PointAim(PointUse.Corner, new Point2D(0.0, 0.0));
+        hands.MovePointer(new Point(297, 104));
+        Assert.Equal((new Point2D(200.0, 150.0), new Point2D(297.0, 104.0), false), (canvas.Box!.Value.From, canvas.Box.Value.To, canvas.Box.Value.IsCrossing));
+        hands.MovePointer(new Point(103, 104));
+        Assert.True(canvas.Box!.Value.IsCrossing);
+        hands.Click(new Point(297, 104));
+
+        Assert.Equal([new Point2D(97.0, 46.0)], heard.Points);
+    });
+
+    [Fact]
+    public Task Where_an_object_is_asked_for_nothing_snaps() => With((canvas, _, hands, heard) =>
+    {
+        heard.Aim = new PointAim(PointUse.Object, null);
+        hands.Click(new Point(297, 102));
+
+        Assert.Equal([new Point2D(97.0, 48.0)], heard.Points);
+        Assert.Equal("Specify a place:", canvas.Tip);
+    });
+
+    [Fact]
+    public Task What_is_asked_and_where_stands_beside_the_crosshair() => With((canvas, view, hands, heard) =>
+    {
+        hands.MovePointer(new Point(230, 110));
+        Assert.Equal("", canvas.Tip);
+        heard.Aim = PointAim.Place;
+        canvas.TakeAim();
+        Assert.Equal("Specify a place:\n30.0000, 40.0000", canvas.Tip);
+        Draw();
+        Assert.NotEqual(Color.FromUInt32(CanvasTheme.Dark.Background), hands.PixelAt(230 + 18, 110 + 30));
+        heard.Aim = new PointAim(PointUse.Place, new Point2D(0.0, 40.0));
+        hands.MovePointer(new Point(200, 130));
+        Assert.Equal("Specify a place:\n20.0000 < 270.00\u00B0", canvas.Tip);
+        heard.Aim = new PointAim(PointUse.Corner, new Point2D(10.0, 40.0));
+        hands.MovePointer(new Point(200, 131));
+        Assert.Equal("Specify a place:\n10.0000 x 21.0000", canvas.Tip);
+        view.Change(state => state with { DynamicInput = false });
+        hands.MovePointer(new Point(230, 111));
+        Assert.Equal("", canvas.Tip);
+    });
+
+    private void Draw() => fixture.Desktop.Step();
 
     private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => fixture.Runner.RunAsync(() =>
     {

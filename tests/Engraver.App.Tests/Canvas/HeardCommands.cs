@@ -1,5 +1,6 @@
 using Engraver.App.Canvas;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Tests.Canvas;
 
@@ -10,7 +11,9 @@ internal sealed class HeardCommands : ICanvasCommands
 
     public List<Point2D> Points { get; } = [];
 
-    public bool AsksForPoint { get; set; }
+    public PointAim? Aim { get; set; }
+
+    public string Asked => "Specify a place:";
 
     public void PickAt(Point2D place, int entity, bool remove) => Heard.Add(remove ? $"unpick {entity}" : $"pick {entity}");
 

@@ -51,6 +51,18 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task Escape_leaves_a_dialog_while_nothing_moves() => fixture.WithOperator(here =>
+    {
+        var dialog = new Window { Width = 300, Height = 200, Content = new TextBox() };
+        var shown = dialog.ShowDialog(here.Window);
+        here.Step();
+        fixture.Desktop.Windows[^1].Press(Key.Escape);
+        here.Until(() => shown.IsCompleted);
+
+        Assert.True(here.Window.IsVisible);
+    });
+
+    [Fact]
     public Task A_menu_covers_the_window() => fixture.WithOperator(here =>
     {
         StartSlowly(here);

@@ -44,6 +44,8 @@ public sealed class ShellTests(DesktopFixture fixture)
         var view = here.Find<MenuItem>("ViewMenu");
         if (way == "OnCanvas") here.Hands.Click(here.MiddleOf(here.Window.Canvas), MouseButton.Right);
         else here.Click(view);
+        here.Step();
+        Assert.True(here.Window.GetVisualDescendants().OfType<MenuItem>().Count(item => item.IsEffectivelyVisible && item.Tag is string) > 5, "no menu is open");
         if (way == "Title") here.Click(view);
         else if (way == "Canvas") here.Click(here.Window.Canvas);
         else if (way == "Entry") here.Click(view.Items.OfType<MenuItem>().First());
@@ -73,13 +75,7 @@ public sealed class ShellTests(DesktopFixture fixture)
     public Task Settings_are_kept_between_two_starts()
     {
         var folder = Directory.CreateTempSubdirectory("desktop-");
-        return fixture.WithOperator(Change, folder.FullName).ContinueWith(_ => fixture.WithOperator(Look, folder.FullName), TaskScheduler.Default).Unwrap().ContinueWith(
-            done =>
-            {
-                folder.Delete(recursive: true);
-                return done;
-            },
-            TaskScheduler.Default).Unwrap();
+        return InTurn(folder, Change, Look);
 
         static void Change(Operator here)
         {
@@ -104,6 +100,125 @@ public sealed class ShellTests(DesktopFixture fixture)
             here.Enter("THEME", "Dark");
         }
     }
+
+    /// <summary>What F2 gives the history is no usual height: the next start has the usual one, and F2 gives what was given last.</summary>
+    [Fact]
+    public Task The_room_of_the_history_is_kept_beside_the_usual_one()
+    {
+        var folder = Directory.CreateTempSubdirectory("desktop-");
+        return InTurn(folder, Enlarge, Look);
+
+        static void Enlarge(Operator here)
+        {
+            here.Hands.Resize(new Size(1400, 1000));
+            here.Hands.Press(Key.F2);
+            here.Step();
+            var pages = here.Find<PageTabs>("Pages");
+            var corner = pages.TranslatePoint(new Point(200, -2), here.Window)!.Value;
+            here.Hands.Drag(corner, corner - new Point(0, 80));
+            here.Step();
+            Assert.InRange(pages.Bounds.Height, 480, 520);
+        }
+
+        static void Look(Operator here)
+        {
+            here.Step();
+            Assert.InRange(here.Find<PageTabs>("Pages").Bounds.Height, 180, 200);
+            here.Hands.Press(Key.F2);
+            here.Step();
+            Assert.InRange(here.Find<PageTabs>("Pages").Bounds.Height, 480, 520);
+            here.Hands.Press(Key.F2);
+            here.Step();
+            Assert.InRange(here.Find<PageTabs>("Pages").Bounds.Height, 180, 200);
+        }
+    }
+
+    [Fact]
+    public Task Leaving_with_edits_that_are_in_no_file_is_warned_of_once() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("ERASE", "L", "");
+        here.Window.Close();
+        here.Step();
+
+        Assert.True(here.Window.IsVisible);
+        Assert.Equal("gasket.dxf was edited and is not saved (SAVEAS). Close once more to leave without saving.", here.History.Last());
+        here.Enter("ERASE", "L", "");
+        here.Window.Close();
+        here.Step();
+        Assert.True(here.Window.IsVisible, "a later edit was not warned of");
+        here.Enter("U", "U");
+        here.Window.Close();
+        here.Step();
+        Assert.False(here.Window.IsVisible);
+    });
+
+    [Fact]
+    public Task Control_a_and_delete_act_on_the_drawing_and_in_text_on_the_text() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Hands.Press(Key.A, RawInputModifiers.Control);
+        here.Rest();
+        Assert.Equal(4, here.Commands.Document.Current.Selection.Count);
+        here.Hands.Type("li");
+        here.Hands.Press(Key.A, RawInputModifiers.Control);
+        here.Hands.Press(Key.Delete);
+        here.Rest();
+        Assert.Equal("", here.Window.Model.Command.Line);
+        Assert.Equal(4, here.Commands.Document.Current.Drawing!.Entities.Count);
+        here.Hands.Press(Key.Delete);
+        here.Rest();
+        Assert.True(here.Commands.Document.Current.Drawing!.Entities.Count == 0, "nothing was erased");
+        here.Hands.Press(Key.Z, RawInputModifiers.Control);
+        here.Rest();
+        here.Enter("MOVE");
+        here.Hands.Press(Key.A, RawInputModifiers.Control);
+        here.Hands.Press(Key.Delete);
+        here.Rest();
+        Assert.Equal("MOVE", here.Desk.Prompt.Command);
+        Assert.Contains("4 found, 4 total", here.History);
+    });
+
+    [Fact]
+    public Task Undoing_what_is_typed_for_the_controller_undoes_nothing_of_the_drawing() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("ERASE", "L", "");
+        here.Show("Terminal");
+        here.Click(here.Find<TextBox>("LineBox"));
+        here.Hands.Type("MG 1");
+        here.Hands.Press(Key.Z, RawInputModifiers.Control);
+        here.Rest();
+
+        Assert.Equal(3, here.Commands.Document.Current.Drawing!.Entities.Count);
+    });
+
+    [Fact]
+    public Task Control_0_leaves_nothing_but_the_canvas_and_brings_all_back() => fixture.WithOperator(here =>
+    {
+        here.Step();
+        var before = here.Window.Canvas.Bounds.Size;
+        here.Hands.Press(Key.D1, RawInputModifiers.Control);
+        here.Hands.Press(Key.D0, RawInputModifiers.Control);
+        here.Step();
+        Assert.True(here.Window.Canvas.Bounds.Width > before.Width + 300 && here.Window.Canvas.Bounds.Height > before.Height + 100, $"{here.Window.Canvas.Bounds}");
+        here.Hands.Press(Key.D0, RawInputModifiers.Control);
+        here.Step();
+
+        Assert.Equal(before, here.Window.Canvas.Bounds.Size);
+    });
+
+    [Fact]
+    public Task What_is_short_or_cut_off_has_a_tip() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        var switches = here.Find<ItemsControl>("SwitchList").GetVisualDescendants().OfType<Avalonia.Controls.Primitives.ToggleButton>().ToList();
+        Assert.Equal(5, switches.Count);
+        Assert.All(switches, button => Assert.Contains("(F", ToolTip.GetTip(button) as string, StringComparison.Ordinal));
+        var names = here.Find<ListBox>("LayerList").GetVisualDescendants().OfType<TextBlock>().Where(text => text.TextTrimming != Avalonia.Media.TextTrimming.None).ToList();
+        Assert.Equal(5, names.Count);
+        Assert.All(names, name => Assert.Equal(name.Text, ToolTip.GetTip(name)));
+    });
 
     [Fact]
     public Task Pages_are_made_when_they_are_first_shown() => fixture.WithOperator(here =>
@@ -198,6 +313,14 @@ public sealed class ShellTests(DesktopFixture fixture)
     [Fact]
     public Task The_window_has_an_icon() => fixture.WithOperator(here => Assert.NotNull(here.Window.Icon));
 
+    /// <summary>Two starts with the same settings.</summary>
+    private async Task InTurn(DirectoryInfo folder, Action<Operator> first, Action<Operator> second)
+    {
+        await fixture.WithOperator(first, folder.FullName);
+        await fixture.WithOperator(second, folder.FullName);
+        folder.Delete(recursive: true);
+    }
+
     /// <summary>The tools that do not stand whole in their column.</summary>
     private static string CutOff(Operator here)
     {
@@ -274,10 +397,12 @@ public sealed class ShellTests(DesktopFixture fixture)
         using (var dxf = new StreamWriter(file) { NewLine = "\n" })
         {
             dxf.Write("0\nSECTION\n2\nENTITIES\n");
-            for (var i = 0; i < 150_000; i++) dxf.Write(FormattableString.Invariant($"0\nLINE\n8\n0\n10\n{i}\n20\n0\n11\n{i + 0.5}\n21\n1\n"));
+            for (var i = 0; i < 2000; i++) dxf.Write(FormattableString.Invariant($"0\nLINE\n8\n0\n10\n{i}\n20\n0\n11\n{i + 0.5}\n21\n1\n"));
             dxf.Write("0\nENDSEC\n0\nEOF\n");
         }
 
+        using var goOn = new ManualResetEventSlim();
+        here.Commands.Progress.Changed += Hold;
         here.Enter("OPEN");
         here.Hands.Type(file);
         here.Hands.Press(Key.Enter);
@@ -285,10 +410,14 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Hands.Type("cncstatus");
         Assert.Equal("cncstatus", here.Window.Model.Command.Line);
         here.Hands.Press(Key.Escape);
+        goOn.Set();
         here.Rest();
+        here.Commands.Progress.Changed -= Hold;
         File.Delete(file);
 
         Assert.Contains(here.History, line => line.Contains("Enter name of drawing", StringComparison.Ordinal));
         Assert.False(here.Desk.IsBusy);
+
+        void Hold(object? sender, EventArgs e) => goOn.Wait(TimeSpan.FromSeconds(60)); // the reader stays at its first report until the operator has typed
     });
 }

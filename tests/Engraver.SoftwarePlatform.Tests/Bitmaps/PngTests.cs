@@ -148,6 +148,15 @@ public class PngTests
         Assert.Equal([1, 2, 3, 4, 5, 6, 7, 8, 9], grays);
     }
 
+    /// <summary>Data in several pieces is one stream; chunks that mean nothing here are passed over.</summary>
+    [Fact]
+    public void Chunks_that_are_not_known_are_passed_over()
+    {
+        using var bitmap = Read(Png(2, 1, 8, PngColorType.Gray, [0, 7, 9], ("tEXt", [.. "Comment\0none"u8]), ("gAMA", [0, 0, 177, 143])));
+
+        Assert.Equal([0xFF070707u, 0xFF090909u], bitmap.Row(0).ToArray());
+    }
+
     [Fact]
     public void Broken_files_are_refused_by_name()
     {

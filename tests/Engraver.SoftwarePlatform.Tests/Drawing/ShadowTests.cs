@@ -60,6 +60,21 @@ public class ShadowTests
         Assert.Equal(0, picture.Alpha(38, 80));
     }
 
+    /// <summary>A blur moves darkness about and makes none: what is summed over the picture stays the area.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(3)]
+    [InlineData(8)]
+    [InlineData(24)]
+    public void A_blurred_shadow_has_the_area_of_its_box(int radius)
+    {
+        var box = new RoundedRect(new Rect(20, 80, 60, 40)); // its shadow stands beside it
+        using var picture = new Picture(260, 200).Draw(c => c.DrawRectangle(null, null, box, BoxShadows.Parse($"120 0 {radius} 0 Black")));
+
+        Near.Equal(60 * 40, picture.Area(), 60 * 40 * 0.015);
+        Near.Equal(60 * 40, Enumerable.Range(0, 200).Sum(y => Enumerable.Range(100, 140).Sum(x => picture.Alpha(x, y))) / 255.0, 60 * 40 * 0.015);
+    }
+
     [Fact]
     public void A_long_box_has_the_same_shadow_as_a_short_one_at_its_ends()
     {

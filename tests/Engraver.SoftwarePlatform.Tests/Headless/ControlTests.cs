@@ -9,7 +9,7 @@ namespace Engraver.SoftwarePlatform.Tests.Headless;
 [Collection(DesktopCollection.Name)]
 public sealed class ControlTests(DesktopFixture fixture)
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
 
     [Fact]
     public Task A_click_presses_a_button() => fixture.WithDemo((demo, hands) =>

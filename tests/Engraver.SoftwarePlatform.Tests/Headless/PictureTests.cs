@@ -8,7 +8,7 @@ namespace Engraver.SoftwarePlatform.Tests.Headless;
 [Collection(DesktopCollection.Name)]
 public sealed class PictureTests(DesktopFixture fixture)
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
     private static readonly string s_folder = Path.Combine(AppContext.BaseDirectory, "pictures");
 
     [Fact]

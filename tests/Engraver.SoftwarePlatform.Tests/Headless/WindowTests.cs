@@ -1,6 +1,7 @@
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
+using Avalonia.Media;
 using Avalonia.Media.Imaging;
 using Avalonia.Threading;
 using Engraver.SoftwarePlatform.Headless;
@@ -10,7 +11,27 @@ namespace Engraver.SoftwarePlatform.Tests.Headless;
 [Collection(DesktopCollection.Name)]
 public sealed class WindowTests(DesktopFixture fixture)
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+
+    /// <summary>Also when the renderer has not drawn an earlier change yet.</summary>
+    [Fact]
+    public Task After_a_step_the_window_shows_what_was_wanted_before_it() => fixture.Runner.RunAsync(() =>
+    {
+        var window = new Window { Width = 60, Height = 40, Background = Brushes.White };
+        window.Show();
+        fixture.Desktop.Step();
+        foreach (var colour in new[] { Colors.Red, Colors.Lime, Colors.Blue })
+        {
+            window.Background = Brushes.Gray;
+            Dispatcher.UIThread.RunJobs();
+            window.Background = new SolidColorBrush(colour);
+            fixture.Desktop.Step();
+            Assert.Equal(colour, fixture.Desktop.Windows[^1].PixelAt(30, 20));
+        }
+
+        window.Close();
+        return Task.CompletedTask;
+    });
 
     [Fact]
     public Task A_modal_dialog_stops_its_owner_and_gives_its_answer() => fixture.Runner.RunAsync(async () =>

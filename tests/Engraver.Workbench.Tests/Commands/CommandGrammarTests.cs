@@ -26,7 +26,7 @@ public class CommandGrammarTests
 
         Assert.Equal(("ROTATE", "Specify rotation angle or [Copy/Reference] <0>:"), (prompt.Command, prompt.Text));
         Assert.Equal(["Copy", "Reference"], prompt.Options.Select(option => option.Name));
-        Assert.False(prompt.WantsPoint);
+        Assert.Null(prompt.Aim);
     }
 
     [Fact]

@@ -38,7 +38,7 @@ public class ViewCommandTests
         Assert.Equal(21.0, View(talk).Height, precision: 9);
         await talk.TypeAsync("'ZOOM");
         Assert.StartsWith(">>Specify corner of window, enter a scale factor (nX) or [All/", talk.Session.Prompt.Text, StringComparison.Ordinal);
-        Assert.True(talk.Session.Prompt.WantsPoint);
+        Assert.NotNull(talk.Session.Prompt.Aim);
     }
 
     [Theory]

@@ -1,0 +1,102 @@
+using Avalonia;
+using Engraver.App.Canvas.Interaction;
+using Engraver.App.Canvas.Picking;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.App.Canvas;
+
+/// <summary>Where the cursor points, and what helps to point there: pickbox, object snaps, snap raster, ORTHO, the line or box from the point before, and what is told beside the crosshair.</summary>
+public sealed partial class DrawingCanvas
+{
+    private PointAim? _aim;
+
+    /// <summary>Half the side of the box in which object snaps are found.</summary>
+    public double Aperture { get; set; } = 10.0;
+
+    /// <summary>What stands beside the crosshair; empty for nothing.</summary>
+    internal string Tip => _cursor.Tip;
+
+    /// <summary>The box from the first corner that a command has to the cursor, or the one that is being drawn; units of the control.</summary>
+    internal SelectionBox? Box => _cursor.Box;
+
+    private double UnitsPerPoint => _keeper.View.UnitsPerPixel * Scaling;
+
+    private bool AsksForPlace => _aim is not (null or { Use: PointUse.Object });
+
+    /// <summary>A command may ask for something else now: the cursor shows it without waiting for the hand.</summary>
+    public void TakeAim()
+    {
+        if (!LookWhatIsAsked()) return;
+        HoverAgain();
+        ShowCursor();
+    }
+
+    /// <summary>The entity under the pickbox when it stands here (units of the control); null: none.</summary>
+    internal int? EntityAt(Point2D at) => Scene is { } scene ? ScenePick.Nearest(scene, ToDrawing(at), PickBox * UnitsPerPoint) : null;
+
+    /// <returns>True when it is something else than before.</returns>
+    private bool LookWhatIsAsked()
+    {
+        var before = _aim;
+        _aim = Commands?.Aim;
+        _pointer.AsksForPoint = _aim is not null;
+        return _aim != before;
+    }
+
+    private Point2D ToDrawing(Point2D at) => _keeper.View.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling));
+
+    private Point ToControl(Point2D place)
+    {
+        var pixel = _keeper.View.ToPixels(place);
+        return new Point(pixel.X / Scaling, pixel.Y / Scaling);
+    }
+
+    private void Hover(Point2D at)
+    {
+        LookWhatIsAsked();
+        var hovered = AsksForPlace || _pointer.Box is not null ? null : EntityAt(at);
+        if (hovered != _signs.Hovered)
+        {
+            _signs.Hovered = hovered;
+            _signs.InvalidateVisual();
+        }
+
+        _cursor.Snap = _aim is { Use: PointUse.Place } && SnapAt(at) is { } snap ? (ToControl(snap.Place), snap.Kind) : null;
+        Commands?.CursorAt(Aimed(at));
+    }
+
+    /// <summary>The drawing moved under the cursor.</summary>
+    private void HoverAgain()
+    {
+        if (_cursor.Place is { } at) Hover(new Point2D(at.X, at.Y));
+    }
+
+    private void ShowCursor()
+    {
+        Point2D? at = _cursor.Place is { } cursor ? new Point2D(cursor.X, cursor.Y) : null;
+        var from = _aim?.From is { } known ? ToControl(known) : default(Point?);
+        _cursor.Box = _pointer.Box ?? (_aim is { Use: PointUse.Corner } && from is { } corner && at is { } opposite ? new SelectionBox(new Point2D(corner.X, corner.Y), opposite) : null);
+        _cursor.Line = _aim is { Use: PointUse.Place } && from is { } start && at is { } end ? (start, ToControl(Aimed(end))) : null;
+        _cursor.Tip = _aim is { } aim && at is { } place && View?.Current is { DynamicInput: true } ? CursorTip.Of(Commands?.Asked ?? "", aim, Aimed(place)) : "";
+        (_cursor.AsksForPoint, _cursor.PickBox) = (AsksForPlace, PickBox);
+        _cursor.InvalidateVisual();
+    }
+
+    /// <summary>The place that a click here means.</summary>
+    private Point2D Aimed(Point2D at) => _aim is { Use: PointUse.Place } aim ? Snapped(at, aim.From) : ToDrawing(at);
+
+    /// <summary>The object snap, else the snap raster, else the place itself; with ORTHO straight across or up from the point before, unless an object snap stands.</summary>
+    private Point2D Snapped(Point2D at, Point2D? from)
+    {
+        if (SnapAt(at) is { } snap) return snap.Place;
+        var place = ToDrawing(at);
+        if (View?.Current is { Snap: true, SnapSpacing: > 0.0 and var step }) place = new Point2D(Math.Round(place.X / step) * step, Math.Round(place.Y / step) * step);
+        if (View?.Current is not { Ortho: true } || from is not { } start) return place;
+        return Math.Abs(place.X - start.X) >= Math.Abs(place.Y - start.Y) ? place with { Y = start.Y } : place with { X = start.X };
+    }
+
+    private SnapPoint? SnapAt(Point2D at) => Scene is { } scene && View?.Current is { ObjectSnap: true } state
+        ? ObjectSnap.Find(scene, ToDrawing(at), Aperture * UnitsPerPoint, (SnapKinds)state.ObjectSnapModes)
+        : null;
+}

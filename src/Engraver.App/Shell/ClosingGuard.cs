@@ -1,0 +1,35 @@
+using Avalonia.Controls;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+using Engraver.Core.Drawings;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.Shell;
+
+/// <summary>Closing the window ends a job and loses what is in no file: the first wish to close is answered with a warning, the second one is meant.</summary>
+internal sealed class ClosingGuard
+{
+    private readonly WorkDesk _desk;
+    private bool _warnedOfJob;
+    private Drawing? _warnedOf;
+
+    public ClosingGuard(WorkDesk desk)
+    {
+        _desk = desk;
+        desk.Changed += () => _warnedOfJob &= desk.IsMoving;
+    }
+
+    /// <summary>Says in the history why the window stays.</summary>
+    /// <returns>True when it has to stay this time.</returns>
+    public bool Holds(WindowCloseReason reason)
+    {
+        if (reason is WindowCloseReason.ApplicationShutdown or WindowCloseReason.OSShutdown) return false;
+        var drawing = _desk.Session.Document.Current.Drawing;
+        var warnsOfJob = _desk.IsMoving && !_warnedOfJob;
+        var warnsOfEdits = _desk.Session.Document.IsEdited && !ReferenceEquals(drawing, _warnedOf);
+        if (warnsOfJob) _desk.Tell(MessageKind.Warning, Text.Of("Window.JobRuns"));
+        if (warnsOfEdits) _desk.Tell(MessageKind.Warning, Text.Of("Window.NotSaved", Path.GetFileName(drawing!.FileName)));
+        (_warnedOfJob, _warnedOf) = (_desk.IsMoving, drawing);
+        return warnsOfJob || warnsOfEdits;
+    }
+}

@@ -1,0 +1,123 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.TestKit;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>Texts cannot be selected; they go along with an edit of everything that can be seen, and otherwise stay and say so.</summary>
+public class TextEditTests
+{
+    /// <summary>Two lines (the second on a layer of its own), a fitted text on layer 0, a wrapped one on layer NOTES.</summary>
+    private static readonly (int, object)[] s_entities =
+    [
+        (0, "LINE"), (5, "A1"), (8, "0"), (10, 0.0), (20, 0.0), (11, 10.0), (21, 0.0),
+        (0, "LINE"), (5, "A2"), (8, "NOTES"), (10, 0.0), (20, 5.0), (11, 10.0), (21, 5.0),
+        (0, "TEXT"), (8, "0"), (10, 2.0), (20, 1.0), (30, 3.0), (40, 2.0), (1, "fit"), (50, 30.0), (72, 5), (11, 6.0), (21, 1.0),
+        (0, "MTEXT"), (8, "NOTES"), (10, 1.0), (20, 4.0), (40, 1.0), (41, 20.0), (71, 1), (1, "note"),
+    ];
+
+    [Fact]
+    public async Task Moving_everything_moves_the_texts_and_undo_brings_them_back()
+    {
+        await using var talk = await OpenAsync();
+        var before = talk.State.Drawing!.Texts;
+        await talk.TypeAsync("MOVE", "ALL", "", "0,0", "5,7");
+
+        Assert.Equal((7.0, 8.0, 3.0), Place(talk, 0));
+        Assert.Equal((11.0, 8.0), (talk.State.Drawing!.Texts[0].End!.Value.X, talk.State.Drawing.Texts[0].End!.Value.Y));
+        Assert.Equal((6.0, 11.0, 0.0), Place(talk, 1));
+        Assert.DoesNotContain("left as before", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("U");
+        Assert.Same(before, talk.State.Drawing!.Texts);
+    }
+
+    [Fact]
+    public async Task Turning_and_scaling_take_height_width_and_direction_along()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("ROTATE", "ALL", "", "0,0", "90", "SCALE", "P", "", "0,0", "2");
+        var (line, note) = (talk.State.Drawing!.Texts[0], talk.State.Drawing.Texts[1]);
+
+        Assert.Equal((-2.0, 4.0), (Math.Round(line.Position.X, 9), Math.Round(line.Position.Y, 9)));
+        Assert.Equal((4.0, 120.0), (line.Height, Math.Round(line.Rotation.Degrees, 9)));
+        Assert.Equal((2.0, 40.0, 90.0), (note.Height, note.FrameWidth, Math.Round(note.Rotation.Degrees, 9)));
+        Assert.False(line.Mirrored);
+    }
+
+    [Fact]
+    public async Task A_mirrored_drawing_has_mirrored_texts()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("MIRROR", "ALL", "", "0,0", "0,1", "Yes");
+
+        Assert.Equal((-2.0, 1.0, 3.0), Place(talk, 0));
+        Assert.Equal((true, 150.0), (talk.State.Drawing!.Texts[0].Mirrored, Math.Round(talk.State.Drawing.Texts[0].Rotation.Degrees, 9)));
+        Assert.Equal(2, talk.State.Drawing.Texts.Count);
+    }
+
+    [Fact]
+    public async Task Copies_and_arrays_of_everything_have_texts_of_their_own()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("COPY", "ALL", "", "0,0", "100,0");
+        Assert.Equal((4, 102.0), (talk.State.Drawing!.Texts.Count, talk.State.Drawing.Texts[2].Position.X));
+        await talk.TypeAsync("U", "ARRAY", "ALL", "", "R", "1", "3", "50");
+
+        Assert.Equal([2.0, 1.0, 52.0, 51.0, 102.0, 101.0], talk.State.Drawing!.Texts.Select(text => text.Position.X));
+    }
+
+    [Fact]
+    public async Task Erasing_everything_erases_the_texts()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("ERASE", "ALL", "");
+
+        Assert.Empty(talk.State.Drawing!.Texts);
+    }
+
+    [Fact]
+    public async Task An_edit_of_a_part_leaves_the_texts_and_says_so()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("MOVE", "H", "A1", "", "0,0", "5,7", "ERASE", "H", "A1", "");
+
+        Assert.Equal((2.0, 1.0, 3.0), Place(talk, 0));
+        Assert.Equal(2, talk.Said.Split("2 texts left as before").Length - 1);
+    }
+
+    [Fact]
+    public async Task What_cannot_be_seen_stays()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("LAYER", "Freeze", "NOTES", "", "MOVE", "ALL", "", "0,0", "5,7");
+
+        Assert.Equal((7.0, 8.0, 3.0), Place(talk, 0));
+        Assert.Equal((1.0, 4.0, 0.0), Place(talk, 1));
+        Assert.Contains("1 text left as before", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task The_origin_takes_all_along_also_what_cannot_be_seen()
+    {
+        await using var talk = await OpenAsync();
+        await talk.TypeAsync("LAYER", "Freeze", "NOTES", "", "ORIGIN", "1,1");
+
+        Assert.Equal((1.0, 0.0, 3.0), Place(talk, 0));
+        Assert.Equal((0.0, 3.0, 0.0), Place(talk, 1));
+    }
+
+    private static (double X, double Y, double Z) Place(CommandTalk talk, int text)
+    {
+        var place = talk.State.Drawing!.Texts[text].Position;
+        return (Math.Round(place.X, 9), Math.Round(place.Y, 9), place.Z);
+    }
+
+    private static async Task<CommandTalk> OpenAsync()
+    {
+        var talk = new CommandTalk();
+        await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), new DxfText().Header("AC1015", 4).Section("ENTITIES", s_entities).End().ToAscii());
+        await talk.TypeAsync("OPEN", "in.dxf");
+        Assert.Equal(2, talk.State.Drawing!.Texts.Count);
+        return talk;
+    }
+}
