@@ -104,6 +104,23 @@ public class FreeCurveTests
         Assert.Equal(Reading.Entities(Spline).Curves[0].PlanLength, drawing.Curves[0].PlanLength, 1e-12);
     }
 
+    /// <summary>OpenNURBS writes neither the first nor the last knot; no point of the curve depends on them.</summary>
+    [Theory]
+    [InlineData("0 0 0 2 5 5 5")]
+    [InlineData("-2 -1 0 2 5 6 7")]
+    public void Two_missing_knots_are_the_first_and_the_last(string numbers)
+    {
+        double[] knots = [.. numbers.Split(' ').Select(number => double.Parse(number, System.Globalization.CultureInfo.InvariantCulture))];
+        (int, object)[] points = [(10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0)];
+        Drawing With(params double[] written) => Reading.Entities([(0, "SPLINE"), (71, 3), .. written.Select(knot => (40, (object)knot)), .. points]);
+        var (whole, two) = (With([knots[0], .. knots, knots[^1]]), With(knots));
+
+        Assert.Equal(whole.Curves[0].PlanLength, two.Curves[0].PlanLength);
+        Assert.Contains("two are missing", Assert.Single(two.Diagnostics).Message, StringComparison.Ordinal);
+        Assert.Equal("DXF0021", two.Diagnostics[0].Id);
+        Assert.Empty(whole.Diagnostics);
+    }
+
     /// <summary>A double knot of which the second was rounded down is one double knot, not a reason to take all knots for unusable.</summary>
     [Theory]
     [InlineData(0.5, 0.49999999999, 1.0)]
