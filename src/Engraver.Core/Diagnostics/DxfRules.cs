@@ -56,7 +56,7 @@ public static class DxfRules
         "{type} at {place} was left out: block '{name}' would expand beyond the limit of curves.", "Reduce the array or the nesting.");
 
     public static readonly DiagnosticRule SplineWithoutKnots = new("DXF0021", Severity.Warning,
-        "{type} at {place} has no usable knots for its {points}; uniform knots were used.", "Open and save the spline in the CAD program, or explode it to a polyline.");
+        "{type} at {place} has no usable knots for its {pointsAndRepair}.", "Open and save the spline in the CAD program, or explode it to a polyline.");
 
     public static readonly DiagnosticRule PolylineWithoutEnd = new("DXF0022", Severity.Warning,
         "{type} at {place} has no SEQEND; its vertices were used.", "Compare the polyline with the original drawing.");
@@ -122,12 +122,18 @@ public static class DxfRules
     public static readonly DiagnosticRule OutsideOfSections = new("DXF0042", Severity.Warning,
         "At {place} entities stand outside of every section; they were taken as part of the drawing.", "Compare the drawing with the original: an ENDSEC too many, or a lost SECTION.");
 
+    public static readonly DiagnosticRule ModelSpaceBlock = new("DXF0043", Severity.Warning,
+        "At {place} the block that is model space has {count} of its own; they were taken as part of the drawing.", "Compare the drawing with the original: they belong in ENTITIES, and may stand there too.");
+
+    public static readonly DiagnosticRule RestUnreadable = new("DXF0044", Severity.Info,
+        "The file cannot be read beyond {place}, where the length of a value belies its group code; no entity and no block stands behind it.", "Nothing needs to be done; the drawing is complete.");
+
     /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: those curves are taken.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         EmptyFile, NotDxf, UnitsAssumed, DwgFile, Truncated, DamagedRecord, BadValue, MissingValue, RepeatedValue, NoLength, NegativeRadius, TypeNotRead,
         TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
         WidthIgnored, NoExtrusion, NothingInserted, SplineWeights, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, SplineUnusable, BlockTwice, UnknownCodePage,
-        OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints, OutsideOfSections,
+        OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints, OutsideOfSections, ModelSpaceBlock, RestUnreadable,
     ];
 }

@@ -15,6 +15,9 @@ internal sealed class BalanceSheet(ImportLog log)
     private int _cut;
     private int _construction;
 
+    /// <summary>How many records were not refused.</summary>
+    public int Taken => _cut + _construction;
+
     public void AddCut(EntityRecord record)
     {
         AddRecord(record);

@@ -22,6 +22,7 @@ internal sealed class DrawingImport
     private readonly ModelSpace _modelSpace;
     private readonly List<(int Position, int Line)> _postponed = [];
     private int _sections;
+    private bool _passing;
     private int? _lastDefinitions;
     private bool _readTables;
     private bool _readBlocks;
@@ -55,7 +56,7 @@ internal sealed class DrawingImport
             else ReadLoose();
         }
 
-        if (_records.Truncated) _log.Add(DxfRules.Truncated, _records.NextLine, _log.Place(_records.NextLine));
+        if (_records.Truncated) _log.Add(_passing && UnreadRest.IsHarmless(_tags) ? DxfRules.RestUnreadable : DxfRules.Truncated, _records.NextLine, _log.Place(_records.NextLine));
         foreach (var entities in _postponed)
         {
             _tags.Return(entities);
@@ -89,6 +90,7 @@ internal sealed class DrawingImport
         _sections++;
         _definitions.Finish();
         var name = _records.EnterSection();
+        _passing = name is "OBJECTS" or "ACDSDATA" or "THUMBNAILIMAGE";
         switch (name)
         {
             case "HEADER":
@@ -174,7 +176,10 @@ internal sealed class DrawingImport
     private void ReadModelSpaceBlock()
     {
         _records.Skip();
+        var (line, before) = (_records.NextLine, _balance.Taken);
         while (!AtSectionEnd() && _records.Next is not (RecordKind.Block or RecordKind.BlockEnd)) _content.ReadEntity(_modelSpace);
+        var taken = _balance.Taken - before;
+        if (taken > 0) _log.Add(DxfRules.ModelSpaceBlock, line, _log.Place(line), string.Create(CultureInfo.InvariantCulture, $"{taken} {(taken == 1 ? "entity" : "entities")}"));
     }
 
     private LengthUnit Unit()

@@ -85,21 +85,25 @@ internal sealed class SplineMapper
 
     private RationalCurve? FromControls(EntityRecord record, CurveShape shape)
     {
-        var degree = _degree;
-        if (degree < 1 || degree > NurbsCurve.LargestDegree || _controls.Count <= degree)
+        if (_degree < 1 || _degree > NurbsCurve.LargestDegree || _controls.Count <= _degree)
         {
-            record.Refuse(DxfRules.SplineUnusable, record.Line, string.Create(CultureInfo.InvariantCulture, $"degree {degree} with {_controls.Count} control points"));
+            record.Refuse(DxfRules.SplineUnusable, record.Line, string.Create(CultureInfo.InvariantCulture, $"degree {_degree} with {_controls.Count} control points"));
             return null;
         }
 
-        double[] knots = [.. _knots];
-        if (!NurbsCurve.AreUsable(knots, degree, _controls.Count))
-        {
-            Note(record, shape, DxfRules.SplineWithoutKnots, string.Create(CultureInfo.InvariantCulture, $"{_controls.Count} control points of degree {degree}"));
-            knots = NurbsCurve.UniformKnots(degree, _controls.Count);
-        }
+        return new NurbsCurve(_degree, Knots(record, shape), Homogeneous(record, shape)).ToCurve();
+    }
 
-        return new NurbsCurve(degree, knots, Homogeneous(record, shape)).ToCurve();
+    /// <summary>The knots as written, or what stands in for them. OpenNURBS (Rhino) has no first and no last knot, on which no point depends: with these two repeated its curve is exact.</summary>
+    private double[] Knots(EntityRecord record, CurveShape shape)
+    {
+        double[] knots = [.. _knots];
+        if (NurbsCurve.AreUsable(knots, _degree, _controls.Count)) return knots;
+        double[] completed = knots is [var first, .., var last] ? [first, .. knots, last] : [];
+        var isTwoShort = NurbsCurve.AreUsable(completed, _degree, _controls.Count);
+        var repair = isTwoShort ? "two are missing, so the first and the last were repeated once" : "uniform knots were used";
+        Note(record, shape, DxfRules.SplineWithoutKnots, string.Create(CultureInfo.InvariantCulture, $"{_controls.Count} control points of degree {_degree}; {repair}"));
+        return isTwoShort ? completed : NurbsCurve.UniformKnots(_degree, _controls.Count);
     }
 
     /// <summary>Weights that do not fit, or are not all positive, cannot be meant: all are taken as 1 then.</summary>

@@ -8,6 +8,9 @@ public static class ArcLength
     /// <summary>A cusp (speed zero in the middle) halves the error at each level; forty levels take it below any drawing's rounding.</summary>
     private const int MostHalvings = 40;
 
+    /// <summary>Halvings of one span in all, should rounding keep its halves from ever agreeing.</summary>
+    private const int MostParts = 20_000;
+
     /// <summary>Positive half of the ten Gauss-Legendre nodes on [-1, 1].</summary>
     private static readonly double[] Nodes = [0.14887433898163122, 0.43339539412924719, 0.67940956829902441, 0.86506336668898451, 0.97390652851717172];
 
@@ -16,17 +19,33 @@ public static class ArcLength
     /// <summary>Along the curve in space, or as seen from above.</summary>
     public static double Of(BezierSpan span, bool inPlan)
     {
-        var whole = Gauss(span, inPlan, 0.0, 1.0);
-        return Refined(span, inPlan, 0.0, 1.0, whole, RelativeTolerance * whole, MostHalvings);
+        var local = FromItsStart(span);
+        var whole = Gauss(local, inPlan, 0.0, 1.0);
+        var parts = MostParts;
+        return Refined(local, inPlan, 0.0, 1.0, whole, RelativeTolerance * whole, MostHalvings, ref parts);
     }
 
-    private static double Refined(BezierSpan span, bool inPlan, double from, double to, double whole, double tolerance, int halvings)
+    /// <summary>The span seen from its start. The rounding of large coordinates would be noise in the speed of a very short span, such as lies between two knots 1e-8 apart.</summary>
+    private static BezierSpan FromItsStart(BezierSpan span)
+    {
+        var points = span.Homogeneous.ToArray();
+        var (x, y, z) = (span.Start.X, span.Start.Y, span.Z(0));
+        for (var i = 0; i < points.Length; i += BezierSpan.Stride)
+        {
+            var weight = points[i + 3];
+            (points[i], points[i + 1], points[i + 2]) = (points[i] - (x * weight), points[i + 1] - (y * weight), points[i + 2] - (z * weight));
+        }
+
+        return new BezierSpan(points);
+    }
+
+    private static double Refined(BezierSpan span, bool inPlan, double from, double to, double whole, double tolerance, int halvings, ref int parts)
     {
         var middle = (from + to) / 2.0;
         var first = Gauss(span, inPlan, from, middle);
         var second = Gauss(span, inPlan, middle, to);
-        if (!(Math.Abs(first + second - whole) > tolerance) || halvings == 0) return first + second;
-        return Refined(span, inPlan, from, middle, first, tolerance, halvings - 1) + Refined(span, inPlan, middle, to, second, tolerance, halvings - 1);
+        if (!(Math.Abs(first + second - whole) > tolerance) || halvings == 0 || --parts < 0) return first + second;
+        return Refined(span, inPlan, from, middle, first, tolerance, halvings - 1, ref parts) + Refined(span, inPlan, middle, to, second, tolerance, halvings - 1, ref parts);
     }
 
     private static double Gauss(BezierSpan span, bool inPlan, double from, double to)

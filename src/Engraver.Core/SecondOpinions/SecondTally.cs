@@ -8,6 +8,9 @@ internal sealed class SecondTally
     private const int DeepestHalving = 14;
     private const double EnoughAgreement = 1e-5;
 
+    /// <summary>Of the distance from the origin: no sum of chords is known better.</summary>
+    private const double Rounding = 1e-14;
+
     /// <summary>Numbers of chords of which one is no multiple of the other: a sharp turn that falls between the points of both is not missed by both to the same amount.</summary>
     private const int Coarse = 7;
     private const int Fine = 16;
@@ -51,7 +54,7 @@ internal sealed class SecondTally
     private static double LengthOf(Func<double, SecondPoint> curve, double from, double to, int depth)
     {
         var (coarse, fine) = (Chords(curve, from, to, Coarse), Chords(curve, from, to, Fine));
-        if (depth == 0 || Math.Abs(fine - coarse) <= EnoughAgreement * fine) return ((Gain * fine) - coarse) / (Gain - 1.0);
+        if (depth == 0 || Math.Abs(fine - coarse) <= (EnoughAgreement * fine) + (Rounding * curve(from).To(default))) return ((Gain * fine) - coarse) / (Gain - 1.0);
         var middle = (from + to) / 2.0;
         return LengthOf(curve, from, middle, depth - 1) + LengthOf(curve, middle, to, depth - 1);
     }

@@ -53,6 +53,8 @@ public class DiagnosticTests
         ["DXF0040"] = "%PDF-1.7\n"u8.ToArray(),
         ["DXF0041"] = Entities((0, "SPLINE"), (71, 3), (11, 1), (21, 0), (11, 2), (21, 2), (11, 5), (21, 0)),
         ["DXF0042"] = new DxfText().Header("AC1015", 4).Add(Line).End().ToAscii(),
+        ["DXF0043"] = new DxfText().Header("AC1015", 4).Section("BLOCKS", OddDrawings.Block("*Model_Space", Line)).End().ToAscii(),
+        ["DXF0044"] = new DxfText().Header("AC1015", 4).Section("ENTITIES", Line).Section("OBJECTS", (0, "THING"), (2000, "x")).End().ToBinary(oneByteCodes: false),
     };
 
     public static TheoryData<string> Ids => [.. DxfRules.All.Select(rule => rule.Id)];

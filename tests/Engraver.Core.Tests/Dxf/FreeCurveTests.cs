@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Core.SecondOpinions;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;
@@ -102,6 +103,35 @@ public class FreeCurveTests
 
         Assert.Equal(["DXF0021"], Reading.Ids(drawing));
         Assert.Equal(Reading.Entities(Spline).Curves[0].PlanLength, drawing.Curves[0].PlanLength, 1e-12);
+    }
+
+    /// <summary>OpenNURBS writes neither the first nor the last knot; no point of the curve depends on them.</summary>
+    [Theory]
+    [InlineData("0 0 0 2 5 5 5")]
+    [InlineData("-2 -1 0 2 5 6 7")]
+    public void Two_missing_knots_are_the_first_and_the_last(string numbers)
+    {
+        double[] knots = [.. numbers.Split(' ').Select(number => double.Parse(number, System.Globalization.CultureInfo.InvariantCulture))];
+        (int, object)[] points = [(10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0)];
+        Drawing With(params double[] written) => Reading.Entities([(0, "SPLINE"), (71, 3), .. written.Select(knot => (40, (object)knot)), .. points]);
+        var (whole, two) = (With([knots[0], .. knots, knots[^1]]), With(knots));
+
+        Assert.Equal(whole.Curves[0].PlanLength, two.Curves[0].PlanLength);
+        Assert.Contains("two are missing", Assert.Single(two.Diagnostics).Message, StringComparison.Ordinal);
+        Assert.Equal("DXF0021", two.Diagnostics[0].Id);
+        Assert.Empty(whole.Diagnostics);
+    }
+
+    /// <summary>As drawn by programs that join Bezier curves and keep their knots apart: between two knots that are hardly apart lies a span so short that the rounding of its place is noise in its speed.</summary>
+    [Fact]
+    public void Knots_that_are_hardly_apart_are_measured_in_time()
+    {
+        var knots = Enumerable.Range(0, 65).SelectMany(i => i is 0 or 64 ? new double[] { i, i, i, i } : [i, i, i, i + 1e-7]);
+        var points = Enumerable.Range(0, 256).Select(i => (i - (i / 4)) / 30.0).SelectMany(turn => new (int, object)[] { (10, 54.3 + Math.Cos(turn)), (20, 12.3 + Math.Sin(turn)) });
+        var file = DxfText.WithEntities([(0, "SPLINE"), (71, 3), .. knots.Select(knot => (40, (object)knot)), .. points]).ToAscii();
+
+        Assert.Equal(192.0 / 30.0, DrawingSummary.Of(Reading.Of(file)).Length.Spline, 1e-2);
+        Assert.Empty(SecondOpinion.Of(file).DifferencesFrom(DrawingSummary.Of(Reading.Of(file))));
     }
 
     /// <summary>A double knot of which the second was rounded down is one double knot, not a reason to take all knots for unusable.</summary>

@@ -40,7 +40,21 @@ public class LooseRecordTests
         var drawing = Reading.Of(file);
 
         Assert.Equal((cut + 1, cut + 1, cut + 1), (drawing.Balance.Read, drawing.Balance.Cut, drawing.Entities.Count));
-        Assert.Empty(Reading.Ids(drawing));
+        Assert.Equal(cut > 0 ? ["DXF0043"] : [], Reading.Ids(drawing));
+    }
+
+    [Theory]
+    [InlineData("LINE", 0, 1)]
+    [InlineData("LINE", 1, 0)]
+    [InlineData("BODY", 0, 0)]
+    [InlineData("TEXT", 0, 1)]
+    public void The_block_of_model_space_is_only_told_of_when_something_in_it_was_taken(string type, int paper, int told)
+    {
+        (int, object)[] content = [(0, type), (67, paper), (10, 0), (20, 0), (11, 3), (21, 4)];
+        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", OddDrawings.Block("*Model_Space", content)).Section("ENTITIES", s_line).End());
+
+        Assert.Equal(told, drawing.Diagnostics.Count(one => one.Id == "DXF0043" && one.Message.Contains(" has 1 entity of its own", StringComparison.Ordinal)));
+        Assert.Empty(Reading.Of(new DxfText().Header("AC1015", 4).Section("BLOCKS", OddDrawings.Block("*Model_Space", [])).Section("ENTITIES", s_line).End()).Diagnostics);
     }
 
     [Fact]

@@ -128,6 +128,30 @@ public class TagTests
         }
     }
 
+    /// <summary>A value of another length than its code has, in a binary file: 2000 is no code, so what follows it cannot be told.</summary>
+    [Theory]
+    [InlineData("ENTITIES OBJECTS", "DXF0044")]
+    [InlineData("OBJECTS ENTITIES", "DXF0005")]
+    [InlineData("ENTITIES OBJECTS BLOCKS", "DXF0005")]
+    [InlineData("ENTITIES OTHER", "DXF0005")]
+    [InlineData("OBJECTS", "DXF0044")]
+    public void What_cannot_be_read_is_no_loss_only_behind_all_that_is_cut(string sections, string id)
+    {
+        var text = new DxfText().Header("AC1015", 4);
+        foreach (var name in sections.Split(' '))
+        {
+            if (name is "ENTITIES") text.Section(name, (0, "LINE"), (10, 0.0), (20, 0.0), (11, 1.0), (21, 1.0));
+            else text.Section(name, (0, "THING"), (2000, "x"));
+        }
+
+        foreach (var oneByteCodes in new[] { false, true })
+        {
+            var file = text.ToBinary(oneByteCodes).ToArray();
+            Assert.Equal("DXF0005", Reading.Ids(Reading.Of(file))[^1]); // no EOF
+            Assert.Equal(id, Reading.Ids(Reading.Of([.. file, .. new DxfText().End().ToBinary(oneByteCodes)[22..]]))[^1]);
+        }
+    }
+
     [Fact]
     public void Changing_any_bytes_never_throws() =>
         Prop.ForAll(ArbMap.Default.ArbFor<(int Where, byte What)[]>(), changes =>

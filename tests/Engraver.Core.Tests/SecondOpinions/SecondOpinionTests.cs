@@ -85,6 +85,14 @@ public class SecondOpinionTests
     }
 
     [Fact]
+    public void Both_readings_complete_knots_of_which_the_outer_two_are_missing()
+    {
+        (int, object)[] knots = [.. new[] { 0, 0, 0, 2, 5, 5, 5 }.Select(knot => (40, (object)knot))];
+
+        Assert.Empty(Differences(DxfText.WithEntities([(0, "SPLINE"), (71, 3), .. knots, (10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0)]).ToAscii()));
+    }
+
+    [Fact]
     public void What_the_reader_repairs_is_a_difference()
     {
         var file = DxfText.WithEntities((0, "LINE"), (10, "1,5"), (20, 0), (11, 3), (21, 0)).ToAscii();
