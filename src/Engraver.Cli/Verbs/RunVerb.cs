@@ -64,9 +64,10 @@ internal sealed class RunVerb
             DryRun = parsed.GetValue(_dryRun),
         };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
+        var fit = MachineRun.FitToLink(program, options.Address, mode, job.Drawing);
         CheckWritable(options.JournalPath);
         if (options.TracePath is { } trace) CheckWritable(trace);
-        var fit = MachineRun.FitToLink(program, options.Address, mode, job.Drawing);
+        _host.Machine.Take(stop);
         _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
         MachineRunReport report;
         try
@@ -108,10 +109,11 @@ internal sealed class RunVerb
         return ExitCode.DrawingError;
     }
 
-    /// <summary>Before the machine is touched: a job whose journal cannot be written must not begin.</summary>
+    /// <summary>Before the machine is touched: a job whose journal cannot be written must not begin. A pipe is not tried, for its reader would take the end of the trial for the end of everything.</summary>
     /// <exception cref="UsageException">The file cannot be written.</exception>
     private static void CheckWritable(string path)
     {
+        if (FileKind.IsWay(path)) return;
         try
         {
             using var file = File.Open(path, FileMode.OpenOrCreate, FileAccess.Write);
