@@ -17,7 +17,7 @@ public static class EngraverProgram
     /// the library's own two-second limit is switched off, and a second signal changes nothing.</remarks>
     public static async Task<int> RunAsync(string[] args, ConsoleStreams streams)
     {
-        using var stop = new CancellationTokenSource();
+        var stop = new CancellationTokenSource(); // not disposed: a second signal may come at any moment
         InterruptSignal.Unignore();
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);

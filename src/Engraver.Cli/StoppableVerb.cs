@@ -7,12 +7,15 @@ namespace Engraver.Cli;
 /// (<see cref="Workbench.Documents.OutputFile"/>).</remarks>
 internal static class StoppableVerb
 {
+    /// <summary>Computes something that the operator's stop need not wait for.</summary>
+    /// <exception cref="OperationCanceledException">The operator stopped it; what computes is left behind.</exception>
+    public static Task<T> ComputeAsync<T>(Func<T> compute, CancellationToken stop) => OnItsOwnThread(() => Task.FromResult(compute())).WaitAsync(stop);
+
     /// <returns>The exit code of the verb.</returns>
     /// <exception cref="OperationCanceledException">The operator stopped it. When the verb was left behind, <paramref name="streams"/> take nothing more.</exception>
     public static async Task<int> RunAsync(Func<Task<int>> verb, ConsoleStreams streams, MachineInHand machine, CancellationToken stop)
     {
-        // A thread of its own: a verb computes at once and for long, and the pool may be busy.
-        var running = Task.Factory.StartNew(verb, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).Unwrap();
+        var running = OnItsOwnThread(verb);
         try
         {
             return await running.WaitAsync(stop).ConfigureAwait(false);
@@ -24,4 +27,7 @@ internal static class StoppableVerb
             throw;
         }
     }
+
+    /// <summary>A verb computes at once and for long, and the pool may be busy.</summary>
+    private static Task<T> OnItsOwnThread<T>(Func<Task<T>> act) => Task.Factory.StartNew(act, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).Unwrap();
 }

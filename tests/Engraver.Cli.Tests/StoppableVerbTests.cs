@@ -28,7 +28,7 @@ public class StoppableVerbTests
         using (var streams = new ConsoleStreams(said, TextWriter.Null))
         {
             var machine = new MachineInHand();
-            machine.Take(CancellationToken.None);
+            machine.Follow(true);
             var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
             await verb.Begun;
             await verb.Stop.CancelAsync();
@@ -57,12 +57,14 @@ public class StoppableVerbTests
     }
 
     [Fact]
-    public async Task After_the_stop_no_machine_is_taken()
+    public async Task What_only_computes_is_left_behind_inside_a_verb_too()
     {
-        using var stop = new CancellationTokenSource();
-        await stop.CancelAsync();
+        using var verb = new LongVerb();
+        var computing = StoppableVerb.ComputeAsync(() => verb.Run(TextWriter.Null), verb.Stop.Token);
+        await verb.Begun;
+        await verb.Stop.CancelAsync();
 
-        Assert.Throws<OperationCanceledException>(() => new MachineInHand().Take(stop.Token));
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => computing);
     }
 
     /// <summary>A verb that hears nothing while it computes, and computes until it is released.</summary>

@@ -15,7 +15,7 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
 
     public TextReader In => streams.In;
 
-    /// <summary>Whoever reaches for a machine takes this first.</summary>
+    /// <summary>For a verb that connects to a machine and lets it go as it likes; others are a <see cref="MachineCommand"/>.</summary>
     public MachineInHand Machine => machine;
 
     /// <summary>True when a person types and watches.</summary>

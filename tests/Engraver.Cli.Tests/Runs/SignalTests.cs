@@ -33,6 +33,24 @@ public class SignalTests
     }
 
     [Fact]
+    public async Task A_run_that_is_stopped_before_it_is_prepared_prints_its_one_object()
+    {
+        if (OperatingSystem.IsWindows()) return; // no signals
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        var drawing = NamedPipe.Make(folder.PathOf("drawing.dxf"));
+        var opening = NamedPipe.WriterAsync(drawing);
+        using var program = EngraverProcess.Start("run", drawing, "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl"));
+        await using var silentWriter = await opening.WaitAsync(patience.Token);
+        program.Signal(PosixSignal.SIGTERM);
+        var report = JsonDocument.Parse(await program.Out.ReadToEndAsync(patience.Token)).RootElement;
+        await program.WaitAsync(patience.Token);
+
+        Assert.Equal((ExitCode.StoppedByOperator, "stopped"), (program.ExitCode, report.GetProperty("outcome").GetString()));
+        Assert.False(File.Exists(folder.PathOf("run.jsonl")));
+    }
+
+    [Fact]
     public async Task A_second_signal_while_the_machine_brakes_does_not_cut_the_stop_short()
     {
         if (OperatingSystem.IsWindows()) return; // no signals
