@@ -105,8 +105,8 @@ public class ControllerSessionTests
         var end = await controller.ListenTcpAsync(0, CancellationToken.None);
 
         await Assert.ThrowsAnyAsync<ControllerException>(() => ControllerSession.OpenAsync(
-            async cancellation => await TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(5), TimeProvider.System, cancellation),
-            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(5) }, TimeProvider.System, CancellationToken.None));
+            async cancellation => await TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(60), TimeProvider.System, cancellation),
+            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(60) }, TimeProvider.System, CancellationToken.None));
 
         await controller.WaitUntilAsync(status => status.OpenHandles == 0, CancellationToken.None);
     }
