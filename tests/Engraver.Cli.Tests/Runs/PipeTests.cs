@@ -5,6 +5,8 @@ namespace Engraver.Cli.Tests.Runs;
 /// <summary>A named pipe given for a result is written into, for whoever reads at its other end.</summary>
 public class PipeTests
 {
+    private static readonly TimeSpan s_patience = TimeSpan.FromMinutes(2);
+
     [Fact]
     public async Task Trace_and_journal_go_into_pipes_and_their_readers_get_all_of_it()
     {
@@ -12,11 +14,11 @@ public class PipeTests
         using var folder = new TemporaryFolder();
         var (trace, journal) = (NamedPipe.Make(folder.PathOf("trace")), NamedPipe.Make(folder.PathOf("journal")));
         var (traced, journalled) = (NamedPipe.ReadAsync(trace), NamedPipe.ReadAsync(journal));
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--trace", trace, "--journal", journal);
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--trace", trace, "--journal", journal).WaitAsync(s_patience);
 
         Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
-        Assert.Contains(" A > BGS\n", await traced, StringComparison.Ordinal);
-        Assert.Contains("\"kind\":\"end\"", await journalled, StringComparison.Ordinal);
+        Assert.Contains(" A > BGS\n", await traced.WaitAsync(s_patience), StringComparison.Ordinal);
+        Assert.Contains("\"kind\":\"end\"", await journalled.WaitAsync(s_patience), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -31,7 +33,7 @@ public class PipeTests
             var read = NamedPipe.ReadAsync(pipe);
             var run = await CliRun.Of("post", SampleDrawing.PathOf("paper-001"), "--target", "galil", "-o", pipe);
 
-            Assert.Equal((time, ExitCode.Done, said.Out), (time, run.ExitCode, await read));
+            Assert.Equal((time, ExitCode.Done, said.Out), (time, run.ExitCode, await read.WaitAsync(s_patience)));
         }
 
         Assert.Single(Directory.GetFileSystemEntries(Path.GetDirectoryName(pipe)!));
