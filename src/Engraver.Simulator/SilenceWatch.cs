@@ -20,10 +20,10 @@ internal sealed class SilenceWatch(Machine machine, TimeProvider time)
     private const long Leading = 12;
 
     /// <summary>A pause takes so many questions back: whoever looks now and then, a display or a terminal, leads nothing.</summary>
-    private const long PauseCounts = 8;
+    private const long PauseCounts = 4;
 
     /// <summary>What was asked long ago does not count.</summary>
-    private const long MostLead = 64;
+    private const long MostLead = 32;
 
     /// <summary>Samples that one look may carry a motion without an event, and threads that never wait.</summary>
     private const long LongestLeap = 20_000;
@@ -47,7 +47,7 @@ internal sealed class SilenceWatch(Machine machine, TimeProvider time)
     {
         var silent = time.GetElapsedTime(_lastSign);
         if (silent < Short || machine.IsDormant || silent < Patience()) return;
-        _lead = 0;
+        if (IsLed) _lead = 0; // waited for once
         machine.AdvanceToEvent(Leap());
     }
 
