@@ -8,6 +8,8 @@ namespace Engraver.Cli;
 /// <param name="input">Standard input; null: nobody types.</param>
 public sealed class ConsoleStreams(Stream output, TextWriter error, TextReader? input = null) : IDisposable
 {
+    private volatile bool _abandoned;
+
     public TextWriter Out { get; } = new StreamWriter(output, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), bufferSize: 65536) { NewLine = "\n" };
 
     public TextWriter Error { get; } = error;
@@ -17,9 +19,13 @@ public sealed class ConsoleStreams(Stream output, TextWriter error, TextReader? 
     /// <summary>True when a person sits at both ends: keys are read one by one and replies are coloured.</summary>
     public bool Interactive { get; init; }
 
+    /// <summary>Somebody who was left behind may still be writing: what is buffered is dropped, and disposing waits for nobody.</summary>
+    public void Abandon() => _abandoned = true;
+
     /// <summary>What could not be written has been said when it was flushed.</summary>
     public void Dispose()
     {
+        if (_abandoned) return;
         try
         {
             Out.Dispose();

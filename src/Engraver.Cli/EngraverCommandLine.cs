@@ -7,11 +7,11 @@ namespace Engraver.Cli;
 /// <summary>The verbs and options of the runner. A verb that is not built is not here, so it is a usage error.</summary>
 internal static class EngraverCommandLine
 {
-    public static RootCommand Build(ConsoleStreams streams, GlobalOptions global)
+    public static RootCommand Build(ConsoleStreams streams, GlobalOptions global, MachineInHand machine)
     {
         var root = new RootCommand("Turns a drawing (DXF) into motion of a CNC engraver on a Galil DMC-2143, and drives it.");
         global.AddTo(root);
-        var host = new VerbHost(streams, global);
+        var host = new VerbHost(streams, global, machine);
         root.Subcommands.Add(InfoVerb.Build(host));
         root.Subcommands.Add(MinimiseVerb.Build(host));
         root.Subcommands.Add(TableVerb.Build(host));

@@ -13,10 +13,11 @@ public static class EngraverProgram
 {
     /// <summary>Runs the program.</summary>
     /// <returns>The exit code (<see cref="ExitCode"/>).</returns>
-    /// <remarks>Ctrl-C and SIGTERM cancel the verb and then wait for it, however long the machine brakes: the library's own two-second limit is switched off.</remarks>
+    /// <remarks>Ctrl-C and SIGTERM end the program soon (<see cref="StoppableVerb"/>). With a machine in hand they cancel the verb and then wait for it, however long the machine brakes:
+    /// the library's own two-second limit is switched off, and a second signal changes nothing.</remarks>
     public static async Task<int> RunAsync(string[] args, ConsoleStreams streams)
     {
-        using var stop = new CancellationTokenSource();
+        var stop = new CancellationTokenSource(); // not disposed: a second signal may come at any moment
         InterruptSignal.Unignore();
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
@@ -68,7 +69,8 @@ public static class EngraverProgram
     private static async Task<int> InvokeAsync(string[] args, ConsoleStreams streams, CancellationToken stop)
     {
         var global = new GlobalOptions();
-        var root = EngraverCommandLine.Build(streams, global);
+        var machine = new MachineInHand();
+        var root = EngraverCommandLine.Build(streams, global, machine);
         var parsed = root.Parse(args);
         if (parsed.Errors.Count > 0) return Say(streams, (VerbSuggestion.For(args, root) ?? OneLine(parsed.Errors[0].Message)) + " See engraver --help.", ExitCode.Usage);
         if (global.Culture(parsed) is { } culture) CultureInfo.CurrentUICulture = culture;
@@ -79,7 +81,8 @@ public static class EngraverProgram
             Output = streams.Out,
             Error = streams.Error,
         };
-        return await parsed.InvokeAsync(settings, stop).ConfigureAwait(false);
+        if (parsed.CommandResult.Command is MachineCommand) machine.Follow(true);
+        return await StoppableVerb.RunAsync(() => parsed.InvokeAsync(settings, stop), streams, machine, stop).ConfigureAwait(false);
     }
 
     private static int Say(ConsoleStreams streams, string sentence, int code)

@@ -14,7 +14,8 @@ internal sealed class ControllerCore : IDisposable
     private readonly long _started;
     private readonly SilenceWatch _silence;
     private readonly CommandDesk _desk;
-    private readonly List<StatusWaiter> _waiters = [];
+    private readonly StatusBoard _status;
+    private readonly RecordFile _recordFile;
     private TimeSpan _paced;
     private TimeSpan _nextTick = TimeSpan.MaxValue;
 
@@ -23,6 +24,8 @@ internal sealed class ControllerCore : IDisposable
         _options = options;
         Machine = new Machine(options);
         _started = options.Time.GetTimestamp();
+        _status = new StatusBoard(Machine);
+        _recordFile = new RecordFile(Machine.Record);
         _silence = new SilenceWatch(Machine, options.Time);
         _desk = new CommandDesk(Machine, options);
         _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
@@ -31,7 +34,7 @@ internal sealed class ControllerCore : IDisposable
     public Machine Machine { get; }
 
     /// <summary>What stopped the record file from being written; null while all is well.</summary>
-    public IOException? RecordFailure { get; private set; }
+    public IOException? RecordFailure => _recordFile.Failure;
 
     public ControllerStatus Status
     {
@@ -40,7 +43,7 @@ internal sealed class ControllerCore : IDisposable
             lock (_gate)
             {
                 Pace();
-                return StatusNow();
+                return _status.Now();
             }
         }
     }
@@ -72,9 +75,10 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             Pace();
+            var asked = handle.Questions;
             handle.Receive(bytes);
-            _silence.Heard(handle);
-            Notify();
+            _silence.Heard(handle, handle.Questions - asked);
+            _status.Notify();
             TickWithin(TickPeriod);
         }
     }
@@ -86,7 +90,7 @@ internal sealed class ControllerCore : IDisposable
         {
             handle.Close();
             _silence.Heard(null);
-            Notify();
+            _status.Notify();
             TickWithin(TickPeriod);
         }
     }
@@ -98,7 +102,7 @@ internal sealed class ControllerCore : IDisposable
             foreach (var handle in Machine.Handles.Open.ToArray()) handle.Cut();
 
             Machine.Serial.Client?.Cut();
-            Notify();
+            _status.Notify();
         }
     }
 
@@ -108,7 +112,7 @@ internal sealed class ControllerCore : IDisposable
         {
             Pace();
             action(Machine);
-            Notify();
+            _status.Notify();
             TickWithin(TickPeriod);
         }
     }
@@ -118,7 +122,7 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             Machine.Advance(time);
-            Notify();
+            _status.Notify();
             TickWithin(TickPeriod);
         }
     }
@@ -127,14 +131,14 @@ internal sealed class ControllerCore : IDisposable
     {
         lock (_gate)
         {
-            for (var end = Machine.Sample + (long)atMost.TotalMilliseconds; !condition(StatusNow());)
+            for (var end = Machine.Sample + (long)atMost.TotalMilliseconds; !condition(_status.Now());)
             {
                 if (Machine.Sample >= end) return false;
 
                 Machine.Advance(TimeSpan.FromMilliseconds(1));
             }
 
-            Notify();
+            _status.Notify();
             return true;
         }
     }
@@ -144,9 +148,9 @@ internal sealed class ControllerCore : IDisposable
         var waiter = new StatusWaiter(condition);
         lock (_gate)
         {
-            _waiters.Add(waiter);
+            _status.Add(waiter);
             Pace();
-            Notify();
+            _status.Notify();
             TickWithin(TickPeriod);
         }
 
@@ -158,7 +162,7 @@ internal sealed class ControllerCore : IDisposable
         {
             lock (_gate)
             {
-                _waiters.Remove(waiter);
+                _status.Remove(waiter);
             }
         }
     }
@@ -167,7 +171,7 @@ internal sealed class ControllerCore : IDisposable
     {
         CutAll();
         _timer.Dispose();
-        FlushRecord();
+        _recordFile.Flush();
     }
 
     private TimeSpan TickPeriod => _options.IsVirtual ? SilenceWatch.Short : ShortestTick;
@@ -175,7 +179,7 @@ internal sealed class ControllerCore : IDisposable
     /// <summary>How long nothing can happen of itself. An idle controller takes no processor time at all: the next command wakes it, and catches up with the wall.</summary>
     private TimeSpan QuietTime()
     {
-        if (_waiters.Count > 0 || _desk.HasLateReplies) return TickPeriod;
+        if (_status.IsAwaited || _desk.HasLateReplies) return TickPeriod;
         if (Machine.IsDormant) return Timeout.InfiniteTimeSpan;
         if (_options.IsVirtual || Machine.Motion.CanProgress) return TickPeriod;
         var milliseconds = (Machine.QuietUntil - Machine.Sample) / _options.Speed;
@@ -201,11 +205,11 @@ internal sealed class ControllerCore : IDisposable
             _desk.ReleaseReplies();
             if (_options.IsVirtual) _silence.Look();
 
-            Notify();
+            _status.Notify();
             TickWithin(QuietTime());
         }
 
-        FlushRecord();
+        _recordFile.Flush();
     }
 
     /// <summary>Real time: controller time follows the wall. Where it is to run ahead of the wall, the time that the computing takes does not count: a busy computer
@@ -216,39 +220,5 @@ internal sealed class ControllerCore : IDisposable
         var now = _options.Time.GetElapsedTime(_started);
         Machine.Advance((now - _paced) * _options.Speed);
         _paced = _options.Speed > 1.0 ? _options.Time.GetElapsedTime(_started) : now;
-    }
-
-    private void FlushRecord()
-    {
-        try
-        {
-            if (RecordFailure is null) Machine.Record.FlushCsv();
-        }
-        catch (IOException failure)
-        {
-            RecordFailure = failure;
-        }
-    }
-
-    private void Notify()
-    {
-        if (_waiters.Count == 0) return;
-
-        var status = StatusNow();
-        _waiters.ForEach(w => w.Offer(status));
-    }
-
-    private ControllerStatus StatusNow()
-    {
-        var planes = Machine.Motion.Planes;
-        return new ControllerStatus(
-            Machine.Sample,
-            Machine.Motion.CanProgress,
-            planes[0].IsActive || planes[1].IsActive,
-            planes[0].IsDry || planes[1].IsDry,
-            Machine.Threads.Running,
-            Machine.Io.Outputs,
-            planes[0].Underruns + planes[1].Underruns,
-            Machine.Handles.Capacity - Machine.Handles.Free);
     }
 }

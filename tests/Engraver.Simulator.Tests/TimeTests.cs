@@ -75,6 +75,55 @@ public class TimeTests
     }
 
     [Fact]
+    public async Task At_max_a_host_in_the_middle_of_a_job_that_is_held_up_trips_no_watchdog()
+    {
+        await using var rig = new Rig();
+        rig.Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1", "hb=20", "VMAB", "VS 20000", "VP 100000,0", "VE", "SB1", "BGS");
+        for (var i = 0; i < 20; i++) rig.Ask("MG _RPA");
+        var before = rig.Controller.Status.Sample;
+
+        rig.Time.Advance(TimeSpan.FromSeconds(1.9));
+        Assert.Equal((before, 1), (rig.Controller.Status.Sample, rig.Controller.Status.Outputs));
+        rig.Do("hb=20");
+        rig.Time.Advance(TimeSpan.FromSeconds(1.9)); // held up again, before it has asked much
+        Assert.Equal(1, rig.Controller.Status.Outputs);
+    }
+
+    [Theory]
+    [InlineData(false)] // it says nothing more
+    [InlineData(true)] // its link is cut
+    public async Task At_max_a_host_that_died_in_the_middle_of_a_job_is_found_dead(bool isCut)
+    {
+        await using var rig = new Rig();
+        rig.Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1", "hb=20", "VMAB", "VS 20000", "VP 100000,0", "VE", "SB1", "BGS");
+        for (var i = 0; i < 20; i++) rig.Ask("MG _RPA");
+        var death = rig.Controller.Status.Sample;
+        if (isCut) rig.Controller.DropConnections();
+
+        rig.Time.Advance(TimeSpan.FromSeconds(isCut ? 1.0 : 3.0));
+
+        var last = rig.Controller.Record.Snapshot()[^1];
+        Assert.True(rig.Controller.Status.IsIdle);
+        Assert.Equal(0, last.Outputs);
+        Assert.InRange(last.Sample - death, 1000, 1500);
+    }
+
+    [Fact]
+    public async Task At_max_a_display_that_looks_now_and_then_does_not_stop_the_time()
+    {
+        await using var rig = new Rig();
+        rig.Download("WT 60000\nn=1\nEN").Do("n=0", "XQ");
+        for (var i = 0; i < 20; i++) rig.Ask("MG _RPA");
+        for (var look = 0; look < 20; look++)
+        {
+            rig.Time.Advance(TimeSpan.FromMilliseconds(20));
+            for (var question = 0; question < 3; question++) rig.Ask("MG _RPA");
+        }
+
+        Assert.Equal(1, rig.Value("n"));
+    }
+
+    [Fact]
     public async Task At_max_an_open_sequence_waits_two_seconds_for_its_host()
     {
         await using var rig = new Rig();

@@ -5,9 +5,14 @@ using System.Text;
 namespace Engraver.Simulator.Tests;
 
 /// <summary>Commands and data records by datagram (galil-dmc.md A.1, A.9, L.2 point 6).</summary>
-public class UdpTests
+public sealed class UdpTests : IDisposable
 {
-    private static readonly CancellationToken Soon = new CancellationTokenSource(TimeSpan.FromSeconds(20)).Token;
+    /// <summary>Of one test: those of a busy machine may begin long after the class.</summary>
+    private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
+
+    private CancellationToken Soon => _limit.Token;
+
+    public void Dispose() => _limit.Dispose();
 
     [Fact]
     public async Task A_datagram_is_a_command_on_a_handle_of_its_own()
@@ -52,7 +57,7 @@ public class UdpTests
         Assert.Equal((6, 133, 133), (rig.Refusal("DR 7,1"), rig.Refusal("DR 10,0"), rig.Refusal("DR 10")));
     }
 
-    private static async Task<UdpClient> ConnectAsync(Rig rig)
+    private async Task<UdpClient> ConnectAsync(Rig rig)
     {
         var place = await rig.Controller.ListenUdpAsync(0, Soon);
         var client = new UdpClient(new IPEndPoint(IPAddress.Loopback, 0));
@@ -60,7 +65,7 @@ public class UdpTests
         return client;
     }
 
-    private static async Task<string> AskAsync(UdpClient client, string command)
+    private async Task<string> AskAsync(UdpClient client, string command)
     {
         await client.SendAsync(Encoding.Latin1.GetBytes(command), Soon);
         return Encoding.Latin1.GetString((await client.ReceiveAsync(Soon)).Buffer);

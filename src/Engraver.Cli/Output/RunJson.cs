@@ -16,7 +16,7 @@ internal sealed record RunJson(
     double? MissingLength,
     string DeviationSource,
     string? Journal,
-    RunJson.LeftOutJson LeftOut)
+    RunJson.LeftOutJson? LeftOut)
 {
     internal sealed record ScaleJson(double X, double Y);
 

@@ -2,6 +2,7 @@ using Engraver.Galil.Jobs;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Output;
 
@@ -18,7 +19,7 @@ internal static class RunReport
         report.Result.Rejected,
         report.Result.FinalPosition?.X,
         report.Result.FinalPosition?.Y,
-        Scale(job),
+        Scale(job.Settings),
         report.Judgement.MaxDeviationMm,
         report.Judgement.MissingLengthMm,
         report.Judgement.Source,
@@ -26,11 +27,12 @@ internal static class RunReport
         LeftOut(job));
 
     /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
-    public static RunJson NotStarted(PreparedJob job, JobOutcome outcome) =>
-        new(RunText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(job), null, null, "none", null, LeftOut(job));
+    /// <param name="job">Null when it was stopped before it was prepared.</param>
+    public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome) =>
+        new(RunText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job));
 
     /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
 
-    private static RunJson.ScaleJson Scale(PreparedJob job) => new(job.Settings.Machine.CountsPerMillimetreX, job.Settings.Machine.CountsPerMillimetreY);
+    private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.CountsPerMillimetreX, settings.Machine.CountsPerMillimetreY);
 }

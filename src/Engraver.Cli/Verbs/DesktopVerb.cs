@@ -25,7 +25,7 @@ internal sealed class DesktopVerb
     public static Command Build()
     {
         var verb = new DesktopVerb();
-        var command = new Command("desktop", "Opens the operator desktop (exit code 6 without a display).");
+        var command = new MachineCommand("desktop", "Opens the operator desktop (exit code 6 without a display).");
         verb._file.Validators.Add(NoOption);
         command.Arguments.Add(verb._file);
         foreach (var option in (Option[])[verb._script, verb._headless, verb._screenshot, verb._size, verb._scale, verb._benchmark]) command.Options.Add(option);

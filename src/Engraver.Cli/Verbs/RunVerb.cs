@@ -8,6 +8,7 @@ using Engraver.Galil.Protocol;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -29,7 +30,7 @@ internal sealed class RunVerb
     public static Command Build(VerbHost host)
     {
         var verb = new RunVerb(host);
-        var command = new Command("run", "Runs the drawing on a controller and says how well it was cut.");
+        var command = new MachineCommand("run", "Runs the drawing on a controller and says how well it was cut.");
         verb._drawing.AddTo(command);
         foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors]) command.Options.Add(option);
         command.SetAction(verb.RunAsync);
@@ -40,22 +41,49 @@ internal sealed class RunVerb
     {
         var settings = _drawing.Settings(parsed);
         var mode = ModeOption.Mode(parsed.GetValue(_mode));
-        var read = DrawingFile.Open(_drawing.File(parsed), settings, stop);
-        var job = JobPreparation.Prepare(read, settings, MachineRunOptions.StyleOf(mode));
-        var code = _host.Report(parsed, read.FileName, job.Diagnostics);
+        var (job, fit) = await PrepareAsync(parsed, settings, mode, stop).ConfigureAwait(false);
+        var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
         {
             return NotStarted(parsed, job, job.Motion.Program is null ? "nothing that this machine can cut" : "the drawing has errors; look at them, then start with --accept-errors");
         }
 
-        if (program.SegmentCount == 0) return NotStarted(parsed, job, "no curve on the selected layers");
-        var ended = await RunOnMachineAsync(parsed, job, program, mode, stop).ConfigureAwait(false);
+        if (fit is null || program.SegmentCount == 0) return NotStarted(parsed, job, "no curve on the selected layers");
+        var ended = await RunOnMachineAsync(parsed, job, fit, mode, stop).ConfigureAwait(false);
 
         // Accepted errors are errors all the same: the job was done as far as it can be (docs/pipeline.md).
         return ended == ExitCode.Done ? code : ended;
     }
 
-    private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, MotionProgram program, JobMode mode, CancellationToken stop)
+    /// <summary>Everything up to the machine, which a stop does not wait for; the one object is printed all the same.</summary>
+    /// <returns>The program as the link can carry it; null when there is none.</returns>
+    private async Task<(PreparedJob Job, WireFit? Fit)> PrepareAsync(ParseResult parsed, DrawingSettings settings, JobMode mode, CancellationToken stop)
+    {
+        var (file, address) = (_drawing.File(parsed), parsed.GetRequiredValue(_connect)!);
+        try
+        {
+            return await StoppableVerb.ComputeAsync(
+                () =>
+                {
+                    var job = JobPreparation.Prepare(DrawingFile.Open(file, settings, stop), settings, MachineRunOptions.StyleOf(mode));
+                    return (job, job.Motion.Program is { } program ? MachineRun.FitToLink(program, address, mode, job.Drawing) : null);
+                },
+                stop).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException) when (parsed.GetValue(_json) && stop.IsCancellationRequested)
+        {
+            await SayNotStartedAsync(settings, null, JobOutcome.Stopped).ConfigureAwait(false);
+            throw;
+        }
+    }
+
+    private async Task SayNotStartedAsync(DrawingSettings settings, PreparedJob? job, JobOutcome outcome)
+    {
+        ContractJson.Write(_host.Out, RunReport.NotStarted(settings, job, outcome), ContractJson.Default.RunJson);
+        await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
+    }
+
+    private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, WireFit fit, JobMode mode, CancellationToken stop)
     {
         var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, mode)
         {
@@ -66,7 +94,6 @@ internal sealed class RunVerb
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         CheckWritable(options.JournalPath);
         if (options.TracePath is { } trace) CheckWritable(trace);
-        var fit = MachineRun.FitToLink(program, options.Address, mode, job.Drawing);
         _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
         MachineRunReport report;
         try
@@ -76,8 +103,7 @@ internal sealed class RunVerb
         catch (Exception ended) when (parsed.GetValue(_json) && (ended is ControllerException || (ended is OperationCanceledException && stop.IsCancellationRequested)))
         {
             // The link never came up, or the operator did not wait for it: the one object is printed all the same.
-            ContractJson.Write(_host.Out, RunReport.NotStarted(job, ended is ControllerException ? JobOutcome.LinkLost : JobOutcome.Stopped), ContractJson.Default.RunJson);
-            await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
+            await SayNotStartedAsync(job.Settings, job, ended is ControllerException ? JobOutcome.LinkLost : JobOutcome.Stopped).ConfigureAwait(false);
             throw;
         }
 
@@ -103,15 +129,16 @@ internal sealed class RunVerb
 
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)
     {
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job, JobOutcome.Refused), ContractJson.Default.RunJson);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job.Settings, job, JobOutcome.Refused), ContractJson.Default.RunJson);
         _host.Error.WriteLine($"engraver: not started: {why}.");
         return ExitCode.DrawingError;
     }
 
-    /// <summary>Before the machine is touched: a job whose journal cannot be written must not begin.</summary>
+    /// <summary>Before the machine is touched: a job whose journal cannot be written must not begin. A pipe is not tried, for its reader would take the end of the trial for the end of everything.</summary>
     /// <exception cref="UsageException">The file cannot be written.</exception>
     private static void CheckWritable(string path)
     {
+        if (FileKind.IsWay(path)) return;
         try
         {
             using var file = File.Open(path, FileMode.OpenOrCreate, FileAccess.Write);

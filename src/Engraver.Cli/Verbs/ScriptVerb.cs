@@ -28,6 +28,7 @@ internal sealed class ScriptVerb
         var telling = new ScriptTelling(_host.Out, _host.Error, _host.Quiet(parsed), _host.Verbose(parsed));
         await using var session = NewSession();
         session.Said += telling.Say;
+        session.Machine.Changed += (_, _) => _host.Machine.Follow(session.Machine.Description is not null);
         var result = await session.FeedAsync("SCRIPT", stop).ConfigureAwait(false);
         stop.ThrowIfCancellationRequested();
         if (result is FeedResult.Asking) result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);

@@ -22,7 +22,7 @@ internal static class SimulateVerb
         var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = "Controller seconds for each second on the wall; max: virtual time.", DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
         var record = new Option<string?>("--record") { HelpName = "FILE", Description = "Write every motor sample and output change as CSV (t,a,b,c,d,outputs)." };
         var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = "What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md)." };
-        var command = new Command("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, faults };
+        var command = new MachineCommand("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, faults };
         command.Validators.Add(result =>
         {
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError("--baud is the rate of a serial port; give --serial PATH with it.");

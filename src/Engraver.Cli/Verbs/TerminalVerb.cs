@@ -16,7 +16,7 @@ internal static class TerminalVerb
     public static Command Build(VerbHost host)
     {
         var connect = ConnectOption.New(required: true, "Where the controller is; as for run.");
-        var command = new Command("terminal", "Talks to a controller line by line: type help, or pipe commands in, one a line.") { connect };
+        var command = new MachineCommand("terminal", "Talks to a controller line by line: type help, or pipe commands in, one a line.") { connect };
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(connect)!, stop));
         return command;
     }

@@ -7,13 +7,16 @@ using Engraver.Workbench.Documents;
 namespace Engraver.Cli.Verbs;
 
 /// <summary>What every verb needs around it: the streams, the global options, and the way diagnostics are printed and turned into an exit code.</summary>
-internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global)
+internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, MachineInHand machine)
 {
     public TextWriter Out => streams.Out;
 
     public TextWriter Error => streams.Error;
 
     public TextReader In => streams.In;
+
+    /// <summary>For a verb that connects to a machine and lets it go as it likes; others are a <see cref="MachineCommand"/>.</summary>
+    public MachineInHand Machine => machine;
 
     /// <summary>True when a person types and watches.</summary>
     public bool Interactive => streams.Interactive;

@@ -28,8 +28,11 @@ internal sealed record EarlierRun(string JournalPath, JournalFound Found, string
     private static EarlierRun? Of(string copyPath, JournalFound now)
     {
         var journal = copyPath[..^CopySuffix.Length];
-        return File.Exists(journal) && Unended(journal) is { } found && found.IsSameController(now) ? new EarlierRun(journal, found, File.ReadAllText(copyPath, ProgramMemory.CopyEncoding)) : null;
+        return IsReadable(journal) && Unended(journal) is { } found && found.IsSameController(now) ? new EarlierRun(journal, found, File.ReadAllText(copyPath, ProgramMemory.CopyEncoding)) : null;
     }
+
+    /// <summary>A journal that went into a pipe is not there to be read again, and asking the pipe would wait for ever; like an empty file it has no length.</summary>
+    private static bool IsReadable(string journal) => new FileInfo(journal) is { Exists: true, Length: > 0 };
 
     /// <summary>The last "found" of the journal, unless the controller was given back behind it.</summary>
     private static JournalFound? Unended(string journal)

@@ -31,7 +31,7 @@ internal sealed class Heartbeat(ControllerSession session)
     /// <summary>Counts one command; true when a heartbeat is due, which is then taken as sent.</summary>
     public bool IsDueAfterCommand()
     {
-        var most = session.ClockRunsAhead ? CommandsBetweenWhereTimeRunsAhead : CommandsBetween;
+        var most = session.ClockRunsAhead && session.Line is null ? CommandsBetweenWhereTimeRunsAhead : CommandsBetween; // on a serial line the bytes tell
         var isEarly = _lastSample is not { } beat || _sample - beat < Limit.Samples(SamplesBetween);
         if (++_commands < most && isEarly && session.Time.GetElapsedTime(_last) < Between && session.WireTime - _lastOnWire < Between) return false;
         Reset();

@@ -147,7 +147,7 @@ internal sealed class JobMachine
     {
         _clock.Polled(State.Time);
         _heartbeat.Saw(State.Time);
-        _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, IsToolOn));
+        _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, IsToolOn) { Executed = _ledger.Executed });
         _polled();
         await _stopHandle.LookAsync().ConfigureAwait(false);
         if (State.Tripped || State.ProgramError != 0 || !State.ProgramRuns) return await ProgramEndedAsync().ConfigureAwait(false);

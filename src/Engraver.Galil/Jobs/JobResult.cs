@@ -47,7 +47,7 @@ public sealed record JobResult
     /// <summary>Executed segments of each stroke of the motion program.</summary>
     public required IReadOnlyList<int> ExecutedByStroke { get; init; }
 
-    /// <summary>Cut length of each stroke in counts, whole segments only.</summary>
+    /// <summary>Cut length of each stroke in counts, whole segments only; how far the segment under way was cut is told by <see cref="UnfinishedSegment"/>.</summary>
     public required IReadOnlyList<double> LengthByStroke { get; init; }
 
     /// <summary>What had to be done to the job to run it this way: strokes cut by the controller's memory.</summary>

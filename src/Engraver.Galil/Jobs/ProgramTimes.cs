@@ -7,8 +7,9 @@ namespace Engraver.Galil.Jobs;
 /// <param name="line">Null for a network, on which loading is nothing beside the cutting.</param>
 internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
 {
-    /// <summary>Around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the question for the watchdog; and about half a poll until its end is seen.</summary>
-    private const int BytesAroundChunk = 210;
+    /// <summary>Around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the question for the watchdog; the answer to the poll before it, and about half a poll until
+    /// its end is seen by the first question of a poll, whose second one is still to be asked.</summary>
+    private const int BytesAroundChunk = 290;
 
     /// <summary>The line that assigns x and y and calls #RAPID, and the lines of that.</summary>
     private const int RapidStatements = 10;
@@ -24,7 +25,7 @@ internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
         if (line is null) return 0.0;
         var frame = new ControllerFrame(program.Start, program.Start);
         var chunks = new WatchedJob(program, frame, dryRun: false).Pack(program.Strokes, DmcLimits.ProgramLines, null).Chunks;
-        return chunks.Sum(chunk => (BytesAroundChunk + (2.0 * chunk.Text.Length)) * line.ByteSeconds);
+        return chunks.Sum(chunk => (BytesAroundChunk + (2.0 * chunk.Text.Length) + chunk.Text.AsSpan().Count('\n')) * line.ByteSeconds); // an upload ends each line with two characters
     }
 
     internal override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program) => RapidStatements * SecondsPerStatement;

@@ -40,10 +40,12 @@ public readonly record struct WatchdogLimit(double Rate)
         return Of(proved, estimated);
     }
 
-    /// <summary>From before the first question to behind the second answer is at least the time between the two samples, so that no delay on the way makes a real controller look fast.</summary>
+    /// <summary>From before the first question to behind the second answer is at least the time between the two samples, so that no delay on the way makes a real controller look fast. Bytes on a
+    /// serial line take their time whatever our clock says: a simulated controller whose time is those bytes is not fast either.</summary>
     private static async ValueTask<(double Proved, double Estimated)?> LookAsync(ControllerSession session, CancellationToken stop)
     {
         var time = session.Time;
+        var onWire = session.WireTime;
         var asked = time.GetTimestamp();
         var first = (await session.Commands.ReadAsync("TIME", stop).ConfigureAwait(false)).OrNothing;
         var answered = time.GetTimestamp();
@@ -52,7 +54,8 @@ public readonly record struct WatchdogLimit(double Rate)
         var last = (await session.Commands.ReadAsync("TIME", stop).ConfigureAwait(false)).OrNothing;
         if (last - first is not { } samples) return null;
         var seconds = samples * (session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6;
-        return (seconds / time.GetElapsedTime(asked).TotalSeconds, seconds / time.GetElapsedTime(answered, askedAgain).TotalSeconds);
+        var atMost = Math.Max(time.GetElapsedTime(asked).TotalSeconds, (session.WireTime - onWire).TotalSeconds);
+        return (seconds / atMost, seconds / time.GetElapsedTime(answered, askedAgain).TotalSeconds);
     }
 
     /// <param name="proved">The rate that the clock has at least.</param>

@@ -8,6 +8,8 @@ public static class StopCodes
     /// <summary>An independent move that ended where it was sent.</summary>
     public const int AtTarget = 1;
 
+    public const int SequenceRunning = 100;
+
     /// <summary>A vector sequence that was ended by VE.</summary>
     public const int SequenceEnded = 101;
 
@@ -22,7 +24,7 @@ public static class StopCodes
         7 => "stopped by an AB command",
         8 => "switched off because of the position error",
         11 => "stopped by a selective abort input",
-        100 => "vector sequence running",
+        SequenceRunning => "vector sequence running",
         SequenceEnded => "vector sequence ended",
         _ => string.Create(CultureInfo.InvariantCulture, $"stop code {code}"),
     };

@@ -4,8 +4,8 @@ namespace Engraver.Galil.Sessions;
 /// <param name="Model">The answer to ^R^V, for example <c>DMC2143 Rev 1.0o</c>.</param>
 /// <param name="Axes">Number of axes, from the model string (galil-dmc.md G).</param>
 /// <param name="Handle">The answer to WH for the command handle: IHA to IHH, or RS232.</param>
-/// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9).</param>
-public sealed record ControllerIdentity(string Model, int Axes, string Handle, int RecordBytes, ControllerLimits Limits)
+/// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9); null when the controller refuses to say, for nothing in a job needs it.</param>
+public sealed record ControllerIdentity(string Model, int Axes, string Handle, int? RecordBytes, ControllerLimits Limits)
 {
     private const string AxisLetters = "ABCDEFGH";
 

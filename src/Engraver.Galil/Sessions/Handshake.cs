@@ -22,9 +22,10 @@ internal static class Handshake
         await channel.SendAsync(question, cancellation).ConfigureAwait(false) is Accepted { Data: var text } ? text : "";
 
     /// <summary>QZ: axes, bytes of the general, coordinated and axis blocks. The first number is not trusted: EPICS takes the model's digit too.</summary>
-    private static async Task<int> RecordBytesAsync(CommandChannel channel, int axes, CancellationToken cancellation)
+    /// <returns>Null when the question is refused: such a record is not fitted.</returns>
+    private static async Task<int?> RecordBytesAsync(CommandChannel channel, int axes, CancellationToken cancellation)
     {
-        var answer = await TextAsync(channel, "QZ", cancellation).ConfigureAwait(false);
+        if (await channel.SendAsync("QZ", cancellation).ConfigureAwait(false) is not Accepted { Data: var answer }) return null;
         if (!ControllerNumber.TryParseAll(answer, out var blocks) || blocks.Length != 4)
             throw new ProtocolViolationException($"The controller answered '{answer}' to QZ; four numbers were expected.");
         return 4 + (int)blocks[1] + (int)blocks[2] + (axes * (int)blocks[3]);

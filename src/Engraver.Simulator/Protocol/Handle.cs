@@ -5,29 +5,34 @@ namespace Engraver.Simulator.Protocol;
 
 /// <summary>One connection: cuts the incoming bytes into commands and gives every command its prompt (galil-dmc.md A.3, A.6, L.2).</summary>
 /// <remarks>All members are called under the controller's lock, except that <see cref="Output"/> may be read by anyone.</remarks>
-internal sealed class Handle(int index, int localPort, int remotePort, ICommandSink sink)
+internal sealed class Handle
 {
     private const int LongestLine = 80;
+    private readonly ICommandSink _sink;
     private readonly TextBuffer _command = new();
-    private readonly StringBuilder _download = new();
+    private readonly TextIntake _text;
     private CommandContext? _context;
     private int _lineLength;
     private bool _quoted;
     private bool _swallowReturn;
-    private Action<string>? _arrayTarget;
-    private bool _downloading;
-    private bool _downloadFailed;
+    private bool _closeAfterReply;
 
-    public int Index => index;
+    public Handle(int index, int localPort, int remotePort, ICommandSink sink)
+    {
+        (Index, LocalPort, RemotePort, _sink) = (index, localPort, remotePort, sink);
+        _text = new TextIntake(this, sink);
+    }
+
+    public int Index { get; }
 
     /// <summary>The main serial port, which is no handle of the table (A.1: <c>_WH</c> is -1).</summary>
-    public bool IsSerial => index == SerialPort.HandleIndex;
+    public bool IsSerial => Index == SerialPort.HandleIndex;
 
-    public string Name => IsSerial ? "RS232" : "IH" + (char)('A' + index);
+    public string Name => IsSerial ? "RS232" : "IH" + (char)('A' + Index);
 
-    public int LocalPort => localPort;
+    public int LocalPort { get; }
 
-    public int RemotePort => remotePort;
+    public int RemotePort { get; }
 
     /// <summary>What its commands print into; restarted for each.</summary>
     public CommandContext Context => _context ??= CommandContext.Of(this);
@@ -37,6 +42,9 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     /// <summary>Commands received on this handle.</summary>
     public long Commands { get; private set; }
+
+    /// <summary>Of these, the ones that were answered with more than a prompt.</summary>
+    public long Questions { get; private set; }
 
     public bool IsClosed { get; private set; }
 
@@ -62,9 +70,7 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
     public bool IsInConversation => !IsClosed && (Output.Count > 0 || Between?.Invoke() == true);
 
     /// <summary>Inside a download: the command gets no prompt before its text has ended.</summary>
-    public bool IsReceivingText => _downloading || _arrayTarget is not null;
-
-    private bool _closeAfterReply;
+    public bool IsReceivingText => _text.IsOpen;
 
     public void Receive(ReadOnlySpan<byte> bytes)
     {
@@ -72,13 +78,21 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
         {
             if (IsClosed) return;
 
-            if (sink.Arrived(this, b)) Accept((char)b);
+            if (_sink.Arrived(this, b)) Accept((char)b);
         }
     }
 
     public void Send(ReadOnlySpan<byte> bytes)
     {
-        if (!IsClosed) sink.Deliver(this, bytes);
+        if (!IsClosed) _sink.Deliver(this, bytes);
+    }
+
+    /// <summary>What is said beside the prompts.</summary>
+    public void SendText(ReadOnlySpan<char> text)
+    {
+        Span<byte> bytes = text.Length <= 512 ? stackalloc byte[text.Length] : new byte[text.Length];
+        Encoding.Latin1.GetBytes(text, bytes);
+        Send(bytes);
     }
 
     /// <summary>Closes now, or behind the prompt of the running command when it is this handle's own.</summary>
@@ -100,7 +114,7 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
         if (!IsClosed)
         {
             IsClosed = true;
-            sink.Closed(this);
+            _sink.Closed(this);
             Output.Complete();
         }
     }
@@ -112,18 +126,9 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
         Close();
     }
 
-    public void BeginDownload()
-    {
-        _downloading = true;
-        _downloadFailed = false;
-        _download.Clear();
-    }
+    public void BeginDownload() => _text.BeginProgram();
 
-    public void BeginArrayDownload(Action<string> store)
-    {
-        _arrayTarget = store;
-        _download.Clear();
-    }
+    public void BeginArrayDownload(Action<string> store) => _text.BeginArray(store);
 
     private void Accept(char c)
     {
@@ -131,13 +136,9 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
         var afterTerminator = _swallowReturn;
         _swallowReturn = false;
-        if (_downloading)
+        if (_text.IsOpen)
         {
-            AcceptProgram(c);
-        }
-        else if (_arrayTarget is not null)
-        {
-            AcceptArray(c);
+            if (_text.Accept(c)) EndText();
         }
         else if (c == '\r')
         {
@@ -174,7 +175,7 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
         if (tooLong)
         {
             _command.Clear();
-            Answer(sink.Refuse(this, Tc.InputBufferFull));
+            Answer(_sink.Refuse(this, Tc.InputBufferFull));
         }
         else
         {
@@ -184,7 +185,7 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
 
     private void RunCommand()
     {
-        var reply = sink.Execute(this, _command.Text);
+        var reply = _sink.Execute(this, _command.Text);
         _command.Clear();
         Answer(reply);
     }
@@ -193,61 +194,16 @@ internal sealed class Handle(int index, int localPort, int remotePort, ICommandS
     private void Answer(ReadOnlySpan<char> reply)
     {
         Commands++;
+        if (reply.Length > 1) Questions++;
         if (reply.Length > 0) SendText(reply);
 
-        sink.Answered(this, reply.Length);
+        _sink.Answered(this, reply.Length);
         if (_closeAfterReply) Close();
     }
 
-    private void SendText(ReadOnlySpan<char> text)
+    private void EndText()
     {
-        Span<byte> bytes = text.Length <= 512 ? stackalloc byte[text.Length] : new byte[text.Length];
-        Encoding.Latin1.GetBytes(text, bytes);
-        Send(bytes);
-    }
-
-    private void AcceptProgram(char c)
-    {
-        var end = c is '\\' or '\x1A' or '\x11' or '\x04';
-        if (c == '\r' || end)
-        {
-            EndProgramLine();
-        }
-        else
-        {
-            _download.Append(c);
-        }
-
-        if (end)
-        {
-            _downloading = false;
-            _swallowReturn = true;
-            Answer(sink.EndDownload(_downloadFailed));
-        }
-    }
-
-    private void EndProgramLine()
-    {
-        var line = _download.ToString();
-        _download.Clear();
-        if (!_downloadFailed && !sink.StoreLine(line))
-        {
-            _downloadFailed = true;
-            SendText("?");
-        }
-    }
-
-    private void AcceptArray(char c)
-    {
-        if (c is not ('\\' or '\x1A'))
-        {
-            _download.Append(c);
-            return;
-        }
-
-        var store = _arrayTarget!;
-        _arrayTarget = null;
         _swallowReturn = true;
-        Answer(sink.StoreArray(this, () => store(_download.ToString())));
+        Answer(_text.End());
     }
 }

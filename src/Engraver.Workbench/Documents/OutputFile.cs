@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed. A device is written as it stands, for a rename would put a file in its place.</summary>
+/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed. What leads to somebody else, a device or a named pipe, is written as it stands, for a rename would put a file in its place.</summary>
 public static class OutputFile
 {
     /// <summary>Writes UTF-8 text with LF line ends.</summary>
@@ -13,16 +13,8 @@ public static class OutputFile
         if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException($"There is no folder {folder}.");
         if (Directory.Exists(path)) throw new IOException("That is a folder.");
         var target = new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
-        if (IsDevice(path) || IsDevice(target)) WriteInPlace(path, write);
+        if (FileKind.IsWay(path) || FileKind.IsWay(target)) WriteInPlace(path, write);
         else Replace(target, write);
-    }
-
-    /// <summary>True for what the system keeps where it keeps its devices and open files, such as the standard output.</summary>
-    private static bool IsDevice(string path)
-    {
-        var full = Path.GetFullPath(path);
-        if (OperatingSystem.IsWindows() || !File.Exists(full)) return false;
-        return (full.StartsWith("/dev/", StringComparison.Ordinal) && !full.StartsWith("/dev/shm/", StringComparison.Ordinal)) || full.StartsWith("/proc/", StringComparison.Ordinal);
     }
 
     private static void WriteInPlace(string path, Action<TextWriter> write)
@@ -33,16 +25,9 @@ public static class OutputFile
 
     private static void Replace(string path, Action<TextWriter> write)
     {
-        var temporary = $"{path}.{Environment.ProcessId}.tmp";
-        try
-        {
-            using (var writer = Text(new FileStream(temporary, FileMode.Create))) write(writer);
-            File.Move(temporary, path, overwrite: true);
-        }
-        finally
-        {
-            File.Delete(temporary);
-        }
+        using var temporary = new TemporaryFile(path);
+        using (var writer = Text(temporary.Create())) write(writer);
+        temporary.TakePlace();
     }
 
     private static StreamWriter Text(Stream stream) => new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { NewLine = "\n" };

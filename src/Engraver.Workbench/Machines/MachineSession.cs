@@ -14,18 +14,16 @@ namespace Engraver.Workbench.Machines;
 /// <remarks>While connected the controller is looked at ten times a second over handles of the session's own; while a job runs the job tells. Status, stop and abort may be used from any thread.</remarks>
 public sealed class MachineSession : IAsyncDisposable
 {
-    private readonly Lock _guard = new();
     private readonly TimeProvider _time;
     private readonly MachineBoard _board;
     private readonly JobAtWork _work;
-    private MachineConnection? _connection;
-    private ControllerAddress? _address;
-    private MachineWatch? _watch;
+    private readonly WatchedConnection _watched;
 
     public MachineSession(TimeProvider time)
     {
         _time = time;
         _board = new MachineBoard(time, RaiseChanged);
+        _watched = new WatchedConnection(time, Seen, _board.Lost);
         _work = new JobAtWork(_board.JobIsOver, RaiseChanged);
         Terminal = new LiveTerminal(time, AnswerAsync);
     }
@@ -52,15 +50,15 @@ public sealed class MachineSession : IAsyncDisposable
     public ArmedJob? Armed => _board.Arming.Armed;
 
     /// <summary>Where the controller is; null while none is connected.</summary>
-    public string? Description => _connection?.Description;
+    public string? Description => _watched.Connection?.Description;
 
     /// <summary>The serial line it is connected by; null for none or another link.</summary>
-    public SerialAddress? Line => _address as SerialAddress;
+    public SerialAddress? Line => _watched.Address as SerialAddress;
 
-    public ControllerIdentity? Identity { get; private set; }
+    public ControllerIdentity? Identity => _watched.Identity;
 
     /// <summary>True for a controller that lives in this process.</summary>
-    public bool IsSimulation => _connection?.Simulator is not null;
+    public bool IsSimulation => _watched.Connection?.Simulator is not null;
 
     public bool IsRunning => _work.Stop is not null;
 
@@ -77,38 +75,18 @@ public sealed class MachineSession : IAsyncDisposable
         ArgumentNullException.ThrowIfNull(address);
         if (IsRunning) throw new InvalidOperationException("A job runs.");
         await DisconnectAsync().ConfigureAwait(false);
-        var connection = MachineConnection.To(address, _time);
-        MachineWatch? watch = null;
-        try
-        {
-            watch = await MachineWatch.OpenAsync(connection, _time, cancellation).ConfigureAwait(false);
-            var poll = await watch.LookAsync(cancellation).ConfigureAwait(false);
-            Identity = watch.Identity;
-            lock (_guard) (_connection, _address, _watch) = (connection, address, watch);
-            _board.Connected(connection.Description, connection.Simulator is not null, Identity);
-            _board.Seen(poll);
-            watch.Resume(Seen, _board.Lost);
-            return Identity;
-        }
-        finally
-        {
-            if (Identity is null && watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
-            if (Identity is null) await connection.DisposeAsync().ConfigureAwait(false);
-        }
+        var poll = await _watched.OpenAsync(address, cancellation).ConfigureAwait(false);
+        var identity = _watched.Identity!;
+        _board.Connected(_watched.Connection!.Description, IsSimulation, identity);
+        _board.Seen(poll);
+        _watched.Resume();
+        return identity;
     }
 
     /// <summary>Lets the controller go; nothing when none is connected.</summary>
     public async Task DisconnectAsync()
     {
-        MachineConnection? connection;
-        MachineWatch? watch;
-        lock (_guard)
-        {
-            (connection, watch) = (_connection, _watch);
-            (_connection, _address, _watch, Identity) = (null, null, null, null);
-        }
-
-        if (connection is null) return;
+        if (_watched.Take() is not var (connection, watch)) return;
         _board.Disconnected();
         if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
         await connection.DisposeAsync().ConfigureAwait(false);
@@ -130,7 +108,7 @@ public sealed class MachineSession : IAsyncDisposable
     public bool Disarm() => _board.Arming.Disarm();
 
     /// <summary>A program as it can be run over the link that stands.</summary>
-    public WireFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => MachineRun.FitToLink(program, _address, mode, drawing);
+    public WireFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => MachineRun.FitToLink(program, _watched.Address, mode, drawing);
 
     /// <summary>Runs a job on the connected controller. One at a time.</summary>
     /// <param name="options">How; the address is that of the session.</param>
@@ -138,7 +116,7 @@ public sealed class MachineSession : IAsyncDisposable
     /// <exception cref="ControllerException">The link never came up.</exception>
     public async Task<MachineRunReport> RunAsync(PreparedJob job, MotionProgram program, Func<ControllerAddress, MachineRunOptions> options, CancellationToken cancellation)
     {
-        if (_connection is not { } connection || _address is not { } address) throw new InvalidOperationException("No controller is connected.");
+        if (_watched is not { Connection: { } connection, Address: { } address }) throw new InvalidOperationException("No controller is connected.");
         return await WithStopAsync(stop => RunWatchedAsync(connection, job, program, options(address), stop), cancellation).ConfigureAwait(false);
     }
 
@@ -148,7 +126,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         var address = new SimulatedAddress(double.PositiveInfinity);
         await using var connection = MachineConnection.To(address, _time);
-        return await WithStopAsync(stop => MachineRun.RunAsync(job, program, connection, options(address), _time, new Listener(this, null), stop), cancellation).ConfigureAwait(false);
+        return await WithStopAsync(stop => MachineRun.RunAsync(job, program, connection, options(address), _time, Listener(null), stop), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Stops the job under way: the machine brakes, the tool goes off, the job ends as stopped. With no job the axes of a connected machine brake all the same. Never waits, from any thread.</summary>
@@ -157,7 +135,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         var (job, watch) = AtWork();
         if (job is not null) UrgentThread.Run(job.Cancel);
-        else if (watch is not null) UrgentThread.Run(() => _ = UrgentlyAsync(watch, watch.StopAsync(Profile.ToolOutput)));
+        else if (watch is not null) _watched.ActUrgently(watch, one => one.StopAsync(Profile.ToolOutput));
         _board.StopSent();
         return job is not null;
     }
@@ -167,7 +145,7 @@ public sealed class MachineSession : IAsyncDisposable
     public void Abort()
     {
         var (job, watch) = AtWork();
-        if (watch is not null) UrgentThread.Run(() => _ = UrgentlyAsync(watch, watch.AbortAsync(Profile.ToolOutput)));
+        if (watch is not null) _watched.ActUrgently(watch, one => one.AbortAsync(Profile.ToolOutput));
         if (job is not null) UrgentThread.Run(job.Cancel);
         _board.StopSent();
     }
@@ -178,7 +156,7 @@ public sealed class MachineSession : IAsyncDisposable
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<Rejected?> SetMotorsAsync(bool on, CancellationToken cancellation)
     {
-        if (_watch is not { } watch || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
+        if (_watched.Watch is not { } watch || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
         var refused = await watch.SetMotorsAsync(on, cancellation).ConfigureAwait(false);
         if (refused is not null) _board.Refused(refused);
@@ -196,21 +174,8 @@ public sealed class MachineSession : IAsyncDisposable
     private (CancellationTokenSource? Job, MachineWatch? Watch) AtWork()
     {
         _board.StopAsked();
-        MachineWatch? watch;
-        lock (_guard) watch = _watch;
+        var watch = _watched.Watch;
         return (_work.Stop, watch); // in this order: a job that begins meanwhile is stopped as well
-    }
-
-    private async Task UrgentlyAsync(MachineWatch watch, Task act)
-    {
-        try
-        {
-            await act.ConfigureAwait(false);
-        }
-        catch (ControllerException failure)
-        {
-            if (ReferenceEquals(watch, _watch)) _board.Lost(failure);
-        }
     }
 
     private Task<MachineRunReport> WithStopAsync(Func<CancellationToken, Task<MachineRunReport>> run, CancellationToken cancellation) => _work.RunAsync(
@@ -224,61 +189,29 @@ public sealed class MachineSession : IAsyncDisposable
     private async Task<MachineRunReport> RunWatchedAsync(MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, CancellationToken stop)
     {
         _board.JobBegins();
-        await GiveWayAsync().ConfigureAwait(false);
+        await _watched.GiveWayAsync().ConfigureAwait(false);
         _board.JobStartsFrom(program.Start);
         try
         {
-            var report = await MachineRun.RunAsync(job, program, connection, options, _time, new Listener(this, _board), stop).ConfigureAwait(false);
+            var report = await MachineRun.RunAsync(job, program, connection, options, _time, Listener(_board), stop).ConfigureAwait(false);
             _board.JobEnds(report.Result);
             return report;
         }
         finally
         {
-            await TakeBackAsync(connection).ConfigureAwait(false);
-        }
-    }
-
-    /// <summary>The watch falls silent, and on a single wire goes.</summary>
-    private async Task GiveWayAsync()
-    {
-        if (_watch is not { } watch) return;
-        await watch.PauseAsync().ConfigureAwait(false);
-        if (!watch.IsSingleWire) return;
-        lock (_guard) _watch = null;
-        await watch.DisposeAsync().ConfigureAwait(false);
-    }
-
-    /// <summary>After a job the machine is watched again; a watch that was lost with the job's link is opened anew, once.</summary>
-    private async Task TakeBackAsync(MachineConnection connection)
-    {
-        try
-        {
-            var watch = _watch;
-            if (watch is null or { IsBroken: true })
-            {
-                if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
-                watch = await MachineWatch.OpenAsync(connection, _time, CancellationToken.None).ConfigureAwait(false);
-                lock (_guard) _watch = watch;
-            }
-
-            Seen(await watch.LookAsync(CancellationToken.None).ConfigureAwait(false));
-            watch.Resume(Seen, _board.Lost);
-        }
-        catch (ControllerException failure)
-        {
-            _board.Lost(failure);
+            await _watched.ResumeAsync(connection).ConfigureAwait(false);
         }
     }
 
     private void Seen(MachinePoll poll)
     {
-        while (_watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message ?? "");
+        while (_watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message ?? "");
         _board.Seen(poll);
     }
 
     private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {
-        if (_watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "No controller is connected; CNCCONNECT first.")];
+        if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "No controller is connected; CNCCONNECT first.")];
         if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "A job runs; nothing is sent beside it.")];
         Disarm();
         var answers = await watch.Conversation.AnswerAsync(line, cancellation).ConfigureAwait(false);
@@ -286,16 +219,13 @@ public sealed class MachineSession : IAsyncDisposable
         return answers;
     }
 
-    private void RaiseChanged() => Changed?.Invoke(this, EventArgs.Empty);
-
     /// <param name="board">Null for a job that does not run on the connected machine.</param>
-    private sealed class Listener(MachineSession session, MachineBoard? board) : IProgress<JobProgress>
+    private JobListener Listener(MachineBoard? board) => new(value =>
     {
-        public void Report(JobProgress value)
-        {
-            session.Progress = value;
-            board?.JobTells(value);
-            session.RaiseChanged();
-        }
-    }
+        Progress = value;
+        board?.JobTells(value);
+        RaiseChanged();
+    });
+
+    private void RaiseChanged() => Changed?.Invoke(this, EventArgs.Empty);
 }

@@ -38,7 +38,7 @@ public static class RunJudge
         return TraceComparison.Compare([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], trace, Tolerances(job));
     }
 
-    /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed.</summary>
+    /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed; the one under way counts up to the last position known on it.</summary>
     public static RunJudgement ByPolling(PreparedJob job, MotionProgram program, JobResult result)
     {
         var profile = job.Settings.Machine;
@@ -46,7 +46,9 @@ public static class RunJudge
         if (!trace.Any(sample => sample.Cutting)) return RunJudgement.Unknown;
         var found = TraceComparison.Compare(job.Analysed.ToSegments(), trace, Tolerances(job));
         var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
-        var missing = Math.Max(0.0, planned - result.LengthByStroke.Sum()) / Math.Max(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
+        var tolerances = Tolerances(job);
+        var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
+        var missing = Math.Max(0.0, planned - cut) / Math.Max(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
         return new RunJudgement(found.MaxDeviation, missing, "polled");
     }
 

@@ -113,7 +113,14 @@ public class SimulateVerbTests
     private static async Task<string> AskAsync(TcpClient client, string command, CancellationToken cancellation)
     {
         await client.GetStream().WriteAsync(Encoding.ASCII.GetBytes(command), cancellation);
-        var reply = new byte[64];
-        return Encoding.ASCII.GetString(reply, 0, await client.GetStream().ReadAsync(reply, cancellation));
+        var (reply, length) = (new byte[256], 0);
+        do
+        {
+            var read = await client.GetStream().ReadAsync(reply.AsMemory(length), cancellation);
+            Assert.NotEqual(0, read);
+            length += read;
+        }
+        while (reply[length - 1] is not ((byte)':' or (byte)'?')); // an answer may come in parts, its prompt is last
+        return Encoding.ASCII.GetString(reply, 0, length);
     }
 }

@@ -38,8 +38,8 @@ internal sealed class SimulatedBench : IAsyncDisposable
     {
         var end = await Controller.ListenTcpAsync(0, CancellationToken.None);
         return await ControllerSession.OpenAsync(
-            async cancellation => await TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(5), TimeProvider.System, cancellation),
-            new SessionOptions(), TimeProvider.System, CancellationToken.None);
+            async cancellation => await TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(60), TimeProvider.System, cancellation),
+            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(60) }, TimeProvider.System, CancellationToken.None);
     }
 
     /// <summary>Runs a job and closes the session behind it.</summary>
@@ -90,7 +90,7 @@ internal sealed class SimulatedBench : IAsyncDisposable
         Assert.IsType<Accepted>(await channel.DownloadAsync(program, CancellationToken.None));
     }
 
-    private CommandChannel OpenChannel() => new(new StreamLink(Controller.OpenConnection(), "memory"), "F", TimeSpan.FromSeconds(5), TimeProvider.System, null);
+    private CommandChannel OpenChannel() => new(new StreamLink(Controller.OpenConnection(), "memory"), "F", TimeSpan.FromSeconds(60), TimeProvider.System, null);
 
     public ValueTask DisposeAsync() => Controller.DisposeAsync();
 }

@@ -20,7 +20,8 @@ internal sealed class PseudoTerminalPair : IDisposable
 
     public string Device { get; }
 
-    public SerialLink Open(TimeProvider? time = null) => SerialLink.Open(new SerialAddress(Device, 19200), TimeSpan.FromSeconds(2), time ?? TimeProvider.System);
+    /// <param name="time">A clock of the test's, on which a line that takes no byte is given up after 2 s; null for the wall's, which a busy computer must not run out of.</param>
+    public SerialLink Open(TimeProvider? time = null) => SerialLink.Open(new SerialAddress(Device, 19200), TimeSpan.FromSeconds(time is null ? 60 : 2), time ?? TimeProvider.System);
 
     public void Say(string text)
     {

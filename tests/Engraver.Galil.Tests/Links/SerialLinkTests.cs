@@ -8,7 +8,7 @@ namespace Engraver.Galil.Tests.Links;
 /// <summary>The link against a bare pseudo-terminal.</summary>
 public class SerialLinkTests
 {
-    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(20);
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
 
     [Fact]
     public async Task Every_byte_arrives_as_it_is_both_ways()

@@ -27,7 +27,7 @@ public class TcpLinkTests
         using var listener = new TcpListener(IPAddress.Loopback, 0);
         listener.Start();
         var accepting = listener.AcceptTcpClientAsync();
-        await using var link = await TcpLink.ConnectAsync("127.0.0.1", ((IPEndPoint)listener.LocalEndpoint).Port, TimeSpan.FromSeconds(5), TimeProvider.System, CancellationToken.None);
+        await using var link = await TcpLink.ConnectAsync("127.0.0.1", ((IPEndPoint)listener.LocalEndpoint).Port, TimeSpan.FromSeconds(60), TimeProvider.System, CancellationToken.None);
         var buffer = new byte[16];
 
         using (var other = await accepting)

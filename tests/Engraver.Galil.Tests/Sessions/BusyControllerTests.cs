@@ -18,8 +18,8 @@ public class BusyControllerTests
         var end = await controller.ListenTcpAsync(0, CancellationToken.None);
 
         var failure = await Assert.ThrowsAsync<ControllerLinkException>(() => Galil.Sessions.ControllerSession.OpenAsync(
-            async cancellation => await Galil.Links.TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(5), TimeProvider.System, cancellation),
-            new Galil.Sessions.SessionOptions(),
+            async cancellation => await Galil.Links.TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(60), TimeProvider.System, cancellation),
+            new Galil.Sessions.SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(60) },
             TimeProvider.System,
             CancellationToken.None));
 

@@ -66,14 +66,47 @@ public class ControllerSessionTests
     }
 
     [Fact]
+    public async Task Whatever_is_refused_at_connect_the_session_opens_or_says_that_it_is_no_controller()
+    {
+        var link = new ScriptedLink(Answer);
+        await (await OpenAsync(link)).DisposeAsync();
+        for (var refused = 0; refused < link.Received.Count; refused++)
+        {
+            var said = -1;
+            var isReason = false;
+            var stubborn = new ScriptedLink(line =>
+            {
+                if (isReason && line == "TC1")
+                {
+                    isReason = false;
+                    return "1 Unrecognized command\r\n:";
+                }
+
+                isReason = ++said == refused;
+                return isReason ? "?" : Answer(line);
+            });
+            if (link.Received[refused] is "\x12\x16") await Assert.ThrowsAsync<ProtocolViolationException>(() => OpenAsync(stubborn));
+            else await (await OpenAsync(stubborn)).DisposeAsync();
+        }
+    }
+
+    [Fact]
+    public async Task A_controller_without_a_data_record_is_taken_as_it_is()
+    {
+        await using var session = await OpenAsync(new ScriptedLink(line => line switch { "QZ" => "?", "TC1" => "1 Unrecognized command\r\n:", _ => Answer(line) }));
+
+        Assert.Null(session.Identity.RecordBytes);
+    }
+
+    [Fact]
     public async Task When_every_handle_is_taken_the_session_does_not_open_and_frees_what_it_had()
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, HandleCount = 1 });
         var end = await controller.ListenTcpAsync(0, CancellationToken.None);
 
         await Assert.ThrowsAnyAsync<ControllerException>(() => ControllerSession.OpenAsync(
-            async cancellation => await TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(5), TimeProvider.System, cancellation),
-            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(5) }, TimeProvider.System, CancellationToken.None));
+            async cancellation => await TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(60), TimeProvider.System, cancellation),
+            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(60) }, TimeProvider.System, CancellationToken.None));
 
         await controller.WaitUntilAsync(status => status.OpenHandles == 0, CancellationToken.None);
     }
@@ -102,7 +135,7 @@ public class ControllerSessionTests
         await using var bench = new SimulatedBench();
         await using var session = await bench.OpenAsync();
 
-        var record = Assert.IsType<Accepted>(await session.Commands.ReadRecordAsync(session.Identity.RecordBytes, CancellationToken.None));
+        var record = Assert.IsType<Accepted>(await session.Commands.ReadRecordAsync(session.Identity.RecordBytes!.Value, CancellationToken.None));
 
         Assert.Equal(156, record.Data.Length);
         Assert.Equal(('\x87', '\x0F'), (record.Data[0], record.Data[1]));

@@ -67,7 +67,7 @@ public class SerialSessionTests
         using var stop = new CancellationTokenSource();
         var sent = new List<string>();
         var link = new WithheldLink(bench.OpenSerialLink(19200)) { Sending = text => { sent.Add(text); if (sent.Count == 4) stop.Cancel(); } };
-        await using var channel = new CommandChannel(link, "A", TimeSpan.FromSeconds(5), TimeProvider.System, null);
+        await using var channel = new CommandChannel(link, "A", TimeSpan.FromSeconds(60), TimeProvider.System, null);
         await channel.GreetAsync(CancellationToken.None);
 
         await Assert.ThrowsAnyAsync<OperationCanceledException>(
@@ -83,7 +83,7 @@ public class SerialSessionTests
     public async Task A_whole_program_memory_goes_both_ways_at_1200_baud()
     {
         await using var bench = new SimulatedBench();
-        await using var channel = new CommandChannel(bench.OpenSerialLink(1200), "A", TimeSpan.FromSeconds(5), TimeProvider.System, null);
+        await using var channel = new CommandChannel(bench.OpenSerialLink(1200), "A", TimeSpan.FromSeconds(60), TimeProvider.System, null);
         await channel.GreetAsync(CancellationToken.None);
         var program = string.Join('\n', Enumerable.Repeat("VP 12345,-12345;VP 23456,-23456", 1000));
 
@@ -116,7 +116,7 @@ public class SerialSessionTests
         Exchange(port, left);
         return ControllerSession.OpenAsync(
             _ => Task.FromResult<IControllerLink>(new StreamLink(port, "serial memory") { Line = new SerialLine(19200) }),
-            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(1) }, TimeProvider.System, CancellationToken.None);
+            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(60) }, TimeProvider.System, CancellationToken.None);
     }
 
     private static string Exchange(Stream port, string text)

@@ -1,0 +1,33 @@
+namespace Engraver.Cli;
+
+/// <summary>Runs a verb so that the operator's stop ends it soon, however long it computes.</summary>
+/// <remarks>The stages are pure and hold nothing but memory, so they are not asked: the verb is left behind on its thread, which ends with the process. That is as quick in the
+/// middle of the longest loop, and of a read from a pipe that nobody writes, as between two stages, and no loop pays for it. Two things may not be left behind. A machine:
+/// while one is in hand the verb is waited for, for it brakes first. And a file under its temporary name: the file itself takes care of that
+/// (<see cref="Workbench.Documents.OutputFile"/>).</remarks>
+internal static class StoppableVerb
+{
+    /// <summary>Computes something that the operator's stop need not wait for.</summary>
+    /// <exception cref="OperationCanceledException">The operator stopped it; what computes is left behind.</exception>
+    public static Task<T> ComputeAsync<T>(Func<T> compute, CancellationToken stop) => OnItsOwnThread(() => Task.FromResult(compute())).WaitAsync(stop);
+
+    /// <returns>The exit code of the verb.</returns>
+    /// <exception cref="OperationCanceledException">The operator stopped it. When the verb was left behind, <paramref name="streams"/> take nothing more.</exception>
+    public static async Task<int> RunAsync(Func<Task<int>> verb, ConsoleStreams streams, MachineInHand machine, CancellationToken stop)
+    {
+        var running = OnItsOwnThread(verb);
+        try
+        {
+            return await running.WaitAsync(stop).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException) when (!running.IsCompleted)
+        {
+            if (machine.IsTaken) return await running.ConfigureAwait(false);
+            streams.Abandon();
+            throw;
+        }
+    }
+
+    /// <summary>A verb computes at once and for long, and the pool may be busy.</summary>
+    private static Task<T> OnItsOwnThread<T>(Func<Task<T>> act) => Task.Factory.StartNew(act, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).Unwrap();
+}

@@ -1,0 +1,61 @@
+using System.Text;
+
+namespace Engraver.Simulator.Protocol;
+
+/// <summary>Text that follows a command up to an end mark and gets its prompt only then: a program (DL) or the elements of an array (QD) (galil-dmc.md A.6).</summary>
+internal sealed class TextIntake(Handle handle, ICommandSink sink)
+{
+    private readonly StringBuilder _received = new();
+    private Action<string>? _arrayTarget;
+    private bool _isProgram;
+    private bool _hasFailed;
+
+    /// <summary>The end mark has not come yet.</summary>
+    public bool IsOpen => _isProgram || _arrayTarget is not null;
+
+    public void BeginProgram()
+    {
+        _isProgram = true;
+        _hasFailed = false;
+        _received.Clear();
+    }
+
+    /// <param name="store">Is given the whole text.</param>
+    public void BeginArray(Action<string> store)
+    {
+        _arrayTarget = store;
+        _received.Clear();
+    }
+
+    /// <returns>True for the end mark; <see cref="End"/> is then due.</returns>
+    public bool Accept(char c)
+    {
+        var isEnd = c is '\\' or '\x1A' || (_isProgram && c is '\x11' or '\x04');
+        if (_isProgram && (c == '\r' || isEnd)) EndLine();
+        else if (!isEnd) _received.Append(c);
+        return isEnd;
+    }
+
+    /// <returns>The answer to the whole; null for silence.</returns>
+    public string? End()
+    {
+        if (_isProgram)
+        {
+            _isProgram = false;
+            return sink.EndDownload(_hasFailed);
+        }
+
+        var store = _arrayTarget!;
+        _arrayTarget = null;
+        return sink.StoreArray(handle, () => store(_received.ToString()));
+    }
+
+    private void EndLine()
+    {
+        var line = _received.ToString();
+        _received.Clear();
+        if (_hasFailed || sink.StoreLine(line)) return;
+        _hasFailed = true;
+        handle.SendText("?");
+    }
+}

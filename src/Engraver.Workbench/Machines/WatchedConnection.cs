@@ -1,0 +1,112 @@
+using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>The controller that a machine session has, and the watch that looks at it while no job runs. Nothing is connected at first.</summary>
+/// <remarks>What it has may be asked from any thread; connecting, letting go and making way for a job are the session's, one after the other.</remarks>
+internal sealed class WatchedConnection(TimeProvider time, Action<MachinePoll> seen, Action<ControllerException> lost)
+{
+    private readonly Lock _guard = new();
+    private MachineWatch? _watch;
+
+    /// <summary>Null while none is connected.</summary>
+    public MachineConnection? Connection { get; private set; }
+
+    public ControllerAddress? Address { get; private set; }
+
+    public ControllerIdentity? Identity { get; private set; }
+
+    /// <summary>Null while none is connected, and on a single wire while a job has it.</summary>
+    public MachineWatch? Watch
+    {
+        get
+        {
+            lock (_guard) return _watch;
+        }
+    }
+
+    /// <summary>Shakes hands and looks once; watching begins with <see cref="ResumeAsync"/> or <see cref="Resume"/>.</summary>
+    /// <exception cref="ControllerException">Nobody answers there; nothing is connected then.</exception>
+    public async Task<MachinePoll> OpenAsync(ControllerAddress address, CancellationToken cancellation)
+    {
+        var connection = MachineConnection.To(address, time);
+        MachineWatch? watch = null;
+        try
+        {
+            watch = await MachineWatch.OpenAsync(connection, time, cancellation).ConfigureAwait(false);
+            var poll = await watch.LookAsync(cancellation).ConfigureAwait(false);
+            lock (_guard) (Connection, Address, Identity, _watch) = (connection, address, watch.Identity, watch);
+            return poll;
+        }
+        finally
+        {
+            if (Identity is null && watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
+            if (Identity is null) await connection.DisposeAsync().ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>From now on it is looked at again and again.</summary>
+    public void Resume() => Watch?.Resume(seen, lost);
+
+    /// <summary>From now on nothing is connected; what was is still open and is the caller's.</summary>
+    /// <returns>Null when nothing was connected.</returns>
+    public (MachineConnection Connection, MachineWatch? Watch)? Take()
+    {
+        lock (_guard)
+        {
+            if (Connection is not { } connection) return null;
+            var watch = _watch;
+            (Connection, Address, Identity, _watch) = (null, null, null, null);
+            return (connection, watch);
+        }
+    }
+
+    /// <summary>For a job: the watch falls silent, and on a single wire goes.</summary>
+    public async Task GiveWayAsync()
+    {
+        if (Watch is not { } watch) return;
+        await watch.PauseAsync().ConfigureAwait(false);
+        if (!watch.IsSingleWire) return;
+        lock (_guard) _watch = null;
+        await watch.DisposeAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>After a job the machine is watched again; a watch that was lost with the job's link is opened anew, once.</summary>
+    public async Task ResumeAsync(MachineConnection connection)
+    {
+        try
+        {
+            var watch = Watch;
+            if (watch is null or { IsBroken: true })
+            {
+                if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
+                watch = await MachineWatch.OpenAsync(connection, time, CancellationToken.None).ConfigureAwait(false);
+                lock (_guard) _watch = watch;
+            }
+
+            seen(await watch.LookAsync(CancellationToken.None).ConfigureAwait(false));
+            watch.Resume(seen, lost);
+        }
+        catch (ControllerException failure)
+        {
+            lost(failure);
+        }
+    }
+
+    /// <summary>An act over the watch that nobody waits for; its failure is told while that watch is still the one in use.</summary>
+    public void ActUrgently(MachineWatch watch, Func<MachineWatch, Task> act) => UrgentThread.Run(() => _ = UrgentlyAsync(watch, act));
+
+    private async Task UrgentlyAsync(MachineWatch watch, Func<MachineWatch, Task> act)
+    {
+        try
+        {
+            await act(watch).ConfigureAwait(false);
+        }
+        catch (ControllerException failure)
+        {
+            if (ReferenceEquals(watch, Watch)) lost(failure);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+namespace Engraver.Cli.Tests;
+
+/// <summary>The operator's stop does not wait for a verb that computes, and always for one that has a machine in hand.</summary>
+public class StoppableVerbTests
+{
+    [Fact]
+    public async Task A_verb_that_computes_is_left_behind_and_says_nothing_more()
+    {
+        using var verb = new LongVerb();
+        using var said = new MemoryStream();
+        using (var streams = new ConsoleStreams(said, TextWriter.Null))
+        {
+            var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new MachineInHand(), verb.Stop.Token);
+            await verb.Begun;
+            await verb.Stop.CancelAsync();
+
+            await Assert.ThrowsAnyAsync<OperationCanceledException>(() => running);
+        }
+
+        Assert.Empty(said.ToArray());
+    }
+
+    [Fact]
+    public async Task A_verb_with_a_machine_in_hand_is_waited_for_whatever_it_takes()
+    {
+        using var verb = new LongVerb();
+        using var said = new MemoryStream();
+        using (var streams = new ConsoleStreams(said, TextWriter.Null))
+        {
+            var machine = new MachineInHand();
+            machine.Follow(true);
+            var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
+            await verb.Begun;
+            await verb.Stop.CancelAsync();
+            Assert.False(running.IsCompleted);
+            verb.Release();
+
+            Assert.Equal(LongVerb.Code, await running);
+        }
+
+        Assert.Equal("half and whole", System.Text.Encoding.UTF8.GetString(said.ToArray()));
+    }
+
+    [Fact]
+    public async Task A_machine_that_was_let_go_is_not_waited_for()
+    {
+        using var verb = new LongVerb();
+        using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
+        var machine = new MachineInHand();
+        machine.Follow(true);
+        machine.Follow(false);
+        var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
+        await verb.Begun;
+        await verb.Stop.CancelAsync();
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => running);
+    }
+
+    [Fact]
+    public async Task What_only_computes_is_left_behind_inside_a_verb_too()
+    {
+        using var verb = new LongVerb();
+        var computing = StoppableVerb.ComputeAsync(() => verb.Run(TextWriter.Null), verb.Stop.Token);
+        await verb.Begun;
+        await verb.Stop.CancelAsync();
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => computing);
+    }
+
+    /// <summary>A verb that hears nothing while it computes, and computes until it is released.</summary>
+    private sealed class LongVerb : IDisposable
+    {
+        public const int Code = 42;
+
+        private readonly TaskCompletionSource _begun = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        private readonly ManualResetEventSlim _released = new();
+
+        public CancellationTokenSource Stop { get; } = new();
+
+        public Task Begun => _begun.Task;
+
+        public Task<int> Run(TextWriter output)
+        {
+            output.Write("half");
+            _begun.SetResult();
+            _released.Wait();
+            output.Write(" and whole");
+            return Task.FromResult(Code);
+        }
+
+        public void Release() => _released.Set();
+
+        /// <summary>Lets a verb that was left behind go; the event stays, for it may still be waking up.</summary>
+        public void Dispose()
+        {
+            Release();
+            Stop.Dispose();
+        }
+    }
+}

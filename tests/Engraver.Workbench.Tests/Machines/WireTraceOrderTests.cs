@@ -1,0 +1,27 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Workbench.Tests.Machines;
+
+/// <summary>The trace of a run ends behind its session: what is said while the controller is given back stands in it too.</summary>
+public sealed class WireTraceOrderTests : IDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-test-");
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    [Fact]
+    public async Task The_last_words_of_the_session_are_in_the_trace()
+    {
+        var job = MachineBench.Job();
+        var path = Path.Combine(_folder.FullName, "trace.txt");
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), JobMode.Stream) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl"), TracePath = path };
+        var report = await MachineRun.RunAsync(job, job.Motion.Program!, options, TimeProvider.System, null, CancellationToken.None);
+        var lines = (await File.ReadAllLinesAsync(path)).Select(line => line[(line.IndexOf(' ', StringComparison.Ordinal) + 1)..]).ToList();
+
+        Assert.Null(report.TraceFailure);
+        Assert.StartsWith("A > VF ", lines[^6], StringComparison.Ordinal); // number format, port and mark of messages: the session's own settings, restored when it is closed
+        Assert.Equal(["A < :", "A > CF S", "A < :", "A > CW 2", "A < :"], lines[^5..]);
+    }
+}
