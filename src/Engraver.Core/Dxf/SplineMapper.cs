@@ -94,17 +94,20 @@ internal sealed class SplineMapper
         return new NurbsCurve(_degree, Knots(record, shape), Homogeneous(record, shape)).ToCurve();
     }
 
-    /// <summary>The knots as written, or what stands in for them. OpenNURBS (Rhino) has no first and no last knot, on which no point depends: with these two repeated its curve is exact.</summary>
+    /// <summary>The knots as written, or what stands in for them. OpenNURBS (Rhino) has no first and no last knot, on which no point depends: with these two repeated its clamped curve is exact.</summary>
     private double[] Knots(EntityRecord record, CurveShape shape)
     {
         double[] knots = [.. _knots];
         if (NurbsCurve.AreUsable(knots, _degree, _controls.Count)) return knots;
-        double[] completed = knots is [var first, .., var last] ? [first, .. knots, last] : [];
+        double[] completed = IsClamped(knots) ? [knots[0], .. knots, knots[^1]] : [];
         var isTwoShort = NurbsCurve.AreUsable(completed, _degree, _controls.Count);
         var repair = isTwoShort ? "two are missing, so the first and the last were repeated once" : "uniform knots were used";
         Note(record, shape, DxfRules.SplineWithoutKnots, string.Create(CultureInfo.InvariantCulture, $"{_controls.Count} control points of degree {_degree}; {repair}"));
         return isTwoShort ? completed : NurbsCurve.UniformKnots(_degree, _controls.Count);
     }
+
+    /// <summary>True when as many knots as the degree agree at each end.</summary>
+    private bool IsClamped(double[] knots) => knots.Length >= 2 * _degree && knots[0] == knots[_degree - 1] && knots[^1] == knots[^_degree];
 
     /// <summary>Weights that do not fit, or are not all positive, cannot be meant: all are taken as 1 then.</summary>
     private double[] Homogeneous(EntityRecord record, CurveShape shape)

@@ -31,7 +31,8 @@ internal static class SecondSplines
         if (degree < 1 || degree > 25 || controls.Count <= degree) return null;
         var (knots, weights) = (record.Numbers(40), record.Numbers(41));
         Climb(knots);
-        if (knots.Length > 1 && knots.Length == controls.Count + degree - 1) knots = [knots[0], .. knots, knots[^1]]; // as OpenNURBS writes them
+        var isTwoShort = knots.Length >= 2 * degree && knots.Length == controls.Count + degree - 1 && knots[degree - 1] <= knots[0] && knots[^1] <= knots[^degree];
+        if (isTwoShort) knots = [knots[0], .. knots, knots[^1]]; // as OpenNURBS writes clamped ones
         var usable = knots.Length == controls.Count + degree + 1 && !knots.Zip(knots.Skip(1)).Any(pair => !(pair.First <= pair.Second)) && knots[degree] < knots[controls.Count];
         if (!usable) knots = [.. Enumerable.Range(0, controls.Count + degree + 1).Select(i => (double)Math.Clamp(i - degree, 0, controls.Count - degree))];
         if (weights.Length != controls.Count || !weights.All(weight => weight > 0.0)) weights = [.. controls.Select(_ => 1.0)];

@@ -2,7 +2,7 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Questions with numbers for answers, and commands without.</summary>
+/// <summary>Questions with numbers for answers.</summary>
 public static class ChannelQuestions
 {
     /// <summary>MG of a list of operands, for example <c>_RPA,_RPB,TIME</c>; as many numbers come back as were asked for.</summary>
@@ -21,18 +21,4 @@ public static class ChannelQuestions
     /// <summary>MG of one operand that is a whole number, in a format of its own: before the session has set VF the owner's would cut it off (VF 4.0 prints 256000 as 9999) or print it in hexadecimal.</summary>
     /// <exception cref="ProtocolViolationException">The answer is no number.</exception>
     internal static ValueTask<Reading> ReadWholeAsync(this CommandChannel channel, string operand, CancellationToken cancellation) => channel.ReadAsync(operand + "{F10.0}", cancellation);
-
-    /// <summary>Sends commands one after the other and stops at the first that is refused.</summary>
-    /// <returns>The refusal, or null when all were accepted.</returns>
-    public static async ValueTask<Rejected?> SendAllAsync(this CommandChannel channel, IEnumerable<string> commands, CancellationToken cancellation)
-    {
-        ArgumentNullException.ThrowIfNull(channel);
-        ArgumentNullException.ThrowIfNull(commands);
-        foreach (var command in commands)
-        {
-            if (await channel.SendAsync(command, cancellation).ConfigureAwait(false) is Rejected rejected) return rejected;
-        }
-
-        return null;
-    }
 }

@@ -36,12 +36,6 @@ public sealed class LiveTerminal
         return answers;
     }
 
-    public void Clear()
-    {
-        lock (_guard) _lines.Clear();
-        Changed?.Invoke(this, EventArgs.Empty);
-    }
-
     internal void Add(TerminalAnswerKind? kind, string text)
     {
         lock (_guard)

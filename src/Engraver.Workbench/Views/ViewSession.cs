@@ -25,15 +25,6 @@ public sealed class ViewSession
 
     public ViewState Current { get; private set; } = ViewState.Default;
 
-    /// <summary>How many views ZOOM Previous can go back.</summary>
-    public int PreviousCount
-    {
-        get
-        {
-            lock (_guard) return _previous.Count;
-        }
-    }
-
     /// <summary>The canvas tells its shape: width over height. Ignored unless above 0 and finite.</summary>
     public void SetAspect(double aspect)
     {

@@ -105,10 +105,21 @@ public class FreeCurveTests
         Assert.Equal(Reading.Entities(Spline).Curves[0].PlanLength, drawing.Curves[0].PlanLength, 1e-12);
     }
 
+    [Fact]
+    public void Too_few_knots_that_are_not_clamped_are_not_completed()
+    {
+        (int, object)[] points = [(10, 0), (20, 0), (10, 0), (20, 9), (10, 3), (20, 3), (10, 3), (20, 0), (10, 4), (20, 0)];
+        Drawing With(params double[] written) => Reading.Entities([(0, "SPLINE"), (71, 3), .. written.Select(knot => (40, (object)knot)), .. points]);
+        var drawing = With(0, 1, 2, 3, 4, 5, 6);
+
+        Assert.Equal(With(0, 0, 0, 0, 1, 2, 2, 2, 2).Curves[0].PlanLength, drawing.Curves[0].PlanLength);
+        Assert.Contains("uniform knots", Assert.Single(drawing.Diagnostics).Message, StringComparison.Ordinal);
+    }
+
     /// <summary>OpenNURBS writes neither the first nor the last knot; no point of the curve depends on them.</summary>
     [Theory]
     [InlineData("0 0 0 2 5 5 5")]
-    [InlineData("-2 -1 0 2 5 6 7")]
+    [InlineData("-2 -2 -2 2 5 5 5")]
     public void Two_missing_knots_are_the_first_and_the_last(string numbers)
     {
         double[] knots = [.. numbers.Split(' ').Select(number => double.Parse(number, System.Globalization.CultureInfo.InvariantCulture))];
