@@ -184,6 +184,17 @@ internal sealed class Machine
         if (programsToo) Threads.HaltAll();
     }
 
+    /// <summary>Whether the abort input is closed (<c>_AB</c> 0).</summary>
+    public bool IsAbortInputActive { get; private set; }
+
+    /// <summary>The edge aborts; what begins while the input stays closed is not held back.</summary>
+    public void SetAbortInput(bool active)
+    {
+        var edge = active && !IsAbortInputActive;
+        IsAbortInputActive = active;
+        if (edge) Abort(!Motion.Polarity.AbortKeepsPrograms, StopCode.AbortInput);
+    }
+
     /// <summary>RS: back to the burned state (A.1); #AUTO starts when the burned program has it.</summary>
     public void Reset()
     {

@@ -160,8 +160,8 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.With(m => m.Inputs.Set(input, level));
     }
 
-    /// <summary>The abort input was hit: all motion stops without a ramp, programs too unless CN's fifth field is 1 (galil-dmc.md D).</summary>
-    public void PressAbort() => _core.With(m => m.Abort(!m.Motion.Polarity.AbortKeepsPrograms, Motion.StopCode.AbortInput));
+    /// <summary>Closes or opens the abort input. Where it becomes active all motion stops without a ramp, programs too unless CN's fifth field is 1, and <c>_AB</c> is 0 while it lasts (galil-dmc.md D).</summary>
+    public void SetAbortInput(bool active) => _core.With(m => m.SetAbortInput(active));
 
     /// <summary>Stops listening, cuts every link, completes the record's file.</summary>
     public async ValueTask DisposeAsync()

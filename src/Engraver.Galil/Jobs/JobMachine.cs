@@ -219,11 +219,20 @@ internal sealed class JobMachine
     {
         if (State.Tripped)
             return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.", LinkLoss.Watchdog);
-        if (State.ProgramError == 0) return JobStep.Broken("Somebody halted the program in the controller that watches over this job; nobody else may use the controller while a job runs.");
+        if (State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
         if (State.ProgramError == WatchedJob.Strayed)
             return JobStep.Broken(Text($"The motion ended at {State.Position.X},{State.Position.Y} before its end ({StopCodes.Text(State.StopCode)}); find out what stopped it."));
         var (line, _) = await AskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false);
         var code = (TcCode)State.ProgramError;
         return Refuse(new Rejected(code, TcCodes.Text(code), Text($"line {line:0} of the downloaded program")), PlaceInProgram((int)line));
+    }
+
+    /// <summary>Halted from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is closed, by AB, or by HX.</summary>
+    private async ValueTask<JobStep> ProgramHaltedAsync()
+    {
+        var where = Text($"at {State.Position.X},{State.Position.Y}");
+        if (State.StopCode == StopCodes.AbortInput || await AskAtRestAsync("_AB").ConfigureAwait(false) == 0)
+            return JobStep.Broken($"The abort input of the controller was hit; the machine stopped {where} without a ramp. Look at the machine and the tool, release the input, and start again.");
+        return JobStep.Broken($"Somebody halted the program in the controller that watches over this job ({StopCodes.Text(State.StopCode)}, {where}); nobody else may use the controller while a job runs.");
     }
 }

@@ -8,6 +8,8 @@ public static class StopCodes
     /// <summary>An independent move that ended where it was sent.</summary>
     public const int AtTarget = 1;
 
+    public const int AbortInput = 6;
+
     public const int SequenceRunning = 100;
 
     /// <summary>A vector sequence that was ended by VE.</summary>
@@ -20,7 +22,7 @@ public static class StopCodes
         2 => "stopped by the forward limit switch or the software limit FL",
         3 => "stopped by the reverse limit switch or the software limit BL",
         4 => "stopped by an ST command",
-        6 => "stopped by the abort input",
+        AbortInput => "stopped by the abort input",
         7 => "stopped by an AB command",
         8 => "switched off because of the position error",
         11 => "stopped by a selective abort input",

@@ -73,7 +73,7 @@ internal static class Operands
         ["BN"] = _ => Whole(2143),
         ["BV"] = _ => Whole(Axis.Real),
         ["QZ"] = r => Whole(r.Number(3) switch { 0 => Axis.Real, 1 => 24, 2 => 16, _ => 28 }),
-        ["AB"] = _ => FixedPoint.True, // abort input inactive
+        ["AB"] = r => FixedPoint.FromBoolean(!r.Machine.IsAbortInputActive),
         ["CN"] = r => Whole(r.Machine.Motion.Polarity.Fields[r.Number(4)]),
         ["LZ"] = r => FixedPoint.FromBoolean(r.Machine.StripLeadingZeros),
         ["PF"] = r => FormatNumber(r.Machine.PositionFormat),
