@@ -222,9 +222,18 @@ internal sealed class JobMachine
         if (State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
         if (State.ProgramError == WatchedJob.Strayed)
             return JobStep.Broken(Text($"The motion ended at {State.Position.X},{State.Position.Y} before its end ({StopCodes.Text(State.StopCode)}); find out what stopped it."));
+        if (State.ProgramError == PositionErrorProgram.Code) return await CannotFollowAsync().ConfigureAwait(false);
         var (line, _) = await AskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false);
         var code = (TcCode)State.ProgramError;
         return Refuse(new Rejected(code, TcCodes.Text(code), Text($"line {line:0} of the downloaded program")), PlaceInProgram((int)line));
+    }
+
+    /// <summary>An axis was further from its reference position than ER: jammed, or driven beyond what the motor can do.</summary>
+    private async ValueTask<JobStep> CannotFollowAsync()
+    {
+        var (a, b) = (await AskAtRestAsync("_TEA").ConfigureAwait(false), await AskAtRestAsync("_TEB").ConfigureAwait(false));
+        var far = a is { } first && b is { } second ? Text($" (A is {first:0} and B {second:0} counts off)") : "";
+        return JobStep.Broken(Text($"The position error became larger than ER allows at {State.Position.X},{State.Position.Y}{far}: an axis cannot follow. Look for what holds it; a lower feed or acceleration may help."));
     }
 
     /// <summary>Halted from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is closed, by AB, or by HX.</summary>

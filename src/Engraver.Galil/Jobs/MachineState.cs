@@ -13,7 +13,7 @@ namespace Engraver.Galil.Jobs;
 /// <param name="Time">TIME, samples.</param>
 /// <param name="StopCode">_SCA.</param>
 /// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
-/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="WatchedJob.Strayed"/> for a motion that ended early.</param>
+/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="WatchedJob.Strayed"/> for a motion that ended early, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow.</param>
 /// <param name="Tripped">wtrip: the watchdog has stopped the machine.</param>
 /// <param name="Outputs">_OP0: outputs 1 to 8, bit 0 is output 1.</param>
 internal readonly record struct MachineState(

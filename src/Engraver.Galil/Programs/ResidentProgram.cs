@@ -2,7 +2,7 @@ using Engraver.Galil.Profiles;
 
 namespace Engraver.Galil.Programs;
 
-/// <summary>What stays in the controller while the host runs a job: a loop in thread 0 (handlers only run beside one on older firmware, galil-dmc.md C.3), the watchdog in thread 1 and #CMDERR.</summary>
+/// <summary>What stays in the controller while the host runs a job: a loop in thread 0 (handlers only run beside one on older firmware, galil-dmc.md C.3), the watchdog in thread 1, #POSERR and #CMDERR.</summary>
 /// <remarks>
 /// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/>, <c>XQ</c> <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
 /// <see cref="Variables.Heartbeat"/> at least every 300 ms. The constants spell every name the host needs.
@@ -20,11 +20,14 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
 
     /// <summary>The host streams segments; nothing but the watchdog works in the controller.</summary>
     public static ResidentProgram ForStream(MachineProfile profile) =>
-        Compose(IdleProgram.Entry, IdleProgram.Lines, WatchdogProgram.Lines(profile), CommandErrorProgram.Lines(profile));
+        Compose(IdleProgram.Entry, IdleProgram.Lines, Guards(profile));
 
     /// <summary>The host assigns variables and the server calls #LINEAR, #CIRC and the rest.</summary>
     public static ResidentProgram ForCalls(MachineProfile profile) =>
-        Compose(CallsServerProgram.Entry, CallsServerProgram.Lines(profile), WatchdogProgram.Lines(profile), CommandErrorProgram.Lines(profile));
+        Compose(CallsServerProgram.Entry, CallsServerProgram.Lines(profile), Guards(profile));
+
+    /// <summary>What stops the machine when the host is lost, an axis cannot follow or a line is refused.</summary>
+    internal static IReadOnlyList<string> Guards(MachineProfile profile) => [.. WatchdogProgram.Lines(profile), .. PositionErrorProgram.Lines(profile), .. CommandErrorProgram.Lines(profile)];
 
     private static ResidentProgram Compose(string entry, params IReadOnlyList<string>[] parts)
     {
@@ -41,7 +44,7 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
         /// <summary>1 when the watchdog has stopped the machine.</summary>
         public const string WatchdogTripped = "wtrip";
 
-        /// <summary>TC code of a refused program line, 0 while there was none. The server has then given up.</summary>
+        /// <summary>TC code of a refused program line, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow, 0 while there was neither. The server has then given up.</summary>
         public const string ErrorCode = "errcode";
 
         /// <summary>Line of the program that was refused.</summary>

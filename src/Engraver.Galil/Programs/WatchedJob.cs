@@ -5,7 +5,7 @@ using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs;
 
-/// <summary>A job as programs that cut on their own while a host watches (paper 001's own use; galil-dmc.md F.1 method 2): counted, checked after every motion, with the watchdog and #CMDERR.</summary>
+/// <summary>A job as programs that cut on their own while a host watches (paper 001's own use; galil-dmc.md F.1 method 2): counted, checked after every motion, with the watchdog, #POSERR and #CMDERR.</summary>
 /// <remarks>
 /// <c>seq</c> is counted twice for each vector sequence: odd while it is under way, so that <c>_CSS</c> is known to belong to it, even in between; once more when the chunk
 /// is done and the tool has settled. A motion that did not end where it should (a limit switch, an ST from elsewhere) ends in #STRAY: tool off, stop, <c>errcode</c> -1; without this check the
@@ -69,7 +69,6 @@ internal sealed class WatchedJob
         .. RapidLines($"JP{Stray},(_RPA<>x)|(_RPB<>y)"),
         .. SequenceWriter.RoomLines($"JP{Stray},_BGS=0"),
         .. new ProgramLines().Line(Stray).Line(StopEverything(profile)).Line(Text($"{Variables.ErrorCode}={Strayed}")).Line("ZS").Line("JP#HALT").Lines,
-        .. WatchdogProgram.Lines(profile),
-        .. CommandErrorProgram.Lines(profile),
+        .. Guards(profile),
     ];
 }
