@@ -126,7 +126,7 @@ public sealed class CommandWindowModel : Observable
 
     private void Suggest()
     {
-        var wanted = _desk.Prompt.Command is null || _line.StartsWith('\'');
+        var wanted = _desk.Prompt.Command is null || (_line.StartsWith('\'') && !_desk.Prompt.TakesSpaces);
         Suggestions = wanted ? [.. _desk.Session.Suggest(_line).DistinctBy(suggestion => suggestion.Text).Take(MostSuggestions)] : [];
         Suggested = -1;
     }
