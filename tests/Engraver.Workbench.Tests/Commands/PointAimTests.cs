@@ -31,7 +31,9 @@ public class PointAimTests
         { ["DIST", "1,2"], s_from },
         { ["AREA", "0,0", "1,2"], s_from },
         { ["PAN", "1,2"], s_from },
-        { ["ZOOM"], PointAim.Place },
+        { ["MOVE", "W"], PointAim.FirstCorner },
+        { ["ZOOM"], PointAim.FirstCorner },
+        { ["ZOOM", "W"], PointAim.FirstCorner },
         { ["ZOOM", "1,2"], s_corner },
         { ["ENTER"], s_object },
     };
