@@ -78,6 +78,7 @@ public sealed partial class DrawingCanvas
         base.OnPointerExited(e);
         (_cursor.Place, _cursor.Snap, _signs.Hovered) = (null, null, null);
         UpdateSigns();
+        ShowCursor();
         Commands?.CursorAt(null);
     }
 
@@ -110,11 +111,9 @@ public sealed partial class DrawingCanvas
         {
             case CanvasIntent.Pan pan:
                 View?.PanBy(new Vector2D(pan.By.X * UnitsPerPoint, -pan.By.Y * UnitsPerPoint));
-                HoverAgain();
                 break;
             case CanvasIntent.Zoom zoom:
                 View?.ZoomAbout(ToDrawing(zoom.About), zoom.Factor);
-                HoverAgain();
                 break;
             case CanvasIntent.Hover hover:
                 Hover(hover.At);

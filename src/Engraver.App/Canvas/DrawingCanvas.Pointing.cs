@@ -27,9 +27,7 @@ public sealed partial class DrawingCanvas
     /// <summary>A command may ask for something else now: the cursor shows it without waiting for the hand.</summary>
     public void TakeAim()
     {
-        if (!LookWhatIsAsked()) return;
-        HoverAgain();
-        ShowCursor();
+        if (LookWhatIsAsked()) PointAgain();
     }
 
     /// <summary>The entity under the pickbox when it stands here (units of the control); null: none.</summary>
@@ -66,10 +64,11 @@ public sealed partial class DrawingCanvas
         Commands?.CursorAt(Aimed(at));
     }
 
-    /// <summary>The drawing moved under the cursor.</summary>
-    private void HoverAgain()
+    /// <summary>The drawing moved under the cursor, or something else is asked or helps to point.</summary>
+    private void PointAgain()
     {
         if (_cursor.Place is { } at) Hover(new Point2D(at.X, at.Y));
+        ShowCursor();
     }
 
     private void ShowCursor()

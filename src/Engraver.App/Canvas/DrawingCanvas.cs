@@ -172,6 +172,7 @@ public sealed partial class DrawingCanvas : Panel
         UpdateView();
         UpdateContent();
         UpdateSigns();
+        PointAgain();
     }
 
     private void UpdateView() => UpdateView(Bounds.Size);

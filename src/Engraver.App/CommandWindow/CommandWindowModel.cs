@@ -93,9 +93,10 @@ public sealed class CommandWindowModel : Observable
 
     public void Take(CommandSuggestion suggestion)
     {
+        var input = Named(suggestion);
         Line = "";
-        _inputs.Add(suggestion.Command.Name);
-        _ = _desk.FeedAsync(suggestion.Command.Name);
+        _inputs.Add(input);
+        _ = _desk.FeedAsync(input);
     }
 
     /// <summary>Tab: the line becomes the next suggestion.</summary>
@@ -103,7 +104,7 @@ public sealed class CommandWindowModel : Observable
     {
         if (_suggestions.Count == 0) return;
         var (suggestions, next) = (_suggestions, (_suggested + 1) % _suggestions.Count);
-        Set(ref _line, suggestions[next].Command.Name, nameof(Line));
+        Set(ref _line, Named(suggestions[next]), nameof(Line));
         (Suggestions, Suggested) = (suggestions, next);
     }
 
@@ -118,6 +119,9 @@ public sealed class CommandWindowModel : Observable
         _ = _desk.CancelAsync();
     }
 
+    /// <summary>Inside another command the name keeps the apostrophe before it.</summary>
+    private string Named(CommandSuggestion suggestion) => (Line.StartsWith('\'') ? "'" : "") + suggestion.Command.Name;
+
     private void Recall(string line)
     {
         Set(ref _line, line, nameof(Line));
@@ -126,7 +130,7 @@ public sealed class CommandWindowModel : Observable
 
     private void Suggest()
     {
-        var wanted = _desk.Prompt.Command is null || _line.StartsWith('\'');
+        var wanted = _desk.Prompt.Command is null || (_line.StartsWith('\'') && !_desk.Prompt.TakesSpaces);
         Suggestions = wanted ? [.. _desk.Session.Suggest(_line).DistinctBy(suggestion => suggestion.Text).Take(MostSuggestions)] : [];
         Suggested = -1;
     }

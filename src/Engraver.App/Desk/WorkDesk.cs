@@ -152,7 +152,7 @@ public sealed class WorkDesk : IAsyncDisposable
         FeedResult result = new FeedResult.Asking();
         for (var at = 0; at < inputs.Length && result is FeedResult.Asking; at++)
         {
-            result = await Session.FeedAsync(at == 0 && inside ? "'" + inputs[0] : inputs[at], _closing.Token).ConfigureAwait(false);
+            result = at == 0 && inside ? await Session.FeedInsideAsync(inputs[0], _closing.Token).ConfigureAwait(false) : await Session.FeedAsync(inputs[at], _closing.Token).ConfigureAwait(false);
         }
 
         if (result is FeedResult.NotUnderstood && inputs.Length > 1) await Session.CancelAsync().ConfigureAwait(false);

@@ -24,12 +24,12 @@ internal sealed class ClosingGuard
     public bool Holds(WindowCloseReason reason)
     {
         if (reason is WindowCloseReason.ApplicationShutdown or WindowCloseReason.OSShutdown) return false;
-        var drawing = _desk.Session.Document.Current.Drawing;
+        var state = _desk.Session.Document.Current;
         var warnsOfJob = _desk.IsMoving && !_warnedOfJob;
-        var warnsOfEdits = _desk.Session.Document.IsEdited && !ReferenceEquals(drawing, _warnedOf);
+        var warnsOfEdits = _desk.Session.Document.IsEdited && !ReferenceEquals(state.Edition, _warnedOf);
         if (warnsOfJob) _desk.Tell(MessageKind.Warning, Text.Of("Window.JobRuns"));
-        if (warnsOfEdits) _desk.Tell(MessageKind.Warning, Text.Of("Window.NotSaved", Path.GetFileName(drawing!.FileName)));
-        (_warnedOfJob, _warnedOf) = (_desk.IsMoving, drawing);
+        if (warnsOfEdits) _desk.Tell(MessageKind.Warning, Text.Of("Window.NotSaved", Path.GetFileName(state.Drawing!.FileName)));
+        (_warnedOfJob, _warnedOf) = (_desk.IsMoving, state.Edition);
         return warnsOfJob || warnsOfEdits;
     }
 }

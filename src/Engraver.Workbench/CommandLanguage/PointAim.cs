@@ -8,4 +8,7 @@ public sealed record PointAim(PointUse Use, Point2D? From)
 {
     /// <summary>A place that stands alone.</summary>
     public static PointAim Place { get; } = new(PointUse.Place, null);
+
+    /// <summary>The corner where a box begins.</summary>
+    public static PointAim FirstCorner { get; } = new(PointUse.Corner, null);
 }

@@ -6,7 +6,7 @@ public enum PointUse
     /// <summary>A place, exactly: object snaps, the snap raster and ORTHO help.</summary>
     Place,
 
-    /// <summary>The opposite corner of a box.</summary>
+    /// <summary>A corner of a box: nothing snaps, so that it can stand beside what it is to hold.</summary>
     Corner,
 
     /// <summary>The object there: nothing snaps.</summary>

@@ -5,7 +5,7 @@ namespace Engraver.Workbench.CommandLanguage;
 /// <summary>Asks for a corner of a window or a scale factor: <c>x,y</c>, <c>2</c> or <c>2X</c>.</summary>
 public sealed record ZoomPrompt(string Instruction) : ValuePrompt<ZoomWish>(Instruction)
 {
-    public override PointAim Aim => PointAim.Place;
+    public override PointAim Aim => PointAim.FirstCorner;
 
     public override Reading<ZoomWish> Read(string typed, Point2D lastPoint)
     {

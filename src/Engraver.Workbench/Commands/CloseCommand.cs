@@ -10,7 +10,7 @@ internal sealed class CloseCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         _ = context.Drawing;
-        DrawingOpening.RememberView(context);
+        DrawingOpening.Leave(context);
         var state = context.Document.Current;
         context.Take(new DocumentState { Settings = state.Settings with { Enter = null } });
         return Task.CompletedTask;

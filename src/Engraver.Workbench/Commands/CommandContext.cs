@@ -51,6 +51,7 @@ public sealed class CommandContext
     {
         var answer = await _frame.AskAsync(prompt).ConfigureAwait(false);
         if (answer is Answer<Point2D>.Value point) _session.LastPoint = point.Of;
+        else if (answer is Answer<Amount>.Value { Of: Amount.Beginning beginning }) _session.LastPoint = beginning.At;
         return answer;
     }
 

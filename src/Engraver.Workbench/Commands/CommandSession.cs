@@ -87,6 +87,16 @@ public sealed class CommandSession : IAsyncDisposable
         return Told(result);
     }
 
+    /// <summary>Begins a command inside the one that asks, as a key or a button does; typed, an apostrophe stands before it, which in an answer of text is a letter. With nothing asked it begins by itself.</summary>
+    /// <param name="cancellation">As for one input.</param>
+    public async Task<FeedResult> FeedInsideAsync(string command, CancellationToken cancellation)
+    {
+        if (_frames.Top is not { Pending: not null } frame) return await FeedAsync(command, cancellation).ConfigureAwait(false);
+        Environment.Journal?.WriteLine("'" + command);
+        Echo("'" + command);
+        return Told(await BeginInsideAsync(frame, command, cancellation).ConfigureAwait(false));
+    }
+
     /// <summary>Takes several lines at once, as pasted text is: a script of them, under the rules for scripts. While a command is at work nothing of it is taken.</summary>
     /// <param name="cancellation">As for one input.</param>
     public async Task<FeedResult> FeedLinesAsync(string lines, CancellationToken cancellation)
@@ -103,7 +113,8 @@ public sealed class CommandSession : IAsyncDisposable
     {
         if (IsBusy)
         {
-            CancelFrames();
+            _scripts.Clear();
+            _frames.Cancel();
             return;
         }
 
@@ -136,22 +147,16 @@ public sealed class CommandSession : IAsyncDisposable
         _last = null;
     }
 
-    internal string FileToRead(string name)
-    {
-        var here = Path.Combine(Environment.Folder, name);
-        if (File.Exists(here) || _scripts.Folder is not { } folder) return here;
-        var beside = Path.Combine(folder, name);
-        return File.Exists(beside) ? beside : here;
-    }
+    internal string FileToRead(string name) => _scripts.FileToRead(Environment.Folder, name);
 
     internal AliasTable ReloadAliases() => Aliases = AliasFiles.Read(Environment.AliasFile, Catalog);
 
     private async Task<FeedResult> FeedOneAsync(string input, CancellationToken cancellation)
     {
         if (IsBusy) return await HearAsync(input, cancellation).ConfigureAwait(false);
-        if (SystemVariables.Of(Settings.Current, "CMDECHO") != 0.0) Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
+        Echo(input);
         if (_frames.Top is not { } frame) return await BeginAsync(input, cancellation).ConfigureAwait(false);
-        if (input.StartsWith('\'')) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
+        if (input.StartsWith('\'') && frame.Pending is not { Prompt.TakesSpaces: true }) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
         return frame.Answer(input, LastPoint) is { } wanted ? new FeedResult.NotUnderstood(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
 
@@ -208,17 +213,16 @@ public sealed class CommandSession : IAsyncDisposable
         return _frames.EndAllAsync();
     }
 
-    private void CancelFrames()
-    {
-        _scripts.Clear();
-        _frames.Cancel();
-    }
-
     private FeedResult Told(FeedResult result)
     {
         if (result is FeedResult.Failed failed) Say(MessageKind.Error, failed.Sentence);
         if (result is FeedResult.NotUnderstood unclear) Say(MessageKind.Error, unclear.Sentence);
         return result;
+    }
+
+    private void Echo(string input)
+    {
+        if (SystemVariables.Of(Settings.Current, "CMDECHO") != 0.0) Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
     }
 
     private ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);

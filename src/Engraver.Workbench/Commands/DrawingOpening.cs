@@ -17,7 +17,7 @@ internal static class DrawingOpening
         var drawing = Read(context, path, cancellation);
         Findings.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
         if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {CommandWording.Of(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message}");
-        RememberView(context);
+        Leave(context);
         context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
         context.Document.MarkKept();
         context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
@@ -25,10 +25,11 @@ internal static class DrawingOpening
         context.Say($"{CountText.Of(drawing.Entities.Count, "curve")} on {CountText.Of(drawing.Layers.Count, "layer")}, unit {drawing.Unit.Name}.");
     }
 
-    /// <summary>Keeps the view of the drawing that is left.</summary>
-    public static void RememberView(CommandContext context)
+    /// <summary>Keeps the view of the drawing that is left, and says so when its edits are in no file.</summary>
+    public static void Leave(CommandContext context)
     {
         if (context.Document.Current.Drawing is not { } drawing) return;
+        if (context.Document.IsEdited) context.Say($"{Path.GetFileName(drawing.FileName)} was edited and is not saved; UNDO brings it back.", MessageKind.Warning);
         var path = Path.GetFullPath(drawing.FileName);
         if (!context.Settings.Current.RecentFiles.Contains(path)) return;
         var view = context.View.Current;

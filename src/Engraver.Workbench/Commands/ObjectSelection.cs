@@ -75,7 +75,7 @@ internal static class ObjectSelection
 
     private static async Task<Bounds2D> BoxAsync(CommandContext context)
     {
-        var first = await context.ValueAsync(new PointPrompt("Specify first corner")).ConfigureAwait(false);
+        var first = await context.ValueAsync(new PointPrompt("Specify first corner") { Use = PointUse.Corner }).ConfigureAwait(false);
         return Bounds2D.Of(first, await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = first }).ConfigureAwait(false));
     }
 

@@ -15,11 +15,11 @@ internal sealed class ScaleCommand : ICommand
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
         var basePoint = await context.ValueAsync(new PointPrompt("Specify base point")).ConfigureAwait(false);
-        var amount = await AmountPrompts.AskAsync(context, Number("Specify scale factor", context.Remembered("SCALE", "1")), Number("Specify reference length", "1"), Number("Specify new length", null)).ConfigureAwait(false);
+        var amount = await AmountPrompts.AskAsync(context, Length("Specify scale factor", context.Remembered("SCALE", "1"), basePoint), Length("Specify reference length", "1", null), Length("Specify new length", null, basePoint)).ConfigureAwait(false);
         var factor = amount.Value / (amount.Reference ?? 1.0);
         if (amount.Reference is null) context.Remember("SCALE", NumberPrompt.Show(factor));
         DrawingChange.Transform(context, selected, Transform2D.ScaleFrom(basePoint, factor), amount.Copy);
     }
 
-    private static NumberPrompt Number(string instruction, string? standard) => new(instruction) { Default = standard, Least = Smallest, Most = Largest };
+    private static AmountPrompt Length(string instruction, string? standard, Point2D? from) => new(instruction, way => way.Length) { Default = standard, Least = Smallest, Most = Largest, From = from };
 }

@@ -12,8 +12,14 @@ internal sealed class ScriptQueue
 
     public bool IsRunnable => _scripts.Count > 0;
 
-    /// <summary>Where the script under way stands.</summary>
-    public string? Folder => _scripts.TryPeek(out var script) ? Path.GetDirectoryName(Path.GetFullPath(script.Path)) : null;
+    /// <summary>A file in the working folder, else beside the script under way; where there is none, the path in the working folder.</summary>
+    public string FileToRead(string folder, string name)
+    {
+        var here = Path.Combine(folder, name);
+        if (File.Exists(here) || !_scripts.TryPeek(out var script) || Path.GetDirectoryName(Path.GetFullPath(script.Path)) is not { } own) return here;
+        var beside = Path.Combine(own, name);
+        return File.Exists(beside) ? beside : here;
+    }
 
     public void Add(string path, string text)
     {

@@ -9,7 +9,7 @@ internal sealed class UnisolateObjectsCommand : ICommand
     {
         var drawing = context.Drawing;
         var state = context.Document.Current;
-        if (state.HiddenObjects.Count > 0) context.Take(state with { Drawing = DrawingChange.WithHidden(drawing, state.HiddenObjects, hidden: false), HiddenObjects = [] });
+        if (state.HiddenObjects.Count > 0) context.Take(state with { Drawing = DrawingChange.WithHidden(drawing, state.HiddenObjects, hidden: false), Edition = state.Edition, HiddenObjects = [] });
         context.Say(FormattableString.Invariant($"{state.HiddenObjects.Count} shown again."));
         return Task.CompletedTask;
     }

@@ -29,7 +29,7 @@ internal sealed class ZoomCommand : ICommand
             case "Center": await CenterAsync(context).ConfigureAwait(false); break;
             case "Previous": if (!context.View.ZoomPrevious()) context.Say("No previous view saved."); break;
             case "Scale": await ScaleAsync(context).ConfigureAwait(false); break;
-            case "Window": await WindowAsync(context, await context.ValueAsync(new PointPrompt("Specify first corner")).ConfigureAwait(false)).ConfigureAwait(false); break;
+            case "Window": await WindowAsync(context, await context.ValueAsync(new PointPrompt("Specify first corner") { Use = PointUse.Corner }).ConfigureAwait(false)).ConfigureAwait(false); break;
             case "Object": await ObjectAsync(context).ConfigureAwait(false); break;
             default: Extents(context); break;
         }

@@ -15,8 +15,8 @@ public sealed class DocumentSession
 
     public DocumentState Current { get; private set; } = DocumentState.Nothing;
 
-    /// <summary>The drawing is another one than was opened or written last: leaving the program would lose it.</summary>
-    public bool IsEdited => Current.Drawing is { } drawing && !ReferenceEquals(drawing, _kept);
+    /// <summary>The drawing is another edition than was opened or written last: leaving the program would lose it.</summary>
+    public bool IsEdited => Current.Edition is { } edition && !ReferenceEquals(edition, _kept);
 
     /// <summary>Names of the steps that can be undone, the last one first.</summary>
     public IEnumerable<string> UndoNames => _undo.Select(step => step.Name);
@@ -36,14 +36,22 @@ public sealed class DocumentSession
     }
 
     /// <summary>The drawing as it is now stands in a file.</summary>
-    public void MarkKept() => _kept = Current.Drawing;
+    public void MarkKept() => _kept = Current.Edition;
 
     /// <summary>Sets what is selected, without a step.</summary>
     public void Select(IReadOnlyList<int> selection, IReadOnlyList<int> previous) => Become(Current with { Selection = selection, Previous = previous });
 
-    /// <summary>Back to the state before the last step.</summary>
+    /// <summary>Back to the state before the last step. With a drawing open it never leads to none: from the drawing that was opened first there is no step back, and one that was opened after another
+    /// had been closed gives way to that one.</summary>
     /// <returns>The name of the step, null when there was none.</returns>
-    public string? Undo() => Swap(_undo, _redo);
+    public string? Undo()
+    {
+        var open = Current.Drawing is not null;
+        if (open && !_undo.Any(step => step.State.Drawing is not null)) return null;
+        var name = Swap(_undo, _redo);
+        while (open && Current.Drawing is null) Swap(_undo, _redo);
+        return name;
+    }
 
     /// <summary>Takes the step again that was undone last.</summary>
     /// <returns>The name of the step, null when there was none.</returns>

@@ -9,7 +9,14 @@ public sealed record DocumentState
     public static DocumentState Nothing { get; } = new();
 
     /// <summary>Null when no drawing is open.</summary>
-    public Drawing? Drawing { get; init; }
+    public Drawing? Drawing
+    {
+        get;
+        init => (field, Edition) = (value, value);
+    }
+
+    /// <summary>Which edition of the drawing it is: another one after every edit, the same one (set behind <see cref="Drawing"/>) while objects are only hidden and shown, which no file keeps.</summary>
+    public Drawing? Edition { get; init; }
 
     public DrawingSettings Settings { get; init; } = new();
 

@@ -204,6 +204,20 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task Box_line_and_tip_go_along_when_the_view_changes_under_a_still_hand() => With((canvas, view, hands, heard) =>
+    {
+        heard.Aim = new PointAim(PointUse.Corner, new Point2D(0.0, 0.0));
+        hands.MovePointer(new Point(297, 104));
+        view.SetCentre(new Point2D(50.0, 0.0), view.Current.Height);
+        Assert.Equal((new Point2D(150.0, 150.0), new Point2D(297.0, 104.0)), (canvas.Box!.Value.From, canvas.Box.Value.To));
+        Assert.Equal("Specify a place:\n147.0000 x 46.0000", canvas.Tip);
+        view.Change(state => state with { DynamicInput = false });
+        Assert.Equal("", canvas.Tip);
+        hands.LeavePointer();
+        Assert.Null(canvas.Box);
+    });
+
+    [Fact]
     public Task What_is_asked_and_where_stands_beside_the_crosshair() => With((canvas, view, hands, heard) =>
     {
         hands.MovePointer(new Point(230, 110));

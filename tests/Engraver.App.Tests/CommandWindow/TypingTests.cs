@@ -165,6 +165,21 @@ public sealed class TypingTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task A_suggested_command_runs_inside_another_too() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("MOVE");
+        here.Hands.Type("'cncstat");
+        here.Hands.Press(Key.Tab);
+        Assert.Equal("'CNCSTATUS", here.Window.Model.Command.Line);
+        here.Hands.Press(Key.Enter);
+        here.Rest();
+
+        Assert.Contains("OFFLINE", here.History);
+        Assert.Equal("MOVE", here.Desk.Prompt.Command);
+    });
+
+    [Fact]
     public Task F2_gives_the_history_room_and_takes_it_back() => fixture.WithOperator(here =>
     {
         var before = here.Find<ListBox>("HistoryList").Bounds.Height;

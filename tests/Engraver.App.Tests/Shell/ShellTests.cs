@@ -154,6 +154,40 @@ public sealed class ShellTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task Objects_that_are_only_hidden_do_not_hold_the_window() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("HIDEOBJECTS", "L", "");
+        here.Window.Close();
+        here.Step();
+
+        Assert.False(here.Window.IsVisible);
+    });
+
+    [Fact]
+    public Task Control_z_never_closes_the_drawing() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("ERASE", "L", "");
+        for (var i = 0; i < 3; i++) here.Hands.Press(Key.Z, RawInputModifiers.Control);
+        here.Rest();
+
+        Assert.Equal(4, here.Commands.Document.Current.Drawing?.Entities.Count);
+        Assert.Contains("Everything has been undone.", here.History);
+    });
+
+    [Fact]
+    public Task A_switch_is_no_answer_to_a_question_for_a_name() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("SAVEAS");
+        here.Hands.Press(Key.F7);
+        here.Rest();
+
+        Assert.Equal((false, "SAVEAS"), (here.Commands.View.Current.Grid, here.Desk.Prompt.Command));
+    });
+
+    [Fact]
     public Task Control_a_and_delete_act_on_the_drawing_and_in_text_on_the_text() => fixture.WithOperator(here =>
     {
         here.Open("paper-001.dxf");

@@ -1,4 +1,6 @@
 using Engraver.Core.Geometry;
+using Engraver.TestKit;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
@@ -26,7 +28,26 @@ public class CommandGrammarTests
 
         Assert.Equal(("ROTATE", "Specify rotation angle or [Copy/Reference] <0>:"), (prompt.Command, prompt.Text));
         Assert.Equal(["Copy", "Reference"], prompt.Options.Select(option => option.Name));
-        Assert.Null(prompt.Aim);
+        Assert.Equal(new PointAim(PointUse.Place, new Point2D(0, 0)), prompt.Aim);
+    }
+
+    /// <summary>A key of the desktop begins a command inside all the same.</summary>
+    [Fact]
+    public async Task In_an_answer_of_text_an_apostrophe_is_a_letter()
+    {
+        await using var talk = new CommandTalk();
+        await File.WriteAllBytesAsync(talk.PathOf("'id"), new DxfText().Header("AC1015", 4).Section("ENTITIES", [(0, "LINE"), (8, "'ZOOM"), (10, 0.0), (20, 0.0), (11, 10.0), (21, 0.0)]).End().ToAscii());
+        await talk.TypeAsync("OPEN", "'id");
+        Assert.Equal(1, talk.State.Drawing!.Entities.Count);
+        await talk.TypeAsync("LAYER", "Freeze", "'ZOOM", "");
+        Assert.Contains(talk.State.Drawing!.Layers, layer => layer is { Name: "'ZOOM", Frozen: true });
+        await talk.TypeAsync("SAVEAS");
+        await talk.Session.FeedInsideAsync("ID", CancellationToken.None);
+        Assert.Equal(">>Specify point:", talk.Session.Prompt.Text);
+        await talk.TypeAsync("1,2");
+        Assert.Equal("SAVEAS", talk.Session.Prompt.Command);
+        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("'DIST"));
+        Assert.True(File.Exists(talk.PathOf("'DIST")));
     }
 
     [Fact]

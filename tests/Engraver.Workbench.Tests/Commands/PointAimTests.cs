@@ -15,7 +15,7 @@ public class PointAimTests
     public static TheoryData<string[], PointAim?> Asked => new()
     {
         { [], null },
-        { ["ROTATE", "L", "", "0,0"], null },
+        { ["LAYER"], null },
         { ["MOVE"], s_object },
         { ["MOVE", "100,100"], new PointAim(PointUse.Corner, new Point2D(100, 100)) },
         { ["MOVE", "W", "1,2"], s_corner },
@@ -23,10 +23,17 @@ public class PointAimTests
         { ["MOVE", "L", "", "1,2"], s_from },
         { ["COPY", "L", "", "1,2"], s_from },
         { ["MIRROR", "L", "", "1,2"], s_from },
+        { ["ROTATE", "L", "", "1,2"], s_from },
+        { ["ROTATE", "L", "", "1,2", "R"], PointAim.Place },
+        { ["ROTATE", "L", "", "5,5", "R", "1,2"], s_from },
+        { ["SCALE", "L", "", "1,2"], s_from },
+        { ["SCALE", "L", "", "1,2", "R", "4"], s_from },
         { ["DIST", "1,2"], s_from },
         { ["AREA", "0,0", "1,2"], s_from },
         { ["PAN", "1,2"], s_from },
-        { ["ZOOM"], PointAim.Place },
+        { ["MOVE", "W"], PointAim.FirstCorner },
+        { ["ZOOM"], PointAim.FirstCorner },
+        { ["ZOOM", "W"], PointAim.FirstCorner },
         { ["ZOOM", "1,2"], s_corner },
         { ["ENTER"], s_object },
     };
@@ -66,6 +73,40 @@ public class PointAimTests
         Assert.Equal(new Point2D(0, 30), DrawingPick.Segments(drawing, 4).First().Start);
         await talk.TypeAsync("CP", "H", "A1", "", "D", "5,6");
         Assert.Equal(new Point2D(5, 6), DrawingPick.Segments(talk.State.Drawing!, 5).First().Start);
+    }
+
+    /// <summary>No file keeps what is hidden for the moment.</summary>
+    [Fact]
+    public async Task Hiding_objects_and_showing_them_is_no_edit()
+    {
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "HIDEOBJECTS", "L", "");
+        Assert.False(talk.Session.Document.IsEdited);
+        await talk.TypeAsync("ERASE", "L", "");
+        Assert.True(talk.Session.Document.IsEdited);
+        await talk.TypeAsync("UNISOLATEOBJECTS");
+        Assert.True(talk.Session.Document.IsEdited);
+        await talk.TypeAsync("HIDEOBJECTS", "L", "", "SAVEAS", "out.dxf", "UNISOLATEOBJECTS");
+        Assert.False(talk.Session.Document.IsEdited);
+        await talk.TypeAsync("UNDO", "2");
+        Assert.False(talk.Session.Document.IsEdited);
+        await talk.TypeAsync("UNDO", "2");
+        Assert.True(talk.Session.Document.IsEdited); // out.dxf has the erased one no longer
+    }
+
+    [Fact]
+    public async Task Leaving_a_drawing_whose_edits_are_in_no_file_is_told()
+    {
+        const string Warning = "gasket.dxf was edited and is not saved; UNDO brings it back.";
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "OPEN", CommandTalk.Sample("gasket.dxf"), "CLOSE");
+        Assert.DoesNotContain(Warning, talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("U", "ERASE", "L", "", "CLOSE");
+        Assert.Equal(1, talk.Said.Split(Warning).Length - 1);
+        await talk.TypeAsync("U", "OPEN", CommandTalk.Sample("paper-001.dxf"));
+        Assert.Equal(2, talk.Said.Split(Warning).Length - 1);
+        await talk.TypeAsync("U");
+        Assert.Equal(69, talk.State.Drawing!.Entities.Count);
     }
 
     [Fact]

@@ -1,3 +1,4 @@
+using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 using FsCheck;
@@ -29,6 +30,28 @@ public class DocumentSessionTests
 
             return true;
         }).QuickCheckThrowOnFailure();
+    }
+
+    /// <summary>Undo has no end that closes the drawing; what CLOSE closed it opens, also through an OPEN of another one.</summary>
+    [Fact]
+    public void With_a_drawing_open_undo_never_leads_to_none()
+    {
+        var (one, other) = (new DrawingBuilder().Line(0, 0, 1, 0).Build(), new DrawingBuilder().Line(0, 0, 2, 0).Build());
+        var session = new DocumentSession();
+        session.Take("SETTING", session.Current with { Settings = new DrawingSettings { JoinToleranceMm = 0.5 } });
+        session.Take("OPEN", new DocumentState { Drawing = one });
+        Assert.Null(session.Undo());
+        session.Take("CLOSE", new DocumentState());
+        Assert.Equal("CLOSE", session.Undo());
+        Assert.Same(one, session.Current.Drawing);
+        session.Redo();
+        session.Take("OPEN", new DocumentState { Drawing = other });
+        Assert.Equal("OPEN", session.Undo());
+        Assert.Same(one, session.Current.Drawing);
+        Assert.Null(session.Undo());
+        session.Redo();
+        session.Redo();
+        Assert.Same(other, session.Current.Drawing);
     }
 
     [Fact]

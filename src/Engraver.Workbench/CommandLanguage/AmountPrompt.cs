@@ -1,0 +1,33 @@
+using System.Globalization;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.CommandLanguage;
+
+/// <summary>Asks for an amount between two limits (both allowed): as a number, or by a place as a <see cref="PointPrompt"/> takes it, to which a way leads that is measured.</summary>
+/// <param name="Measure">What a way means, drawing units.</param>
+public sealed record AmountPrompt(string Instruction, Func<Vector2D, double> Measure) : ValuePrompt<Amount>(Instruction)
+{
+    public required double Least { get; init; }
+
+    public required double Most { get; init; }
+
+    /// <summary>Where the way begins; null when a place is its beginning, and the end is asked for next.</summary>
+    public Point2D? From { get; init; }
+
+    public override PointAim Aim => new(PointUse.Place, From);
+
+    public override Reading<Amount> Read(string typed, Point2D lastPoint)
+    {
+        ArgumentNullException.ThrowIfNull(typed);
+        if (NumberPrompt.TryNumber(typed, out _)) return Within(typed);
+        if (new PointPrompt(Instruction).Read(typed, lastPoint) is not Reading<Point2D>.Value { Of: var place }) return new Reading<Amount>.Wrong($"'{typed}' is no number and no point; type a number, x,y or @dx,dy or @distance<angle.");
+        return From is { } from ? Within(Measure(place - from).ToString("R", CultureInfo.InvariantCulture)) : new Reading<Amount>.Value(new Amount.Beginning(place));
+    }
+
+    private Reading<Amount> Within(string number) => new NumberPrompt(Instruction) { Least = Least, Most = Most }.Read(number, default) switch
+    {
+        Reading<double>.Value value => new Reading<Amount>.Value(new Amount.Number(value.Of)),
+        Reading<double>.Wrong wrong => new Reading<Amount>.Wrong(wrong.Sentence),
+        _ => throw new System.Diagnostics.UnreachableException(),
+    };
+}
