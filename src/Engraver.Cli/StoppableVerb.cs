@@ -20,9 +20,10 @@ internal static class StoppableVerb
         {
             return await running.WaitAsync(stop).ConfigureAwait(false);
         }
-        catch (OperationCanceledException) when (!running.IsCompleted)
+        catch (OperationCanceledException)
         {
-            if (machine.IsTaken) return await running.ConfigureAwait(false);
+            await Task.WhenAny(running, machine.LetGoAsync()).ConfigureAwait(false);
+            if (running.IsCompleted) return await running.ConfigureAwait(false); // also when it ended in the same moment: how it ended is its own to say
             streams.Abandon();
             throw;
         }

@@ -67,6 +67,40 @@ public class StoppableVerbTests
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() => computing);
     }
 
+    [Fact]
+    public async Task A_machine_that_is_let_go_after_the_stop_is_waited_for_and_then_the_verb_is_left_behind()
+    {
+        using var verb = new LongVerb();
+        using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
+        var machine = new MachineInHand();
+        machine.Follow(true);
+        var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, machine, verb.Stop.Token);
+        await verb.Begun;
+        await verb.Stop.CancelAsync();
+        Assert.False(running.IsCompleted);
+        machine.Follow(false);
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => running);
+    }
+
+    [Fact]
+    public async Task A_verb_that_ends_in_the_moment_of_the_stop_says_itself_how_it_ended()
+    {
+        using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
+        var machine = new MachineInHand();
+        machine.Follow(true);
+        for (var time = 0; time < 500; time++)
+        {
+            using var stop = new CancellationTokenSource();
+            var ends = new TaskCompletionSource<int>(TaskCreationOptions.RunContinuationsAsynchronously);
+            var running = StoppableVerb.RunAsync(() => ends.Task, streams, machine, stop.Token);
+            await using var hears = stop.Token.Register(() => ends.SetResult(LongVerb.Code));
+            await stop.CancelAsync();
+
+            Assert.Equal(LongVerb.Code, await running);
+        }
+    }
+
     /// <summary>A verb that hears nothing while it computes, and computes until it is released.</summary>
     private sealed class LongVerb : IDisposable
     {

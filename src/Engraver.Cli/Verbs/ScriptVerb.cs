@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using Engraver.Cli.Output;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Machines;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
@@ -28,7 +29,8 @@ internal sealed class ScriptVerb
         var telling = new ScriptTelling(_host.Out, _host.Error, _host.Quiet(parsed), _host.Verbose(parsed));
         await using var session = NewSession();
         session.Said += telling.Say;
-        session.Machine.Changed += (_, _) => _host.Machine.Follow(session.Machine.Description is not null);
+        session.Machine.Changed += (_, _) => Follow(session.Machine, stop);
+        await using var letGo = stop.Register(() => _ = Task.Run(() => LetGoAsync(session.Machine), CancellationToken.None)).ConfigureAwait(false);
         var result = await session.FeedAsync("SCRIPT", stop).ConfigureAwait(false);
         stop.ThrowIfCancellationRequested();
         if (result is FeedResult.Asking) result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
@@ -41,6 +43,22 @@ internal sealed class ScriptVerb
             FeedResult.Cancelled => throw new OperationCanceledException(stop),
             _ => ExitCode.Usage,
         };
+    }
+
+    /// <summary>After the operator's stop a machine that goes away is one that this verb gives back, which the program waits for.</summary>
+    private void Follow(MachineSession machine, CancellationToken stop)
+    {
+        var isConnected = machine.Description is not null;
+        if (isConnected || !stop.IsCancellationRequested) _host.Machine.Follow(isConnected);
+    }
+
+    /// <summary>A job under way brakes and ends its command. Otherwise a stage may compute, which is left behind as soon as the machine has been stopped and let go.</summary>
+    private async Task LetGoAsync(MachineSession machine)
+    {
+        if (machine.IsRunning) return;
+        await machine.BrakeAsync().ConfigureAwait(false);
+        await machine.DisconnectAsync().ConfigureAwait(false);
+        _host.Machine.Follow(false);
     }
 
     /// <exception cref="UsageException">The operator's alias file cannot be read.</exception>

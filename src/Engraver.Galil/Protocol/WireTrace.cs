@@ -1,40 +1,88 @@
 using System.Globalization;
+using System.Threading.Channels;
 
 namespace Engraver.Galil.Protocol;
 
 /// <summary>Every line sent and every reply received, with the time, for <c>--trace</c>. Several channels may write into one trace.</summary>
 /// <remarks>A line is: seconds since the trace began, the handle's name, <c>&gt;</c> sent or <c>&lt;</c> received or <c>!</c> unsolicited, the text.
-/// A trace that cannot be written any more, above all on a full disk, ends there and disturbs nothing: the stop of the machine goes over the same channels.</remarks>
-public sealed class WireTrace(TextWriter writer, TimeProvider time)
+/// Lines are written by a thread of the trace's own, for the stop of the machine goes over the same channels: a trace that cannot be written any more, above all on a full disk, and one that
+/// leads to somebody who has stopped reading (a pager, a named pipe), ends there and disturbs nothing.</remarks>
+public sealed class WireTrace
 {
-    private readonly Lock _gate = new();
-    private readonly long _start = time.GetTimestamp();
+    /// <summary>Lines that may wait for the file: some twenty minutes of a job, some twenty megabytes.</summary>
+    internal const int MostWaiting = 1 << 18;
+
+    /// <summary>After the operator's stop: whoever takes nothing for so long has stopped reading.</summary>
+    internal static readonly TimeSpan Patience = TimeSpan.FromSeconds(5);
+
+    private readonly Channel<string> _lines = Channel.CreateBounded<string>(new BoundedChannelOptions(MostWaiting) { SingleReader = true });
+    private readonly TimeProvider _time;
+    private readonly long _start;
+    private readonly Task _writing;
+    private volatile string? _failure;
+    private long _taken;
+
+    /// <param name="writer">Owned: it is closed behind the last line.</param>
+    public WireTrace(TextWriter writer, TimeProvider time)
+    {
+        ArgumentNullException.ThrowIfNull(time);
+        (_time, _start) = (time, time.GetTimestamp());
+        _writing = Task.Factory.StartNew(() => WriteAll(writer), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+    }
 
     /// <summary>Why the trace ended early; null while all of it was written.</summary>
-    public string? Failure { get; private set; }
+    public string? Failure => _failure;
 
-    /// <summary>What is still buffered goes to the file, and the file is closed.</summary>
-    public void Close() => Guarded(writer.Dispose);
+    /// <summary>What still waits goes to the file, and the file is closed.</summary>
+    /// <param name="stop">The operator's stop: from then on whoever reads is waited for only while something is taken.</param>
+    public async Task CloseAsync(CancellationToken stop)
+    {
+        _lines.Writer.TryComplete();
+        try
+        {
+            await _writing.WaitAsync(stop).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException)
+        {
+            await WhileTakenAsync().ConfigureAwait(false);
+        }
+    }
 
     internal void Write(string handle, char direction, string text)
     {
-        var seconds = time.GetElapsedTime(_start).TotalSeconds.ToString("0.000000", CultureInfo.InvariantCulture);
+        if (_failure is not null) return;
+        var seconds = _time.GetElapsedTime(_start).TotalSeconds.ToString("0.000000", CultureInfo.InvariantCulture);
         var visible = text.Replace("\r", "", StringComparison.Ordinal).Replace("\n", " | ", StringComparison.Ordinal).Replace("\x12\x16", "^R^V", StringComparison.Ordinal);
-        if (Failure is null) Guarded(() => writer.WriteLine($"{seconds} {handle} {direction} {visible}"));
+        if (!_lines.Writer.TryWrite($"{seconds} {handle} {direction} {visible}")) Fail("Whoever reads it does not keep up.");
     }
 
-    private void Guarded(Action write)
+    private async Task WhileTakenAsync()
     {
-        lock (_gate)
+        for (var before = -1L; !_writing.IsCompleted && before != Interlocked.Read(ref _taken);)
         {
-            try
+            before = Interlocked.Read(ref _taken);
+            await Task.WhenAny(_writing, Task.Delay(Patience, _time, CancellationToken.None)).ConfigureAwait(false);
+        }
+
+        if (!_writing.IsCompleted) Fail("Whoever reads it has stopped reading.");
+    }
+
+    private void WriteAll(TextWriter writer)
+    {
+        try
+        {
+            using var owned = writer;
+            foreach (var line in _lines.Reader.ReadAllAsync().ToBlockingEnumerable())
             {
-                write();
-            }
-            catch (IOException unwritten)
-            {
-                Failure ??= unwritten.Message;
+                writer.WriteLine(line);
+                Interlocked.Increment(ref _taken);
             }
         }
+        catch (IOException unwritten)
+        {
+            Fail(unwritten.Message);
+        }
     }
+
+    private void Fail(string why) => Interlocked.CompareExchange(ref _failure, why, null);
 }

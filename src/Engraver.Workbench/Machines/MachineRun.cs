@@ -42,7 +42,7 @@ public static class MachineRun
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        var trace = options.TracePath is { } path ? new WireTrace(new StreamWriter(path), time) : null;
+        var trace = options.TracePath is { } path ? new WireTrace(await OpenAsync(path, stop).ConfigureAwait(false), time) : null;
         MachineRunReport report;
         try
         {
@@ -50,11 +50,15 @@ public static class MachineRun
         }
         finally
         {
-            trace?.Close(); // behind the session: until its links are closed something may be heard
+            if (trace is not null) await trace.CloseAsync(stop).ConfigureAwait(false); // behind the session: until its links are closed something may be heard
         }
 
         return report with { TraceFailure = trace?.Failure };
     }
+
+    /// <summary>A named pipe opens when somebody reads at its other end, which the operator's stop does not wait for.</summary>
+    private static Task<StreamWriter> OpenAsync(string path, CancellationToken stop) =>
+        Task.Factory.StartNew(() => new StreamWriter(path), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).WaitAsync(stop);
 
     private static async Task<MachineRunReport> InSessionAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, SessionOptions sessionOptions, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)

@@ -110,6 +110,9 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>A program as it can be run over the link that stands.</summary>
     public WireFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => MachineRun.FitToLink(program, _watched.Address, mode, drawing);
 
+    /// <summary>The axes of a connected machine are told to brake; a job under way has a stop of its own (<see cref="Stop"/>).</summary>
+    public Task BrakeAsync() => IsRunning ? Task.CompletedTask : _watched.StopAsync(Profile.ToolOutput);
+
     /// <summary>Runs a job on the connected controller. One at a time.</summary>
     /// <param name="options">How; the address is that of the session.</param>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>

@@ -98,6 +98,9 @@ internal sealed class WatchedConnection(TimeProvider time, Action<MachinePoll> s
     /// <summary>An act over the watch that nobody waits for; its failure is told while that watch is still the one in use.</summary>
     public void ActUrgently(MachineWatch watch, Func<MachineWatch, Task> act) => UrgentThread.Run(() => _ = UrgentlyAsync(watch, act));
 
+    /// <summary>The axes brake and the tool goes off; nothing when nobody watches. A failure is told.</summary>
+    public Task StopAsync(int toolOutput) => Watch is { } watch ? UrgentlyAsync(watch, one => one.StopAsync(toolOutput)) : Task.CompletedTask;
+
     private async Task UrgentlyAsync(MachineWatch watch, Func<MachineWatch, Task> act)
     {
         try

@@ -51,19 +51,59 @@ public class SignalTests
     }
 
     [Fact]
+    public async Task A_script_with_a_machine_in_hand_stops_it_and_leaves_what_computes_behind()
+    {
+        if (OperatingSystem.IsWindows()) return; // no signals
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 1.0 });
+        var place = await controller.ListenTcpAsync(0, patience.Token);
+        var drawing = NamedPipe.Make(folder.PathOf("drawing.dxf"));
+        var opening = NamedPipe.WriterAsync(drawing);
+        var script = folder.WithFile("jog.scr", string.Create(CultureInfo.InvariantCulture, $"CNCCONNECT tcp://127.0.0.1:{place.Port}\nCNCTERMINAL\nJGA=1000;BGA\nOPEN\n{drawing}\n"));
+        using var program = EngraverProcess.Start("script", script);
+        await using var silentWriter = await opening.WaitAsync(patience.Token);
+        Assert.True(controller.Status.IsMoving);
+        program.Signal(PosixSignal.SIGTERM);
+        await program.WaitAsync(patience.Token);
+
+        Assert.Equal(ExitCode.StoppedByOperator, program.ExitCode);
+        await controller.WaitUntilAsync(status => !status.IsMoving, patience.Token);
+    }
+
+    [Fact]
+    public async Task A_signal_ends_a_run_whose_trace_nobody_reads()
+    {
+        if (OperatingSystem.IsWindows()) return; // no signals
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        await using var controller = new SimulatedController(new SimulatorOptions());
+        var place = await controller.ListenTcpAsync(0, patience.Token);
+        var drawing = folder.WithFile("line.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n11\n9\n21\n9\n0\nENDSEC\n0\nEOF\n");
+        using var program = EngraverProcess.Start(
+            "run", drawing, "--connect", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}"), "--json", "--trace", NamedPipe.Make(folder.PathOf("trace")), "--journal", folder.PathOf("run.jsonl"));
+        Assert.Contains("DXF0003", await program.Error.ReadLineAsync(patience.Token), StringComparison.Ordinal); // the drawing is prepared; next the trace is opened
+        program.Signal(PosixSignal.SIGINT);
+        var report = JsonDocument.Parse(await program.Out.ReadToEndAsync(patience.Token)).RootElement;
+        await program.WaitAsync(patience.Token);
+
+        Assert.Equal((ExitCode.StoppedByOperator, "stopped"), (program.ExitCode, report.GetProperty("outcome").GetString()));
+    }
+
+    [Fact]
     public async Task A_second_signal_while_the_machine_brakes_does_not_cut_the_stop_short()
     {
         if (OperatingSystem.IsWindows()) return; // no signals
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 2.5 }); // below the rate at which a host winds its watchdog up
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 0.5 }); // the dead man waits two seconds of the wall, so that a busy computer does not set it off
         var place = await controller.ListenTcpAsync(0, patience.Token);
         var slow = folder.WithFile("slow.json", """{ "accelerationCounts": 10240 }""");
         using var host = EngraverProcess.Start(
             "run", SampleDrawing.PathOf("paper-001"), "--connect", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}"), "--machine", slow, "--json", "--journal", folder.PathOf("run.jsonl"));
         await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0 && controller.Record[controller.Record.Count - 1].A > 80000, patience.Token);
         host.Signal(PosixSignal.SIGINT);
-        await controller.WaitUntilAsync(status => (status.Outputs & Tool) == 0, patience.Token); // it brakes for two seconds of the controller
+        await controller.WaitUntilAsync(status => (status.Outputs & Tool) == 0, patience.Token); // it brakes for two seconds of the controller, four of the wall
         host.Signal(PosixSignal.SIGINT);
         host.Signal(PosixSignal.SIGTERM);
         var report = JsonDocument.Parse(await host.Out.ReadToEndAsync(patience.Token)).RootElement;

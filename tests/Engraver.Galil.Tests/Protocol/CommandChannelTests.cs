@@ -157,10 +157,12 @@ public class CommandChannelTests
     public async Task The_trace_holds_every_line_with_its_time_and_handle()
     {
         using var text = new StringWriter { NewLine = "\n" };
-        await using var channel = new CommandChannel(new ScriptedLink(_ => " 1.0000\r\n:"), "A", Limit, _time, new WireTrace(text, _time));
+        var trace = new WireTrace(text, _time);
+        await using var channel = new CommandChannel(new ScriptedLink(_ => " 1.0000\r\n:"), "A", Limit, _time, trace);
 
         _time.Advance(TimeSpan.FromMilliseconds(1.5));
         await channel.SendAsync("MG x", CancellationToken.None);
+        await trace.CloseAsync(CancellationToken.None);
 
         Assert.Equal("0.001500 A > MG x\n0.001500 A <  1.0000 | :\n", text.ToString());
     }
@@ -174,9 +176,44 @@ public class CommandChannelTests
 
         Assert.IsType<Accepted>(await channel.SendAsync("STS", CancellationToken.None));
         Assert.IsType<Accepted>(await channel.SendAsync("CB 1", CancellationToken.None));
-        trace.Close();
+        await trace.CloseAsync(CancellationToken.None);
 
         Assert.Contains("No space left", trace.Failure, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_trace_whose_reader_has_stopped_reading_holds_up_no_command_and_after_the_stop_nobody()
+    {
+        using var stalled = new StalledWriter();
+        var trace = new WireTrace(stalled, _time);
+        await using var channel = new CommandChannel(new ScriptedLink(_ => ":"), "A", Limit, _time, trace);
+        using var stop = new CancellationTokenSource();
+
+        Assert.IsType<Accepted>(await channel.SendAsync("STS", CancellationToken.None));
+        Assert.IsType<Accepted>(await channel.SendAsync("CB 1", CancellationToken.None));
+        var closing = trace.CloseAsync(stop.Token);
+        Assert.False(closing.IsCompleted); // without the operator's stop whoever reads has all the time of the world
+        await stop.CancelAsync();
+        while (!closing.IsCompleted)
+        {
+            _time.Advance(WireTrace.Patience);
+            await Task.Yield();
+        }
+
+        await closing;
+        Assert.Contains("stopped reading", trace.Failure, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_trace_whose_reader_does_not_keep_up_ends_and_says_so()
+    {
+        var stalled = new StalledWriter();
+        var trace = new WireTrace(stalled, _time);
+        for (var line = 0; line <= WireTrace.MostWaiting + 1; line++) trace.Write("A", '>', "STS");
+        await stalled.DisposeAsync();
+        await trace.CloseAsync(CancellationToken.None);
+
+        Assert.Contains("keep up", trace.Failure, StringComparison.Ordinal);
     }
 
     private CommandChannel Channel(ScriptedLink link) => new(link, "A", Limit, _time, null);

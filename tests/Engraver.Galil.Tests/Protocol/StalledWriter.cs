@@ -1,0 +1,19 @@
+using System.Text;
+
+namespace Engraver.Galil.Tests.Protocol;
+
+/// <summary>A file whose reader has stopped reading: a line is not written until the test is over.</summary>
+internal sealed class StalledWriter : TextWriter
+{
+    private readonly ManualResetEventSlim _over = new(); // stays: whoever writes may still be waking up
+
+    public override Encoding Encoding => Encoding.UTF8;
+
+    public override void WriteLine(string? value) => _over.Wait();
+
+    protected override void Dispose(bool disposing)
+    {
+        _over.Set();
+        base.Dispose(disposing);
+    }
+}
