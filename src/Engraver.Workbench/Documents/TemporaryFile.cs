@@ -49,5 +49,15 @@ internal sealed class TemporaryFile : IDisposable
         }
     }
 
-    private void OnProcessExit(object? sender, EventArgs e) => End();
+    private void OnProcessExit(object? sender, EventArgs e)
+    {
+        try
+        {
+            End();
+        }
+        catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
+        {
+            // The folder is gone or no longer ours: nobody is left who could be told.
+        }
+    }
 }

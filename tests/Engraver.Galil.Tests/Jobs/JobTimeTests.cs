@@ -4,6 +4,7 @@ using Engraver.Galil.Links;
 using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Tests.Programs;
+using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -78,7 +79,7 @@ public class JobTimeTests
 
     private static async Task<(double Planned, double Took)> PlannedAndRunAsync(JobMode mode, int baud, string part)
     {
-        await using var bench = new SimulatedBench();
+        await using var bench = new SimulatedBench(clock: new ManualTimeProvider()); // only bytes move the time, however busy this computer is
         var made = Part(part, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous);
         var program = mode == JobMode.Stream ? WireFit.Of(made, new SerialLine(baud), null).Program : made;
         var planned = JobTime.Of(program, new SerialLine(baud), mode).Total;
