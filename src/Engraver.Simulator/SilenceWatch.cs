@@ -3,8 +3,8 @@ using Engraver.Simulator.Protocol;
 namespace Engraver.Simulator;
 
 /// <summary>Virtual time while the hosts are silent: it goes from event to event, but waits longer for the host of an open sequence (contract of "engraver simulate") and for one that is in the middle of a job.</summary>
-/// <remarks>A job asks without a pause where the clock runs ahead, so many questions in a row are its sign; a host that sets something up and then waits for it asks little. A host whose connection is
-/// gone is not waited for, and one that is there but says nothing is given up after the patience, once: from then on time goes on without it, and a watchdog finds it dead.</remarks>
+/// <remarks>A job asks without a pause where the clock runs ahead, so many questions in a row are its sign, together with a running program that counts down what the host winds up; whoever only sends
+/// commands and waits for the end of a motion or a program finds the clock jumping as ever. A host whose connection is gone is not waited for, and one that is there but says nothing is given up after the patience, once: from then on time goes on without it, and a watchdog finds it dead.</remarks>
 internal sealed class SilenceWatch(Machine machine, TimeProvider time)
 {
     /// <summary>Wall time without a byte from any host after which the clock goes on; also the period of looking.</summary>
@@ -53,7 +53,7 @@ internal sealed class SilenceWatch(Machine machine, TimeProvider time)
 
     private TimeSpan Patience() => machine.AwaitsSegments || IsLed ? Long : _speaker is { IsInConversation: true } ? Unanswered : Short;
 
-    private bool IsLed => _lead >= Leading && _speaker is { IsClosed: false };
+    private bool IsLed => _lead >= Leading && _speaker is { IsClosed: false } && machine.Threads.Running != 0 && machine.Variables.IsShared;
 
     /// <summary>Pure waiting is jumped over whatever its length; simulated samples and lines take processor time and come in portions.</summary>
     private long Leap() =>

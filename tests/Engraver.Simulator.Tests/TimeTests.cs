@@ -79,7 +79,7 @@ public class TimeTests
     {
         await using var rig = new Rig();
         rig.Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1", "hb=20", "VMAB", "VS 20000", "VP 100000,0", "VE", "SB1", "BGS");
-        for (var i = 0; i < 20; i++) rig.Ask("MG _RPA");
+        for (var i = 0; i < 40; i++) rig.Ask("MG _RPA");
         var before = rig.Controller.Status.Sample;
 
         rig.Time.Advance(TimeSpan.FromSeconds(1.9));
@@ -106,6 +106,21 @@ public class TimeTests
         Assert.True(rig.Controller.Status.IsIdle);
         Assert.Equal(0, last.Outputs);
         Assert.InRange(last.Sample - death, 1000, 1500);
+    }
+
+    [Theory]
+    [InlineData("EN", "_RPA", 300000)] // nothing but a motion
+    [InlineData("n=0\nWT 5000\nn=7\nEN", "n", 7)] // a program that nobody winds up
+    public async Task At_max_whoever_sends_many_commands_and_waits_for_their_end_waits_five_milliseconds(string program, string what, double end)
+    {
+        await using var rig = new Rig();
+        rig.Download(program);
+        for (var i = 0; i < 20; i++) rig.Ask("MG _RPA");
+        rig.Do("SPA=100000", "ACA=256000", "DCA=256000", "PRA=300000", "BGA", "XQ");
+
+        rig.Time.Advance(TimeSpan.FromMilliseconds(100));
+
+        Assert.Equal(end, rig.Value(what));
     }
 
     [Fact]
