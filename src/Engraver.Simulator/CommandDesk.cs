@@ -1,10 +1,11 @@
+using Engraver.Simulator.Clocks;
 using Engraver.Simulator.Language;
 using Engraver.Simulator.Protocol;
 
 namespace Engraver.Simulator;
 
 /// <summary>Executes what hosts send and answers it, with the troubles of the fault plan. All members are called under the controller's lock.</summary>
-internal sealed class CommandDesk(Machine machine, SimulatorOptions options) : ICommandSink
+internal sealed class CommandDesk(Machine machine, ControllerClock clock, SimulatorOptions options) : ICommandSink
 {
     private readonly DelayedReplies _replies = new(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
     private long _commands;
@@ -79,14 +80,14 @@ internal sealed class CommandDesk(Machine machine, SimulatorOptions options) : I
     bool ICommandSink.Arrived(Handle handle, byte value)
     {
         if (!handle.IsSerial) return true;
-        if (options.IsVirtual) machine.Advance(machine.Serial.ByteTime);
+        clock.Spend(machine.Serial.ByteTime);
         if (machine.Serial.Echo) handle.Send([value]);
         return handle.IsReceivingText || !machine.Inputs.TakeSerial((char)value);
     }
 
     void ICommandSink.Answered(Handle handle, int replyLength)
     {
-        if (options.IsVirtual) machine.Advance(handle.IsSerial ? machine.Serial.ByteTime * replyLength : options.CommandCost);
+        clock.Spend(handle.IsSerial ? machine.Serial.ByteTime * replyLength : options.CommandCost);
 
         if (options.Faults is not { } faults) return;
         foreach (var drop in faults.Drops)
@@ -103,7 +104,8 @@ internal sealed class CommandDesk(Machine machine, SimulatorOptions options) : I
         else machine.Handles.Remove(handle);
     }
 
-    private bool IsFrozen => options.Faults?.FreezeAfterCommands is { } limit && _commands > limit;
+    /// <summary>By the fault plan: nothing is answered any more.</summary>
+    public bool IsFrozen => options.Faults?.FreezeAfterCommands is { } limit && _commands > limit;
 
     private ReadOnlySpan<char> Executed(Handle handle, ReadOnlySpan<char> text)
     {

@@ -1,3 +1,4 @@
+using Engraver.Simulator.Clocks;
 using Engraver.Simulator.Protocol;
 
 namespace Engraver.Simulator;
@@ -8,26 +9,26 @@ internal sealed class ControllerCore : IDisposable
     private static readonly TimeSpan ShortestTick = TimeSpan.FromMilliseconds(2);
     private static readonly TimeSpan LongestTick = TimeSpan.FromHours(1);
 
+    /// <summary>At speed max hosts that have the clock let time pass; now and then it is seen whether one of them is stuck.</summary>
+    private static readonly TimeSpan HostTick = TimeSpan.FromMilliseconds(100);
+
     private readonly Lock _gate = new();
     private readonly SimulatorOptions _options;
     private readonly ITimer _timer;
-    private readonly long _started;
-    private readonly SilenceWatch _silence;
+    private readonly ControllerClock _clock;
     private readonly CommandDesk _desk;
     private readonly StatusBoard _status;
     private readonly RecordFile _recordFile;
-    private TimeSpan _paced;
     private TimeSpan _nextTick = TimeSpan.MaxValue;
 
     public ControllerCore(SimulatorOptions options)
     {
         _options = options;
         Machine = new Machine(options);
-        _started = options.Time.GetTimestamp();
+        _clock = new ControllerClock(Machine, options);
         _status = new StatusBoard(Machine);
         _recordFile = new RecordFile(Machine.Record);
-        _silence = new SilenceWatch(Machine, options.Time);
-        _desk = new CommandDesk(Machine, options);
+        _desk = new CommandDesk(Machine, _clock, options);
         _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
     }
 
@@ -42,7 +43,7 @@ internal sealed class ControllerCore : IDisposable
         {
             lock (_gate)
             {
-                Pace();
+                _clock.Pace();
                 return _status.Now();
             }
         }
@@ -53,8 +54,8 @@ internal sealed class ControllerCore : IDisposable
     {
         lock (_gate)
         {
-            Pace();
-            _silence.Heard(null);
+            _clock.Pace();
+            _clock.Heard();
             return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, _desk) { Disconnect = disconnect, Datagrams = datagrams });
         }
     }
@@ -64,8 +65,8 @@ internal sealed class ControllerCore : IDisposable
     {
         lock (_gate)
         {
-            Pace();
-            _silence.Heard(null);
+            _clock.Pace();
+            _clock.Heard();
             return Machine.Serial.Plug(baud, new Handle(SerialPort.HandleIndex, 0, 0, _desk) { Disconnect = disconnect });
         }
     }
@@ -74,12 +75,92 @@ internal sealed class ControllerCore : IDisposable
     {
         lock (_gate)
         {
-            Pace();
-            var asked = handle.Questions;
+            _clock.Pace();
             handle.Receive(bytes);
-            _silence.Heard(handle, handle.Questions - asked);
+            _clock.Heard();
             _status.Notify();
             TickWithin(TickPeriod);
+        }
+
+        FireDue();
+    }
+
+    /// <summary>The controller's time in ticks of 100 ns.</summary>
+    public long ClockTicks
+    {
+        get
+        {
+            lock (_gate)
+            {
+                _clock.Pace();
+                return Machine.ClockTicks;
+            }
+        }
+    }
+
+    /// <summary>Gives a host the clock.</summary>
+    public HostClock Join()
+    {
+        lock (_gate)
+        {
+            _clock.Pace();
+            _clock.Heard();
+            var host = new HostClock(this);
+            _clock.Hosts.Add(host);
+            TickWithin(TickPeriod);
+            return host;
+        }
+    }
+
+    /// <summary>A host gives the clock back, or is gone.</summary>
+    public void Leave(HostClock host)
+    {
+        lock (_gate)
+        {
+            _clock.Pace();
+            _clock.Hosts.Remove(host);
+            _clock.Heard();
+            _status.Notify();
+            TickWithin(TickPeriod);
+        }
+
+        FireDue();
+    }
+
+    public void Set(HostTimer timer, TimeSpan due, TimeSpan period, bool isWait)
+    {
+        lock (_gate)
+        {
+            if (isWait) _clock.Heard();
+            _clock.Hosts.Set(
+                timer, due == Timeout.InfiniteTimeSpan ? long.MaxValue : Machine.ClockTicks + due.Ticks, period == Timeout.InfiniteTimeSpan ? 0 : period.Ticks, isWait);
+            TickWithin(TickPeriod);
+        }
+    }
+
+    /// <summary>At speed max: lets time pass in the thread of the host that waits, to the end of its wait or until another host has something to do.</summary>
+    /// <param name="own">The wait; it fires in this thread.</param>
+    public void PassWhileAllWait(HostTimer own)
+    {
+        if (!_options.IsVirtual) return; // Tick lets it pass, with the wall
+        while (true)
+        {
+            HostTimer? due;
+            lock (_gate)
+            {
+                if (own.Due == long.MaxValue || !_clock.PassTowardsNext()) return;
+                due = _clock.Hosts.TakeDue(Machine.ClockTicks);
+                _status.Notify();
+            }
+
+            _recordFile.Flush();
+            if (due == own)
+            {
+                own.Fire();
+                return;
+            }
+
+            if (due is not null) ThreadPool.UnsafeQueueUserWorkItem(static timer => timer.Fire(), due, preferLocal: false);
         }
     }
 
@@ -89,7 +170,7 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             handle.Close();
-            _silence.Heard(null);
+            _clock.Heard();
             _status.Notify();
             TickWithin(TickPeriod);
         }
@@ -110,7 +191,7 @@ internal sealed class ControllerCore : IDisposable
     {
         lock (_gate)
         {
-            Pace();
+            _clock.Pace();
             action(Machine);
             _status.Notify();
             TickWithin(TickPeriod);
@@ -125,6 +206,8 @@ internal sealed class ControllerCore : IDisposable
             _status.Notify();
             TickWithin(TickPeriod);
         }
+
+        FireDue();
     }
 
     public bool AdvanceUntil(Func<ControllerStatus, bool> condition, TimeSpan atMost)
@@ -149,7 +232,7 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             _status.Add(waiter);
-            Pace();
+            _clock.Pace();
             _status.Notify();
             TickWithin(TickPeriod);
         }
@@ -174,12 +257,12 @@ internal sealed class ControllerCore : IDisposable
         _recordFile.Flush();
     }
 
-    private TimeSpan TickPeriod => _options.IsVirtual ? SilenceWatch.Short : ShortestTick;
+    private TimeSpan TickPeriod => !_options.IsVirtual ? ShortestTick : _clock.Hosts.AreThere ? HostTick : SilenceRule.Short;
 
     /// <summary>How long nothing can happen of itself. An idle controller takes no processor time at all: the next command wakes it, and catches up with the wall.</summary>
     private TimeSpan QuietTime()
     {
-        if (_status.IsAwaited || _desk.HasLateReplies) return TickPeriod;
+        if (_status.IsAwaited || _desk.HasLateReplies || _clock.Hosts.AreThere) return TickPeriod;
         if (Machine.IsDormant) return Timeout.InfiniteTimeSpan;
         if (_options.IsVirtual || Machine.Motion.CanProgress) return TickPeriod;
         var milliseconds = (Machine.QuietUntil - Machine.Sample) / _options.Speed;
@@ -190,7 +273,7 @@ internal sealed class ControllerCore : IDisposable
     private void TickWithin(TimeSpan delay)
     {
         if (delay == Timeout.InfiniteTimeSpan) return;
-        var due = _options.Time.GetElapsedTime(_started) + delay;
+        var due = _clock.Wall + delay;
         if (due >= _nextTick) return;
         _nextTick = due;
         _timer.Change(delay, Timeout.InfiniteTimeSpan);
@@ -201,24 +284,31 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             _nextTick = TimeSpan.MaxValue;
-            Pace();
+            _clock.Pace();
             _desk.ReleaseReplies();
-            if (_options.IsVirtual) _silence.Look();
+            _clock.Look(_desk.IsFrozen || _desk.HasLateReplies || Machine.Handles.Open.Any(static handle => handle.IsMidCommand));
 
             _status.Notify();
             TickWithin(QuietTime());
         }
 
+        FireDue();
         _recordFile.Flush();
     }
 
-    /// <summary>Real time: controller time follows the wall. Where it is to run ahead of the wall, the time that the computing takes does not count: a busy computer
-    /// makes the controller slower instead of letting it fall behind its host for ever. Virtual time stands still here.</summary>
-    private void Pace()
+    private void FireDue()
     {
-        if (_options.IsVirtual) return;
-        var now = _options.Time.GetElapsedTime(_started);
-        Machine.Advance((now - _paced) * _options.Speed);
-        _paced = _options.Speed > 1.0 ? _options.Time.GetElapsedTime(_started) : now;
+        while (true)
+        {
+            HostTimer? due;
+            lock (_gate)
+            {
+                if (!_clock.Hosts.AreThere) return;
+                due = _clock.Hosts.TakeDue(Machine.ClockTicks);
+            }
+
+            if (due is null) return;
+            ThreadPool.UnsafeQueueUserWorkItem(static timer => timer.Fire(), due, preferLocal: false);
+        }
     }
 }

@@ -56,6 +56,9 @@ internal sealed class Machine
     /// <summary>The hands at the machine, and the serial line into its programs.</summary>
     public InputChanges Inputs { get; }
 
+    /// <summary>Controller time since power up, ticks of 100 ns; samples are whole milliseconds of it.</summary>
+    public long ClockTicks => _clockTicks;
+
     /// <summary>Samples since power up: TIME.</summary>
     public long Sample { get; private set; }
 

@@ -1,4 +1,5 @@
 using System.Net;
+using Engraver.Simulator.Clocks;
 using Engraver.Simulator.Protocol;
 
 namespace Engraver.Simulator;
@@ -46,6 +47,23 @@ public sealed class SimulatedController : IAsyncDisposable
     {
         cancellation.ThrowIfCancellationRequested();
         var frontEnd = new TcpFrontEnd(_core, port);
+        lock (_gate)
+        {
+            _frontEnds.Add(frontEnd);
+        }
+
+        return Task.FromResult(frontEnd.EndPoint);
+    }
+
+    /// <summary>Gives the controller's clock to a host: from now on time goes on only by the commands of hosts and while all that have the clock wait. Disposing the clock gives it back.</summary>
+    public HostClock JoinClock() => _core.Join();
+
+    /// <summary>Offers the clock to hosts in other processes, on loopback until the controller is disposed (docs/simulator-fidelity.md, "The clock"); a connection is a host that has it.</summary>
+    /// <exception cref="System.Net.Sockets.SocketException">No port is to be had.</exception>
+    public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        var frontEnd = new ClockFrontEnd(_core);
         lock (_gate)
         {
             _frontEnds.Add(frontEnd);

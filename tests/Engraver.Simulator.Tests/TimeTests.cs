@@ -46,68 +46,6 @@ public class TimeTests
         Assert.InRange(rig.Controller.Status.Sample, 61000, 61100);
     }
 
-    [Fact]
-    public async Task At_max_a_host_that_has_not_taken_its_answer_is_busy_and_not_silent()
-    {
-        await using var rig = new Rig();
-        rig.Download("WT 1000\nn=1\nEN").Do("n=0", "XQ");
-        await using var host = rig.Controller.OpenConnection();
-        host.Write("TP\r"u8);
-        var before = rig.Controller.Status.Sample;
-
-        rig.Time.Advance(TimeSpan.FromMilliseconds(450));
-        Assert.Equal(before, rig.Controller.Status.Sample);
-        Assert.NotEqual(0, host.Read(new byte[100]));
-        rig.Time.Advance(Silence);
-        Assert.InRange(rig.Controller.Status.Sample, 1000, 1100);
-    }
-
-    [Fact]
-    public async Task At_max_a_host_that_never_takes_its_answer_holds_nothing_up_for_ever()
-    {
-        await using var rig = new Rig();
-        rig.Download("WT 1000\nn=1\nEN").Do("n=0", "XQ");
-        await using var host = rig.Controller.OpenConnection();
-        host.Write("TP\r"u8);
-
-        rig.Time.Advance(TimeSpan.FromMilliseconds(510));
-        Assert.InRange(rig.Controller.Status.Sample, 1000, 1100);
-    }
-
-    [Fact]
-    public async Task At_max_a_host_in_the_middle_of_a_job_that_is_held_up_trips_no_watchdog()
-    {
-        await using var rig = new Rig();
-        rig.Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1", "hb=20", "VMAB", "VS 20000", "VP 100000,0", "VE", "SB1", "BGS");
-        for (var i = 0; i < 40; i++) rig.Ask("MG _RPA");
-        var before = rig.Controller.Status.Sample;
-
-        rig.Time.Advance(TimeSpan.FromSeconds(1.9));
-        Assert.Equal((before, 1), (rig.Controller.Status.Sample, rig.Controller.Status.Outputs));
-        rig.Do("hb=20");
-        rig.Time.Advance(TimeSpan.FromSeconds(1.9)); // held up again, before it has asked much
-        Assert.Equal(1, rig.Controller.Status.Outputs);
-    }
-
-    [Theory]
-    [InlineData(false)] // it says nothing more
-    [InlineData(true)] // its link is cut
-    public async Task At_max_a_host_that_died_in_the_middle_of_a_job_is_found_dead(bool isCut)
-    {
-        await using var rig = new Rig();
-        rig.Download(ExamplePrograms.Watchdog).Do("XQ#WDOG,1", "hb=20", "VMAB", "VS 20000", "VP 100000,0", "VE", "SB1", "BGS");
-        for (var i = 0; i < 20; i++) rig.Ask("MG _RPA");
-        var death = rig.Controller.Status.Sample;
-        if (isCut) rig.Controller.DropConnections();
-
-        rig.Time.Advance(TimeSpan.FromSeconds(isCut ? 1.0 : 3.0));
-
-        var last = rig.Controller.Record.Snapshot()[^1];
-        Assert.True(rig.Controller.Status.IsIdle);
-        Assert.Equal(0, last.Outputs);
-        Assert.InRange(last.Sample - death, 1000, 1500);
-    }
-
     [Theory]
     [InlineData("EN", "_RPA", 300000)] // nothing but a motion
     [InlineData("n=0\nWT 5000\nn=7\nEN", "n", 7)] // a program that nobody winds up

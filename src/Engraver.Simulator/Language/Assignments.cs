@@ -23,7 +23,7 @@ internal static class Assignments
         }
         else if (array is null)
         {
-            reader.Machine.Variables.Assign(name, reader.TakeExpression(), reader.Context.IsProgram);
+            reader.Machine.Variables.Write(name, reader.TakeExpression());
         }
         else
         {

@@ -8,7 +8,6 @@ internal sealed class VariableStore
     public const int MaximumElements = 8000;
     private const int LongestName = 8;
 
-    private readonly HashSet<string>.AlternateLookup<ReadOnlySpan<char>> _fromHosts = new HashSet<string>(StringComparer.Ordinal).GetAlternateLookup<ReadOnlySpan<char>>();
     private readonly Dictionary<string, FixedPoint>.AlternateLookup<ReadOnlySpan<char>> _variables;
     private readonly Dictionary<string, FixedPoint[]>.AlternateLookup<ReadOnlySpan<char>> _arrays;
 
@@ -24,9 +23,6 @@ internal sealed class VariableStore
 
     public int ElementsLeft => MaximumElements - Arrays.Values.Sum(a => a.Length);
 
-    /// <summary>A program assigned what a host had assigned before: it counts down what the host winds up, and so the two work together.</summary>
-    public bool IsShared { get; private set; }
-
     public FixedPoint Read(ReadOnlySpan<char> name) =>
         _variables.TryGetValue(name, out var value) ? value : throw new CommandRefusedException(Tc.VariableError);
 
@@ -35,14 +31,6 @@ internal sealed class VariableStore
         if (name.Length > LongestName || Keywords.IsReserved(name)) throw new CommandRefusedException(Tc.VariableError);
         if (Variables.Count >= MaximumVariables && !_variables.ContainsKey(name)) throw new CommandRefusedException(Tc.TooManyNames);
         _variables[name] = value;
-    }
-
-    /// <summary>An assignment, of which it is known whose it is.</summary>
-    public void Assign(ReadOnlySpan<char> name, FixedPoint value, bool isProgram)
-    {
-        Write(name, value);
-        if (!isProgram) _fromHosts.Add(name);
-        else if (!IsShared) IsShared = _fromHosts.Contains(name);
     }
 
     public FixedPoint[] ArrayNamed(ReadOnlySpan<char> name, int codeWhenMissing = Tc.BadFunction) =>
@@ -62,7 +50,5 @@ internal sealed class VariableStore
     {
         Variables.Clear();
         Arrays.Clear();
-        _fromHosts.Set.Clear();
-        IsShared = false;
     }
 }

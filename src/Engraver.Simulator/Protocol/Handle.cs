@@ -43,9 +43,6 @@ internal sealed class Handle
     /// <summary>Commands received on this handle.</summary>
     public long Commands { get; private set; }
 
-    /// <summary>Of these, the ones that were answered with more than a prompt.</summary>
-    public long Questions { get; private set; }
-
     public bool IsClosed { get; private set; }
 
     /// <summary>Answers leave as datagrams; null for a connection.</summary>
@@ -63,11 +60,8 @@ internal sealed class Handle
     /// <summary>Cuts the connection from the controller's side.</summary>
     public Action? Disconnect { get; set; }
 
-    /// <summary>Whether bytes lie in the operating system that either side has not taken yet; null where there is nothing between.</summary>
-    public Func<bool>? Between { get; set; }
-
-    /// <summary>The host has not taken all of its answer, or what it said since has not arrived: it is busy, not silent.</summary>
-    public bool IsInConversation => !IsClosed && (Output.Count > 0 || Between?.Invoke() == true);
+    /// <summary>A command has begun and not ended: its host has to say the rest, or waits for an answer that cannot come.</summary>
+    public bool IsMidCommand => _lineLength > 0 || IsReceivingText;
 
     /// <summary>Inside a download: the command gets no prompt before its text has ended.</summary>
     public bool IsReceivingText => _text.IsOpen;
@@ -194,7 +188,6 @@ internal sealed class Handle
     private void Answer(ReadOnlySpan<char> reply)
     {
         Commands++;
-        if (reply.Length > 1) Questions++;
         if (reply.Length > 0) SendText(reply);
 
         _sink.Answered(this, reply.Length);

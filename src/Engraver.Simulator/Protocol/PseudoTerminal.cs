@@ -15,7 +15,6 @@ internal sealed class PseudoTerminal : IDisposable
     private const int CloseOnExec = 0x80000;
     private const nuint GetSettings = 0x5401;
     private const nuint SetSettings = 0x5402;
-    private const nuint CountUnread = 0x541B;
     private const short PollIn = 1;
     private const short PollGone = 0x8 | 0x10 | 0x20;
 
@@ -43,22 +42,6 @@ internal sealed class PseudoTerminal : IDisposable
         var bell = Native.EventFd(0, CloseOnExec | NonBlocking);
         if (slave.IsInvalid || bell.IsInvalid || !PassesEveryByte(slave)) throw Failure();
         return new PseudoTerminal(master, slave, bell, Encoding.UTF8.GetString(name, 0, Array.IndexOf(name, (byte)0)));
-    }
-
-    /// <summary>Whether bytes wait that one side has written and the other has not read yet. False once the terminal is gone.</summary>
-    public bool HasUnread
-    {
-        get
-        {
-            try
-            {
-                return IsUnread(_slave) || IsUnread(_master);
-            }
-            catch (ObjectDisposedException)
-            {
-                return false;
-            }
-        }
     }
 
     /// <summary>Waits for bytes of the host.</summary>
@@ -111,12 +94,6 @@ internal sealed class PseudoTerminal : IDisposable
         return Native.Control(slave, SetSettings, ref settings) == 0;
     }
 
-    private static bool IsUnread(SafeFileHandle end)
-    {
-        var count = 0;
-        return Native.Count(end, CountUnread, ref count) == 0 && count > 0;
-    }
-
     private static IOException Failure() => new($"No pseudo-terminal: {Marshal.GetLastPInvokeErrorMessage()}.");
 
     [StructLayout(LayoutKind.Sequential)]
@@ -159,9 +136,6 @@ internal sealed class PseudoTerminal : IDisposable
 
         [DllImport("libc", EntryPoint = "ioctl", SetLastError = true)]
         public static extern int Control(SafeFileHandle file, nuint request, ref LineSettings settings);
-
-        [DllImport("libc", EntryPoint = "ioctl", SetLastError = true)]
-        public static extern int Count(SafeFileHandle file, nuint request, ref int count);
 
         [DllImport("libc", EntryPoint = "poll", SetLastError = true)]
         public static extern int Poll([In, Out] Watched[] files, nuint count, int milliseconds);

@@ -25,7 +25,6 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
         (_core, _terminal, _path, _options) = (core, terminal, path, options);
         _byteTime = options.IsVirtual ? TimeSpan.Zero : TimeSpan.FromSeconds(10.0 / baud / options.Speed);
         _handle = core.OpenSerial(baud, terminal.Ring) ?? throw new IOException("The serial port has a client.");
-        _handle.Between = () => _incoming.Count > 0 || terminal.HasUnread;
         new Thread(Listen) { IsBackground = true, Name = "serial port" }.Start();
         _serving = Task.WhenAll(ReceiveAsync(_stopping.Token), SendAsync(_stopping.Token));
     }

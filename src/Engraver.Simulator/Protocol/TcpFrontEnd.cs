@@ -69,24 +69,11 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
             return;
         }
 
-        handle.Between = () => HasArrived(socket);
         var serving = ServeAsync(socket, handle, cancellation);
         lock (_gate)
         {
             _clients.RemoveWhere(c => c.IsCompleted);
             _clients.Add(serving);
-        }
-    }
-
-    private static bool HasArrived(Socket socket)
-    {
-        try
-        {
-            return socket.Available > 0;
-        }
-        catch (Exception gone) when (gone is SocketException or ObjectDisposedException)
-        {
-            return false;
         }
     }
 

@@ -1,0 +1,32 @@
+namespace Engraver.Simulator.Clocks;
+
+/// <summary>A timer on a host's clock. All but the callback is guarded by the controller's lock.</summary>
+internal sealed class HostTimer(ControllerCore core, HostClock host, TimerCallback callback, object? state) : ITimer
+{
+    public HostClock Host => host;
+
+    /// <summary>Controller time at which it fires, ticks; <see cref="long.MaxValue"/> at rest.</summary>
+    public long Due { get; set; } = long.MaxValue;
+
+    /// <summary>Ticks between two firings; 0 fires once.</summary>
+    public long Period { get; set; }
+
+    /// <summary>The host waits for it, so that time may go on to it.</summary>
+    public bool IsWait { get; set; }
+
+    public void Fire() => callback(state);
+
+    public bool Change(TimeSpan dueTime, TimeSpan period)
+    {
+        core.Set(this, dueTime, period, isWait: false);
+        return true;
+    }
+
+    public void Dispose() => core.Set(this, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan, isWait: false);
+
+    public ValueTask DisposeAsync()
+    {
+        Dispose();
+        return ValueTask.CompletedTask;
+    }
+}

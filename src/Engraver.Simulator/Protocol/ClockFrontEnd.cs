@@ -1,0 +1,109 @@
+using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using Engraver.Simulator.Clocks;
+
+namespace Engraver.Simulator.Protocol;
+
+/// <summary>The clock over TCP on loopback, for hosts in other processes: a connection is a host that has the clock (<see cref="HostClock"/>), and closing it gives the clock back.</summary>
+/// <remarks>
+/// Lines of ASCII, each ended by LF; numbers are whole microseconds of controller time. <c>now</c> is answered with the time. <c>wait N</c> is answered with the time when N have passed, and lets
+/// them pass; while it waits, <c>stop</c> ends the wait, which is then answered at once. A line that is none of these closes the connection.
+/// </remarks>
+internal sealed class ClockFrontEnd : IAsyncDisposable
+{
+    private readonly ControllerCore _core;
+    private readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+    private readonly CancellationTokenSource _stopping = new();
+    private readonly Lock _gate = new();
+    private readonly HashSet<Task> _clients = [];
+    private readonly Task _accepting;
+
+    public ClockFrontEnd(ControllerCore core)
+    {
+        _core = core;
+        _listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+        _listener.Listen();
+        EndPoint = (IPEndPoint)_listener.LocalEndPoint!;
+        _accepting = AcceptAsync(_stopping.Token);
+    }
+
+    public IPEndPoint EndPoint { get; }
+
+    public async ValueTask DisposeAsync()
+    {
+        await _stopping.CancelAsync().ConfigureAwait(false);
+        _listener.Dispose();
+        await _accepting.ConfigureAwait(false);
+        Task[] open;
+        lock (_gate)
+        {
+            open = [.. _clients];
+        }
+
+        await Task.WhenAll(open).ConfigureAwait(false);
+        _stopping.Dispose();
+    }
+
+    private async Task AcceptAsync(CancellationToken cancellation)
+    {
+        while (!cancellation.IsCancellationRequested)
+        {
+            try
+            {
+                var socket = await _listener.AcceptAsync(cancellation).ConfigureAwait(false);
+                socket.NoDelay = true;
+                var serving = Task.Run(() => ServeAsync(socket, cancellation), CancellationToken.None);
+                lock (_gate)
+                {
+                    _clients.RemoveWhere(client => client.IsCompleted);
+                    _clients.Add(serving);
+                }
+            }
+            catch (OperationCanceledException)
+            {
+                return;
+            }
+            catch (SocketException)
+            {
+                // A host that left before it was accepted is no reason to stop listening.
+            }
+        }
+    }
+
+    private async Task ServeAsync(Socket socket, CancellationToken cancellation)
+    {
+        await using var stream = new NetworkStream(socket, ownsSocket: true);
+        using var clock = _core.Join();
+        using var reader = new StreamReader(stream, Encoding.ASCII, false, 128, leaveOpen: true);
+        var next = reader.ReadLineAsync(cancellation).AsTask();
+        try
+        {
+            while (await next.ConfigureAwait(false) is { } line)
+            {
+                next = reader.ReadLineAsync(cancellation).AsTask();
+                if (line.StartsWith("wait ", StringComparison.Ordinal) && long.TryParse(line.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var microseconds))
+                    next = await WaitAsync(clock, microseconds, next, reader, cancellation).ConfigureAwait(false);
+                else if (line == "stop") continue; // the wait that it was to end had ended
+                else if (line != "now") return;
+                await stream.WriteAsync(Encoding.ASCII.GetBytes(string.Create(CultureInfo.InvariantCulture, $"{clock.GetTimestamp() / TimeSpan.TicksPerMicrosecond}\n")), cancellation).ConfigureAwait(false);
+            }
+        }
+        catch (Exception gone) when (gone is IOException or ObjectDisposedException or OperationCanceledException)
+        {
+            // The host is gone, or the controller is switched off; the clock is given back in either case.
+        }
+    }
+
+    /// <summary>Waits for the end of the time, or for the line that comes meanwhile: stop, or nothing from a host that is gone.</summary>
+    /// <returns>The line to come.</returns>
+    private static async Task<Task<string?>> WaitAsync(HostClock clock, long microseconds, Task<string?> next, StreamReader reader, CancellationToken cancellation)
+    {
+        using var ended = new CancellationTokenSource();
+        var wait = Task.Delay(TimeSpan.FromMicroseconds(microseconds), clock, ended.Token);
+        if (await Task.WhenAny(wait, next).ConfigureAwait(false) == wait) return next;
+        await ended.CancelAsync().ConfigureAwait(false);
+        return await next.ConfigureAwait(false) is null ? Task.FromResult<string?>(null) : reader.ReadLineAsync(cancellation).AsTask();
+    }
+}
