@@ -14,7 +14,10 @@ public abstract record ControllerAddress
 
     /// <summary>What is accepted, for messages.</summary>
     public const string Forms =
-        "tcp://HOST:PORT, serial://DEVICE?baud=19200 (1200, 9600, 19200, 38400, 57600 or 115200; &flow=none, xonxoff or rtscts, the default) or sim:?speed=max";
+        "tcp://HOST:PORT, serial://DEVICE?baud=19200 (1200, 9600, 19200, 38400, 57600 or 115200; &flow=none, xonxoff or rtscts, the default) or sim:?speed=max; behind a simulated controller that is not at speed 1 also clock=PORT";
+
+    /// <summary>Port of loopback at which a simulated controller in another process offers its clock (<see cref="OfferedClock"/>); null for a controller whose clock is the wall's.</summary>
+    public int? ClockPort { get; init; }
 
     /// <exception cref="FormatException">The text is no address; the message says what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
@@ -26,7 +29,7 @@ public abstract record ControllerAddress
         var (body, query) = Split(text);
         address = body switch
         {
-            _ when body.StartsWith("tcp://", StringComparison.Ordinal) && query.Length == 0 => Tcp(body["tcp://".Length..]),
+            _ when body.StartsWith("tcp://", StringComparison.Ordinal) => Tcp(body["tcp://".Length..], query),
             _ when body.StartsWith("serial://", StringComparison.Ordinal) => Serial(body["serial://".Length..], query),
             "sim:" => Simulated(query),
             _ => null,
@@ -37,11 +40,15 @@ public abstract record ControllerAddress
     private static (string Body, string Query) Split(string text) =>
         text.IndexOf('?', StringComparison.Ordinal) is >= 0 and var mark ? (text[..mark], text[(mark + 1)..]) : (text, "");
 
-    private static TcpAddress? Tcp(string authority)
+    private static TcpAddress? Tcp(string authority, string query)
     {
+        if (query.Length > 0 && Clock(query) is null) return null;
         if (!Uri.TryCreate("tcp://" + authority, UriKind.Absolute, out var uri) || uri.Host.Length == 0 || uri.AbsolutePath.Length > 1) return null;
-        return uri.Port == 0 ? null : new TcpAddress(uri.Host, uri.Port < 0 ? DefaultTcpPort : uri.Port);
+        return uri.Port == 0 ? null : new TcpAddress(uri.Host, uri.Port < 0 ? DefaultTcpPort : uri.Port) { ClockPort = Clock(query) };
     }
+
+    private static int? Clock(string option) =>
+        option.StartsWith("clock=", StringComparison.Ordinal) && int.TryParse(option.AsSpan(6), NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port is > 0 and <= 65535 ? port : null;
 
     private static SerialAddress? Serial(string device, string query)
     {
@@ -61,6 +68,7 @@ public abstract record ControllerAddress
         "flow=none" => address with { Flow = SerialFlow.None },
         "flow=xonxoff" => address with { Flow = SerialFlow.XonXoff },
         "flow=rtscts" => address with { Flow = SerialFlow.RtsCts },
+        _ when Clock(option) is { } port => address with { ClockPort = port },
         _ => option.StartsWith("baud=", StringComparison.Ordinal)
             && int.TryParse(option.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)
             ? address with { Baud = baud }

@@ -1,0 +1,256 @@
+using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Links;
+
+/// <summary>The clock that a controller in another process offers on loopback (contract, <c>?clock=PORT</c>): while this stands, the controller's time goes on only by our commands and while we wait.</summary>
+/// <remarks>
+/// <para>Over the wire, in lines: <c>now</c> and <c>wait N</c> are answered with the controller's time, the latter when N have passed; <c>stop</c> ends a wait. Whole microseconds.</para>
+/// <para>A timer that is created with a time to go (<c>Task.Delay</c>) is a wait; one that is created at rest and set later is a deadline, which fires when time passes it and lets none pass.</para>
+/// <para>When the other end is gone, time goes on with the wall from where it was, so that every wait and every deadline still ends.</para>
+/// </remarks>
+public sealed class OfferedClock : TimeProvider, IDisposable
+{
+    /// <summary>How long the other end may take for an answer, on the wall.</summary>
+    private const int AnswerMilliseconds = 10_000;
+
+    /// <summary>While a reply is awaited nobody asks the time; it is looked at so often, on the wall.</summary>
+    private static readonly TimeSpan LookAtDeadlines = TimeSpan.FromMilliseconds(250);
+
+    private readonly Lock _gate = new();
+    private readonly Socket _socket;
+    private readonly byte[] _answer = new byte[64];
+    private readonly List<Timer> _set = [];
+    private readonly ITimer _looking;
+    private long _known;
+    private long _lostAt;
+    private bool _isLost;
+    private bool _isHostWaiting;
+    private bool _isAsked;
+    private long _askedFor;
+
+    private OfferedClock(Socket socket)
+    {
+        _socket = socket;
+        _looking = System.CreateTimer(_ => Look(), null, LookAtDeadlines, LookAtDeadlines);
+    }
+
+    /// <summary>Ticks of 100 ns since the controller was switched on.</summary>
+    public override long TimestampFrequency => TimeSpan.TicksPerSecond;
+
+    /// <summary>Takes the clock at this port of loopback.</summary>
+    /// <exception cref="ControllerLinkException">Nobody offers one there.</exception>
+    public static OfferedClock Take(int port)
+    {
+        var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true, ReceiveTimeout = AnswerMilliseconds, SendTimeout = AnswerMilliseconds };
+        var clock = new OfferedClock(socket);
+        try
+        {
+            socket.Connect(IPAddress.Loopback, port);
+            clock.Ask("now\n");
+            return clock;
+        }
+        catch (Exception failure) when (failure is SocketException or IOException)
+        {
+            clock.Dispose();
+            throw new ControllerLinkException(
+                string.Create(CultureInfo.InvariantCulture, $"No clock at port {port} of this computer: {failure.Message} Give the port that 'engraver simulate' printed behind 'clock', or leave clock= out."), failure);
+        }
+    }
+
+    public override long GetTimestamp()
+    {
+        List<Timer> due;
+        long now;
+        lock (_gate)
+        {
+            if (!_isAsked && !_isLost) Try(() => Ask("now\n"));
+            now = Now;
+            due = TakeDue();
+        }
+
+        Fire(due);
+        return now;
+    }
+
+    /// <summary>Counted from 1970.</summary>
+    public override DateTimeOffset GetUtcNow() => DateTimeOffset.UnixEpoch + TimeSpan.FromTicks(GetTimestamp());
+
+    public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)
+    {
+        ArgumentNullException.ThrowIfNull(callback);
+        var timer = new Timer(this, callback, state);
+        if (dueTime != Timeout.InfiniteTimeSpan) Set(timer, dueTime, isWait: true);
+        return timer;
+    }
+
+    /// <summary>Gives the clock back; what still waits ends.</summary>
+    public void Dispose()
+    {
+        _looking.Dispose();
+        _socket.Dispose();
+        List<Timer> left;
+        lock (_gate)
+        {
+            Lose();
+            left = [.. _set.Where(timer => timer.IsWait)];
+            _set.Clear();
+        }
+
+        Fire(left);
+    }
+
+    private long Now => _isLost ? _known + System.GetElapsedTime(_lostAt).Ticks : _known;
+
+    private void Set(Timer timer, TimeSpan due, bool isWait)
+    {
+        var now = due == Timeout.InfiniteTimeSpan || isWait ? 0 : GetTimestamp();
+        lock (_gate)
+        {
+            if (timer.IsWait && !isWait && _set.Contains(timer)) _isHostWaiting = false; // ended early, by a cancellation
+            timer.IsWait = isWait;
+            _set.Remove(timer);
+            if (due != Timeout.InfiniteTimeSpan) _set.Add(timer);
+            if (isWait) _isHostWaiting = true;
+            if (isWait && !_isAsked && !_isLost) Try(() => Ask("now\n"));
+            timer.Due = due == Timeout.InfiniteTimeSpan ? long.MaxValue : (isWait ? Now : now) + due.Ticks;
+            if (_isLost) return; // Look ends it
+            if (_isAsked && (!_isHostWaiting || NextDue < _askedFor)) Try(() => Say("stop\n"));
+            else if (!_isAsked && _isHostWaiting) AskToWait();
+        }
+    }
+
+    private long NextDue => _set.Count == 0 ? long.MaxValue : _set.Min(timer => timer.Due);
+
+    /// <summary>Under the lock: asks for the time up to the first timer.</summary>
+    private void AskToWait()
+    {
+        _askedFor = NextDue;
+        var microseconds = Math.Max(0, (_askedFor - _known + TimeSpan.TicksPerMicrosecond - 1) / TimeSpan.TicksPerMicrosecond);
+        Try(() => Say(string.Create(CultureInfo.InvariantCulture, $"wait {microseconds}\n")));
+        if (_isLost) return;
+        _isAsked = true;
+        ThreadPool.UnsafeQueueUserWorkItem(static clock => clock.TakeAnswer(), this, preferLocal: false);
+    }
+
+    private void TakeAnswer()
+    {
+        var answered = true;
+        try
+        {
+            _known = Read(Timeout.Infinite);
+        }
+        catch (Exception failure) when (failure is SocketException or IOException or ObjectDisposedException)
+        {
+            answered = false;
+        }
+
+        List<Timer> due;
+        lock (_gate)
+        {
+            _isAsked = false;
+            if (!answered) Lose();
+            due = TakeDue();
+            if (_isHostWaiting && !_isLost) AskToWait();
+        }
+
+        Fire(due);
+    }
+
+    /// <summary>Under the lock.</summary>
+    private List<Timer> TakeDue()
+    {
+        var now = Now;
+        if (!_set.Exists(timer => timer.Due <= now)) return [];
+        var due = _set.Where(timer => timer.Due <= now).OrderBy(timer => timer.Due).ToList();
+        _set.RemoveAll(due.Contains);
+        if (due.Exists(timer => timer.IsWait)) _isHostWaiting = false;
+        due.ForEach(timer => timer.IsWait = false);
+        return due;
+    }
+
+    private static void Fire(List<Timer> due)
+    {
+        foreach (var timer in due) ThreadPool.UnsafeQueueUserWorkItem(static fired => fired.Fire(), timer, preferLocal: false);
+    }
+
+    /// <summary>A host that awaits a reply looks at no clock: its deadlines are looked at for it, and so is everything when the other end is gone.</summary>
+    private void Look()
+    {
+        bool isDeadlineSet;
+        lock (_gate)
+        {
+            isDeadlineSet = _set.Count > 0;
+        }
+
+        if (isDeadlineSet) GetTimestamp();
+    }
+
+    private void Ask(string line)
+    {
+        Say(line);
+        _known = Read(AnswerMilliseconds);
+    }
+
+    private void Say(string line) => _socket.Send(Encoding.ASCII.GetBytes(line));
+
+    private long Read(int milliseconds)
+    {
+        _socket.ReceiveTimeout = milliseconds;
+        for (var count = 0; ;)
+        {
+            var more = _socket.Receive(_answer.AsSpan(count));
+            count += more;
+            if (more == 0 || count == _answer.Length) throw new IOException("the other end closed the clock.");
+            if (_answer[count - 1] != '\n') continue;
+            return long.TryParse(_answer.AsSpan(0, count - 1), NumberStyles.None, CultureInfo.InvariantCulture, out var microseconds)
+                ? microseconds * TimeSpan.TicksPerMicrosecond
+                : throw new IOException("what answers there is no clock.");
+        }
+    }
+
+    private void Try(Action exchange)
+    {
+        try
+        {
+            exchange();
+        }
+        catch (Exception failure) when (failure is SocketException or IOException or ObjectDisposedException)
+        {
+            Lose();
+        }
+    }
+
+    private void Lose()
+    {
+        if (_isLost) return;
+        (_isLost, _lostAt) = (true, System.GetTimestamp());
+    }
+
+    private sealed class Timer(OfferedClock clock, TimerCallback callback, object? state) : ITimer
+    {
+        public long Due { get; set; } = long.MaxValue;
+
+        public bool IsWait { get; set; }
+
+        public void Fire() => callback(state);
+
+        /// <remarks>The period is not used by anybody: a timer fires once.</remarks>
+        public bool Change(TimeSpan dueTime, TimeSpan period)
+        {
+            clock.Set(this, dueTime, isWait: false);
+            return true;
+        }
+
+        public void Dispose() => clock.Set(this, Timeout.InfiniteTimeSpan, isWait: false);
+
+        public ValueTask DisposeAsync()
+        {
+            Dispose();
+            return ValueTask.CompletedTask;
+        }
+    }
+}
