@@ -58,7 +58,8 @@ internal sealed class Job
 
         var (end, standstill) = await BringToRestAsync(step).ConfigureAwait(false);
         var notRestored = await LeaveAsFoundAsync().ConfigureAwait(false);
-        return Journalled(Result(end, standstill, notRestored));
+        var result = Result(end, standstill, notRestored);
+        return Journalled(_options.Judge?.Invoke(result) ?? result);
     }
 
     private static JobStep Stopped => new(JobOutcome.Stopped, "Stopped by the operator.", null);
@@ -118,12 +119,13 @@ internal sealed class Job
         if (await _found.BorrowAsync(resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         string[] settings = ["AC", "DC"];
-        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_machine.Limit) }; // whatever somebody left on or selected
+        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_machine.Limit, _program.Profile) }; // whatever somebody left on or selected
         commands.AddRange(_session.Found.MotorsOff.Where("AB".Contains).Select(letter => $"SH{letter}"));
         commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
         commands.Add(ResidentServer.StartCommand(resident));
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
-        if (await _machine.AwaitAsync(ResidentServer.WatchdogLine, line => line >= 0).ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
+        if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => "AB".Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        if (await _machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
         if (await _way.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
         if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;
         _log.Begin(_options, _session.Identity.Model);
@@ -180,6 +182,7 @@ internal sealed class Job
         Sentence = step.Sentence,
         SegmentsSent = _ledger.Sent,
         SegmentsExecuted = _ledger.Executed,
+        SegmentsUncut = _ledger.Uncut,
         Seconds = _machine.Seconds,
         Underruns = _ledger.Underruns,
         Rejected = _ledger.Rejected,

@@ -32,7 +32,7 @@ internal static class JobStart
         context.Say(RunText.Sentence(job, report), MessageKind.Result);
         foreach (var left in report.Result.NotRestored) context.Say($"not restored: {left}", MessageKind.Warning);
         if (report.Result.Outcome == JobOutcome.Complete) return;
-        var failure = report.Result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, _ => CommandFailure.LinkLost };
+        var failure = report.Result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, JobOutcome.Deviated => CommandFailure.Drawing, _ => CommandFailure.LinkLost };
         throw new CommandException(failure, report.Result.Sentence);
     }
 }
