@@ -64,6 +64,17 @@ public class SurvivalTests
     }
 
     [Fact]
+    public async Task Gears_that_drive_each_other_run_to_the_end_of_the_numbers_and_no_further()
+    {
+        await using var rig = new Rig();
+        rig.Do("GAA=B", "GAB=A", "GR 127,127", "IPA=1").Pass(2000);
+        Assert.Equal(2147483647, Math.Abs(rig.Value("_RPA")), 1.0);
+
+        rig.Do("AB1", "GR 0,0", "PAA=4", "SPA=12000000", "BGA", "STA").RunUntilStill();
+        Assert.InRange(Math.Abs(rig.Value("_RPA")), 2147000000, 2147483648);
+    }
+
+    [Fact]
     public async Task A_client_that_never_sends_a_return_is_answered_for_ever()
     {
         await using var rig = new Rig();
