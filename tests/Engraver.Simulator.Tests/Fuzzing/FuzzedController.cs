@@ -131,11 +131,12 @@ internal sealed class FuzzedController : IAsyncDisposable
     /// <summary>Whatever was sent: the end of a text, the end of a line, and the next question has its answer, on every way in.</summary>
     private string? Unanswered()
     {
-        Say("\\\r\"\r");
+        Ask(() => _network, "\\\r\"\rCI0;\r"); // no program owns the serial port
+        if (_controller.Broken is { IsFaulted: true, Exception: { } bug }) return bug.ToString();
         foreach (var (name, open) in new (string, Func<Stream>)[] { ("network", () => _network), ("serial", () => _serial) })
         {
-            var answer = Ask(open, "\\\r\"\r");
-            answer = Ask(open, "CI-1;EO0;MG\"alive\"\r");
+            Ask(open, "\\\r\"\r");
+            var answer = Ask(open, "MG\"alive\"\r");
             if (!answer.Contains("alive\r\n:", StringComparison.Ordinal)) return $"the {name} connection is silent: '{answer}'";
         }
 
