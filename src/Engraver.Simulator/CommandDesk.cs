@@ -22,6 +22,7 @@ internal sealed class CommandDesk(Machine machine, ControllerClock clock, Simula
         if (options.Faults is { } faults)
         {
             if (IsFrozen) return default;
+            if (faults.BreakDownAtCommand == _commands) throw new InvalidOperationException("The fault plan makes the simulator fail here.");
             if (faults.RefusalOf(_commands) is { } code)
             {
                 machine.LastError = code;

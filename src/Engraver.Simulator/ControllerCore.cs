@@ -19,6 +19,7 @@ internal sealed class ControllerCore : IDisposable
     private readonly CommandDesk _desk;
     private readonly StatusBoard _status;
     private readonly RecordFile _recordFile;
+    private readonly TaskCompletionSource _broken = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private TimeSpan _nextTick = TimeSpan.MaxValue;
 
     public ControllerCore(SimulatorOptions options)
@@ -29,10 +30,17 @@ internal sealed class ControllerCore : IDisposable
         _status = new StatusBoard(Machine);
         _recordFile = new RecordFile(Machine.Record);
         _desk = new CommandDesk(Machine, _clock, options);
+        Hosts = new HostDesk(Machine, _clock, options, _gate, Happened, _recordFile.Flush);
         _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
     }
 
     public Machine Machine { get; }
+
+    /// <summary>The hosts that keep step with the controller.</summary>
+    public HostDesk Hosts { get; }
+
+    /// <summary>Faults with the bug that ended the controller's work.</summary>
+    public Task Broken => _broken.Task;
 
     /// <summary>What stopped the record file from being written; null while all is well.</summary>
     public IOException? RecordFailure => _recordFile.Failure;
@@ -71,97 +79,43 @@ internal sealed class ControllerCore : IDisposable
         }
     }
 
+    /// <summary>What a client sent. A bug that shows here breaks the controller, not the thread that carries the bytes.</summary>
     public void Receive(Handle handle, ReadOnlySpan<byte> bytes)
     {
         lock (_gate)
         {
-            _clock.Pace();
-            handle.Receive(bytes);
-            _clock.Heard();
-            _status.Notify();
-            TickWithin(TickPeriod);
-        }
-
-        FireDue();
-    }
-
-    /// <summary>The controller's time in ticks of 100 ns.</summary>
-    public long ClockTicks
-    {
-        get
-        {
-            lock (_gate)
+            try
             {
                 _clock.Pace();
-                return Machine.ClockTicks;
+                handle.Receive(bytes);
+                _clock.Heard();
+                Happened();
+            }
+            catch (Exception bug)
+            {
+                Break(bug);
             }
         }
+
+        Hosts.FireDue();
     }
 
-    /// <summary>Gives a host the clock.</summary>
-    public HostClock Join()
+    /// <summary>Serves clients to the end; a bug there ends the controller's work like one of its own.</summary>
+    public async Task WatchAsync(Task serving)
     {
-        lock (_gate)
+        try
         {
-            _clock.Pace();
-            _clock.Heard();
-            var host = new HostClock(this);
-            _clock.Hosts.Add(host);
-            TickWithin(TickPeriod);
-            return host;
+            await serving.ConfigureAwait(false);
         }
-    }
-
-    /// <summary>A host gives the clock back, or is gone.</summary>
-    public void Leave(HostClock host)
-    {
-        lock (_gate)
+        catch (Exception bug)
         {
-            _clock.Pace();
-            _clock.Hosts.Remove(host);
-            _clock.Heard();
-            _status.Notify();
-            TickWithin(TickPeriod);
-        }
-
-        FireDue();
-    }
-
-    public void Set(HostTimer timer, TimeSpan due, TimeSpan period, bool isWait)
-    {
-        lock (_gate)
-        {
-            if (isWait) _clock.Heard();
-            _clock.Hosts.Set(
-                timer, due == Timeout.InfiniteTimeSpan ? long.MaxValue : Machine.ClockTicks + due.Ticks, period == Timeout.InfiniteTimeSpan ? 0 : period.Ticks, isWait);
-            TickWithin(TickPeriod);
-        }
-    }
-
-    /// <summary>At speed max: lets time pass in the thread of the host that waits, to the end of its wait or until another host has something to do.</summary>
-    /// <param name="own">The wait; it fires in this thread.</param>
-    public void PassWhileAllWait(HostTimer own)
-    {
-        if (!_options.IsVirtual) return; // Tick lets it pass, with the wall
-        while (true)
-        {
-            HostTimer? due;
             lock (_gate)
             {
-                if (own.Due == long.MaxValue || !_clock.PassTowardsNext()) return;
-                due = _clock.Hosts.TakeDue(Machine.ClockTicks);
-                _status.Notify();
+                Break(bug);
             }
-
-            _recordFile.Flush();
-            if (due == own)
-            {
-                own.Fire();
-                return;
-            }
-
-            if (due is not null) ThreadPool.UnsafeQueueUserWorkItem(static timer => timer.Fire(), due, preferLocal: false);
         }
+
+        Hosts.FireDue();
     }
 
     /// <summary>The client went away: its handle is free again, motion and threads go on.</summary>
@@ -171,8 +125,7 @@ internal sealed class ControllerCore : IDisposable
         {
             handle.Close();
             _clock.Heard();
-            _status.Notify();
-            TickWithin(TickPeriod);
+            Happened();
         }
     }
 
@@ -180,11 +133,16 @@ internal sealed class ControllerCore : IDisposable
     {
         lock (_gate)
         {
-            foreach (var handle in Machine.Handles.Open.ToArray()) handle.Cut();
-
-            Machine.Serial.Client?.Cut();
+            CutLinks();
             _status.Notify();
         }
+    }
+
+    private void CutLinks()
+    {
+        foreach (var handle in Machine.Handles.Open.ToArray()) handle.Cut();
+
+        Machine.Serial.Client?.Cut();
     }
 
     public void With(Action<Machine> action)
@@ -193,8 +151,7 @@ internal sealed class ControllerCore : IDisposable
         {
             _clock.Pace();
             action(Machine);
-            _status.Notify();
-            TickWithin(TickPeriod);
+            Happened();
         }
     }
 
@@ -203,11 +160,10 @@ internal sealed class ControllerCore : IDisposable
         lock (_gate)
         {
             Machine.Advance(time);
-            _status.Notify();
-            TickWithin(TickPeriod);
+            Happened();
         }
 
-        FireDue();
+        Hosts.FireDue();
     }
 
     public bool AdvanceUntil(Func<ControllerStatus, bool> condition, TimeSpan atMost)
@@ -233,8 +189,7 @@ internal sealed class ControllerCore : IDisposable
         {
             _status.Add(waiter);
             _clock.Pace();
-            _status.Notify();
-            TickWithin(TickPeriod);
+            Happened();
         }
 
         try
@@ -279,36 +234,48 @@ internal sealed class ControllerCore : IDisposable
         _timer.Change(delay, Timeout.InfiniteTimeSpan);
     }
 
+    /// <summary>On a thread of the timer: what is not caught here would end the process.</summary>
     private void Tick()
     {
         lock (_gate)
         {
-            _nextTick = TimeSpan.MaxValue;
-            _clock.Pace();
-            _desk.ReleaseReplies();
-            _clock.Look(_desk.IsFrozen || _desk.HasLateReplies || Machine.Handles.Open.Any(static handle => handle.IsMidCommand));
-
-            _status.Notify();
-            TickWithin(QuietTime());
+            if (_broken.Task.IsCompleted) return;
+            try
+            {
+                PassTime();
+            }
+            catch (Exception bug)
+            {
+                Break(bug);
+            }
         }
 
-        FireDue();
+        Hosts.FireDue();
         _recordFile.Flush();
     }
 
-    private void FireDue()
+    private void PassTime()
     {
-        while (true)
-        {
-            HostTimer? due;
-            lock (_gate)
-            {
-                if (!_clock.Hosts.AreThere) return;
-                due = _clock.Hosts.TakeDue(Machine.ClockTicks);
-            }
+        _nextTick = TimeSpan.MaxValue;
+        _clock.Pace();
+        _desk.ReleaseReplies();
+        _clock.Look(_desk.IsFrozen || _desk.HasLateReplies || Machine.Handles.Open.Any(static handle => handle.IsMidCommand));
 
-            if (due is null) return;
-            ThreadPool.UnsafeQueueUserWorkItem(static timer => timer.Fire(), due, preferLocal: false);
-        }
+        _status.Notify();
+        TickWithin(QuietTime());
+    }
+
+    /// <summary>A bug of the simulator: no state can be trusted any more. Clients are cut, so that none waits for an answer; whoever owns the controller is told.</summary>
+    private void Break(Exception bug)
+    {
+        if (!_broken.TrySetException(new InvalidOperationException($"The simulated controller failed ({bug.GetType().Name}: {bug.Message})", bug))) return;
+        _ = _broken.Task.Exception; // looked at: an owner who does not ask is not told a second time by the runtime
+        CutLinks();
+    }
+
+    private void Happened()
+    {
+        _status.Notify();
+        TickWithin(TickPeriod);
     }
 }

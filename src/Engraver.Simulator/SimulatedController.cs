@@ -26,6 +26,9 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <summary>Every sample of motion and every output change so far.</summary>
     public MotionRecord Record => _core.Machine.Record;
 
+    /// <summary>Faults with the bug of the simulator that ended its work, on whatever thread it happened; all links are cut then. Never completes otherwise.</summary>
+    public Task Broken => _core.Broken;
+
     public ControllerStatus Status => _core.Status;
 
     /// <summary>What stopped the record's file from being written (a full disk); null while all is well.</summary>
@@ -56,7 +59,7 @@ public sealed class SimulatedController : IAsyncDisposable
     }
 
     /// <summary>Gives the controller's clock to a host: from now on time goes on only by the commands of hosts and while all that have the clock wait. Disposing the clock gives it back.</summary>
-    public HostClock JoinClock() => _core.Join();
+    public HostClock JoinClock() => _core.Hosts.Join();
 
     /// <summary>Offers the clock to hosts in other processes, on loopback until the controller is disposed (docs/simulator-fidelity.md, "The clock"); a connection is a host that has it.</summary>
     /// <exception cref="System.Net.Sockets.SocketException">No port is to be had.</exception>

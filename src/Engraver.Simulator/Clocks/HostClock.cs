@@ -10,9 +10,9 @@ namespace Engraver.Simulator.Clocks;
 /// </remarks>
 public sealed class HostClock : TimeProvider, IDisposable
 {
-    private readonly ControllerCore _core;
+    private readonly HostDesk _desk;
 
-    internal HostClock(ControllerCore core) => _core = core;
+    internal HostClock(HostDesk desk) => _desk = desk;
 
     /// <summary>Ticks of 100 ns since the controller was switched on.</summary>
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
@@ -20,7 +20,7 @@ public sealed class HostClock : TimeProvider, IDisposable
     /// <summary>True between the creation of a wait and its end.</summary>
     internal bool IsWaiting { get; set; }
 
-    public override long GetTimestamp() => _core.ClockTicks;
+    public override long GetTimestamp() => _desk.Now;
 
     /// <summary>Counted from 1970, so that two runs write the same dates.</summary>
     public override DateTimeOffset GetUtcNow() => DateTimeOffset.UnixEpoch + TimeSpan.FromTicks(GetTimestamp());
@@ -28,12 +28,12 @@ public sealed class HostClock : TimeProvider, IDisposable
     public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)
     {
         ArgumentNullException.ThrowIfNull(callback);
-        var timer = new HostTimer(_core, this, callback, state);
+        var timer = new HostTimer(_desk, this, callback, state);
         if (dueTime == Timeout.InfiniteTimeSpan) return timer;
-        _core.Set(timer, dueTime, period, isWait: true);
-        _core.PassWhileAllWait(timer);
+        _desk.Set(timer, dueTime, period, isWait: true);
+        _desk.PassWhileAllWait(timer);
         return timer;
     }
 
-    public void Dispose() => _core.Leave(this);
+    public void Dispose() => _desk.Leave(this);
 }

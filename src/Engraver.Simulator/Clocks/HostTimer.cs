@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Clocks;
 
 /// <summary>A timer on a host's clock. All but the callback is guarded by the controller's lock.</summary>
-internal sealed class HostTimer(ControllerCore core, HostClock host, TimerCallback callback, object? state) : ITimer
+internal sealed class HostTimer(HostDesk desk, HostClock host, TimerCallback callback, object? state) : ITimer
 {
     public HostClock Host => host;
 
@@ -18,11 +18,11 @@ internal sealed class HostTimer(ControllerCore core, HostClock host, TimerCallba
 
     public bool Change(TimeSpan dueTime, TimeSpan period)
     {
-        core.Set(this, dueTime, period, isWait: false);
+        desk.Set(this, dueTime, period, isWait: false);
         return true;
     }
 
-    public void Dispose() => core.Set(this, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan, isWait: false);
+    public void Dispose() => desk.Set(this, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan, isWait: false);
 
     public ValueTask DisposeAsync()
     {

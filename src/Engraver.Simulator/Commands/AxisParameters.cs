@@ -107,7 +107,7 @@ internal static class AxisParameters
         {
             if (field.IsQuery)
             {
-                printed.Add((parameter.Format ?? reader.Machine.PositionFormat).Print(parameter.Read(axis)));
+                printed.Add(reader.Machine.Padded(parameter.Format ?? reader.Machine.PositionFormat).Print(parameter.Read(axis)));
             }
             else if (field.Value is { } value)
             {

@@ -54,7 +54,7 @@ internal sealed class ClockFrontEnd : IAsyncDisposable
             {
                 var socket = await _listener.AcceptAsync(cancellation).ConfigureAwait(false);
                 socket.NoDelay = true;
-                var serving = Task.Run(() => ServeAsync(socket, cancellation), CancellationToken.None);
+                var serving = _core.WatchAsync(Task.Run(() => ServeAsync(socket, cancellation), CancellationToken.None));
                 lock (_gate)
                 {
                     _clients.RemoveWhere(client => client.IsCompleted);
@@ -75,7 +75,7 @@ internal sealed class ClockFrontEnd : IAsyncDisposable
     private async Task ServeAsync(Socket socket, CancellationToken cancellation)
     {
         await using var stream = new NetworkStream(socket, ownsSocket: true);
-        using var clock = _core.Join();
+        using var clock = _core.Hosts.Join();
         using var reader = new StreamReader(stream, Encoding.ASCII, false, 128, leaveOpen: true);
         var next = reader.ReadLineAsync(cancellation).AsTask();
         try

@@ -1,0 +1,107 @@
+namespace Engraver.Simulator.Clocks;
+
+/// <summary>Serves the hosts that have the controller's clock. All members may be called from any thread.</summary>
+/// <param name="gate">The controller's lock.</param>
+/// <param name="happened">Called under the lock when time has passed or may pass.</param>
+/// <param name="flush">Called without the lock after time has passed: the record can be written.</param>
+internal sealed class HostDesk(Machine machine, ControllerClock clock, SimulatorOptions options, Lock gate, Action happened, Action flush)
+{
+    /// <summary>The controller's time in ticks of 100 ns.</summary>
+    public long Now
+    {
+        get
+        {
+            lock (gate)
+            {
+                clock.Pace();
+                return machine.ClockTicks;
+            }
+        }
+    }
+
+    /// <summary>Gives a host the clock.</summary>
+    public HostClock Join()
+    {
+        var host = new HostClock(this);
+        lock (gate)
+        {
+            clock.Pace();
+            clock.Hosts.Add(host);
+            clock.Heard();
+            happened();
+        }
+
+        return host;
+    }
+
+    /// <summary>A host gives the clock back, or is gone.</summary>
+    public void Leave(HostClock host)
+    {
+        lock (gate)
+        {
+            clock.Pace();
+            clock.Hosts.Remove(host);
+            clock.Heard();
+            happened();
+        }
+
+        FireDue();
+    }
+
+    public void Set(HostTimer timer, TimeSpan due, TimeSpan period, bool isWait)
+    {
+        lock (gate)
+        {
+            if (isWait) clock.Heard();
+            clock.Hosts.Set(
+                timer, due == Timeout.InfiniteTimeSpan ? long.MaxValue : machine.ClockTicks + due.Ticks, period == Timeout.InfiniteTimeSpan ? 0 : period.Ticks, isWait);
+            happened();
+        }
+    }
+
+    /// <summary>At speed max: lets time pass in the thread of the host that waits, to the end of its wait or until another host has something to do. At other speeds the wall lets it pass.</summary>
+    /// <param name="own">The wait; it fires in this thread.</param>
+    public void PassWhileAllWait(HostTimer own)
+    {
+        while (options.IsVirtual)
+        {
+            HostTimer? due;
+            lock (gate)
+            {
+                if (own.Due == long.MaxValue || !clock.PassTowardsNext()) return;
+                due = clock.Hosts.TakeDue(machine.ClockTicks);
+                happened();
+            }
+
+            flush();
+            if (due == own)
+            {
+                own.Fire();
+                return;
+            }
+
+            Queue(due);
+        }
+    }
+
+    /// <summary>Fires what time has reached by commands or with the wall.</summary>
+    public void FireDue()
+    {
+        while (true)
+        {
+            HostTimer? due;
+            lock (gate)
+            {
+                due = clock.Hosts.TakeDue(machine.ClockTicks);
+            }
+
+            if (due is null) return;
+            Queue(due);
+        }
+    }
+
+    private static void Queue(HostTimer? due)
+    {
+        if (due is not null) ThreadPool.UnsafeQueueUserWorkItem(static timer => timer.Fire(), due, preferLocal: false);
+    }
+}
