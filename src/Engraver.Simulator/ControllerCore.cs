@@ -182,6 +182,17 @@ internal sealed class ControllerCore : IDisposable
         }
     }
 
+    public ControllerStatus AdvanceToRest(long atMost, long longestRest, int steps)
+    {
+        lock (_gate)
+        {
+            Machine.AdvanceToRest(atMost, longestRest, steps);
+            _status.Notify();
+            TickWithin(TickPeriod);
+            return _status.Now();
+        }
+    }
+
     public async Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation)
     {
         var waiter = new StatusWaiter(condition);
