@@ -40,6 +40,7 @@ internal static class SimulateVerb
         if (csv is not null) controller.Record.AttachCsv(csv);
         try
         {
+            if (options.Speed != 1.0) await OfferClockAsync(host, controller, stop).ConfigureAwait(false);
             await ServeAsync(host, controller, port, datagrams, serial, baud, stop).ConfigureAwait(false);
         }
         catch (OperationCanceledException) when (stop.IsCancellationRequested)
@@ -48,6 +49,13 @@ internal static class SimulateVerb
         }
 
         return controller.RecordFailure is { } failure ? throw new UsageException($"{record} is incomplete: {failure.Message}", failure) : ExitCode.Done;
+    }
+
+    /// <summary>At a speed of its own the controller offers its clock to hosts that keep step with it (docs/simulator-fidelity.md, "The clock").</summary>
+    private static async Task OfferClockAsync(VerbHost host, SimulatedController controller, CancellationToken stop)
+    {
+        var place = await controller.ListenClockAsync(stop).ConfigureAwait(false);
+        await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"clock 127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
     }
 
     /// <summary>Opens every way in, says so, and serves until the signal.</summary>

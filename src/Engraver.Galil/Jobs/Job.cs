@@ -114,12 +114,11 @@ internal sealed class Job
 
     private async Task<JobStep> PrepareAsync()
     {
-        await _machine.MeasureClockAsync().ConfigureAwait(false);
         var resident = ResidentServer.Program(_options.Mode, _program.Profile);
         if (await _found.BorrowAsync(resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         string[] settings = ["AC", "DC"];
-        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_machine.Limit, _program.Profile) }; // whatever somebody left on or selected
+        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_program.Profile) }; // whatever somebody left on or selected
         commands.AddRange(_session.Found.MotorsOff.Where("AB".Contains).Select(letter => $"SH{letter}"));
         commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
         commands.Add(ResidentServer.StartCommand(resident));

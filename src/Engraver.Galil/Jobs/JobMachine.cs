@@ -14,7 +14,8 @@ internal sealed class JobMachine
     internal const int GlancesBetweenPolls = 8;
 
     private readonly ControllerSession _session;
-    private readonly JobClock _clock;
+    private readonly PollTimes _times;
+    private readonly TimeSpan _pollInterval;
     private readonly JobLedger _ledger;
     private readonly Action _polled;
     private readonly CancellationToken _stop;
@@ -31,12 +32,13 @@ internal sealed class JobMachine
         _session = session;
         Profile = program.Profile;
         Start = program.Start;
-        _clock = new JobClock(session.Time, (session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6, options.PollInterval);
+        _times = new PollTimes(session.Time, (session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6);
+        _pollInterval = options.PollInterval;
         Tool = new JobTool(this, options.DryRun);
         _ledger = ledger;
         _polled = polled;
         _stop = stop;
-        _heartbeat = new Heartbeat(session);
+        _heartbeat = new Heartbeat(session.Time);
         _stopHandle = new StopHandleWatch(session, ledger);
         _progress = new ProgressWatch(program.Profile);
         _fault = new JobFault(this, program, ledger);
@@ -46,9 +48,6 @@ internal sealed class JobMachine
 
     /// <summary>Where the job frame takes the machine to stand at the start.</summary>
     public CountsPoint Start { get; }
-
-    /// <summary>How far the watchdog is wound up.</summary>
-    public WatchdogLimit Limit { get; private set; } = WatchdogLimit.OneSecond;
 
     /// <summary>After so many seconds of the controller without progress a job is given up.</summary>
     public double StandstillSeconds => _progress.Seconds;
@@ -67,6 +66,9 @@ internal sealed class JobMachine
     /// <summary>Where the machine stands, job frame.</summary>
     public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
 
+    /// <summary>The job's clock.</summary>
+    public TimeProvider Time => _session.Time;
+
     /// <summary>The serial line that the job goes over; null for none.</summary>
     public SerialLine? Line => _session.Line;
 
@@ -81,11 +83,11 @@ internal sealed class JobMachine
     /// <summary>The operator's stop.</summary>
     public CancellationToken Stop => _stop;
 
-    /// <summary>Wall time since the last poll.</summary>
-    public TimeSpan SincePoll => _clock.SincePoll;
+    /// <summary>Time since the last poll.</summary>
+    public TimeSpan SincePoll => _times.SincePoll;
 
     /// <summary>Controller time since the job began.</summary>
-    public double Seconds => _clock.Seconds;
+    public double Seconds => _times.Seconds;
 
     public async ValueTask<JobStep> SendAsync(string command, string where = "") =>
         await ReplyAsync(command).ConfigureAwait(false) is Rejected rejected ? Refuse(rejected, where) : JobStep.Done;
@@ -103,11 +105,11 @@ internal sealed class JobMachine
     /// <summary>Sends one command, and the heartbeat when it is due.</summary>
     public async ValueTask<Reply> ReplyAsync(string command)
     {
-        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(HeartbeatCommand, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
+        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
         var reply = await _session.Commands.SendAsync(command, _stop).ConfigureAwait(false);
-        if (reply is Accepted && command != HeartbeatCommand) _progress.Acted();
-        if (!_heartbeat.IsDueAfterCommand()) return reply;
-        var beat = await _session.Commands.SendAsync(HeartbeatCommand, _stop).ConfigureAwait(false);
+        if (reply is Accepted && command != ResidentServer.HeartbeatCommand) _progress.Acted();
+        if (!_heartbeat.IsDue()) return reply;
+        var beat = await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false);
         return beat is Rejected && reply is Accepted ? beat : reply;
     }
 
@@ -140,7 +142,6 @@ internal sealed class JobMachine
     /// <summary>Asks where the machine is. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
-        _clock.Asks();
         if (Line is null) return await ReadAsync(MachineState.Operands, MachineState.Of).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
         if (await ReadAsync(MachineState.ProgramOperands, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
         return await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
@@ -150,7 +151,6 @@ internal sealed class JobMachine
     public async ValueTask<JobStep> GlanceAsync()
     {
         if (Line is null || Known is null || _toolWatch.IsSuspicious || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
-        _clock.Asks();
         if (await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
 
         // The axes were last seen at work for the path: now that it has ended they must be asked again.
@@ -159,7 +159,7 @@ internal sealed class JobMachine
 
     private async ValueTask<JobStep> ReadAsync(string operands, Func<IReadOnlyList<double>, MachineState> take)
     {
-        if (IsBeatDueBefore(2 * operands.Length) && await SendAsync(HeartbeatCommand).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
+        if (IsBeatDueBefore(2 * operands.Length) && await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
         var reading = await _session.Commands.ReadAsync(operands, _stop).ConfigureAwait(false);
         if (reading.Refusal is { } refused) return Refuse(refused, "");
         Known = take(reading.Values);
@@ -168,8 +168,7 @@ internal sealed class JobMachine
 
     private async ValueTask<JobStep> PolledAsync()
     {
-        _clock.Polled(State.Time);
-        _heartbeat.Saw(State.Time);
+        _times.Polled(State.Time);
         _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, IsToolOn) { Executed = _ledger.Executed });
         _polled();
         await _stopHandle.LookAsync().ConfigureAwait(false);
@@ -188,7 +187,7 @@ internal sealed class JobMachine
         if (hasProgramEnded) return await ProgramEndedAsync().ConfigureAwait(false);
         if (_isGuarded && !State.WatchdogRuns) return _fault.Unwatched();
         if (isToolWrong) return _fault.ToolSwitched();
-        return _progress.IsStalled(State, Limit) ? await _fault.StalledAsync().ConfigureAwait(false) : JobStep.Done;
+        return _progress.IsStalled(State) ? await _fault.StalledAsync().ConfigureAwait(false) : JobStep.Done;
     }
 
     /// <summary>The program in the controller has started: waits until its watchdog runs, which from then on is looked after.</summary>
@@ -206,12 +205,10 @@ internal sealed class JobMachine
         return SendAllAsync(ResidentServer.HaltCommands);
     }
 
-    private string HeartbeatCommand => ResidentServer.HeartbeatCommand(Limit);
-
     private bool IsBeatDueBefore(int bytes) => Line is { } line && _heartbeat.IsDueBefore(line.Time(bytes));
 
     private async ValueTask<JobStep> BeatAsync() =>
-        _heartbeat.IsDueAfterCommand() ? await SendAsync(HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
+        _heartbeat.IsDue() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
 
     /// <summary>Asks for one number over the handle of the stop, also after the operator's stop; null when the controller does not know it.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
@@ -220,37 +217,39 @@ internal sealed class JobMachine
     /// <summary>Asks for one number until it is as wanted, and polls in between.</summary>
     public async ValueTask<JobStep> AwaitAsync(string operand, Func<double, bool> wanted)
     {
+        var (pause, start) = (new PollPause(_pollInterval, 0.0), Time.GetTimestamp());
         while (true)
         {
             var (value, end) = await AskAsync(operand).ConfigureAwait(false);
             if (end.Ends || wanted(value)) return end;
             if (await PollAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
-            await _clock.PauseAsync(_stop).ConfigureAwait(false);
+            await RestAsync(pause.Next(Time.GetElapsedTime(start).TotalSeconds)).ConfigureAwait(false);
         }
     }
 
-    /// <summary>Polls until <paramref name="reached"/>, with a pause between two polls.</summary>
-    public ValueTask<JobStep> PollUntilAsync(Func<MachineState, bool> reached) => UntilAsync(PollAsync, reached);
+    /// <summary>Polls until <paramref name="reached"/>.</summary>
+    /// <param name="atLeastSeconds">What that takes at the least; until then there are pauses between the polls.</param>
+    public ValueTask<JobStep> PollUntilAsync(Func<MachineState, bool> reached, double atLeastSeconds = 0.0) => UntilAsync(PollAsync, reached, atLeastSeconds);
 
     /// <summary>The same by glances.</summary>
-    public ValueTask<JobStep> GlanceUntilAsync(Func<MachineState, bool> reached) => UntilAsync(GlanceAsync, reached);
+    public ValueTask<JobStep> GlanceUntilAsync(Func<MachineState, bool> reached, double atLeastSeconds = 0.0) => UntilAsync(GlanceAsync, reached, atLeastSeconds);
 
-    private async ValueTask<JobStep> UntilAsync(Func<ValueTask<JobStep>> look, Func<MachineState, bool> reached)
+    /// <summary>A pause in which the controller gets on by itself, no longer than between two polls.</summary>
+    public async ValueTask RestAsync(double seconds)
     {
+        var rest = TimeSpan.FromSeconds(Math.Min(seconds, _pollInterval.TotalSeconds));
+        if (rest > TimeSpan.Zero) await Task.Delay(rest, _session.Time, _stop).ConfigureAwait(false);
+    }
+
+    private async ValueTask<JobStep> UntilAsync(Func<ValueTask<JobStep>> look, Func<MachineState, bool> reached, double atLeastSeconds)
+    {
+        var (pause, start) = (new PollPause(_pollInterval, atLeastSeconds), Time.GetTimestamp());
         while (true)
         {
             if (await look().ConfigureAwait(false) is { Ends: true } end) return end;
             if (reached(State)) return JobStep.Done;
-            await _clock.PauseAsync(_stop).ConfigureAwait(false);
+            await RestAsync(pause.Next(Time.GetElapsedTime(start).TotalSeconds)).ConfigureAwait(false);
         }
-    }
-
-    /// <summary>To be called before anything runs in the controller.</summary>
-    /// <exception cref="ControllerException">The link failed.</exception>
-    public async ValueTask MeasureClockAsync()
-    {
-        Limit = await WatchdogLimit.MeasureAsync(_session, _stop).ConfigureAwait(false);
-        _heartbeat.Limit = Limit;
     }
 
     /// <summary>The position at the start of the job becomes the drawing's start point.</summary>

@@ -24,7 +24,9 @@ public sealed record JobOptions
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }
 
-    /// <summary>Pause between two polls while the controller works on its own. None where the controller's time runs ahead of ours
-    /// (<see cref="Sessions.ControllerSession.ClockRunsAhead"/>), nor while a sequence is open.</summary>
-    public TimeSpan PollInterval { get; init; } = TimeSpan.FromMilliseconds(10);
+    /// <summary>The longest pause between two polls, by the session's clock: while the controller works on its own and nothing can have ended yet, or for long does not.</summary>
+    public TimeSpan PollInterval { get; init; } = UsualPollInterval;
+
+    /// <summary>As planned times take it.</summary>
+    public static TimeSpan UsualPollInterval { get; } = TimeSpan.FromMilliseconds(10);
 }

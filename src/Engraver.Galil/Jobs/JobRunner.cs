@@ -26,9 +26,7 @@ public static class JobRunner
             return JobResult.NotStarted(program, $"The journal cannot be written: {failure.Message} Name another file.");
         }
 
-        var paced = session.ClockRunsAhead ? options with { PollInterval = TimeSpan.Zero } : options;
-
         // Replies from memory come at once: without a thread of its own the whole job would run before this method returns.
-        using (journal) return await Task.Run(new Job(program, session, paced, progress, journal, stop).RunAsync, CancellationToken.None).ConfigureAwait(false);
+        using (journal) return await Task.Run(new Job(program, session, options, progress, journal, stop).RunAsync, CancellationToken.None).ConfigureAwait(false);
     }
 }

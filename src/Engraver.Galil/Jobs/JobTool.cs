@@ -31,6 +31,6 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
         if (await machine.GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         var from = machine.State.Time;
         var samples = Math.Ceiling(machine.Profile.ToolSettleSeconds * SamplesPerSecond);
-        return await machine.GlanceUntilAsync(state => JobClock.SamplesSince(from, state.Time) >= samples).ConfigureAwait(false);
+        return await machine.GlanceUntilAsync(state => PollTimes.SamplesSince(from, state.Time) >= samples, machine.Profile.ToolSettleSeconds).ConfigureAwait(false);
     }
 }

@@ -78,7 +78,7 @@ internal sealed class ProgramWay(MotionProgram program, JobMachine machine, JobL
         var progress = new ChunkProgress(chunk, _path.Count);
         machine.PlaceInProgram = progress.PlaceOf;
         machine.Tool.WantedByProgram = ChunkProgress.IsToolWanted;
-        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Limit, machine.Profile), Text($"XQ {WatchedJob.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Profile), Text($"XQ {WatchedJob.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         _chunk = progress;
         ledger.Sent += chunk.Segments.Count();
         if (await machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
@@ -93,7 +93,7 @@ internal sealed class ProgramWay(MotionProgram program, JobMachine machine, JobL
         if (machine.Line is null) machine.Expectation = state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Look(state.Counter, machine.Here) : JobStep.Done;
         try
         {
-            var end = await machine.PollUntilAsync(IsDone).ConfigureAwait(false);
+            var end = await machine.PollUntilAsync(IsDone, Seconds(chunk)).ConfigureAwait(false);
             return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here);
         }
         finally
@@ -101,6 +101,9 @@ internal sealed class ProgramWay(MotionProgram program, JobMachine machine, JobL
             machine.Expectation = null;
         }
     }
+
+    /// <summary>What the chunk takes at the least: the motion of its sequences, without rapids and settles.</summary>
+    private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => MotionTime.Trapezoid(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts));
 
     /// <summary>An odd mark belongs to a sequence under way.</summary>
     private static bool IsCutting(MachineState state) => state.SequenceRunning && state.Calls % 2 != 0;

@@ -13,18 +13,18 @@ internal sealed class ProgressWatch(MachineProfile profile)
     private long _since;
     private int _polls;
 
-    /// <summary>Controller seconds without progress until a job is given up, at a rate of 1.</summary>
+    /// <summary>Controller seconds without progress until a job is given up.</summary>
     public double Seconds { get; } = StandstillLimit.Seconds(profile);
 
     /// <summary>The host had a command of the job accepted: what comes of it is waited for anew.</summary>
     public void Acted() => _last = null;
 
     /// <summary>To be called with each poll.</summary>
-    public bool IsStalled(in MachineState now, WatchdogLimit limit)
+    public bool IsStalled(in MachineState now)
     {
         if (_last is not { } last || HasProgress(last, now)) (_since, _polls) = (now.Time, 0);
         _last = now;
-        return ++_polls > FewestPolls && JobClock.SamplesSince(_since, now.Time) > limit.Samples((int)(Seconds * SamplesPerSecond));
+        return ++_polls > FewestPolls && PollTimes.SamplesSince(_since, now.Time) > Seconds * SamplesPerSecond;
     }
 
     private static bool HasProgress(in MachineState before, in MachineState now) =>

@@ -32,12 +32,18 @@ internal static class RapidMove
             : JobStep.Deviated(Text($"The rapid from {from.X},{from.Y} to {goal.X},{goal.Y} went to {state.Position.X},{state.Position.Y} (counts of the controller); what was sent has not arrived as it was sent. Look at the cable and who else uses the controller."));
         try
         {
-            return await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false);
+            return await machine.PollUntilAsync(state => state.Stands, Seconds(machine, from, goal)).ConfigureAwait(false);
         }
         finally
         {
             machine.Expectation = null;
         }
+    }
+
+    private static double Seconds(JobMachine machine, CountsPoint from, CountsPoint goal)
+    {
+        double Axis(double counts, int speed) => MotionTime.Trapezoid(Math.Abs(counts), speed, machine.Profile.AccelerationCounts);
+        return Math.Max(Axis((double)goal.X - from.X, machine.Profile.RapidSpeedX), Axis((double)goal.Y - from.Y, machine.Profile.RapidSpeedY));
     }
 
     private static bool IsBetween(int from, int at, int to) => at >= Math.Min(from, to) && at <= Math.Max(from, to);

@@ -9,11 +9,11 @@ namespace Engraver.Galil.Jobs;
 internal static class ResidentServer
 {
     /// <summary>Winds the watchdog up again.</summary>
-    public static string HeartbeatCommand(WatchdogLimit limit) => JobMachine.Text($"{Variables.Heartbeat}={limit.Ticks}");
+    public static string HeartbeatCommand { get; } = JobMachine.Text($"{Variables.Heartbeat}={HeartbeatTicks}");
 
     /// <summary>Gives every variable that is polled a value before it is read: an undefined one is refused. Winds the watchdog up before it starts.</summary>
-    public static string DefineVariables(WatchdogLimit limit, MachineProfile profile) =>
-        JobMachine.Text($"{HeartbeatCommand(limit)};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.StillLimit}={StandstillLimit.ControllerTicks(profile, limit)}");
+    public static string DefineVariables(MachineProfile profile) =>
+        JobMachine.Text($"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.StillLimit}={StandstillLimit.ControllerTicks(profile)}");
 
     /// <summary>Ends both threads of a job.</summary>
     public static IReadOnlyList<string> HaltCommands { get; } = [JobMachine.Text($"HX{MainThread}"), JobMachine.Text($"HX{WatchdogThread}")];

@@ -17,6 +17,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Segments shorter than this come slower over the wire than they are cut: the whole buffer is filled first (galil-dmc.md A.4: 1.6 ms a command).</summary>
     private const double ShortSegmentSeconds = 0.004;
 
+    /// <summary>While the buffer is full the host rests for this share of what is in it.</summary>
+    private const double RestShare = 4.0;
+
     /// <summary>Shorter delays between two commands are nothing to look into.</summary>
     private const double HeldUpSeconds = 0.05;
 
@@ -26,6 +29,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
     private readonly FeedPace _pace = FeedPace.Of(machine.Line);
     private readonly FeedThrottle _throttle = new((double)sequence.Speed / machine.Profile.AccelerationCounts, FeedPace.Of(machine.Line).ReactionSeconds);
+    private long _begunAt;
     private int _capacity;
     private int _sent;
     private int _executed;
@@ -41,6 +45,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
     /// <summary>What is buffered lasts this long at full speed.</summary>
     private double SecondsAhead => _countsAhead / sequence.Speed;
+
+    /// <summary>By the trapezoid of the whole path and what has passed of it.</summary>
+    private double SecondsLeft => MotionTime.Trapezoid(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
 
     private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
 
@@ -133,6 +140,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
             while (_begun && _capacity - (_sent - _executed) < SpareSegments)
             {
                 if (await WatchAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+                await machine.RestAsync(SecondsAhead / RestShare).ConfigureAwait(false);
             }
 
             var reply = await machine.ReplyAsync(command).ConfigureAwait(false);
@@ -153,10 +161,11 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         _watch = machine.Watch(_origin, Ahead, sequence.Speed);
         machine.Expectation = OnPath;
         _begun = true;
+        _begunAt = machine.Time.GetTimestamp();
         return await machine.SendAsync("BGS").ConfigureAwait(false);
     }
 
-    /// <summary>Looks at the counter, without a pause: the controller lives on what it is fed.</summary>
+    /// <summary>Looks at the counter.</summary>
     private async ValueTask<JobStep> WatchAsync()
     {
         if (await machine.GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
@@ -171,7 +180,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (await machine.SendAsync("VE").ConfigureAwait(false) is { Ends: true } refused) return refused;
         if (!_begun && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
         if (_throttle.Release() is { } ratio && await ThrottleAsync(ratio).ConfigureAwait(false) is { Ends: true } unreleased) return unreleased;
-        if (await machine.GlanceUntilAsync(HasEnded).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.GlanceUntilAsync(HasEnded, SecondsLeft).ConfigureAwait(false) is { Ends: true } end) return end;
         if (machine.State.StopCode != StopCodes.SequenceEnded) return EndedEarly();
         if (_watch!.LookAtEnd(machine.Here) is { Ends: true } elsewhere) return elsewhere;
         if (await CheckLengthAsync().ConfigureAwait(false) is { Ends: true } another) return another;

@@ -14,7 +14,6 @@ internal sealed class SerialConversation(SerialLine line)
     /// <summary>As a job spaces its heartbeats, and the latest for which one is not said before a long exchange.</summary>
     private const double SecondsBetweenHeartbeats = 0.2;
     private const double LatestHeartbeat = 0.5;
-    private const int CommandsBetweenHeartbeats = 64;
 
     /// <summary>TIME when a job begins on a controller that has just been switched on: handshake and downloads are about so many bytes.</summary>
     private const int BytesBeforeJob = 3000;
@@ -23,7 +22,6 @@ internal sealed class SerialConversation(SerialLine line)
 
     private readonly double _byteSeconds = line.ByteSeconds;
     private double _beaten;
-    private int _commands;
     private int _glances;
     private double _movingUntil;
     private int _speed;
@@ -42,6 +40,9 @@ internal sealed class SerialConversation(SerialLine line)
 
     /// <summary>When the controller had the CR of what was said last: the prompt came behind it.</summary>
     public double Heard => Now - _byteSeconds;
+
+    /// <summary>The host rests between two polls, seconds.</summary>
+    public void Rest(double seconds) => Now += seconds;
 
     /// <summary>A motion is under way.</summary>
     /// <param name="speed">_VMS meanwhile; 0 for a rapid.</param>
@@ -113,13 +114,13 @@ internal sealed class SerialConversation(SerialLine line)
 
     private void BeatAfter()
     {
-        if (++_commands >= CommandsBetweenHeartbeats || Now - _beaten >= SecondsBetweenHeartbeats) Beat();
+        if (Now - _beaten >= SecondsBetweenHeartbeats) Beat();
     }
 
     private void Beat()
     {
-        (_beaten, _commands) = (Now, 0);
-        Pass(ResidentServer.HeartbeatCommand(WatchdogLimit.OneSecond).Length + FrameBytes);
+        _beaten = Now;
+        Pass(ResidentServer.HeartbeatCommand.Length + FrameBytes);
     }
 
     private void Pass(int bytes) => Now += bytes * _byteSeconds;

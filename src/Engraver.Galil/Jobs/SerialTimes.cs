@@ -25,7 +25,7 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         _talk.Command(from.X != to.X && from.Y != to.Y ? "BGAB" : "BGA");
         var end = _talk.Heard + moving;
         _talk.Moves(end, 0);
-        PollUntil(to, end);
+        PollUntil(to, end, moving);
         _talk.StopCode = StopCodes.AtTarget;
         return _talk.Now - begun - moving;
     }
@@ -45,7 +45,8 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         var begun = _talk.Now;
         _talk.Command("SB 1");
         var switched = _talk.Glance(at).At;
-        while (_talk.Glance(at).At - switched < Settle(program)) { }
+        var (pause, start) = (Pause(program.Profile.ToolSettleSeconds), _talk.Now);
+        while (_talk.Glance(at).At - switched < Settle(program)) _talk.Rest(pause.Next(_talk.Now - start));
         return _talk.Now - begun;
     }
 
@@ -55,7 +56,7 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         SayAll(ResidentServer.Arguments(sequence.Segments[0], sequence.Start, sequence.Speed), ResidentServer.GoCommand);
         var end = _talk.Heard + SecondsPerCall + moving;
         _talk.Moves(end, sequence.Speed);
-        PollUntil(sequence.End, end);
+        PollUntil(sequence.End, end, moving);
         _talk.Calls++;
     }
 
@@ -68,12 +69,14 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         var fits = sequence.Segments.Count <= WireFeed.Places;
         foreach (var segment in sequence.Segments.Take(WireFeed.Places)) _talk.Command(DmcFormat.Command(segment, sequence.Start));
         if (fits) _talk.Command("VE");
+        var begun = _talk.Now;
         _talk.Command("BGS");
         _talk.Moves(_talk.Heard + moving, sequence.Speed);
         foreach (var segment in sequence.Segments.Skip(WireFeed.Places)) _talk.Command(DmcFormat.Command(segment, sequence.Start));
         if (!fits) _talk.Command("VE");
         _talk.Counter = sequence.Segments.Count;
-        while (!_talk.Glance(sequence.End).Stands) { }
+        var (pause, start) = (Pause(moving - (_talk.Now - begun)), _talk.Now);
+        while (!_talk.Glance(sequence.End).Stands) _talk.Rest(pause.Next(_talk.Now - start));
     }
 
     private void SayAll(params ReadOnlySpan<string> commands)
@@ -81,8 +84,12 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         foreach (var command in commands) _talk.Command(command);
     }
 
-    private void PollUntil(CountsPoint at, double end)
+    /// <param name="atLeast">As the job knows it, seconds from now: it rests until then.</param>
+    private void PollUntil(CountsPoint at, double end, double atLeast)
     {
-        while (_talk.Poll(at).Program < end) { }
+        var (pause, start) = (Pause(atLeast), _talk.Now);
+        while (_talk.Poll(at).Program < end) _talk.Rest(pause.Next(_talk.Now - start));
     }
+
+    private static PollPause Pause(double atLeast) => new(JobOptions.UsualPollInterval, atLeast);
 }

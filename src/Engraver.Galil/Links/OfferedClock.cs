@@ -76,9 +76,6 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         return now;
     }
 
-    /// <summary>Counted from 1970.</summary>
-    public override DateTimeOffset GetUtcNow() => DateTimeOffset.UnixEpoch + TimeSpan.FromTicks(GetTimestamp());
-
     public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)
     {
         ArgumentNullException.ThrowIfNull(callback);

@@ -47,9 +47,6 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <summary>The serial line that this channel talks over; null for none.</summary>
     public SerialLine? Line => _link.Line;
 
-    /// <summary>Bytes sent and received so far.</summary>
-    public long Traffic { get; private set; }
-
     /// <summary>Called with each line that a program in the controller printed.</summary>
     public Action<string>? MessageReceived { get; set; }
 
@@ -176,7 +173,6 @@ public sealed class CommandChannel : IAsyncDisposable
     private async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes)
     {
         await _link.WriteAsync(bytes, _deadline.Expired).ConfigureAwait(false);
-        Traffic += bytes.Length;
     }
 
     private TimeSpan WireTime(int bytes) => Line?.Time(bytes) ?? TimeSpan.Zero;
@@ -195,7 +191,6 @@ public sealed class CommandChannel : IAsyncDisposable
         {
             var count = await _link.ReadAsync(_received, _deadline.Expired).ConfigureAwait(false);
             if (count == 0) throw Fail(new ControllerLinkException($"{_link.Description} closed the connection."));
-            Traffic += count;
             _framer.Append(_received.AsSpan(0, count));
 
             // A whole program memory takes a minute at 19,200 baud: as long as some of it comes, the link lives.

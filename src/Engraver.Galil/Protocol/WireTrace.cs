@@ -17,16 +17,19 @@ public sealed class WireTrace
 
     private readonly Channel<string> _lines = Channel.CreateBounded<string>(new BoundedChannelOptions(MostWaiting) { SingleReader = true });
     private readonly TimeProvider _time;
+    private readonly TimeProvider _wall;
     private readonly long _start;
     private readonly Task _writing;
     private volatile string? _failure;
     private long _taken;
 
     /// <param name="writer">Owned: it is closed behind the last line.</param>
-    public WireTrace(TextWriter writer, TimeProvider time)
+    /// <param name="time">The clock of the conversation: lines are dated by it.</param>
+    /// <param name="wall">Where whoever reads the trace lives; null when that is the same.</param>
+    public WireTrace(TextWriter writer, TimeProvider time, TimeProvider? wall = null)
     {
         ArgumentNullException.ThrowIfNull(time);
-        (_time, _start) = (time, time.GetTimestamp());
+        (_time, _wall, _start) = (time, wall ?? time, time.GetTimestamp());
         _writing = Task.Factory.StartNew(() => WriteAll(writer), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
     }
 
@@ -61,7 +64,7 @@ public sealed class WireTrace
         for (var before = -1L; !_writing.IsCompleted && before != Interlocked.Read(ref _taken);)
         {
             before = Interlocked.Read(ref _taken);
-            await Task.WhenAny(_writing, Task.Delay(Patience, _time, CancellationToken.None)).ConfigureAwait(false);
+            await Task.WhenAny(_writing, Task.Delay(Patience, _wall, CancellationToken.None)).ConfigureAwait(false);
         }
 
         if (!_writing.IsCompleted) Fail("Whoever reads it has stopped reading.");

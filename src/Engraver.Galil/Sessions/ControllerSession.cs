@@ -13,15 +13,13 @@ public sealed class ControllerSession : IAsyncDisposable
     private volatile CommandChannel? _second;
 
     private ControllerSession(
-        CommandChannel commands, CommandChannel? second, Func<CancellationToken, Task<CommandChannel>> openSecond, ControllerIdentity identity, FoundState found, ClockComparison clocks, TimeProvider time)
+        CommandChannel commands, CommandChannel? second, Func<CancellationToken, Task<CommandChannel>> openSecond, ControllerIdentity identity, FoundState found, TimeProvider time)
     {
         _commands = commands;
         _second = second;
         _openSecond = openSecond;
         Identity = identity;
         Found = found;
-        ClockRunsAhead = clocks.RunsAhead;
-        ClockMoves = clocks.OursMoves;
         Time = time;
     }
 
@@ -30,19 +28,11 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <summary>The controller as it is to be left.</summary>
     public FoundState Found { get; private set; }
 
-    /// <summary>True when the controller's time passes much faster than ours (a simulator at full speed): polls then need no pause.</summary>
-    public bool ClockRunsAhead { get; }
-
-    /// <summary>Whether our own clock went on while the controller was asked; a test's may stand.</summary>
-    internal bool ClockMoves { get; }
-
+    /// <summary>What everything here waits on: the system's with a real controller, the controller's own with a simulated one that gives its clock.</summary>
     public TimeProvider Time { get; }
 
     /// <summary>The serial line that everything goes over, the stop too; null for a link with a handle for each.</summary>
     public SerialLine? Line => _commands.Line;
-
-    /// <summary>How long what was said so far took on the serial line; zero elsewhere.</summary>
-    public TimeSpan WireTime => Line?.Time(_commands.Traffic) ?? TimeSpan.Zero;
 
     /// <summary>The handle for commands; when its link is lost and the second handle still stands, that one.</summary>
     public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
@@ -71,8 +61,7 @@ public sealed class ControllerSession : IAsyncDisposable
             if (options.SecondHandle && commands.Line is null) await SignOfLifeAsync(second = await Open("B", cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
             var identity = await Handshake.IdentifyAsync(commands, cancellation).ConfigureAwait(false);
             var found = await FoundState.ReadAsync(commands, identity.Letters, echo, cancellation).ConfigureAwait(false);
-            var clocks = await ClockComparison.CompareAsync(commands, time, cancellation).ConfigureAwait(false);
-            var session = new ControllerSession(commands, second, giveUp => Open("B", giveUp), identity, found, clocks, time);
+            var session = new ControllerSession(commands, second, giveUp => Open("B", giveUp), identity, found, time);
             await session.AgreeOnWireAsync(cancellation).ConfigureAwait(false);
             opened = true;
             return session;

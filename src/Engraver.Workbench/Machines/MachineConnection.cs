@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Machines;
@@ -10,12 +11,14 @@ public sealed class MachineConnection : IAsyncDisposable
     private static readonly TimeSpan s_connectTimeout = TimeSpan.FromSeconds(5);
     private static readonly TimeSpan s_writeTimeout = TimeSpan.FromSeconds(2);
     private readonly Func<CancellationToken, Task<IControllerLink>> _open;
+    private readonly Func<MachineClock> _takeClock;
 
-    private MachineConnection(string description, SimulatedController? simulator, Func<CancellationToken, Task<IControllerLink>> open)
+    private MachineConnection(string description, SimulatedController? simulator, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock)
     {
         Description = description;
         Simulator = simulator;
         _open = open;
+        _takeClock = takeClock;
     }
 
     public string Description { get; }
@@ -29,21 +32,27 @@ public sealed class MachineConnection : IAsyncDisposable
         TcpAddress tcp => new MachineConnection(
             $"tcp://{tcp.Host}:{tcp.Port}",
             simulator: null,
-            async cancellation => await TcpLink.ConnectAsync(tcp.Host, tcp.Port, s_connectTimeout, time, cancellation).ConfigureAwait(false)),
+            async cancellation => await TcpLink.ConnectAsync(tcp.Host, tcp.Port, s_connectTimeout, time, cancellation).ConfigureAwait(false),
+            () => Offered(tcp, time)),
         SerialAddress serial => new MachineConnection(
             $"serial://{serial.Device}",
             simulator: null,
-            _ => Task.FromResult<IControllerLink>(SerialLink.Open(serial, s_writeTimeout, time))),
+            _ => Task.FromResult<IControllerLink>(SerialLink.Open(serial, s_writeTimeout, time)),
+            () => Offered(serial, time)),
         SimulatedAddress simulated => Simulate(simulated, time),
         _ => throw new UnreachableException(),
     };
 
     /// <summary>A machine behind links that somebody else opens.</summary>
     /// <param name="description">Where it is, for people and for the journal.</param>
-    internal static MachineConnection Through(string description, Func<CancellationToken, Task<IControllerLink>> open) => new(description, simulator: null, open);
+    internal static MachineConnection Through(string description, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock) => new(description, simulator: null, open, takeClock);
 
     /// <summary>Opens one more link (one more handle of the controller).</summary>
     public Task<IControllerLink> OpenLinkAsync(CancellationToken cancellation) => _open(cancellation);
+
+    /// <summary>The clock for a job. A simulated controller that is not at speed 1 gives its own: its time then goes on only by what the job says and while the job waits, until the clock is disposed.</summary>
+    /// <exception cref="ControllerLinkException">Nobody offers a clock where the address says.</exception>
+    public MachineClock TakeClock() => _takeClock();
 
     public ValueTask DisposeAsync() => Simulator?.DisposeAsync() ?? ValueTask.CompletedTask;
 
@@ -53,6 +62,9 @@ public sealed class MachineConnection : IAsyncDisposable
         return new MachineConnection(
             "sim:",
             controller,
-            _ => Task.FromResult<IControllerLink>(new StreamLink(controller.OpenConnection(), "sim:")));
+            _ => Task.FromResult<IControllerLink>(new StreamLink(controller.OpenConnection(), "sim:")),
+            () => address.Speed == 1.0 ? MachineClock.FromWall(time) : MachineClock.FromController(controller.JoinClock()));
     }
+
+    private static MachineClock Offered(ControllerAddress address, TimeProvider wall) => address.ClockPort is { } port ? MachineClock.FromController(OfferedClock.Take(port)) : MachineClock.FromWall(wall);
 }

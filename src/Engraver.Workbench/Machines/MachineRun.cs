@@ -42,11 +42,12 @@ public static class MachineRun
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        var trace = options.TracePath is { } path ? new WireTrace(await OpenAsync(path, stop).ConfigureAwait(false), time) : null;
+        using var clock = connection.TakeClock();
+        var trace = options.TracePath is { } path ? new WireTrace(await OpenAsync(path, stop).ConfigureAwait(false), clock.Time, wall: time) : null;
         MachineRunReport report;
         try
         {
-            report = await InSessionAsync(job, program, connection, options, new SessionOptions { Trace = trace }, time, progress, stop).ConfigureAwait(false);
+            report = await InSessionAsync(job, program, connection, options, new SessionOptions { Trace = trace }, clock.Time, progress, stop).ConfigureAwait(false);
         }
         finally
         {
