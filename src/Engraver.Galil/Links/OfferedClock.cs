@@ -28,6 +28,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     private long _known;
     private long _lostAt;
     private bool _isLost;
+    private volatile bool _isKnown;
     private bool _isHostWaiting;
     private bool _isAsked;
     private long _askedFor;
@@ -67,7 +68,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         long now;
         lock (_gate)
         {
-            if (!_isAsked && !_isLost) Try(() => Ask("now\n"));
+            if (!_isKnown) AskNow();
             now = Now;
             due = TakeDue();
         }
@@ -83,6 +84,9 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         if (dueTime != Timeout.InfiniteTimeSpan) Set(timer, dueTime, isWait: true);
         return timer;
     }
+
+    /// <summary>The controller answered something: its clock may have gone on. While nothing is said and nothing waited for it stands, and need not be asked again.</summary>
+    public void Heard() => _isKnown = false;
 
     /// <summary>Gives the clock back; what still waits ends.</summary>
     public void Dispose()
@@ -112,7 +116,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
             _set.Remove(timer);
             if (due != Timeout.InfiniteTimeSpan) _set.Add(timer);
             if (isWait) _isHostWaiting = true;
-            if (isWait && !_isAsked && !_isLost) Try(() => Ask("now\n"));
+            if (isWait && !_isKnown) AskNow();
             timer.Due = due == Timeout.InfiniteTimeSpan ? long.MaxValue : (isWait ? Now : now) + due.Ticks;
             if (_isLost) return; // Look ends it
             if (_isAsked && (!_isHostWaiting || NextDue < _askedFor)) Try(() => Say("stop\n"));
@@ -149,6 +153,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         lock (_gate)
         {
             _isAsked = false;
+            _isKnown = true;
             if (!answered) Lose();
             due = TakeDue();
             if (_isHostWaiting && !_isLost) AskToWait();
@@ -183,7 +188,17 @@ public sealed class OfferedClock : TimeProvider, IDisposable
             isDeadlineSet = _set.Count > 0;
         }
 
-        if (isDeadlineSet) GetTimestamp();
+        if (!isDeadlineSet) return;
+        _isKnown = false;
+        GetTimestamp();
+    }
+
+    /// <summary>Under the lock. While a wait is under way its answer will tell the time.</summary>
+    private void AskNow()
+    {
+        if (_isAsked || _isLost) return;
+        _isKnown = true; // what is heard from here on makes it unknown again
+        Try(() => Ask("now\n"));
     }
 
     private void Ask(string line)

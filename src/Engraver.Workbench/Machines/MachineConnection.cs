@@ -63,8 +63,8 @@ public sealed class MachineConnection : IAsyncDisposable
             "sim:",
             controller,
             _ => Task.FromResult<IControllerLink>(new StreamLink(controller.OpenConnection(), "sim:")),
-            () => address.Speed == 1.0 ? MachineClock.FromWall(time) : MachineClock.FromController(controller.JoinClock()));
+            () => address.Speed == 1.0 ? MachineClock.FromWall(time) : MachineClock.FromSimulator(controller.JoinClock()));
     }
 
-    private static MachineClock Offered(ControllerAddress address, TimeProvider wall) => address.ClockPort is { } port ? MachineClock.FromController(OfferedClock.Take(port)) : MachineClock.FromWall(wall);
+    private static MachineClock Offered(ControllerAddress address, TimeProvider wall) => address.ClockPort is { } port ? MachineClock.FromOffer(OfferedClock.Take(port)) : MachineClock.FromWall(wall);
 }

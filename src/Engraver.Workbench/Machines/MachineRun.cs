@@ -47,7 +47,7 @@ public static class MachineRun
         MachineRunReport report;
         try
         {
-            report = await InSessionAsync(job, program, connection, options, new SessionOptions { Trace = trace }, clock.Time, progress, stop).ConfigureAwait(false);
+            report = await InSessionAsync(job, program, connection, options, new SessionOptions { Trace = trace }, clock, progress, stop).ConfigureAwait(false);
         }
         finally
         {
@@ -62,7 +62,7 @@ public static class MachineRun
         Task.Factory.StartNew(() => new StreamWriter(path), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).WaitAsync(stop);
 
     private static async Task<MachineRunReport> InSessionAsync(
-        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, SessionOptions sessionOptions, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
+        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, SessionOptions sessionOptions, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         var samplesBefore = connection.Simulator?.Record.Count ?? 0;
         var judgement = RunJudgement.Unknown;
@@ -76,7 +76,7 @@ public static class MachineRun
             DryRun = options.DryRun,
             SourceOf = job.Drawing.SourceOf,
         };
-        await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
+        await using var session = await ControllerSession.OpenAsync(async cancellation => clock.Over(await connection.OpenLinkAsync(cancellation).ConfigureAwait(false)), sessionOptions, clock.Time, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
         return new MachineRunReport(result, judgement, session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
     }

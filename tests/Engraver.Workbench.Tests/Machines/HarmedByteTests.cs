@@ -76,7 +76,7 @@ public sealed class HarmedByteTests : IDisposable
     private async Task<HarmedRun> RunAsync(JobMode mode, HarmingWire wire)
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
-        await using var connection = MachineConnection.Through("memory", _ => Task.FromResult<IControllerLink>(new HarmingLink(new StreamLink(controller.OpenConnection(), "memory"), wire)), () => MachineClock.FromController(controller.JoinClock()));
+        await using var connection = MachineConnection.Through("memory", _ => Task.FromResult<IControllerLink>(new HarmingLink(new StreamLink(controller.OpenConnection(), "memory"), wire)), () => MachineClock.FromSimulator(controller.JoinClock()));
         var job = Job(mode);
         var options = new MachineRunOptions(new TcpAddress("memory", 1), mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
         try
