@@ -189,7 +189,9 @@ internal sealed class ControllerCore : IDisposable
 
         try
         {
-            return await waiter.Task.WaitAsync(cancellation).ConfigureAwait(false);
+            await Task.WhenAny(waiter.Task, Broken).WaitAsync(cancellation).ConfigureAwait(false);
+            if (!waiter.Task.IsCompleted) await Broken.ConfigureAwait(false);
+            return await waiter.Task.ConfigureAwait(false);
         }
         finally
         {
@@ -262,7 +264,7 @@ internal sealed class ControllerCore : IDisposable
     /// <summary>A bug of the simulator: no state can be trusted any more. Clients are cut, so that none waits for an answer; whoever owns the controller is told.</summary>
     private void Break(Exception bug)
     {
-        if (!_broken.TrySetException(new InvalidOperationException($"The simulated controller failed ({bug.GetType().Name}: {bug.Message})", bug))) return;
+        if (!_broken.TrySetException(new InvalidOperationException($"the simulated controller failed ({bug.GetType().Name}: {bug.Message}); every client was cut off", bug))) return;
         _ = _broken.Task.Exception; // looked at: an owner who does not ask is not told a second time by the runtime
         CutLinks();
     }
