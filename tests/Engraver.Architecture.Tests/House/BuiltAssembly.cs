@@ -44,6 +44,8 @@ public sealed class BuiltAssembly : IDisposable
         return File.Exists(path) ? new BuiltAssembly(path) : null;
     }
 
+    public static BuiltAssembly FromFile(string path) => new(path);
+
     public void Dispose() => _file.Dispose();
 
     private bool IsGenerated(CustomAttributeHandleCollection attributes) =>

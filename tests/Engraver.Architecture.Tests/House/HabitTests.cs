@@ -16,6 +16,13 @@ public class HabitTests
     }
 
     [Fact]
+    public void A_static_that_can_be_assigned_again_is_noticed()
+    {
+        using var ours = BuiltAssembly.FromFile(typeof(HabitTests).Assembly.Location);
+        Assert.Equal(["Example.<Assigned>k__BackingField"], ours.MutableStatics);
+    }
+
+    [Fact]
     public void No_test_sleeps() => AssertNowhere("tests", @"\b(Thread\.Sleep|Task\.Delay|SpinWait\.SpinUntil)\s*\(");
 
     /// <summary>A test that ends early where something is missing looks like one that passed. It must be skipped by an attribute that says why (CorpusFactAttribute).</summary>
@@ -42,5 +49,15 @@ public class HabitTests
     {
         var places = SourceFile.Under(folder, ".cs").SelectMany(file => Regex.Matches(code ? CSharpText.Parse(file.Text).Code : file.Text, pattern).Select(found => $"{file.Name}({file.LineOf(found.Index)}): {found.Value}")).ToList();
         Assert.True(places.Count == 0, string.Join('\n', places));
+    }
+
+    /// <summary>What the test of statics must notice, and what it must not.</summary>
+    private static class Example
+    {
+        public const int Constant = 1;
+        public static readonly int s_fixed = Environment.ProcessId;
+        public static int Assigned { get; set; }
+        public static int Given { get; } = Environment.ProcessId;
+        public static Func<int> Kept => () => Constant;
     }
 }
