@@ -24,15 +24,14 @@ public sealed class BuiltAssembly : IDisposable
     public IEnumerable<string> MutableStatics =>
         from handle in _metadata.TypeDefinitions
         let type = _metadata.GetTypeDefinition(handle)
-        let typeName = _metadata.GetString(type.Name)
-        where !typeName.Contains('<') && !IsGenerated(type.GetCustomAttributes()) && _metadata.GetString(type.Namespace).StartsWith("Engraver.", StringComparison.Ordinal)
+        where WithOuterTypes(type).All(IsWritten) && _metadata.GetString(WithOuterTypes(type).Last().Namespace).StartsWith("Engraver.", StringComparison.Ordinal)
         from fieldHandle in type.GetFields()
         let state = _metadata.GetFieldDefinition(fieldHandle)
         where state.Attributes.HasFlag(FieldAttributes.Static) && (state.Attributes & (FieldAttributes.InitOnly | FieldAttributes.Literal)) == 0
         let name = _metadata.GetString(state.Name)
         where !IsGenerated(state.GetCustomAttributes()) || name.EndsWith("k__BackingField", StringComparison.Ordinal)
         where !name.StartsWith('!')
-        select $"{typeName}.{name}";
+        select $"{_metadata.GetString(type.Name)}.{name}";
 
     /// <summary>Built beside these tests, in the same configuration; null when the project is not built on this system.</summary>
     public static BuiltAssembly? Open(string project)
@@ -47,6 +46,20 @@ public sealed class BuiltAssembly : IDisposable
     public static BuiltAssembly FromFile(string path) => new(path);
 
     public void Dispose() => _file.Dispose();
+
+    /// <summary>A nested type has no namespace of its own: the outermost, last here, has.</summary>
+    private IEnumerable<TypeDefinition> WithOuterTypes(TypeDefinition type)
+    {
+        yield return type;
+        while (!type.GetDeclaringType().IsNil)
+        {
+            type = _metadata.GetTypeDefinition(type.GetDeclaringType());
+            yield return type;
+        }
+    }
+
+    /// <summary>By somebody, and not by the compiler or a source generator.</summary>
+    private bool IsWritten(TypeDefinition type) => !_metadata.GetString(type.Name).Contains('<') && !IsGenerated(type.GetCustomAttributes());
 
     private bool IsGenerated(CustomAttributeHandleCollection attributes) =>
         attributes.Select(handle => AttributeName(_metadata.GetCustomAttribute(handle).Constructor)).Any(name => name is "CompilerGeneratedAttribute" or "GeneratedCodeAttribute");
