@@ -16,10 +16,10 @@ public class CorpusTests
     /// <summary>Its only spline has five knots where eight belong: the independent reader gives up, we take uniform ones and say so.</summary>
     private static readonly string[] Repaired = ["c761b39b5f33_rational_spline.dxf"];
 
-    [Fact]
+    [CorpusFact]
     public void No_drawing_of_the_corpus_throws_and_every_balance_sheet_adds_up()
     {
-        if (RepositoryFolder.Corpus is not { } corpus) return;
+        var corpus = RepositoryFolder.Corpus!;
         foreach (var path in Directory.EnumerateFiles(corpus, "*", SearchOption.AllDirectories).Where(IsDxf))
         {
             var balance = Reading.Of(File.ReadAllBytes(path)).Balance;
@@ -27,10 +27,10 @@ public class CorpusTests
         }
     }
 
-    [Fact]
+    [CorpusFact]
     public void Trusted_drawings_match_the_independent_reader()
     {
-        if (RepositoryFolder.Corpus is not { } corpus) return;
+        var corpus = RepositoryFolder.Corpus!;
         var wrong = new List<string>();
         var compared = 0;
         foreach (var record in File.ReadLines(Path.Combine(corpus, "oracle.jsonl")).Select(line => JsonDocument.Parse(line).RootElement))
@@ -48,10 +48,10 @@ public class CorpusTests
     }
 
     /// <summary>What is left out of real drawings, so that a type that stops being read is noticed at once.</summary>
-    [Fact]
+    [CorpusFact]
     public void Of_real_drawings_hardly_an_entity_is_refused()
     {
-        if (RepositoryFolder.Corpus is not { } corpus) return;
+        var corpus = RepositoryFolder.Corpus!;
         var (read, refused) = (0, new List<string>());
         foreach (var path in Directory.EnumerateFiles(Path.Combine(corpus, "files"), "*", SearchOption.AllDirectories).Where(IsDxf))
         {
