@@ -43,6 +43,7 @@ public static class Sequencer
         var chain = ContourChainer.Chain(segments, options.JoinTolerance);
         var inside = ContourNesting.Find(chain.Contours, segments, options.JoinTolerance);
         findings.AddChain(chain, kept, segments);
+        findings.SumUp();
         return new ChainedTable(analysed, kept, segments, chain, inside, drawing, findings.Diagnostics) { DuplicatesRemoved = duplicates };
     }
 
