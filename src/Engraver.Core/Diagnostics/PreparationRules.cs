@@ -27,6 +27,10 @@ public static class PreparationRules
         "The machine stands at {here} mm, and that place is taken for the drawing's start {start}; the last run of this drawing on this controller ({when}) had the start at {there} mm, so this one is cut {dx}, {dy} mm beside it.",
         "Stop, and go back with CNCGOTO Start, when it is the same work piece; nothing, when it is another one.");
 
+    public static readonly DiagnosticRule StartNotKept = new("JOB0007", Severity.Warning,
+        "Where this run starts could not be written down: {reason}.",
+        "Nothing for this run; the next one of this drawing cannot say whether it starts in the same place.");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, StartsElsewhere];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, StartsElsewhere, StartNotKept];
 }
