@@ -151,8 +151,9 @@ public sealed class GoToCommandTests : IAsyncDisposable
         _controller.DropConnections();
 
         Assert.Equal(CommandFailure.LinkLost, Assert.IsType<FeedResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
-        await SeenAsync(session.Machine, status => status.State == MachineState.Ready);
-        Assert.InRange(At(session).X, 5.0, 499.0);
+        await using var later = await ConnectedAsync();
+        await SeenAsync(later.Machine, status => status.State == MachineState.Ready);
+        Assert.InRange(At(later).X, 5.0, 499.0);
         Assert.Equal(0, (int)_controller.Status.Outputs);
     }
 
