@@ -90,6 +90,8 @@ internal sealed class RunVerb
             JournalPath = parsed.GetValue(_journal) ?? JournalFolder.NewJournal(job.Drawing.FileName, TimeProvider.System),
             TracePath = parsed.GetValue(_trace),
             DryRun = parsed.GetValue(_dryRun),
+            Starts = parsed.GetRequiredValue(_connect) is SimulatedAddress ? null : new StartMemory(StartMemory.FolderIn(null)),
+            Told = finding => _host.Report(parsed, job.Drawing.FileName, [finding]),
         };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         CheckWritable(options.JournalPath);

@@ -32,7 +32,7 @@ internal static class SequenceVerb
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);
             else SequenceText.Write(host.Out, result);
-            return Task.FromResult(host.Report(parsed, read.FileName, posted?.Diagnostics ?? [.. read.Diagnostics, .. result.Diagnostics]));
+            return Task.FromResult(host.Report(parsed, read.FileName, posted?.Diagnostics ?? [.. read.Diagnostics, .. JobPreparation.Findings(read, settings), .. result.Diagnostics]));
         });
         return command;
     }

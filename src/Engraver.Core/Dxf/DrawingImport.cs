@@ -17,6 +17,7 @@ internal sealed class DrawingImport
     private readonly LayerTable _layers;
     private readonly DefinitionReader _definitions;
     private readonly TextExpander _texts;
+    private readonly ConstructionTally _construction;
     private readonly CurveColumns _curves = new();
     private readonly BalanceSheet _balance;
     private readonly ModelSpace _modelSpace;
@@ -43,7 +44,8 @@ internal sealed class DrawingImport
         _definitions = new DefinitionReader(_records, _content, styles, _layers, blocks, blockCurves, _balance, _log);
         var expander = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
         _texts = new TextExpander(blocks, _layers, cancellation);
-        _modelSpace = new ModelSpace(_curves, expander, _texts, _balance, _log);
+        _construction = new ConstructionTally(blocks, _layers, cancellation);
+        _modelSpace = new ModelSpace(_curves, expander, _texts, _construction, _balance, _log);
     }
 
     /// <summary>Reads everything; false when not one section was found, so that the file is no DXF.</summary>
@@ -83,6 +85,7 @@ internal sealed class DrawingImport
         {
             Curves = _curves.Curves,
             Texts = _texts.Texts,
+            Construction = _construction.ToCounts(),
         };
     }
 

@@ -40,7 +40,7 @@ public static class Sequencer
             segments = kept.ToSegments();
         }
 
-        var chain = ContourChainer.Chain(segments, options.JoinTolerance);
+        var chain = ContourChainer.Chain(segments, options.JoinTolerance, EndHeights.Of(kept, options.JoinTolerance));
         var inside = ContourNesting.Find(chain.Contours, segments, options.JoinTolerance);
         findings.AddChain(chain, kept, segments);
         findings.SumUp();

@@ -22,7 +22,7 @@ internal sealed class Job
     private readonly OperatorStop _stopper;
     private bool _touched;
 
-    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop)
+    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop, CountsPoint? goTo = null)
     {
         _program = program;
         _session = session;
@@ -33,7 +33,7 @@ internal sealed class Job
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
         _memory = new ProgramMemory(session);
         _found = new FoundController(session, _memory, program.Profile, options, _log);
-        _way = options.Mode switch
+        _way = goTo is { } goal ? new HandMove(_machine, goal) : options.Mode switch
         {
             JobMode.Stream => new StrokeByStroke(program, _machine, _ledger, _log, new StreamWay(_machine, _ledger)),
             JobMode.Calls => new StrokeByStroke(program, _machine, _ledger, _log, new CallsWay(_machine, _ledger)),

@@ -21,6 +21,9 @@ public sealed record JobOptions
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }
 
+    /// <summary>Called once when the job stands ready, after the journal has it and before anything moves; it must not take long, for the watchdog runs. Null for nobody.</summary>
+    public Action<JournalHeader>? Begins { get; init; }
+
     /// <summary>Pause between two polls while the controller works on its own. None where the controller's time runs ahead of ours
     /// (<see cref="Sessions.ControllerSession.ClockRunsAhead"/>), nor while a sequence is open.</summary>
     public TimeSpan PollInterval { get; init; } = TimeSpan.FromMilliseconds(10);

@@ -23,7 +23,13 @@ internal static class JobStart
     }
 
     public static MachineRunOptions Options(CommandContext context, PreparedJob job, ControllerAddress address, JobMode mode, bool dryRun) =>
-        new(address, mode) { JournalPath = context.NewRunJournal(job.Drawing.FileName), DryRun = dryRun };
+        new(address, mode)
+        {
+            JournalPath = context.NewRunJournal(job.Drawing.FileName),
+            DryRun = dryRun,
+            Starts = context.Machine.Starts,
+            Told = finding => Findings.Say(context, job.Drawing.FileName, [finding], Severity.Warning),
+        };
 
     /// <summary>Says how it went.</summary>
     /// <exception cref="CommandException">It did not go to the end.</exception>
@@ -31,8 +37,10 @@ internal static class JobStart
     {
         context.Say(RunText.Sentence(job, report), MessageKind.Result);
         foreach (var left in report.Result.NotRestored) context.Say($"not restored: {left}", MessageKind.Warning);
-        if (report.Result.Outcome == JobOutcome.Complete) return;
-        var failure = report.Result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, _ => CommandFailure.LinkLost };
-        throw new CommandException(failure, report.Result.Sentence);
+        if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);
     }
+
+    /// <summary>What did not go to the end.</summary>
+    public static CommandException Failure(JobResult result) =>
+        new(result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, _ => CommandFailure.LinkLost }, result.Sentence);
 }

@@ -41,7 +41,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     public static PostedProgram OfSequence(Drawing drawing, SequencingResult sequence, DrawingSettings settings)
     {
         ArgumentNullException.ThrowIfNull(sequence);
-        IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. sequence.Diagnostics];
+        IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics];
         if (sequence.Contours == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]);
         using var text = new StringWriter { NewLine = "\n" };
         ClData.Write(sequence, settings.Start, text);

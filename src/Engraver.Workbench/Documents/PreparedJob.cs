@@ -15,5 +15,11 @@ namespace Engraver.Workbench.Documents;
 /// <param name="Motion">The motion program, or why there is none.</param>
 public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, EntityTable Analysed, SequencingResult Sequence, Toolpath Toolpath, MotionGeneration Motion)
 {
-    public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Sequence.Diagnostics, .. Motion.Diagnostics];
+    /// <summary>What is seen and not cut, heights, size and place (<see cref="JobPreparation.Findings"/>).</summary>
+    public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
+
+    /// <summary>What is seen on the layers that are cut and gives no cut.</summary>
+    public NotCut NotCut => NotCut.Of(Drawing, JobPreparation.SelectionOf(Settings));
+
+    public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Findings, .. Sequence.Diagnostics, .. Motion.Diagnostics];
 }

@@ -72,10 +72,17 @@ public static class MachineRun
             DrawingName = job.Drawing.FileName,
             DryRun = options.DryRun,
             SourceOf = job.Drawing.SourceOf,
+            Begins = header => Begin(job, connection.Description, options, header),
         };
         await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
         return new MachineRunReport(result, Judge(job, program, result, connection, samplesBefore, options.DryRun), session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
+    }
+
+    private static void Begin(PreparedJob job, string controller, MachineRunOptions options, JournalHeader header)
+    {
+        if (options.Starts is not { } starts) return;
+        foreach (var finding in StartPlace.Begin(starts, controller, job, header)) options.Told?.Invoke(finding);
     }
 
     private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, MachineConnection connection, int samplesBefore, bool dryRun)
