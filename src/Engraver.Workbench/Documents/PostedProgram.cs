@@ -28,11 +28,18 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     {
         if (drawing.Entities.Count == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? drawing.Diagnostics : [.. drawing.Diagnostics, DocumentRules.NothingToPost.At(default)]);
         if (target == CutterLocation) return OfSequence(drawing, JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings), settings);
-        var calls = target == GalilCalls;
-        var job = JobPreparation.Prepare(drawing, settings, calls ? MotionStyle.Calls : MotionStyle.Continuous);
+        return OfJob(JobPreparation.Prepare(drawing, settings, target == GalilCalls ? MotionStyle.Calls : MotionStyle.Continuous));
+    }
+
+    /// <summary>The program of a job, in the style that it was prepared in.</summary>
+    public static PostedProgram OfJob(PreparedJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]);
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics);
-        var post = calls ? DmcPost.Calls(program, DmcPostOptions.Default, drawing.SourceOf) : DmcPost.Sequences(program, DmcPostOptions.Default, drawing.SourceOf);
+        var post = program.Style == MotionStyle.Calls
+            ? DmcPost.Calls(program, DmcPostOptions.Default, job.Drawing.SourceOf)
+            : DmcPost.Sequences(program, DmcPostOptions.Default, job.Drawing.SourceOf);
         return new PostedProgram(post.Text, [.. job.Diagnostics, .. post.Diagnostics]);
     }
 
