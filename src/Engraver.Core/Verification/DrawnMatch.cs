@@ -4,8 +4,8 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Pairs lines, arcs and circles of a toolpath with the rows they are, by entity and exact ends; each row once. In linear time.</summary>
-/// <param name="Rows">Drawn and not paired: ellipses and splines, duplicates, lines that an arc stands for, and what is missing.</param>
+/// <summary>Pairs the moves of a toolpath that are unchanged (lines, arcs, circles; in CL data curves too) with the rows they are, by entity and exact ends; each row once. In linear time.</summary>
+/// <param name="Rows">Drawn and not paired: ellipses and splines that became arcs, duplicates, lines that an arc stands for, and what is missing.</param>
 /// <param name="Moves">Cut and not paired: what stands for those rows, and what is too much.</param>
 internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyList<ToolpathMove> Moves)
 {
@@ -17,7 +17,6 @@ internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyLis
         for (var row = 0; row < drawn.Count; row++)
         {
             before[row] = -1;
-            if (drawn.CurveOf(row) is not null) continue;
             var key = Key.Of(drawn[row].ToSegment(), drawn.EntityIndexOf(row));
             if (!last.TryAdd(key, row)) (before[row], last[key]) = (last[key], row);
         }
@@ -42,18 +41,37 @@ internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyLis
 
     private static bool Pair(EntityTable drawn, in ToolpathMove move, Dictionary<Key, int> last, int[] before, bool[] paired)
     {
-        if (move.Segment.IsFreeCurve || !last.TryGetValue(Key.Of(move.Segment, move.EntityIndex), out var row)) return false;
+        if (!last.TryGetValue(Key.Of(move.Segment, move.EntityIndex), out var row)) return false;
         while (row >= 0 && (paired[row] || !AreSame(drawn, row, move.Segment))) row = before[row];
         if (row >= 0) paired[row] = true;
         return row >= 0;
     }
 
-    /// <summary>Their ends are the same: lines and circles are, and arcs when they have the same middle.</summary>
+    /// <summary>Their ends are the same: lines and circles are, arcs when they have the same middle, curves span by span.</summary>
     private static bool AreSame(EntityTable drawn, int row, in Segment cut)
     {
+        if (cut.IsFreeCurve) return AreSame(drawn.CurveOf(row)!, cut.Curve);
         if (cut.Kind != SegmentKind.Arc) return true;
         var arc = drawn[row].ToSegment();
         return arc.PointAt(0.5).IsNear(cut.PointAt(0.5), ToolpathTolerances.RoundingOf(arc));
+    }
+
+    /// <summary>Span for span, in the one direction or the other.</summary>
+    private static bool AreSame(RationalCurve drawn, RationalCurve cut)
+    {
+        if (ReferenceEquals(drawn, cut)) return true;
+        if (drawn.Spans.Length != cut.Spans.Length) return false;
+        return HaveSameSpans(drawn, cut) || HaveSameSpans(drawn, cut.Reversed());
+    }
+
+    private static bool HaveSameSpans(RationalCurve drawn, RationalCurve cut)
+    {
+        for (var i = 0; i < drawn.Spans.Length; i++)
+        {
+            if (!drawn.Spans[i].Homogeneous.SequenceEqual(cut.Spans[i].Homogeneous)) return false;
+        }
+
+        return true;
     }
 
     /// <summary>Both ends in an order that does not depend on the direction; of a circle its centre and radius.</summary>
