@@ -48,7 +48,7 @@ public static class TraceComparison
             {
                 var place = segment.PointAt((step + 0.5) / steps); // the middle of a step speaks for all of it
                 if (trace.PassedNear(place, tolerances.Coverage)) continue;
-                missing += segment.Length / steps;
+                missing += CurvePieces.StepLength(segment, step, steps);
                 first ??= place;
             }
         }

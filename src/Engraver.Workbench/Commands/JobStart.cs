@@ -16,7 +16,7 @@ internal static class JobStart
     {
         var job = JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, MachineRunOptions.StyleOf(mode));
         Findings.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
-        if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, "There is nothing that this machine can cut.");
+        if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         if (hasErrors && !await context.ConfirmAsync("The drawing has errors. Go on all the same?").ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, "Not started: the drawing has errors.");
         return job;

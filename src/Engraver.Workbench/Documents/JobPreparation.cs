@@ -4,6 +4,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.Core.Verification;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Settings;
 
@@ -71,9 +72,20 @@ public static class JobPreparation
         cancellation.ThrowIfCancellationRequested();
         var toolpath = PathOf(sequence, settings);
         cancellation.ThrowIfCancellationRequested();
-        var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
-        return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion) { Findings = Findings(drawing, settings) };
+        return OfPath(drawing, settings, analysed, sequence, toolpath, style);
     }
+
+    /// <summary>The last stages: the motion of a toolpath, when the toolpath is what is drawn. Otherwise there is no program, and the faults say where.</summary>
+    public static PreparedJob OfPath(Drawing drawing, DrawingSettings settings, EntityTable analysed, SequencingResult sequence, Toolpath toolpath, MotionStyle style)
+    {
+        var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
+        var faults = motion.Program is null ? [] : FaultsOf(drawing, settings, analysed, toolpath);
+        return new PreparedJob(drawing, settings, analysed, sequence, toolpath, faults.Count > 0 ? motion with { Program = null } : motion) { Faults = faults, Findings = Findings(drawing, settings) };
+    }
+
+    /// <summary>Where the toolpath, whose coordinates are finite, is not what is drawn.</summary>
+    public static IReadOnlyList<Diagnostic> FaultsOf(Drawing drawing, DrawingSettings settings, EntityTable analysed, Toolpath toolpath) =>
+        ToolpathCheck.Findings(analysed, toolpath, new ToolpathTolerances(settings.MaxErrorMm, settings.JoinToleranceMm, settings.RecoverArcs), drawing.SourceOf);
 
     private static EnterAt? Entering(Drawing drawing, EnteringPlace? place) => place switch
     {

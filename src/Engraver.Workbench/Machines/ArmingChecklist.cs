@@ -20,7 +20,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         return new ArmingChecklist(
         [
             Check(errors == 0 || errorsAccepted, errors == 0 ? "The drawing has no errors" : $"The drawing has {CountText.Of(errors, "error")}{(errorsAccepted ? ", accepted by the operator" : "; CHECK lists them")}"),
-            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {CountText.Of(program.SegmentCount, "segment")}" : "There is nothing that this machine can cut"),
+            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {CountText.Of(program.SegmentCount, "segment")}" : job.WithoutProgram),
             Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? $"The link to {link} stands" : "No controller is connected; CNCCONNECT"),
             Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, $"The controller is {Word(status)}"),
             Check(status.MotorsOn == true, status.MotorsOn == true ? "The motors are on" : "The motors are off; CNCMOTORS ON"),
