@@ -61,7 +61,7 @@ internal sealed class ProgramWay(MotionProgram program, JobMachine machine, JobL
     private async ValueTask<JobStep> LoadAsync(ProgramChunk chunk)
     {
         _chunk = null;
-        if (await machine.SendAllAsync(ResidentServer.HaltCommands).ConfigureAwait(false) is { Ends: true } running) return running;
+        if (await machine.HaltProgramAsync().ConfigureAwait(false) is { Ends: true } running) return running;
         return await memory.SwapAsync(chunk.Text, machine.Stop).ConfigureAwait(false) is { } refused ? JobStep.Refused(refused, "") : JobStep.Done;
     }
 
@@ -77,10 +77,11 @@ internal sealed class ProgramWay(MotionProgram program, JobMachine machine, JobL
     {
         var progress = new ChunkProgress(chunk, _path.Count);
         machine.PlaceInProgram = progress.PlaceOf;
-        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Limit), Text($"XQ {WatchedJob.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        machine.Tool.WantedByProgram = ChunkProgress.IsToolWanted;
+        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Limit, machine.Profile), Text($"XQ {WatchedJob.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         _chunk = progress;
         ledger.Sent += chunk.Segments.Count();
-        if (await machine.AwaitAsync(ResidentServer.WatchdogLine, line => line >= 0).ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
+        if (await machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
         var end = await machine.PollUntilAsync(IsDone).ConfigureAwait(false);
         return end.Ends && machine.State.ProgramError == WatchedJob.Strayed ? end with { Sentence = end.Sentence + progress.PlaceAt(machine.State.Calls) } : end;
     }

@@ -12,8 +12,8 @@ internal static class ResidentServer
     public static string HeartbeatCommand(WatchdogLimit limit) => JobMachine.Text($"{Variables.Heartbeat}={limit.Ticks}");
 
     /// <summary>Gives every variable that is polled a value before it is read: an undefined one is refused. Winds the watchdog up before it starts.</summary>
-    public static string DefineVariables(WatchdogLimit limit) =>
-        $"{HeartbeatCommand(limit)};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0";
+    public static string DefineVariables(WatchdogLimit limit, MachineProfile profile) =>
+        JobMachine.Text($"{HeartbeatCommand(limit)};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.StillLimit}={StandstillLimit.ControllerTicks(profile, limit)}");
 
     /// <summary>Ends both threads of a job.</summary>
     public static IReadOnlyList<string> HaltCommands { get; } = [JobMachine.Text($"HX{MainThread}"), JobMachine.Text($"HX{WatchdogThread}")];

@@ -1,3 +1,4 @@
+using System.Text;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
@@ -82,6 +83,13 @@ internal sealed class SimulatedBench : IAsyncDisposable
     {
         await using var channel = OpenChannel();
         foreach (var command in commands) Assert.IsType<Accepted>(await channel.SendAsync(command, CancellationToken.None));
+    }
+
+    /// <summary>The same in the middle of a job, from where nobody can wait; what is answered is not looked at.</summary>
+    public void Interfere(string command)
+    {
+        using var stream = Controller.OpenConnection();
+        stream.Write(Encoding.Latin1.GetBytes(command + "\r"));
     }
 
     public async Task DownloadAsync(string program)
