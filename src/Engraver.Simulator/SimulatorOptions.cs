@@ -23,6 +23,9 @@ public sealed record SimulatorOptions
     /// <summary>Controller time that one command of a running program takes (galil-dmc.md A.4, I.8).</summary>
     public TimeSpan LineCost { get; init; } = TimeSpan.FromMilliseconds(0.5);
 
+    /// <summary>What stands before a negative number that follows another one in a message (galil-dmc.md A.3: differs from page to page).</summary>
+    public NumberSpacing NumberSpacing { get; init; }
+
     /// <summary>Lines of program memory (galil-dmc.md 0.3).</summary>
     public int ProgramLines { get; init; } = 1000;
 

@@ -125,6 +125,7 @@ internal sealed class RunVerb
             JobOutcome.Complete => ExitCode.Done,
             JobOutcome.Stopped => ExitCode.StoppedByOperator,
             JobOutcome.Refused => ExitCode.Refused,
+            JobOutcome.Deviated => ExitCode.DrawingError,
             _ => ExitCode.LinkLost,
         };
     }

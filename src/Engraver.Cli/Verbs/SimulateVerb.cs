@@ -24,13 +24,14 @@ internal static class SimulateVerb
         var record = new Option<string?>("--record") { HelpName = "FILE", Description = "Write every motor sample and output change as CSV (t,a,b,c,d,outputs)." };
         var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = "Start with the speeds and accelerations of this machine profile, as its owner burned them, and its angle quantum." };
         var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = "What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md)." };
-        var command = new MachineCommand("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, machine, faults };
+        var numbers = new Option<NumberSpacing>("--numbers") { HelpName = "blank|column", Description = "What divides a negative number from the one before it in a message: a blank, or the column of the sign alone.", CustomParser = ParseSpacing };
+        var command = new MachineCommand("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, machine, faults, numbers };
         command.Validators.Add(result =>
         {
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError("--baud is the rate of a serial port; give --serial PATH with it.");
         });
         command.SetAction((parsed, stop) => RunAsync(
-            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Machine(parsed.GetValue(machine)) with { Speed = parsed.GetValue(speed), Faults = Faults(parsed.GetValue(faults)) }, stop));
+            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Machine(parsed.GetValue(machine)) with { Speed = parsed.GetValue(speed), Faults = Faults(parsed.GetValue(faults)), NumberSpacing = parsed.GetValue(numbers) }, stop));
         return command;
     }
 
@@ -155,6 +156,18 @@ internal static class SimulateVerb
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)) return baud;
         result.AddError($"--baud: '{word}' is not one of {string.Join(", ", SerialLine.Rates)}.");
         return ControllerAddress.DefaultBaud;
+    }
+
+    private static NumberSpacing ParseSpacing(ArgumentResult result)
+    {
+        switch (result.Tokens[0].Value)
+        {
+            case "blank": return NumberSpacing.Blank;
+            case "column": return NumberSpacing.SignColumn;
+            default:
+                result.AddError($"--numbers: '{result.Tokens[0].Value}' is neither blank nor column.");
+                return NumberSpacing.Blank;
+        }
     }
 
     private static double ParseSpeed(ArgumentResult result)

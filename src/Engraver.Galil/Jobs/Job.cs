@@ -58,7 +58,8 @@ internal sealed class Job
 
         var (end, standstill) = await BringToRestAsync(step).ConfigureAwait(false);
         var notRestored = await LeaveAsFoundAsync().ConfigureAwait(false);
-        return Journalled(Result(end, standstill, notRestored));
+        var result = Result(end, standstill, notRestored);
+        return Journalled(_options.Judge?.Invoke(result) ?? result);
     }
 
     private static JobStep Stopped => new(JobOutcome.Stopped, "Stopped by the operator.", null);
@@ -124,6 +125,7 @@ internal sealed class Job
         commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
         commands.Add(ResidentServer.StartCommand(resident));
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => "AB".Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
         if (await _machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
         if (await _way.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
         if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;

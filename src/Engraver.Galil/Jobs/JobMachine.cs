@@ -124,6 +124,19 @@ internal sealed class JobMachine
         return reading.Refusal is { } refused ? (0.0, Refuse(refused, "")) : (reading.Values[0], JobStep.Done);
     }
 
+    /// <summary>Asks for several numbers at once.</summary>
+    public async ValueTask<(IReadOnlyList<double> Values, JobStep Step)> AskAllAsync(string operands)
+    {
+        var reading = await _session.Commands.ReadAsync(operands, _stop).ConfigureAwait(false);
+        return reading.Refusal is { } refused ? ([], Refuse(refused, "")) : (reading.Values, JobStep.Done);
+    }
+
+    /// <summary>Held against every polled state; null while nothing is expected of the position.</summary>
+    public Func<MachineState, JobStep>? Expectation { get; set; }
+
+    /// <summary>A watch over the path of a sequence from here.</summary>
+    public PathWatch Watch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed) => new(start, segments, speed, (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6);
+
     /// <summary>Asks where the machine is. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
@@ -161,6 +174,7 @@ internal sealed class JobMachine
         _polled();
         await _stopHandle.LookAsync().ConfigureAwait(false);
         if (await FaultAsync().ConfigureAwait(false) is { Ends: true } fault) return fault;
+        if (Expectation?.Invoke(State) is { Ends: true } unexpected) return unexpected;
         return await BeatAsync().ConfigureAwait(false);
     }
 

@@ -18,6 +18,9 @@ public sealed record JobOptions
     /// <summary>Where a drawing entity stands in its file, for diagnostics; null where nobody knows.</summary>
     public Func<int, SourceRef>? SourceOf { get; init; }
 
+    /// <summary>Holds what was cut against the drawing when the machine rests, before the journal says how the job ended; null where nobody judges.</summary>
+    public Func<JobResult, JobResult>? Judge { get; init; }
+
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }
 

@@ -82,9 +82,28 @@ internal sealed class ProgramWay(MotionProgram program, JobMachine machine, JobL
         _chunk = progress;
         ledger.Sent += chunk.Segments.Count();
         if (await machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
-        var end = await machine.PollUntilAsync(IsDone).ConfigureAwait(false);
+        var end = await WatchedAsync(chunk).ConfigureAwait(false);
         return end.Ends && machine.State.ProgramError == WatchedJob.Strayed ? end with { Sentence = end.Sentence + progress.PlaceAt(machine.State.Calls) } : end;
     }
+
+    /// <summary>The program was read back before it ran; the path is watched all the same, for somebody else may move the axes. Over a serial line the sequence and the position are asked one after the other, and only the end is looked at.</summary>
+    private async ValueTask<JobStep> WatchedAsync(ProgramChunk chunk)
+    {
+        var watches = chunk.Parts.SelectMany(part => part.Sequences).Select(sequence => machine.Watch(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
+        if (machine.Line is null) machine.Expectation = state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Look(state.Counter, machine.Here) : JobStep.Done;
+        try
+        {
+            var end = await machine.PollUntilAsync(IsDone).ConfigureAwait(false);
+            return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here);
+        }
+        finally
+        {
+            machine.Expectation = null;
+        }
+    }
+
+    /// <summary>An odd mark belongs to a sequence under way.</summary>
+    private static bool IsCutting(MachineState state) => state.SequenceRunning && state.Calls % 2 != 0;
 
     private bool IsDone(MachineState state)
     {

@@ -42,5 +42,5 @@ internal static class JobStart
 
     /// <summary>What did not go to the end.</summary>
     public static CommandException Failure(JobResult result) =>
-        new(result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, _ => CommandFailure.LinkLost }, result.Sentence);
+        new(result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, JobOutcome.Deviated => CommandFailure.Drawing, _ => CommandFailure.LinkLost }, result.Sentence);
 }

@@ -33,7 +33,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     /// <summary>A job takes the place where the machine stands for the drawing's start, wherever the last one left it.</summary>
     private static IEnumerable<ArmingCheck> StartWarning(PreparedJob job, MachineStatus status, RunStart? lastStart)
     {
-        var last = status.LastOutcome is { } outcome and not JobOutcome.Complete ? $"The last job on this machine ended early ({RunText.Word(outcome)}). " : "";
+        var last = status.LastOutcome is { } outcome and not JobOutcome.Complete ? $"The last job on this machine {(outcome == JobOutcome.Deviated ? "did not cut what was drawn" : "ended early")} ({RunText.Word(outcome)}). " : "";
         var start = PointPrompt.Show(job.Settings.Start);
         if (status.WorkPosition is not { } at)
         {

@@ -64,8 +64,10 @@ public static class MachineRun
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, SessionOptions sessionOptions, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         var samplesBefore = connection.Simulator?.Record.Count ?? 0;
+        var judgement = RunJudgement.Unknown;
         var jobOptions = new JobOptions
         {
+            Judge = ended => RunVerdict.Of(job, program, ended, judgement = Judge(job, program, ended, connection, samplesBefore, options.DryRun)),
             Mode = options.Mode,
             JournalPath = options.JournalPath,
             Address = connection.Description,
@@ -76,7 +78,7 @@ public static class MachineRun
         };
         await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
-        return new MachineRunReport(result, Judge(job, program, result, connection, samplesBefore, options.DryRun), session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
+        return new MachineRunReport(result, judgement, session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
     }
 
     private static void Begin(PreparedJob job, string controller, MachineRunOptions options, JournalHeader header)

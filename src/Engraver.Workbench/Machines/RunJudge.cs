@@ -17,7 +17,7 @@ public static class RunJudge
     public static RunJudgement ByRecord(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY)
     {
         var found = Compare(job, record, frameX, frameY);
-        return new RunJudgement(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record");
+        return new RunJudgement(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt };
     }
 
     /// <summary>Holds a record against the drawing, both ways.</summary>
@@ -49,7 +49,7 @@ public static class RunJudge
         var tolerances = Tolerances(job);
         var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
         var missing = Math.Max(0.0, planned - cut) / Math.Max(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
-        return new RunJudgement(found.MaxDeviation, missing, "polled");
+        return new RunJudgement(found.MaxDeviation, missing, "polled") { DeviationAt = found.DeviationAt?.Place };
     }
 
     /// <summary>What a faithful run of the job may differ by.</summary>

@@ -39,6 +39,7 @@ public static class RunText
         JobOutcome.Complete => "complete",
         JobOutcome.Stopped => "stopped",
         JobOutcome.Refused => "refused",
+        JobOutcome.Deviated => "deviated",
         _ => "linkLost",
     };
 }

@@ -16,8 +16,9 @@ internal sealed class SimulatedBench : IAsyncDisposable
     public static readonly JobOptions Job = new() { PollInterval = TimeSpan.Zero };
 
     /// <param name="clock">The controller's wall clock: where one stands, silence of the host lets no time pass, however long this computer is held up.</param>
-    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null) => Controller = new SimulatedController(
-        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System });
+    /// <param name="spacing">What divides a negative number from the one before it.</param>
+    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null, NumberSpacing spacing = NumberSpacing.Blank) => Controller = new SimulatedController(
+        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System, NumberSpacing = spacing });
 
     public SimulatedController Controller { get; }
 
