@@ -166,7 +166,7 @@ internal sealed class Machine
         {
             var rested = Math.Max(start, _recorder.LastSample) + longestRest;
             if (Sample >= rested) break;
-            PassTowards(Math.Min(limit, rested));
+            PassTowards(_recorder.IsMoving ? limit : Math.Min(limit, rested));
         }
 
         _clockTicks = Math.Max(_clockTicks, Sample * TicksPerSample);
