@@ -143,14 +143,14 @@ internal sealed class ControllerCore : IDisposable
         }
     }
 
-    public ControllerStatus AdvanceToRest(long atMost, long longestRest, int steps)
+    public (ControllerStatus Status, bool HasRested) AdvanceToRest(long atMost, long longestRest, int steps)
     {
         lock (_gate)
         {
-            Machine.AdvanceToRest(atMost, longestRest, steps);
+            var hasRested = Machine.AdvanceToRest(atMost, longestRest, steps);
             _status.Notify();
             TickWithin(TickPeriod);
-            return _status.Now();
+            return (_status.Now(), hasRested);
         }
     }
 

@@ -55,7 +55,7 @@ public class SteadyMotionTests
         rig.Controller.Record.Subscribe(counter);
         rig.Do("VMAB", "VS 20000", "VA 500000", "VD 500000", "VP 8000000,0", "VE", "BGS");
 
-        Assert.True(rig.Controller.AdvanceToRest(TimeSpan.FromHours(2), TimeSpan.FromMinutes(1), 100_000).IsIdle);
+        Assert.True(rig.Controller.AdvanceToRest(TimeSpan.FromHours(2), TimeSpan.FromMinutes(1), 100_000).Status.IsIdle);
 
         Assert.Equal(8_000_000, rig.Value("_RPA"));
         Assert.InRange(counter.Spans, 1, 3);

@@ -28,7 +28,7 @@ internal static class SimulateVerb
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError("--baud is the rate of a serial port; give --serial PATH with it.");
         });
         command.SetAction((parsed, stop) => RunAsync(
-            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), new SimulatorOptions { Speed = parsed.GetValue(speed), Faults = Faults(parsed.GetValue(faults)) }, stop));
+            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), new SimulatorOptions { Speed = parsed.GetValue(speed), KeepsRecord = false, Faults = Faults(parsed.GetValue(faults)) }, stop));
         return command;
     }
 

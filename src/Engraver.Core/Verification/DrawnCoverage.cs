@@ -58,7 +58,7 @@ internal sealed class DrawnCoverage
             foreach (var (from, to) in _covered[i].Gaps())
             {
                 var length = LengthOf(segment, from, to);
-                if (length < longest * 0.999) continue;
+                if (length == 0.0 || length < longest * 0.999) continue;
                 missing += length;
                 first ??= segment.PointAt(from + ((to - from) * Math.Min(0.5, longest / (2.0 * length))));
             }
