@@ -176,6 +176,17 @@ internal sealed class ControllerCore : IDisposable
         }
     }
 
+    public (ControllerStatus Status, bool HasRested) AdvanceToRest(long atMost, long longestRest, int steps)
+    {
+        lock (_gate)
+        {
+            var hasRested = Machine.AdvanceToRest(atMost, longestRest, steps);
+            _status.Notify();
+            TickWithin(TickPeriod);
+            return (_status.Now(), hasRested);
+        }
+    }
+
     public async Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation)
     {
         var waiter = new StatusWaiter(condition);

@@ -19,7 +19,7 @@ internal sealed class Machine
     {
         Options = options;
         Motion = new MotionKernel(options);
-        _recorder = new MotionRecorder(Motion, Io);
+        _recorder = new MotionRecorder(Motion, Io, options.KeepsRecord);
         Inputs = new InputChanges(this);
         Records = new DataRecordPush(this);
         Capture = new ArrayCapture(this);
@@ -167,6 +167,22 @@ internal sealed class Machine
         _clockTicks = Math.Max(_clockTicks, Sample * TicksPerSample);
     }
 
+    /// <summary>Lets time pass until nothing moves and no thread runs, for at most <paramref name="atMost"/> samples, <paramref name="longestRest"/> samples without motion, and <paramref name="steps"/> steps of computing.</summary>
+    /// <returns>True when the rest was so long, or will last until a command comes.</returns>
+    public bool AdvanceToRest(long atMost, long longestRest, int steps)
+    {
+        var limit = Sample + atMost;
+        for (var start = Sample; !IsDormant && Sample < limit && steps > 0; steps--)
+        {
+            var rested = Math.Max(start, _recorder.LastSample) + longestRest;
+            if (Sample >= rested) return true;
+            PassTowards(_recorder.IsMoving ? limit : Math.Min(limit, rested));
+            _clockTicks = Math.Max(_clockTicks, Sample * TicksPerSample);
+        }
+
+        return IsDormant;
+    }
+
     public void SetOutputs(byte value)
     {
         if (value == Io.Outputs) return;
@@ -239,11 +255,50 @@ internal sealed class Machine
             return;
         }
 
+        if (Options.JumpsSteadyMotion && _recorder.IsMoving && TryJump(lastSample)) return;
         Sample++;
         StepMotion();
         Threads.RunSample();
         Records.Step();
         Capture.Step();
+    }
+
+    /// <summary>Over samples of constant speed in which no thread runs, nothing is recorded and no limit is reached; the sample behind them is stepped as any other.</summary>
+    private bool TryJump(long lastSample)
+    {
+        var samples = Motion.Steady.Samples(Math.Min(lastSample, NextSnapshot) - Sample - 1);
+        if (samples == 0) return false;
+        samples = Math.Min(samples, Threads.QuietUntil(Sample) - Sample - 1);
+        if (samples < SteadyMotion.Shortest) return false;
+        var courses = Motion.Steady.Courses();
+        samples = SamplesWithoutEvent(samples);
+        Motion.Steady.Pass(samples);
+        if (samples == 0) return false;
+        _recorder.Passed(Sample, samples, courses);
+        Sample += samples;
+        Threads.Pass(samples);
+        return true;
+    }
+
+    /// <summary>The most of the samples behind which no thread is released and no limit reached. Every axis keeps its sense in them, so that what has not happened behind the last has not happened before.</summary>
+    private long SamplesWithoutEvent(long samples)
+    {
+        if (!HappensWithin(samples)) return samples;
+        var (without, with) = (0L, samples);
+        while (with - without > 1)
+        {
+            var middle = without + ((with - without) / 2);
+            if (HappensWithin(middle)) with = middle;
+            else without = middle;
+        }
+
+        return without;
+    }
+
+    private bool HappensWithin(long samples)
+    {
+        Motion.Steady.Place(samples);
+        return Motion.Steady.IsAtLimit() || Threads.IsAnyReleased();
     }
 
     private void StepMotion()

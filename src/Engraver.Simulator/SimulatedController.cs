@@ -117,6 +117,17 @@ public sealed class SimulatedController : IAsyncDisposable
         return _core.AdvanceUntil(condition, atMost);
     }
 
+    /// <summary>Lets virtual time pass until nothing moves and no thread runs.</summary>
+    /// <param name="atMost">Controller time.</param>
+    /// <param name="longestRest">Controller time without motion and without a change of an output, after which to come back.</param>
+    /// <param name="steps">Steps of computing after which to come back; a span of constant speed is one of them.</param>
+    /// <returns>The status then, and whether the rest was so long or would last for ever.</returns>
+    public (ControllerStatus Status, bool HasRested) AdvanceToRest(TimeSpan atMost, TimeSpan longestRest, int steps)
+    {
+        RequireVirtualTime();
+        return _core.AdvanceToRest((long)atMost.TotalMilliseconds, (long)longestRest.TotalMilliseconds, steps);
+    }
+
     /// <summary>Completes when the condition holds; it is looked at after every command and, while somebody waits, every few milliseconds.</summary>
     public Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation) =>
         _core.WaitUntilAsync(condition, cancellation);

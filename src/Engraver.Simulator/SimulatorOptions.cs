@@ -56,6 +56,12 @@ public sealed record SimulatorOptions
     /// <summary>The address that TH and _IA0 tell; the controller listens on loopback whatever it is.</summary>
     public IPAddress Address { get; init; } = IPAddress.Loopback;
 
+    /// <summary>Whether <see cref="SimulatedController.Record"/> keeps its rows. Without, its listeners and its file are told all the same, and memory does not grow with machine time.</summary>
+    public bool KeepsRecord { get; init; } = true;
+
+    /// <summary>Whether samples of constant speed in which nothing else can happen are jumped over instead of being stepped; what happens is the same to the last bit.</summary>
+    public bool JumpsSteadyMotion { get; init; } = true;
+
     /// <summary>The wall clock and its timers.</summary>
     public TimeProvider Time { get; init; } = TimeProvider.System;
 

@@ -31,12 +31,6 @@ public static class CurvePieces
         return pieces;
     }
 
-    /// <summary>Length of one of equal steps of the parameter: of a curve, which may stand still at an end of a piece, its own chord.</summary>
-    /// <param name="segment">A line, an arc, a circle, or a piece.</param>
-    public static double StepLength(in Segment segment, int step, int steps) => segment.IsFreeCurve
-        ? segment.PointAt((double)step / steps).DistanceTo(segment.PointAt((step + 1.0) / steps))
-        : segment.Length / steps;
-
     internal static RationalCurve[] Of(RationalCurve curve)
     {
         var pieces = new List<RationalCurve>();

@@ -28,7 +28,7 @@ internal sealed class Job
         _session = session;
         _options = options;
         _stop = stop;
-        _ledger = new JobLedger(program);
+        _ledger = new JobLedger(program, options.KeepsPolledTrace);
         _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), stop);
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
         _memory = new ProgramMemory(session);

@@ -17,6 +17,7 @@ internal sealed class JobMachine
     private readonly JobClock _clock;
     private readonly JobLedger _ledger;
     private readonly Action _polled;
+    private readonly Action<CountsPoint>? _frameTaken;
     private readonly CancellationToken _stop;
     private readonly Heartbeat _heartbeat;
     private readonly StopHandleWatch _stopHandle;
@@ -35,6 +36,7 @@ internal sealed class JobMachine
         Tool = new JobTool(this, options.DryRun);
         _ledger = ledger;
         _polled = polled;
+        _frameTaken = options.FrameTaken;
         _stop = stop;
         _heartbeat = new Heartbeat(session);
         _stopHandle = new StopHandleWatch(session, ledger);
@@ -258,6 +260,7 @@ internal sealed class JobMachine
     {
         if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         FrameTaken = new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
+        _frameTaken?.Invoke(Frame);
         return JobStep.Done;
     }
 

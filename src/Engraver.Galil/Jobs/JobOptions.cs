@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Jobs;
 
@@ -26,6 +27,12 @@ public sealed record JobOptions
 
     /// <summary>Called once when the job stands ready, after the journal has it and before anything moves; it must not take long, for the watchdog runs. Null for nobody.</summary>
     public Action<JournalHeader>? Begins { get; init; }
+
+    /// <summary>Told where the frame of the job lies, counts of the controller at the drawing's zero, before anything moves; null for nobody.</summary>
+    public Action<CountsPoint>? FrameTaken { get; init; }
+
+    /// <summary>Whether every polled position is kept for a judge. Without, only the last ones are, and memory does not grow with the time of the run.</summary>
+    public bool KeepsPolledTrace { get; init; } = true;
 
     /// <summary>Pause between two polls while the controller works on its own. None where the controller's time runs ahead of ours
     /// (<see cref="Sessions.ControllerSession.ClockRunsAhead"/>), nor while a sequence is open.</summary>

@@ -50,6 +50,20 @@ internal sealed class Scheduler
         return first;
     }
 
+    /// <summary>A thread waits for something that has come about.</summary>
+    public bool IsAnyReleased()
+    {
+        foreach (var thread in _threads)
+        {
+            if (thread is { IsRunning: true, Trippoint: { } trippoint } && trippoint.IsReleased()) return true;
+        }
+
+        return false;
+    }
+
+    /// <summary>Samples passed in which no thread could run; what was spent too much before is paid back.</summary>
+    public void Pass(long samples) => _budget = TimeSpan.FromTicks(Math.Min(0, _budget.Ticks + (samples * TimeSpan.TicksPerMillisecond)));
+
     public void ForgetUnusedTime() => _budget = TimeSpan.Zero;
 
     /// <summary>Releases trippoints and spends one sample of processor time.</summary>

@@ -226,6 +226,20 @@ internal sealed class Axis
         return false;
     }
 
+    /// <summary>For how many samples its independent move goes on at constant speed.</summary>
+    public long SteadySamples(long atMost) => _profile.SteadySamples(atMost);
+
+    /// <summary>The place so many samples of constant speed from now; the profile stays.</summary>
+    public void PlaceSteady(long samples) => SetPosition(_profile.PlaceAfter(samples));
+
+    public void PassSteady(long samples) => _profile.PassSteady(samples);
+
+    /// <summary>What it does at constant speed from now on.</summary>
+    public AxisCourse Course() => _profile.Course();
+
+    /// <summary>Nothing but its profile decides where it stands: no smoothing, no lag, no held or idle motor, no switch that it could pass, no latch at an index.</summary>
+    public bool IsPlain => Smoothing >= 1 && !MotorOff && Motor.IsPlain && !Inputs.HasSwitches && Latch is not { IsArmed: true, WaitsForIndex: true };
+
     /// <summary>In a homing the switches are passed by the command, not by the motor behind it.</summary>
     public void PassSwitches() => Inputs.MoveTo(Position - _shift);
 

@@ -6,6 +6,9 @@ internal sealed class AxisInputs(InputPolarity polarity, AxisSwitches? switches)
     private const int UsualPeriod = 4000;
     private double _place;
 
+    /// <summary>Switches or an index are fitted that the axis itself can reach.</summary>
+    public bool HasSwitches => switches is not null;
+
     /// <summary>The forward limit input was grounded by hand.</summary>
     public bool ForwardGrounded { get; set; }
 

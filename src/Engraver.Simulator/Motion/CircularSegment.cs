@@ -28,6 +28,18 @@ internal sealed class CircularSegment : VectorSegment
         point[1] = _centreY + (_radius * Sine(angle));
     }
 
+    /// <summary>Every axis goes one way within a quarter of the circle.</summary>
+    public override double OneWayUntil(double distance)
+    {
+        var angle = AngleAt(distance);
+        var quarter = 90 * (_sweep > 0 ? Math.Floor((angle / 90) + 1) : Math.Ceiling((angle / 90) - 1));
+        return Math.Min(Length, distance + ((quarter - angle) / _sweep * Length));
+    }
+
+    /// <summary>The part between two distances in the sequence frame, scaled: what the axes of the first two slots do before rounding.</summary>
+    public ArcCourse Course(double from, double to, double scaleX, double scaleY) =>
+        new(_centreX * scaleX, _centreY * scaleY, _radius * scaleX, _radius * scaleY, AngleAt(from), AngleAt(to) - AngleAt(from));
+
     public override double TangentAt(double distance) => AngleAt(distance) + (_sweep > 0 ? 90 : -90);
 
     private double AngleAt(double distance) => _theta + (distance >= Length ? _sweep : _sweep * (distance / Length));

@@ -4,6 +4,10 @@ namespace Engraver.Simulator.Motion;
 internal sealed class IndependentProfile(Axis axis)
 {
     private double _speed;
+    private double _steadyFrom;
+    private double _steadyPlace;
+    private long _steadySamples;
+    private bool _isSteady;
 
     /// <summary>Where the move ends; without meaning for a jog or a homing.</summary>
     public double Target { get; set; }
@@ -27,11 +31,13 @@ internal sealed class IndependentProfile(Axis axis)
     {
         Target = target;
         Direction = direction == 0 ? 1 : direction;
+        _isSteady = false;
         _speed = 0;
     }
 
     public void Rest()
     {
+        _isSteady = false;
         _speed = 0;
         IsEnding = false;
     }
@@ -59,9 +65,68 @@ internal sealed class IndependentProfile(Axis axis)
             return StopCode.AtTarget;
         }
 
-        _speed = Math.Max(0, next);
-        axis.SetPosition(axis.Position + (Direction * distance));
+        Go(distance, Math.Max(0, next));
         return null;
+    }
+
+    /// <summary>For how many samples the speed stays as it is and the move does not end; 0 when the next sample must be looked at.</summary>
+    public long SteadySamples(long atMost)
+    {
+        const double FarthestPlace = 2e9;
+        if (_speed <= 0 || _speed != Commanded || IsEnding || axis.IsStopping || axis.Homing is not null) return 0;
+        var way = _speed * Ramp.Sample;
+        if (axis.CurrentMove == AxisMove.Jog) return Math.Sign(axis.JogSpeed) == Direction ? Samples(FarthestPlace - Math.Abs(axis.Position)) : 0;
+        if (axis.CurrentMove is not (AxisMove.Relative or AxisMove.Absolute)) return 0;
+        var remaining = (Target - axis.Position) * Direction;
+        var samples = Samples(remaining - (_speed * _speed / (2 * axis.Deceleration)));
+        while (samples > 0 && Ramp.Braking(_speed, remaining - ((samples - 1) * way), 0, axis.Deceleration, Ramp.Sample) < _speed) samples /= 2;
+        return samples;
+
+        long Samples(double length) => Math.Min(atMost, (long)Math.Max(0, (length / way) - 3));
+    }
+
+    /// <summary>The place so many samples of constant speed from now.</summary>
+    public double PlaceAfter(long samples)
+    {
+        StartSteady();
+        return _steadyPlace = SteadyPlace(samples);
+    }
+
+    /// <summary>Goes on by so many samples of <see cref="SteadySamples"/>; the same place as that many samples one by one, to the last bit.</summary>
+    public void PassSteady(long samples)
+    {
+        StartSteady();
+        _steadyPlace = SteadyPlace(samples);
+        _steadySamples += samples;
+        axis.SetPosition(_steadyPlace);
+    }
+
+    public AxisCourse Course()
+    {
+        StartSteady();
+        return new AxisCourse(axis.Index, _steadyFrom, Direction * (_speed * Ramp.Sample), _steadySamples);
+    }
+
+    private double SteadyPlace(long samples) => _steadyFrom + ((_steadySamples + samples) * (Direction * (_speed * Ramp.Sample)));
+
+    /// <summary>At constant speed the way is counted in samples from where it began, so that no rounding adds up; a place that a command changed begins anew.</summary>
+    private void StartSteady()
+    {
+        if (_isSteady && axis.Position == _steadyPlace) return;
+        (_steadyFrom, _steadySamples, _steadyPlace, _isSteady) = (axis.Position, 0, axis.Position, true);
+    }
+
+    private void Go(double distance, double next)
+    {
+        if (next == _speed && next > 0)
+        {
+            PassSteady(1);
+            return;
+        }
+
+        _isSteady = false;
+        _speed = next;
+        axis.SetPosition(axis.Position + (Direction * distance));
     }
 
     /// <summary>A tracked target lies behind, or too near to stop in front of it.</summary>
@@ -88,7 +153,6 @@ internal sealed class IndependentProfile(Axis axis)
     private void Roll(double commanded)
     {
         var next = Ramp.Towards(_speed, commanded, axis.Acceleration, axis.Deceleration, Ramp.Sample);
-        axis.SetPosition(axis.Position + (Direction * (_speed + next) / 2 * Ramp.Sample));
-        _speed = next;
+        Go((_speed + next) / 2 * Ramp.Sample, next);
     }
 }

@@ -9,6 +9,7 @@ internal sealed class MotionKernel
     private int _limitHits;
     private int _errorHits;
     private bool _isUnsettled;
+    private SteadyMotion? _steady;
 
     public MotionKernel(SimulatorOptions options)
     {
@@ -37,6 +38,9 @@ internal sealed class MotionKernel
 
     /// <summary>Counts ends of moves and sequences; what waits for an event compares it.</summary>
     public long Ends { get; private set; }
+
+    /// <summary>Something follows something else, or a change by a command has not reached the motors.</summary>
+    public bool HasFollowers => _isUnsettled || Contour.CanProgress || Cam.IsEnabled || Array.Exists(Axes, static axis => axis.Gear.IsEngaged || axis.IsSettling);
 
     /// <summary>True when the next sample will change a position or end a motion.</summary>
     public bool CanProgress
@@ -71,6 +75,15 @@ internal sealed class MotionKernel
 
         _isUnsettled = (Cam.IsEnabled && Cam.IsBehind) || (geared && Array.Exists(Axes, IsBehindMaster));
         return moved;
+    }
+
+    /// <summary>What jumps over the samples of constant speed.</summary>
+    public SteadyMotion Steady => _steady ??= new SteadyMotion(this);
+
+    /// <summary>Behind a jump the motors and the switches follow.</summary>
+    public void FollowAll()
+    {
+        foreach (var axis in Axes) axis.Follow();
     }
 
     /// <summary>A place was changed by a command: the next sample carries it to the motors.</summary>

@@ -12,6 +12,9 @@ internal sealed class Motor(TimeSpan lag)
     /// <summary>Something holds the shaft: the position error grows.</summary>
     public bool IsHeld { get; set; }
 
+    /// <summary>It stands where its command is, always.</summary>
+    public bool IsPlain => _share >= 1 && !IsHeld;
+
     public int Counts => (int)Math.Round(Position, MidpointRounding.AwayFromZero);
 
     /// <summary>One sample towards the command; a motor that is off stays where it is.</summary>

@@ -5,6 +5,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 {
     private double _commanded = 25000;
     private double _earlier;
+    private double _steadyFrom;
+    private long _steadySamples;
 
     public double VectorSpeed { get; private set; } = 25000;
 
@@ -48,6 +50,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public void Clear()
     {
+        _steadySamples = 0;
         _earlier += Travelled;
         SegmentIndex = 0;
         Travelled = 0;
@@ -57,6 +60,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     {
         Clear();
         IsStopping = false;
+        _steadySamples = 0;
         Speed = 0;
         _commanded = VectorSpeed;
         EnterSegment();
@@ -66,6 +70,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public void StandStill()
     {
+        _steadySamples = 0;
         Speed = 0;
         IsEnding = false;
     }
@@ -75,7 +80,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     /// <returns>The time used.</returns>
     public double Advance(VectorSegment segment, double dt, out bool crossed)
     {
-        var next = NextSpeed(segment, dt);
+        var next = NextSpeed(segment, dt, Travelled);
         var acceleration = (next - Speed) / dt;
         var used = dt;
         if (next < 0)
@@ -88,9 +93,66 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         var remaining = segment.EndLength - Travelled;
         crossed = distance >= remaining - 1e-7;
         if (crossed) return Cross(segment, remaining, acceleration, used);
-        Travelled += distance;
+        Go(distance, isSteady: next == Speed && used == Ramp.Sample);
         Speed = next;
         return used;
+    }
+
+    /// <summary>For how many samples the speed stays as it is and the segment does not end; 0 when the next sample may change either.</summary>
+    /// <remarks>What limits the speed only falls along a segment, so that it is enough to look at the last of the samples. It is not looked for the very last one: samples left over are stepped.</remarks>
+    public long SteadySamples(VectorSegment segment, long atMost)
+    {
+        if (Speed <= 0 || Speed != Target || IsStopping || IsEnding) return 0;
+        var way = Speed * Ramp.Sample;
+        var samples = Math.Min(atMost, SamplesOver(Math.Min(segment.EndLength - Travelled, WayToChange(segment)), way));
+        if (samples < SteadyMotion.Shortest) return 0;
+        while (samples > 0 && NextSpeed(segment, Ramp.Sample, Travelled + ((samples - 1) * way)) != Speed) samples /= 2;
+        IsEnding = false;
+        return samples;
+    }
+
+    /// <summary>Goes on at the present speed by so many samples of <see cref="SteadySamples"/>; the same place as that many samples one by one, to the last bit.</summary>
+    public void PassSteady(long samples)
+    {
+        var way = Speed * Ramp.Sample;
+        _steadyFrom = _steadySamples == 0 ? Travelled : _steadyFrom;
+        _steadySamples += samples;
+        Travelled = _steadyFrom + (_steadySamples * way);
+    }
+
+    /// <summary>Path length so many samples of constant speed from now.</summary>
+    public double TravelledAfter(long samples) => (_steadySamples == 0 ? Travelled : _steadyFrom) + ((_steadySamples + samples) * (Speed * Ramp.Sample));
+
+    /// <summary>What <see cref="TravelledAfter"/> is made of: the place that samples are counted from, their number and the way of one.</summary>
+    public (double From, long Samples, double Way) SteadyState => (_steadySamples == 0 ? Travelled : _steadyFrom, _steadySamples, Speed * Ramp.Sample);
+
+    private static long SamplesOver(double length, double way)
+    {
+        const double Most = 1e15;
+        return (long)Math.Clamp((length / way) - 3, 0, Most);
+    }
+
+    /// <summary>Path length until the brakes or the exit speed may ask for another speed; not exact, the speed itself is asked behind it.</summary>
+    private double WayToChange(VectorSegment segment)
+    {
+        var end = buffer.IsClosed ? buffer.Length - Travelled - (Speed * Speed / (2 * Deceleration)) : double.PositiveInfinity;
+        if (segment.ExitSpeed is not { } exit) return end;
+        exit *= SpeedRatio;
+        var change = Math.Abs((exit * exit) - (Speed * Speed)) / (2 * (exit <= Speed ? Deceleration : Acceleration));
+        return Math.Min(end, segment.EndLength - Travelled - change);
+    }
+
+    /// <summary>At constant speed the way is counted in samples from where it began, so that no rounding adds up and a jump ends where single samples do.</summary>
+    private void Go(double distance, bool isSteady)
+    {
+        if (isSteady)
+        {
+            PassSteady(1);
+            return;
+        }
+
+        _steadySamples = 0;
+        Travelled += distance;
     }
 
     private double Cross(VectorSegment segment, double remaining, double acceleration, double dt)
@@ -98,6 +160,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         var end = Math.Sqrt(Math.Max(0, (Speed * Speed) + (2 * acceleration * remaining)));
         var used = Speed + end <= 0 ? dt : Math.Min(dt, 2 * remaining / (Speed + end));
         Travelled = segment.EndLength;
+        _steadySamples = 0;
         Speed = end;
         buffer.Drop();
         SegmentIndex++;
@@ -105,11 +168,11 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return Math.Max(used, 1e-9);
     }
 
-    private double NextSpeed(VectorSegment segment, double dt)
+    private double NextSpeed(VectorSegment segment, double dt, double travelled)
     {
         var target = IsStopping ? 0 : Target;
         var ceiling = double.PositiveInfinity;
-        var toEnd = segment.EndLength - Travelled;
+        var toEnd = segment.EndLength - travelled;
         if (!IsStopping && segment.ExitSpeed is { } exit)
         {
             exit *= SpeedRatio;
@@ -119,7 +182,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
         var slowest = Speed - (Deceleration * dt);
         var towards = target == 0 ? slowest : Ramp.Towards(Speed, target, Acceleration, Deceleration, dt);
-        var end = buffer.IsClosed ? Ramp.Braking(Speed, buffer.Length - Travelled, 0, Deceleration, dt) : double.PositiveInfinity;
+        var end = buffer.IsClosed ? Ramp.Braking(Speed, buffer.Length - travelled, 0, Deceleration, dt) : double.PositiveInfinity;
         IsEnding = end < towards && !IsStopping;
         ceiling = Math.Min(ceiling, end);
         return Speed == 0 && target == 0 ? 0 : Math.Max(slowest, Math.Min(ceiling, towards));

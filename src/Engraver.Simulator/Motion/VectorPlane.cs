@@ -168,6 +168,25 @@ internal sealed class VectorPlane
         return Profile.Travelled != before || !IsRunning;
     }
 
+    /// <summary>For how many samples the path goes on at its speed within one segment, no axis changing its sense; 0 when the next sample must be looked at.</summary>
+    public long SteadySamples(long atMost)
+    {
+        if (IsDry || Tangent.Axis is not null || Buffer.Current is not { } segment || !CanBeCourse(segment)) return 0;
+        var samples = Profile.SteadySamples(segment, atMost);
+        if (samples == 0) return 0;
+        var oneWay = segment.StartLength + segment.OneWayUntil(Profile.Travelled - segment.StartLength) - Profile.Travelled;
+        return Math.Min(samples, (long)(oneWay / (Profile.Speed * Ramp.Sample)));
+    }
+
+    /// <summary>The axes so many samples of constant speed from now; the profile stays.</summary>
+    public void PlaceSteady(long samples) => PlaceAt(Profile.TravelledAfter(samples));
+
+    /// <summary>What the axes do at constant speed from now on.</summary>
+    public PathCourse Course() => new(Buffer.Current!, Profile, _axes, _origin, _firstScale, _secondScale);
+
+    /// <summary>An arc can be told as one only where its two axes are A and B or neither is.</summary>
+    private bool CanBeCourse(VectorSegment segment) => segment is not CircularSegment || _axes[0].Index < 2 == _axes[1].Index < 2;
+
     private bool HasPath()
     {
         if (!Buffer.IsEmpty)
@@ -201,12 +220,14 @@ internal sealed class VectorPlane
         End(code);
     }
 
-    private void MoveAxes()
+    private void MoveAxes() => PlaceAt(Profile.Travelled);
+
+    private void PlaceAt(double travelled)
     {
         if (Buffer.Current is { } segment)
         {
-            segment.PointAt(Profile.Travelled - segment.StartLength, _point);
-            Tangent.Follow(segment.TangentAt(Profile.Travelled - segment.StartLength));
+            segment.PointAt(travelled - segment.StartLength, _point);
+            if (Tangent.Axis is not null) Tangent.Follow(segment.TangentAt(travelled - segment.StartLength));
         }
 
         for (var i = 0; i < _axes.Length; i++) _axes[i].SetPosition(_origin[i] + Scaled(i));
@@ -228,6 +249,8 @@ internal sealed class VectorPlane
         foreach (var axis in _axes) axis.StopCode = code;
     }
 
-    private int Scaled(int slot) =>
-        (int)Math.Round(_point[slot] * (slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1), MidpointRounding.AwayFromZero);
+    /// <summary>Counts of a place on the path.</summary>
+    public static int Rounded(double place) => (int)Math.Round(place, MidpointRounding.AwayFromZero);
+
+    private int Scaled(int slot) => Rounded(_point[slot] * (slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1));
 }

@@ -1,27 +1,27 @@
-using System.Globalization;
-
 namespace Engraver.Simulator;
 
 /// <summary>Everything the axes and outputs did: one row for every sample of motion and one for every output change at rest (galil-dmc.md I.16).</summary>
-/// <remarks>Thread safe. Rows lie in chunks, so that hours of motion neither copy nor fragment. The first row of a motion away from an unrecorded place is that place.</remarks>
+/// <remarks>Thread safe. Kept rows lie in chunks, spans of constant speed as what they follow from. The first row of a motion away from an unrecorded place is that place.
+/// A record that keeps nothing still tells its listeners and its file.</remarks>
 public sealed class MotionRecord
 {
-    private const int ChunkSize = 1 << 15;
     private readonly Lock _gate = new();
     private readonly Lock _csvGate = new();
-    private readonly List<MotionSample[]> _chunks = [];
-    private int _count;
-    private TextWriter? _csv;
-    private int _written;
+    private readonly RowStore _rows = new();
+    private readonly List<IMotionListener> _listeners = [];
+    private readonly bool _isKept;
+    private RecordCsv? _csv;
 
-    /// <summary>Rows so far.</summary>
+    internal MotionRecord(bool isKept) => _isKept = isKept;
+
+    /// <summary>Rows kept so far; those of spans count.</summary>
     public int Count
     {
         get
         {
             lock (_gate)
             {
-                return _count;
+                return checked((int)_rows.Count);
             }
         }
     }
@@ -33,33 +33,57 @@ public sealed class MotionRecord
             lock (_gate)
             {
                 ArgumentOutOfRangeException.ThrowIfNegative(index);
-                ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(index, _count);
-                return _chunks[index / ChunkSize][index % ChunkSize];
+                ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(index, _rows.Count);
+                return _rows[index];
             }
         }
     }
 
-    /// <summary>A copy of all rows, oldest first.</summary>
+    /// <summary>A copy of all kept rows, oldest first.</summary>
     public IReadOnlyList<MotionSample> Snapshot()
     {
         lock (_gate)
         {
-            return Copy(0, _count);
+            return [.. _rows.From(0)];
         }
     }
 
-    /// <summary>Writes the header now and from here on every row, also those already recorded, whenever <see cref="FlushCsv"/> runs (the controller does so every few milliseconds and when it is disposed).</summary>
+    /// <summary>From here on the listener is told every row, on the thread that computes it; it must be quick and must not call the controller.</summary>
+    /// <returns>Ends it.</returns>
+    public IDisposable Subscribe(IMotionListener listener)
+    {
+        ArgumentNullException.ThrowIfNull(listener);
+        lock (_gate)
+        {
+            _listeners.Add(listener);
+        }
+
+        return new Subscription(this, listener);
+    }
+
+    /// <summary>Writes the header now and from here on every row, also those already kept, whenever <see cref="FlushCsv"/> runs (the controller does so every few milliseconds and when it is disposed).</summary>
     public void AttachCsv(TextWriter writer)
     {
         ArgumentNullException.ThrowIfNull(writer);
         lock (_csvGate)
         {
-            _csv = writer;
-            _written = 0;
-            WriteHeader(writer);
+            RecordCsv.WriteHeader(writer);
+            lock (_gate)
+            {
+                _csv = new RecordCsv(writer, [.. _rows.Parts()]);
+            }
         }
 
         FlushCsv();
+    }
+
+    /// <summary>The file is told no more; what waited for it is given up.</summary>
+    internal void DetachCsv()
+    {
+        lock (_gate)
+        {
+            _csv = null;
+        }
     }
 
     /// <summary>Brings the attached file up to date, through to the operating system.</summary>
@@ -67,26 +91,25 @@ public sealed class MotionRecord
     {
         lock (_csvGate)
         {
-            if (_csv is null || _written == Count) return;
-
-            MotionSample[] rows;
+            RecordCsv csv;
+            List<RowStore.Part> waiting;
             lock (_gate)
             {
-                rows = Copy(_written, _count - _written);
+                if (_csv is not { HasWaiting: true } attached) return;
+                csv = attached;
+                waiting = csv.TakeWaiting();
             }
 
-            WriteRows(_csv, rows);
-            _csv.Flush();
-            _written += rows.Length;
+            csv.Write(waiting);
         }
     }
 
-    /// <summary>Writes header and all rows: <c>t,a,b,c,d,outputs</c>, t in seconds, positions in counts, outputs as a decimal byte.</summary>
+    /// <summary>Writes header and all kept rows: <c>t,a,b,c,d,outputs</c>, t in seconds, positions in counts, outputs as a decimal byte.</summary>
     public void WriteCsv(TextWriter writer)
     {
         ArgumentNullException.ThrowIfNull(writer);
-        WriteHeader(writer);
-        WriteRows(writer, Snapshot());
+        RecordCsv.WriteHeader(writer);
+        RecordCsv.WriteRows(writer, Snapshot());
         writer.Flush();
     }
 
@@ -94,41 +117,30 @@ public sealed class MotionRecord
     {
         lock (_gate)
         {
-            if (_count == _chunks.Count * ChunkSize) _chunks.Add(new MotionSample[ChunkSize]);
-
-            _chunks[_count / ChunkSize][_count % ChunkSize] = sample;
-            _count++;
+            if (_isKept) _rows.Add(sample);
+            _csv?.Add(sample);
+            foreach (var listener in _listeners) listener.Add(sample);
         }
     }
 
-    private static void WriteHeader(TextWriter writer) => writer.Write("t,a,b,c,d,outputs\n");
-
-    private static void WriteRows(TextWriter writer, IReadOnlyList<MotionSample> rows)
+    internal void Append(MotionSpan span)
     {
-        Span<char> line = stackalloc char[96];
-        for (var i = 0; i < rows.Count; i++)
+        lock (_gate)
         {
-            var row = rows[i];
-            var fits = line.TryWrite(
-                CultureInfo.InvariantCulture,
-                $"{row.Sample / 1000}.{row.Sample % 1000:000},{row.A},{row.B},{row.C},{row.D},{row.Outputs}\n",
-                out var length);
-            System.Diagnostics.Debug.Assert(fits, "five integers and a time always fit");
-            writer.Write(line[..length]);
+            if (_isKept) _rows.Add(span);
+            _csv?.Add(span);
+            foreach (var listener in _listeners) listener.Add(span);
         }
     }
 
-    private MotionSample[] Copy(int first, int length)
+    private sealed class Subscription(MotionRecord record, IMotionListener listener) : IDisposable
     {
-        var rows = new MotionSample[length];
-        for (var done = 0; done < length;)
+        public void Dispose()
         {
-            var index = first + done;
-            var part = Math.Min(length - done, ChunkSize - (index % ChunkSize));
-            Array.Copy(_chunks[index / ChunkSize], index % ChunkSize, rows, done, part);
-            done += part;
+            lock (record._gate)
+            {
+                record._listeners.Remove(listener);
+            }
         }
-
-        return rows;
     }
 }

@@ -2,36 +2,54 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator;
 
-/// <summary>Writes down what the axes and the outputs do: every sample of motion with the place it began from, and every change of an output at rest.</summary>
-internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io)
+/// <summary>Writes down what the axes and the outputs do: every sample of motion with the place it began from, spans of constant speed as such, and every change of an output at rest.</summary>
+internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool keepsRows)
 {
-    private bool _wasMoving;
+    private MotionSample? _last;
 
-    public MotionRecord Record { get; } = new();
+    public MotionRecord Record { get; } = new(keepsRows);
+
+    /// <summary>The last sample moved something.</summary>
+    public bool IsMoving { get; private set; }
+
+    /// <summary>The sample of the last row; 0 before the first.</summary>
+    public long LastSample => _last?.Sample ?? 0;
 
     /// <summary>Before a sample: the place that a motion starts from, unless the last row says it already.</summary>
     public void Before(long sample)
     {
-        if (_wasMoving || !motion.CanProgress) return;
+        if (IsMoving || !motion.CanProgress) return;
         var row = Row(sample - 1);
-        var count = Record.Count;
-        if (count == 0 || Record[count - 1] with { Sample = row.Sample } != row) Record.Append(row);
+        if (_last is null || _last.Value with { Sample = row.Sample } != row) Append(row);
     }
 
     /// <summary>Behind a sample.</summary>
     public void After(long sample, bool moved)
     {
-        _wasMoving = moved;
-        if (moved) Record.Append(Row(sample));
+        IsMoving = moved;
+        if (moved) Append(Row(sample));
+    }
+
+    /// <summary>So many samples behind <paramref name="sample"/> passed at constant speed; the axes stand at their end.</summary>
+    public void Passed(long sample, long samples, SteadyCourse[] courses)
+    {
+        _last = Row(sample + samples);
+        Record.Append(new MotionSpan(sample, samples, _last.Value, courses));
     }
 
     /// <summary>Samples passed in which nothing could happen.</summary>
-    public void Rested() => _wasMoving = false;
+    public void Rested() => IsMoving = false;
 
     /// <summary>In motion the row of the sample tells it.</summary>
     public void OutputsChanged(long sample)
     {
-        if (!_wasMoving || !motion.CanProgress) Record.Append(Row(sample));
+        if (!IsMoving || !motion.CanProgress) Append(Row(sample));
+    }
+
+    private void Append(in MotionSample row)
+    {
+        _last = row;
+        Record.Append(row);
     }
 
     private MotionSample Row(long sample)

@@ -1,0 +1,75 @@
+namespace Engraver.Simulator.Motion;
+
+/// <summary>Where axes stand while what moves them keeps its speed; samples are counted from where the course was taken.</summary>
+internal abstract class SteadyCourse
+{
+    /// <summary>Writes the commanded positions, counts, of the axes it moves; the others stay as they are.</summary>
+    /// <param name="positions">One for each axis letter.</param>
+    public abstract void At(long sample, Span<int> positions);
+
+    /// <summary>Adds the positions before rounding.</summary>
+    public abstract void Exactly(long sample, Span<double> positions);
+
+    /// <summary>The arc that axes A and B follow between two samples; null when they go straight or stand.</summary>
+    public virtual ArcCourse? ArcBetween(long from, long to) => null;
+}
+
+/// <summary>An independent move.</summary>
+internal sealed class AxisCourse(int axis, double from, double way, long passed) : SteadyCourse
+{
+    public override void At(long sample, Span<int> positions) => positions[axis] = (int)Math.Round(Place(sample), MidpointRounding.AwayFromZero);
+
+    public override void Exactly(long sample, Span<double> positions) => positions[axis] = Place(sample);
+
+    private double Place(long sample) => from + ((passed + sample) * way);
+}
+
+/// <summary>A segment of a vector sequence.</summary>
+internal sealed class PathCourse : SteadyCourse
+{
+    private readonly VectorSegment _segment;
+    private readonly int[] _axes;
+    private readonly int[] _origin;
+    private readonly double _firstScale;
+    private readonly double _secondScale;
+    private readonly double _way;
+    private readonly double _from;
+    private readonly long _passed;
+
+    public PathCourse(VectorSegment segment, PathProfile profile, ReadOnlySpan<Axis> axes, ReadOnlySpan<int> origin, double firstScale, double secondScale)
+    {
+        _segment = segment;
+        _axes = new int[axes.Length];
+        for (var i = 0; i < _axes.Length; i++) _axes[i] = axes[i].Index;
+        _origin = origin[.._axes.Length].ToArray();
+        (_firstScale, _secondScale) = (firstScale, secondScale);
+        (_from, _passed, _way) = profile.SteadyState;
+    }
+
+    public override void At(long sample, Span<int> positions)
+    {
+        Span<double> point = stackalloc double[Axis.Letters.Length];
+        _segment.PointAt(Distance(sample), point);
+        for (var i = 0; i < _axes.Length; i++) positions[_axes[i]] = _origin[i] + VectorPlane.Rounded(point[i] * Scale(i));
+    }
+
+    public override void Exactly(long sample, Span<double> positions)
+    {
+        Span<double> point = stackalloc double[Axis.Letters.Length];
+        _segment.PointAt(Distance(sample), point);
+        for (var i = 0; i < _axes.Length; i++) positions[_axes[i]] = _origin[i] + (point[i] * Scale(i));
+    }
+
+    /// <summary>With the axes the other way round the angle counts from the other axis, in the other sense.</summary>
+    public override ArcCourse? ArcBetween(long from, long to)
+    {
+        if (_segment is not CircularSegment circular || _axes[0] > 1) return null;
+        var arc = circular.Course(Distance(from), Distance(to), _firstScale, _secondScale);
+        arc = arc with { CentreA = arc.CentreA + _origin[0], CentreB = arc.CentreB + _origin[1] };
+        return _axes[0] == 0 ? arc : new ArcCourse(arc.CentreB, arc.CentreA, arc.RadiusB, arc.RadiusA, 90 - arc.StartDegrees, -arc.SweepDegrees);
+    }
+
+    private double Distance(long sample) => _from + ((_passed + sample) * _way) - _segment.StartLength;
+
+    private double Scale(int slot) => slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1;
+}

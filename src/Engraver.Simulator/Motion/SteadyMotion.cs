@@ -1,0 +1,88 @@
+namespace Engraver.Simulator.Motion;
+
+/// <summary>Motion at constant speed in which nothing else can happen: vector paths within a segment and independent moves, all of them steady. Its samples follow in closed form.</summary>
+/// <remarks>Whatever is not plain is stepped: gears, cams, contours, tangents, smoothing, lag, switches, homing, ramps, joints. The last samples before a change are stepped as well.</remarks>
+internal sealed class SteadyMotion(MotionKernel kernel)
+{
+    /// <summary>Fewer samples are stepped: a jump costs as much as some of them, and short spans are judged sample by sample.</summary>
+    public const long Shortest = 128;
+
+    private readonly List<VectorPlane> _planes = [];
+    private readonly List<Axis> _moves = [];
+
+    /// <summary>How many samples from now on are at constant speed; 0 when fewer than <see cref="Shortest"/>.</summary>
+    public long Samples(long atMost)
+    {
+        if (atMost < Shortest) return 0;
+        _planes.Clear();
+        _moves.Clear();
+        var samples = atMost;
+        foreach (var plane in kernel.Planes)
+        {
+            if (plane.IsRunning) _planes.Add(plane);
+            if (plane.IsRunning) samples = Math.Min(samples, plane.SteadySamples(samples) is > 0 and var steady && ArePlain(plane.Axes) ? steady : 0);
+        }
+
+        foreach (var axis in kernel.Axes)
+        {
+            if (axis.IsMoving) _moves.Add(axis);
+            if (axis.IsMoving) samples = Math.Min(samples, axis.SteadySamples(samples) is > 0 and var steady && ArePlain([axis]) ? steady : 0);
+        }
+
+        return samples < Shortest || _planes.Count + _moves.Count == 0 || kernel.HasFollowers ? 0 : samples;
+    }
+
+    /// <summary>Shows everything as it will be after so many of the <see cref="Samples"/>; <see cref="Pass"/> must follow before time goes on.</summary>
+    public void Place(long samples)
+    {
+        foreach (var plane in _planes) plane.PlaceSteady(samples);
+        foreach (var axis in _moves) axis.PlaceSteady(samples);
+    }
+
+    /// <summary>A limit has been reached by something that moves.</summary>
+    public bool IsAtLimit()
+    {
+        foreach (var plane in _planes)
+        {
+            if (!AreFree(plane.Axes)) return true;
+        }
+
+        return !_moves.TrueForAll(axis => AreFree([axis]));
+    }
+
+    /// <summary>Goes on by so many samples.</summary>
+    public void Pass(long samples)
+    {
+        foreach (var plane in _planes)
+        {
+            plane.Profile.PassSteady(samples);
+            plane.PlaceSteady(0);
+        }
+
+        foreach (var axis in _moves) axis.PassSteady(samples);
+        kernel.FollowAll();
+    }
+
+    /// <summary>What moves, from now on.</summary>
+    public SteadyCourse[] Courses() => [.. _planes.Select(plane => (SteadyCourse)plane.Course()), .. _moves.Select(axis => axis.Course())];
+
+    private static bool ArePlain(ReadOnlySpan<Axis> axes)
+    {
+        foreach (var axis in axes)
+        {
+            if (!axis.IsPlain) return false;
+        }
+
+        return AreFree(axes);
+    }
+
+    private static bool AreFree(ReadOnlySpan<Axis> axes)
+    {
+        foreach (var axis in axes)
+        {
+            if (axis.RunsIntoLimit(1, out _) || axis.RunsIntoLimit(-1, out _)) return false;
+        }
+
+        return true;
+    }
+}

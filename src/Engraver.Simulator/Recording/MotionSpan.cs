@@ -1,0 +1,78 @@
+using Engraver.Simulator.Motion;
+
+namespace Engraver.Simulator;
+
+/// <summary>Samples of motion at constant speed in which nothing else happened: each can be asked for, none is stored.</summary>
+public sealed class MotionSpan
+{
+    private readonly long _before;
+    private readonly MotionSample _end;
+    private readonly SteadyCourse[] _courses;
+
+    /// <param name="before">The sample before the first.</param>
+    /// <param name="samples">At least one.</param>
+    /// <param name="end">The last row; axes that no course moves stand where it says.</param>
+    internal MotionSpan(long before, long samples, MotionSample end, SteadyCourse[] courses)
+    {
+        _before = before;
+        _end = end;
+        _courses = courses;
+        Count = samples;
+    }
+
+    /// <summary>Samples in it.</summary>
+    public long Count { get; }
+
+    /// <summary>The outputs, all the time.</summary>
+    public byte Outputs => _end.Outputs;
+
+    public MotionSample First => this[0];
+
+    public MotionSample Last => _end;
+
+    /// <summary>One of its samples, from 0; the same that single steps give.</summary>
+    public MotionSample this[long index]
+    {
+        get
+        {
+            Span<int> places = [_end.A, _end.B, _end.C, _end.D, 0, 0];
+            foreach (var course in _courses) course.At(index + 1, places);
+            return new MotionSample(_before + 1 + index, places[0], places[1], places[2], places[3], _end.Outputs);
+        }
+    }
+
+    /// <summary>Axes A and B at one of its samples, counts before rounding.</summary>
+    public (double A, double B) Exactly(long index)
+    {
+        Span<double> places = [_end.A, _end.B, _end.C, _end.D, 0, 0];
+        foreach (var course in _courses) course.Exactly(index + 1, places);
+        return (places[0], places[1]);
+    }
+
+    /// <summary>The arc on which A and B go from the first sample to the last, at most a quarter of an ellipse; null when they go straight, or stand.</summary>
+    public ArcCourse? Arc
+    {
+        get
+        {
+            foreach (var course in _courses)
+            {
+                if (course.ArcBetween(1, Count) is { } arc) return arc;
+            }
+
+            return null;
+        }
+    }
+}
+
+/// <summary>A = CentreA + RadiusA cos(angle), B = CentreB + RadiusB sin(angle), counts; the angle goes from Start by the signed sweep, degrees.</summary>
+public readonly record struct ArcCourse(double CentreA, double CentreB, double RadiusA, double RadiusB, double StartDegrees, double SweepDegrees);
+
+/// <summary>Is told everything that goes into a record, in order of time, while the controller computes.</summary>
+public interface IMotionListener
+{
+    /// <summary>A sample of motion, the place where a motion begins, or a change of an output.</summary>
+    void Add(in MotionSample sample);
+
+    /// <summary>Many samples of constant speed.</summary>
+    void Add(MotionSpan span);
+}

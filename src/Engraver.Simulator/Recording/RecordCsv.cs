@@ -1,0 +1,52 @@
+using System.Globalization;
+
+namespace Engraver.Simulator;
+
+/// <summary>The file of a record: rows wait here until they are written, spans unopened. Not thread safe by itself.</summary>
+internal sealed class RecordCsv(TextWriter writer, List<RowStore.Part> waiting)
+{
+    private List<RowStore.Part> _waiting = waiting;
+
+    public bool HasWaiting => _waiting.Count > 0;
+
+    public static void WriteHeader(TextWriter writer) => writer.Write("t,a,b,c,d,outputs\n");
+
+    public static void WriteRows(TextWriter writer, IEnumerable<MotionSample> rows)
+    {
+        foreach (var row in rows) WriteRow(writer, row);
+    }
+
+    public void Add(in MotionSample row) => _waiting.Add(new RowStore.Part(row, null));
+
+    public void Add(MotionSpan span) => _waiting.Add(new RowStore.Part(span.Last, span));
+
+    public List<RowStore.Part> TakeWaiting()
+    {
+        var taken = _waiting;
+        _waiting = [];
+        return taken;
+    }
+
+    /// <summary>Through to the operating system.</summary>
+    public void Write(List<RowStore.Part> parts)
+    {
+        foreach (var (row, span) in parts)
+        {
+            if (span is null) WriteRow(writer, row);
+            for (var i = 0L; i < span?.Count; i++) WriteRow(writer, span[i]);
+        }
+
+        writer.Flush();
+    }
+
+    private static void WriteRow(TextWriter writer, in MotionSample row)
+    {
+        Span<char> line = stackalloc char[96];
+        var fits = line.TryWrite(
+            CultureInfo.InvariantCulture,
+            $"{row.Sample / 1000}.{row.Sample % 1000:000},{row.A},{row.B},{row.C},{row.D},{row.Outputs}\n",
+            out var length);
+        System.Diagnostics.Debug.Assert(fits, "five integers and a time always fit");
+        writer.Write(line[..length]);
+    }
+}

@@ -1,0 +1,77 @@
+namespace Engraver.Simulator;
+
+/// <summary>Rows of a record: single ones in chunks, so that hours of motion neither copy nor fragment, and spans of constant speed among them.</summary>
+internal sealed class RowStore
+{
+    private const int ChunkSize = 1 << 12;
+    private readonly List<MotionSample[]> _chunks = [];
+    private readonly List<(long FirstRow, long SinglesBefore, MotionSpan Span)> _spans = [];
+    private long _singles;
+
+    /// <summary>Rows, those of the spans too.</summary>
+    public long Count { get; private set; }
+
+    /// <summary>A row by its number.</summary>
+    public MotionSample this[long row]
+    {
+        get
+        {
+            var place = LastSpanAt(row);
+            if (place < 0) return Single(row);
+            var (first, singlesBefore, span) = _spans[place];
+            return row - first < span.Count ? span[row - first] : Single(singlesBefore + row - first - span.Count);
+        }
+    }
+
+    public void Add(in MotionSample row)
+    {
+        if (_singles == (long)_chunks.Count * ChunkSize) _chunks.Add(new MotionSample[ChunkSize]);
+        _chunks[(int)(_singles / ChunkSize)][_singles % ChunkSize] = row;
+        _singles++;
+        Count++;
+    }
+
+    public void Add(MotionSpan span)
+    {
+        _spans.Add((Count, _singles, span));
+        Count += span.Count;
+    }
+
+    /// <summary>All rows from one on.</summary>
+    public IEnumerable<MotionSample> From(long row)
+    {
+        for (; row < Count; row++) yield return this[row];
+    }
+
+    /// <summary>Everything, spans unopened.</summary>
+    public IEnumerable<Part> Parts()
+    {
+        var single = 0L;
+        foreach (var (_, singlesBefore, span) in _spans)
+        {
+            for (; single < singlesBefore; single++) yield return new Part(Single(single), null);
+            yield return new Part(span.Last, span);
+        }
+
+        for (; single < _singles; single++) yield return new Part(Single(single), null);
+    }
+
+    private MotionSample Single(long index) => _chunks[(int)(index / ChunkSize)][index % ChunkSize];
+
+    /// <summary>Index of the last span that begins at or before a row; -1 when none does.</summary>
+    private int LastSpanAt(long row)
+    {
+        var (low, high) = (0, _spans.Count);
+        while (low < high)
+        {
+            var middle = (low + high) / 2;
+            if (_spans[middle].FirstRow <= row) low = middle + 1;
+            else high = middle;
+        }
+
+        return low - 1;
+    }
+
+    /// <summary>A row, or a span in place of it.</summary>
+    public readonly record struct Part(MotionSample Row, MotionSpan? Span);
+}
