@@ -182,14 +182,14 @@ internal sealed class ControllerCore : IDisposable
         }
     }
 
-    public ControllerStatus AdvanceToRest(long atMost, long longestRest, int steps)
+    public (ControllerStatus Status, bool HasRested) AdvanceToRest(long atMost, long longestRest, int steps)
     {
         lock (_gate)
         {
-            Machine.AdvanceToRest(atMost, longestRest, steps);
+            var hasRested = Machine.AdvanceToRest(atMost, longestRest, steps);
             _status.Notify();
             TickWithin(TickPeriod);
-            return _status.Now();
+            return (_status.Now(), hasRested);
         }
     }
 
@@ -205,7 +205,9 @@ internal sealed class ControllerCore : IDisposable
 
         try
         {
-            return await waiter.Task.WaitAsync(cancellation).ConfigureAwait(false);
+            await Task.WhenAny(waiter.Task, Broken).WaitAsync(cancellation).ConfigureAwait(false);
+            if (!waiter.Task.IsCompleted) await Broken.ConfigureAwait(false);
+            return await waiter.Task.ConfigureAwait(false);
         }
         finally
         {
@@ -279,7 +281,7 @@ internal sealed class ControllerCore : IDisposable
     /// <summary>A bug of the simulator: no state can be trusted any more. Clients are cut, so that none waits for an answer; whoever owns the controller is told.</summary>
     private void Break(Exception bug)
     {
-        if (!_broken.TrySetException(new InvalidOperationException($"The simulated controller failed ({bug.GetType().Name}: {bug.Message})", bug))) return;
+        if (!_broken.TrySetException(new InvalidOperationException($"the simulated controller failed ({bug.GetType().Name}: {bug.Message}); every client was cut off", bug))) return;
         _ = _broken.Task.Exception; // looked at: an owner who does not ask is not told a second time by the runtime
         CutLinks();
     }

@@ -29,6 +29,7 @@ public sealed record FaultPlan
 
     private static readonly JsonSerializerOptions FileFormat = new(JsonSerializerDefaults.Web)
     {
+        RespectNullableAnnotations = true,
         UnmappedMemberHandling = System.Text.Json.Serialization.JsonUnmappedMemberHandling.Disallow,
     };
 

@@ -171,17 +171,19 @@ internal sealed class Machine
     }
 
     /// <summary>Lets time pass until nothing moves and no thread runs, for at most <paramref name="atMost"/> samples, <paramref name="longestRest"/> samples without motion, and <paramref name="steps"/> steps of computing.</summary>
-    public void AdvanceToRest(long atMost, long longestRest, int steps)
+    /// <returns>True when the rest was so long, or will last until a command comes.</returns>
+    public bool AdvanceToRest(long atMost, long longestRest, int steps)
     {
         var limit = Sample + atMost;
         for (var start = Sample; !IsDormant && Sample < limit && steps > 0; steps--)
         {
             var rested = Math.Max(start, _recorder.LastSample) + longestRest;
-            if (Sample >= rested) break;
-            PassTowards(Math.Min(limit, rested));
+            if (Sample >= rested) return true;
+            PassTowards(_recorder.IsMoving ? limit : Math.Min(limit, rested));
+            _clockTicks = Math.Max(_clockTicks, Sample * TicksPerSample);
         }
 
-        _clockTicks = Math.Max(_clockTicks, Sample * TicksPerSample);
+        return IsDormant;
     }
 
     public void SetOutputs(byte value)

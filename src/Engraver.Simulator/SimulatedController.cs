@@ -139,8 +139,8 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <param name="atMost">Controller time.</param>
     /// <param name="longestRest">Controller time without motion and without a change of an output, after which to come back.</param>
     /// <param name="steps">Steps of computing after which to come back; a span of constant speed is one of them.</param>
-    /// <returns>The status then; idle at the end.</returns>
-    public ControllerStatus AdvanceToRest(TimeSpan atMost, TimeSpan longestRest, int steps)
+    /// <returns>The status then, and whether the rest was so long or would last for ever.</returns>
+    public (ControllerStatus Status, bool HasRested) AdvanceToRest(TimeSpan atMost, TimeSpan longestRest, int steps)
     {
         RequireVirtualTime();
         return _core.AdvanceToRest((long)atMost.TotalMilliseconds, (long)longestRest.TotalMilliseconds, steps);

@@ -44,6 +44,9 @@ public sealed record SimulatorOptions
     /// <summary>Where limit switches, home switches and index pulses lie; axes left out have switches only as far as they are set by hand, and an index every 4000 counts.</summary>
     public IReadOnlyList<AxisSwitches> Switches { get; init; } = [];
 
+    /// <summary>Speeds and accelerations at power up; null for the factory's.</summary>
+    public BurnedMotion? Burned { get; init; }
+
     /// <summary>Where program messages go after power up: A to H, or S for the serial port (CF, galil-dmc.md A.5).</summary>
     public char MessagePort { get; init; } = 'S';
 

@@ -51,6 +51,17 @@ public class BreakdownTests
     }
 
     [Fact]
+    public async Task Whoever_waits_for_a_state_of_the_controller_does_not_wait_for_ever()
+    {
+        using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(20));
+        await using var rig = new Rig(new SimulatorOptions { Faults = AtTheThird });
+        var waiting = rig.Controller.WaitUntilAsync(_ => false, patience.Token);
+        Assert.Throws<InvalidOperationException>(() => rig.Ask("x=1;x=2;x=3"));
+
+        await Assert.ThrowsAsync<InvalidOperationException>(() => waiting);
+    }
+
+    [Fact]
     public async Task Nothing_is_broken_while_all_is_well()
     {
         await using var rig = new Rig();

@@ -74,6 +74,36 @@ public class SurvivalTests
         Assert.InRange(Math.Abs(rig.Value("_RPA")), 2147000000, 2147483648);
     }
 
+    [Theory]
+    [InlineData("DL\r", "?::")]
+    [InlineData("DM p[10]\rQD p[]\r", "?")]
+    public async Task A_text_without_end_fills_no_memory_and_is_refused(string begin, string end)
+    {
+        await using var rig = new Rig();
+        rig.SendRaw(begin);
+        var much = new byte[1_000_000];
+        Array.Fill(much, (byte)'1');
+        var before = GC.GetAllocatedBytesForCurrentThread();
+
+        for (var i = 0; i < 20; i++) rig.Stream.Write(much);
+
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 2_000_000);
+        Assert.Equal(end, rig.SendRaw("\\"));
+        Assert.Equal(" 1.0000\r\n:", rig.Ask("MG 1"));
+    }
+
+    [Theory]
+    [InlineData("JGE=1")]
+    [InlineData("SPH=?")]
+    [InlineData("LIE=5")]
+    public async Task An_axis_that_the_machine_has_not_is_refused_as_one(string sent)
+    {
+        await using var rig = new Rig();
+        rig.Do("LMAB");
+
+        Assert.Equal(90, rig.Refusal(sent));
+    }
+
     [Fact]
     public async Task A_client_that_never_sends_a_return_is_answered_for_ever()
     {

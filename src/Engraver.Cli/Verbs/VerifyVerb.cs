@@ -39,7 +39,8 @@ internal sealed class VerifyVerb
         var settings = _drawing.Settings(parsed);
         var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings, stop);
         var program = ReadBackFile.Open(parsed.GetRequiredValue(_program));
-        var report = await ProgramVerification.VerifyAsync(program, drawing, settings, stop).ConfigureAwait(false);
+        var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
+        var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, drawing, settings, progress, stop)).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report), ContractJson.Default.VerifyJson);
         else _host.Out.WriteLine(VerificationText.Sentence(report));
         _host.Report(parsed, drawing.FileName, drawing.Diagnostics);

@@ -11,12 +11,16 @@ internal sealed class SegmentIndex
     private readonly List<int> _owners = [];
     private readonly BoxTree _tree;
     private readonly BoxTree.Measure _measure;
+    private readonly List<int> _found = [];
+    private readonly int[] _stamps;
+    private int _stamp = 1;
     private int _last;
 
     /// <param name="segments">Ellipses and splines as their pieces (see <see cref="CurvePieces"/>).</param>
     public SegmentIndex(IReadOnlyList<Segment> segments)
     {
         _segments = segments;
+        _stamps = new int[segments.Count];
         var pieceLength = segments.Sum(segment => segment.Length) / ((PiecesPerSegment * (double)segments.Count) + PiecesAtLeast);
         var boxes = new List<Bounds2D>();
         for (var i = 0; i < segments.Count; i++) AddPieces(i, pieceLength, boxes);
@@ -27,11 +31,43 @@ internal sealed class SegmentIndex
     /// <summary>Distance to the nearest segment; infinite when there is none. Quick when questions follow a path: the last answer bounds the next search.</summary>
     public double DistanceFrom(Point2D place)
     {
-        var bound = _segments.Count == 0 ? double.PositiveInfinity : _segments[_last].DistanceTo(place);
-        var piece = _tree.Nearest(place, _measure, bound, out var distance);
-        if (piece >= 0) _last = _owners[piece];
+        NearestTo(place, out var distance);
         return distance;
     }
+
+    /// <summary>Number and distance of the nearest segment; -1 and infinite when there is none.</summary>
+    public int NearestTo(Point2D place, out double distance)
+    {
+        var bound = _segments.Count == 0 ? double.PositiveInfinity : _segments[_last].DistanceTo(place);
+        var piece = _tree.Nearest(place, _measure, bound, out distance);
+        if (piece >= 0) _last = _owners[piece];
+        return piece < 0 ? -1 : _last;
+    }
+
+    /// <summary>Adds the segments of which some part's box overlaps a box; each once until <see cref="Forget"/>.</summary>
+    public void Overlapping(Bounds2D box, List<int> found)
+    {
+        _found.Clear();
+        _tree.Overlapping(box, _found);
+        foreach (var piece in _found)
+        {
+            var owner = _owners[piece];
+            if (_stamps[owner] == _stamp) continue;
+            _stamps[owner] = _stamp;
+            found.Add(owner);
+        }
+    }
+
+    /// <summary>More than so many parts of segments have boxes that overlap a box.</summary>
+    public bool IsCrowded(Bounds2D box, int many)
+    {
+        _found.Clear();
+        _tree.Overlapping(box, _found);
+        return _found.Count > many;
+    }
+
+    /// <summary>What was found is found again.</summary>
+    public void Forget() => _stamp++;
 
     private void AddPieces(int index, double pieceLength, List<Bounds2D> boxes)
     {

@@ -20,15 +20,12 @@ public sealed record TraceTolerances
     /// <summary>A place of the drawing counts as cut when the trace passes this near.</summary>
     public double Coverage => Deviation + ChordSagitta;
 
-    /// <summary>The drawing is walked in steps no longer than this.</summary>
+    /// <summary>A gap shorter than this is none: where chords between samples cut a corner, a little of the drawing lies beside them.</summary>
     public double LargestStep { get; init; } = 0.05;
 
-    /// <summary>And in no fewer steps for each segment than this.</summary>
+    /// <summary>And in a short segment one shorter than its length divided by this.</summary>
     public int FewestSteps { get; init; } = 16;
 
-    /// <summary>But never in more: a line of a thousand kilometres must not keep the judge busy for hours.</summary>
-    public int MostSteps { get; init; } = 1_000_000;
-
-    /// <summary>Into how many steps a segment of this length is divided.</summary>
-    public int StepsFor(double length) => (int)Math.Clamp(Math.Ceiling(length / LargestStep), FewestSteps, MostSteps);
+    /// <summary>How many of the longest gaps that are none a segment of this length holds.</summary>
+    public double StepsFor(double length) => Math.Max(Math.Ceiling(length / LargestStep), FewestSteps);
 }

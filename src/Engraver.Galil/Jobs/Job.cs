@@ -22,18 +22,18 @@ internal sealed class Job
     private readonly OperatorStop _stopper;
     private bool _touched;
 
-    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop)
+    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop, CountsPoint? goTo = null)
     {
         _program = program;
         _session = session;
         _options = options;
         _stop = stop;
-        _ledger = new JobLedger(program);
+        _ledger = new JobLedger(program, options.KeepsPolledTrace);
         _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), stop);
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
         _memory = new ProgramMemory(session);
         _found = new FoundController(session, _memory, program.Profile, options, _log);
-        _way = options.Mode switch
+        _way = goTo is { } goal ? new HandMove(_machine, goal) : options.Mode switch
         {
             JobMode.Stream => new StrokeByStroke(program, _machine, _ledger, _log, new StreamWay(_machine, _ledger)),
             JobMode.Calls => new StrokeByStroke(program, _machine, _ledger, _log, new CallsWay(_machine, _ledger)),
@@ -114,6 +114,7 @@ internal sealed class Job
 
     private async Task<JobStep> PrepareAsync()
     {
+        await _stopper.RehearseAsync().ConfigureAwait(false);
         var resident = ResidentServer.Program(_options.Mode, _program.Profile);
         if (await _found.BorrowAsync(resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
@@ -145,11 +146,21 @@ internal sealed class Job
             if (step.Ends) await _way.StoppedAsync(standstill.SegmentCounter).ConfigureAwait(false);
             return (step, standstill);
         }
+        catch (ProtocolViolationException unknown) when (!_session.StopHandle.IsBroken)
+        {
+            return (JobStep.Broken(step.Ends ? $"{step.Sentence} {unknown.Message}" : unknown.Message), null);
+        }
         catch (ControllerException failure)
         {
-            return (step.Outcome == JobOutcome.LinkLost ? step : JobStep.LinkLost(failure.Message), null);
+            var lost = step.Outcome == JobOutcome.LinkLost ? step : JobStep.LinkLost(failure.Message);
+            return (lost with { Sentence = lost.Sentence + LastWord }, null);
         }
     }
+
+    /// <summary>What the controller does behind its last word nobody hears; a buffer, or a program with all of its strokes, goes on until the watchdog trips.</summary>
+    private string LastWord => _machine.Known is { } known
+        ? JobMachine.Text($" The last word of the controller was {known.Position.X},{known.Position.Y} with {_ledger.Executed} segments done; it goes on with what it has until its watchdog stops it, so that more may be cut than is counted here.")
+        : "";
 
     /// <summary>The found program, speeds and motors; the machine stands and our threads are halted.</summary>
     private async Task<IReadOnlyList<string>> LeaveAsFoundAsync()

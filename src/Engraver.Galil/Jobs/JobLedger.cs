@@ -4,7 +4,7 @@ using Engraver.Galil.Programs;
 namespace Engraver.Galil.Jobs;
 
 /// <summary>What was sent and what the controller confirmed. The one place where a job is counted.</summary>
-internal sealed class JobLedger(MotionProgram program)
+internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
 {
     private readonly List<TracePoint> _trace = [];
     private readonly List<int> _entities = [];
@@ -74,10 +74,11 @@ internal sealed class JobLedger(MotionProgram program)
         if (_seen.Add(segment.EntityIndex)) _entities.Add(segment.EntityIndex);
     }
 
-    /// <summary>Keeps a polled position unless nothing has changed since the last.</summary>
+    /// <summary>Keeps a polled position unless nothing has changed since the last; where no trace is kept, the last one with the tool on and the last with the tool off.</summary>
     public void Trail(TracePoint point)
     {
         if (_trace.Count > 0 && _trace[^1] with { Seconds = point.Seconds } == point) return;
+        if (!keepsTrace) _trace.RemoveAll(passed => passed.ToolOn == point.ToolOn);
         _trace.Add(point);
     }
 }

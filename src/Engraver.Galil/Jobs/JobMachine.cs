@@ -18,6 +18,7 @@ internal sealed class JobMachine
     private readonly TimeSpan _pollInterval;
     private readonly JobLedger _ledger;
     private readonly Action _polled;
+    private readonly Action<CountsPoint>? _frameTaken;
     private readonly CancellationToken _stop;
     private readonly Heartbeat _heartbeat;
     private readonly StopHandleWatch _stopHandle;
@@ -37,6 +38,7 @@ internal sealed class JobMachine
         Tool = new JobTool(this, options.DryRun);
         _ledger = ledger;
         _polled = polled;
+        _frameTaken = options.FrameTaken;
         _stop = stop;
         _heartbeat = new Heartbeat(session.Time);
         _stopHandle = new StopHandleWatch(session, ledger);
@@ -257,6 +259,7 @@ internal sealed class JobMachine
     {
         if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         FrameTaken = new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
+        _frameTaken?.Invoke(Frame);
         return JobStep.Done;
     }
 

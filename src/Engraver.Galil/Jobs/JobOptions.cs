@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Jobs;
 
@@ -23,6 +24,15 @@ public sealed record JobOptions
 
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }
+
+    /// <summary>Called once when the job stands ready, after the journal has it and before anything moves; it must not take long, for the watchdog runs. Null for nobody.</summary>
+    public Action<JournalHeader>? Begins { get; init; }
+
+    /// <summary>Told where the frame of the job lies, counts of the controller at the drawing's zero, before anything moves; null for nobody.</summary>
+    public Action<CountsPoint>? FrameTaken { get; init; }
+
+    /// <summary>Whether every polled position is kept for a judge. Without, only the last ones are, and memory does not grow with the time of the run.</summary>
+    public bool KeepsPolledTrace { get; init; } = true;
 
     /// <summary>The longest pause between two polls, by the session's clock: while the controller works on its own and nothing can have ended yet, or for long does not.</summary>
     public TimeSpan PollInterval { get; init; } = UsualPollInterval;

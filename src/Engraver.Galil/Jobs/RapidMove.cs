@@ -8,10 +8,12 @@ namespace Engraver.Galil.Jobs;
 internal static class RapidMove
 {
     /// <summary>Goes to a point of the job frame and waits until the machine stands there; only an axis with something to do is begun.</summary>
-    public static async ValueTask<JobStep> ToAsync(JobMachine machine, CountsPoint target)
+    public static ValueTask<JobStep> ToAsync(JobMachine machine, CountsPoint target) => ToMachineAsync(machine, new CountsPoint(target.X + machine.Frame.X, target.Y + machine.Frame.Y));
+
+    /// <summary>The same to a place of the controller's own counts.</summary>
+    public static async ValueTask<JobStep> ToMachineAsync(JobMachine machine, CountsPoint goal)
     {
         if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        var goal = new CountsPoint(target.X + machine.Frame.X, target.Y + machine.Frame.Y);
         var from = machine.State.Position;
         var axes = (goal.X != from.X ? "A" : "") + (goal.Y != from.Y ? "B" : "");
         if (axes.Length == 0) return JobStep.Done;

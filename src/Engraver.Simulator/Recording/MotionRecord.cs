@@ -77,19 +77,30 @@ public sealed class MotionRecord
         FlushCsv();
     }
 
+    /// <summary>The file is told no more; what waited for it is given up.</summary>
+    internal void DetachCsv()
+    {
+        lock (_gate)
+        {
+            _csv = null;
+        }
+    }
+
     /// <summary>Brings the attached file up to date, through to the operating system.</summary>
     public void FlushCsv()
     {
         lock (_csvGate)
         {
+            RecordCsv csv;
             List<RowStore.Part> waiting;
             lock (_gate)
             {
-                if (_csv is null || !_csv.HasWaiting) return;
-                waiting = _csv.TakeWaiting();
+                if (_csv is not { HasWaiting: true } attached) return;
+                csv = attached;
+                waiting = csv.TakeWaiting();
             }
 
-            _csv.Write(waiting);
+            csv.Write(waiting);
         }
     }
 

@@ -15,6 +15,7 @@ internal sealed class RecordFile(MotionRecord record)
         catch (IOException failure)
         {
             Failure = failure;
+            record.DetachCsv();
         }
     }
 }

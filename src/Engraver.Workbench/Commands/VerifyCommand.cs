@@ -19,7 +19,7 @@ internal sealed class VerifyCommand : ICommand
         var name = await context.ValueAsync(new TextPrompt("Enter name of program to verify") { Default = context.Remembered(Name) }).ConfigureAwait(false);
         context.Remember(Name, name);
         var program = ReadBackFile.Open(context.FileToRead(name));
-        var report = await Task.Run(() => ProgramVerification.VerifyAsync(program, drawing, settings, cancellation), cancellation).ConfigureAwait(false);
+        var report = await Task.Run(() => ProgramVerification.VerifyAsync(program, drawing, settings, progress: null, cancellation), cancellation).ConfigureAwait(false);
         Findings.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
         Findings.Say(context, name, report.Diagnostics, Severity.Warning);
         context.Say(VerificationText.Sentence(report), MessageKind.Result);

@@ -27,7 +27,8 @@ public sealed class MachineConnection : IAsyncDisposable
     public SimulatedController? Simulator { get; }
 
     /// <exception cref="PlatformNotSupportedException">A serial link on a machine for which it is not built; thrown when the link is opened.</exception>
-    public static MachineConnection To(ControllerAddress address, TimeProvider time) => address switch
+    /// <param name="keepsRecord">Whether a simulated controller keeps its record to be read afterwards; its listeners are told in either case.</param>
+    public static MachineConnection To(ControllerAddress address, TimeProvider time, bool keepsRecord = false) => address switch
     {
         TcpAddress tcp => new MachineConnection(
             $"tcp://{tcp.Host}:{tcp.Port}",
@@ -39,7 +40,7 @@ public sealed class MachineConnection : IAsyncDisposable
             simulator: null,
             _ => Task.FromResult<IControllerLink>(SerialLink.Open(serial, s_writeTimeout, time)),
             () => Offered(serial, time)),
-        SimulatedAddress simulated => Simulate(simulated, time),
+        SimulatedAddress simulated => Simulate(simulated, time, keepsRecord),
         _ => throw new UnreachableException(),
     };
 
@@ -56,9 +57,9 @@ public sealed class MachineConnection : IAsyncDisposable
 
     public ValueTask DisposeAsync() => Simulator?.DisposeAsync() ?? ValueTask.CompletedTask;
 
-    private static MachineConnection Simulate(SimulatedAddress address, TimeProvider time)
+    private static MachineConnection Simulate(SimulatedAddress address, TimeProvider time, bool keepsRecord)
     {
-        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time });
+        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord });
         return new MachineConnection(
             "sim:",
             controller,

@@ -4,7 +4,6 @@ using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
-using Engraver.Simulator;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines;
@@ -64,31 +63,36 @@ public static class MachineRun
     private static async Task<MachineRunReport> InSessionAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, SessionOptions sessionOptions, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        var samplesBefore = connection.Simulator?.Record.Count ?? 0;
+        var listener = options.DryRun || connection.Simulator is null ? null : new RecordListener(job.Settings.Machine, RunJudge.JudgeOf(job));
+        using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // what earlier jobs on the same simulated controller cut does not count for this one
         var judgement = RunJudgement.Unknown;
         var jobOptions = new JobOptions
         {
-            Judge = ended => RunVerdict.Of(job, program, ended, judgement = Judge(job, program, ended, connection, samplesBefore, options.DryRun)),
+            Judge = ended => RunVerdict.Of(job, program, ended, judgement = Judge(job, program, ended, listener, options.DryRun)),
             Mode = options.Mode,
             JournalPath = options.JournalPath,
             Address = connection.Description,
             DrawingName = job.Drawing.FileName,
             DryRun = options.DryRun,
             SourceOf = job.Drawing.SourceOf,
+            Begins = header => Begin(job, connection.Description, options, header),
+            FrameTaken = frame => listener?.Start(frame.X, frame.Y),
+            KeepsPolledTrace = connection.Simulator is null,
         };
         await using var session = await ControllerSession.OpenAsync(async cancellation => clock.Over(await connection.OpenLinkAsync(cancellation).ConfigureAwait(false)), sessionOptions, clock.Time, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
         return new MachineRunReport(result, judgement, session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
     }
 
-    private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, MachineConnection connection, int samplesBefore, bool dryRun)
+    private static void Begin(PreparedJob job, string controller, MachineRunOptions options, JournalHeader header)
     {
-        if (dryRun || result.FrameOrigin is not { } origin) return RunJudgement.Unknown;
-        return connection.Simulator is { } simulator
-            ? RunJudge.ByRecord(job, Since(simulator.Record.Snapshot(), samplesBefore), origin.X, origin.Y)
-            : RunJudge.ByPolling(job, program, result);
+        if (options.Starts is not { } starts) return;
+        foreach (var finding in StartPlace.Begin(starts, controller, job, header)) options.Told?.Invoke(finding);
     }
 
-    /// <summary>What earlier jobs on the same simulated controller cut does not count for this one.</summary>
-    private static IReadOnlyList<MotionSample> Since(IReadOnlyList<MotionSample> record, int samplesBefore) => samplesBefore == 0 ? record : [.. record.Skip(samplesBefore)];
+    private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, RecordListener? listener, bool dryRun)
+    {
+        if (dryRun || result.FrameOrigin is null) return RunJudgement.Unknown;
+        return listener is null ? RunJudge.ByPolling(job, program, result) : RunJudge.ByRecord(listener.Verdicts()[0]);
+    }
 }

@@ -16,27 +16,19 @@ public static class RunJudge
     /// <param name="frameY">The same, axis B.</param>
     public static RunJudgement ByRecord(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY)
     {
-        var found = Compare(job, record, frameX, frameY);
-        return new RunJudgement(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt };
+        var listener = new RecordListener(job.Settings.Machine, JudgeOf(job));
+        listener.Start(frameX, frameY);
+        foreach (var sample in record) listener.Add(sample);
+        return ByRecord(listener.Verdicts()[0]);
     }
 
-    /// <summary>Holds a record against the drawing, both ways.</summary>
-    /// <param name="frameX">Counts of the controller at the drawing's zero, axis A.</param>
-    /// <param name="frameY">The same, axis B.</param>
+    /// <summary>What was found while the controller ran.</summary>
+    public static RunJudgement ByRecord(TraceVerdict found) => new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt };
+
+    /// <summary>A judge of the drawing that a record can be told to.</summary>
     /// <param name="bridges">Lines that may be cut besides; what is missing is then not to be asked of the verdict.</param>
-    public static TraceVerdict Compare(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY, IReadOnlyList<ToolpathMove>? bridges = null)
-    {
-        var profile = job.Settings.Machine;
-        var toolBit = 1 << (profile.ToolOutput - 1);
-        var trace = new TraceSample[record.Count];
-        for (var i = 0; i < trace.Length; i++)
-        {
-            var sample = record[i];
-            trace[i] = Sample(profile, sample.Seconds, sample.A - frameX, sample.B - frameY, (sample.Outputs & toolBit) != 0);
-        }
-
-        return TraceComparison.Compare([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], trace, Tolerances(job));
-    }
+    internal static TraceJudge JudgeOf(PreparedJob job, IReadOnlyList<ToolpathMove>? bridges = null) =>
+        new([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], Tolerances(job));
 
     /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed; the one under way counts up to the last position known on it.</summary>
     public static RunJudgement ByPolling(PreparedJob job, MotionProgram program, JobResult result)

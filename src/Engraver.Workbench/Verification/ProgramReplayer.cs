@@ -13,46 +13,53 @@ public static class ProgramReplayer
     /// <summary>A program in which nothing moves for so long is not coming to its end, seconds of controller time.</summary>
     private const int LongestRest = 60;
 
-    private static readonly TimeSpan s_slice = TimeSpan.FromSeconds(1);
+    /// <summary>Steps of the simulator between two looks at the stop, some tens of milliseconds.</summary>
+    private const int SliceSteps = 20_000;
+
+    private static readonly TimeSpan s_longestRest = TimeSpan.FromSeconds(LongestRest);
     private static readonly TimeSpan s_replyTimeout = TimeSpan.FromSeconds(60);
 
     /// <summary>Loads each chunk, starts it at #JOB and waits for its end; stops at the first that fails.</summary>
     /// <param name="program">Without diagnostics.</param>
     /// <param name="longest">How much controller time the whole program may take.</param>
-    public static async Task<ProgramReplay> RunAsync(ReadBackProgram program, TimeSpan longest, CancellationToken cancellation)
+    /// <param name="listener">Told what the motors and outputs do, from 0,0 on; nothing is kept here.</param>
+    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
+    public static async Task<ProgramReplay> RunAsync(ReadBackProgram program, TimeSpan longest, IMotionListener listener, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime() });
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false });
+        using var listening = controller.Record.Subscribe(listener);
         await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), "the simulated controller"), "A", s_replyTimeout, TimeProvider.System, trace: null);
-        foreach (var chunk in program.Chunks)
+        for (var i = 0; i < program.Chunks.Count; i++)
         {
-            if (await RunAsync(chunk, controller, channel, longest, cancellation).ConfigureAwait(false) is { } failure) return new ProgramReplay(controller.Record.Snapshot(), [failure]);
+            var number = i + 1;
+            void Report() => progress?.Report(new ReplayProgress(number, program.Chunks.Count, TimeSpan.FromMilliseconds(controller.Status.Sample)));
+            if (await RunAsync(program.Chunks[i], controller, channel, longest, Report, cancellation).ConfigureAwait(false) is { } failure) return new ProgramReplay([failure]);
         }
 
-        return new ProgramReplay(controller.Record.Snapshot(), []);
+        return new ProgramReplay([]);
     }
 
-    private static async Task<Diagnostic?> RunAsync(ReadBackChunk chunk, SimulatedController controller, CommandChannel channel, TimeSpan longest, CancellationToken cancellation)
+    private static async Task<Diagnostic?> RunAsync(ReadBackChunk chunk, SimulatedController controller, CommandChannel channel, TimeSpan longest, Action report, CancellationToken cancellation)
     {
         var start = new SourceRef(chunk.FirstLine);
         if (await channel.DownloadAsync(chunk.Text, cancellation).ConfigureAwait(false) is Rejected unloaded) return VerificationRules.NotLoaded.At(start, Number((int)unloaded.Code), unloaded.Text);
         if (await channel.SendAsync("XQ#JOB", cancellation).ConfigureAwait(false) is Rejected unstarted) return VerificationRules.NotLoaded.At(start, Number((int)unstarted.Code), unstarted.Text);
-        var endless = AdvanceToEnd(controller, longest, cancellation);
+        var endless = AdvanceToEnd(controller, longest, report, cancellation);
         var error = await ErrorAsync(chunk, channel, cancellation).ConfigureAwait(false);
         return error ?? (endless is null ? null : VerificationRules.Endless.At(start, endless));
     }
 
     /// <returns>Null at the end of the program, otherwise why it is not expected any more.</returns>
-    private static string? AdvanceToEnd(SimulatedController controller, TimeSpan longest, CancellationToken cancellation)
+    private static string? AdvanceToEnd(SimulatedController controller, TimeSpan longest, Action report, CancellationToken cancellation)
     {
-        var resting = TimeSpan.Zero;
         while (true)
         {
             cancellation.ThrowIfCancellationRequested();
-            var rows = controller.Record.Count;
-            if (controller.AdvanceUntil(status => status.IsIdle, s_slice)) return null;
-            resting = controller.Record.Count == rows ? resting + s_slice : TimeSpan.Zero;
-            if (resting.TotalSeconds >= LongestRest) return string.Create(CultureInfo.InvariantCulture, $"nothing has moved for {LongestRest} s of machine time");
-            if (controller.Status.Sample > longest.TotalMilliseconds) return string.Create(CultureInfo.InvariantCulture, $"it still moves after {longest.TotalSeconds:0} s of machine time, which is far more than the drawing needs");
+            report();
+            var (status, hasRested) = controller.AdvanceToRest(longest, s_longestRest, SliceSteps);
+            if (status.IsIdle) return null;
+            if (hasRested) return string.Create(CultureInfo.InvariantCulture, $"nothing has moved for {LongestRest} s of machine time");
+            if (status.Sample > longest.TotalMilliseconds) return string.Create(CultureInfo.InvariantCulture, $"it still moves after {longest.TotalSeconds:0} s of machine time, which is far more than the drawing needs");
         }
     }
 

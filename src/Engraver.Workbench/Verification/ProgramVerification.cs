@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Toolpaths;
 using Engraver.Core.Verification;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Documents;
@@ -19,29 +20,35 @@ public static class ProgramVerification
     /// <summary>Runs the program and compares.</summary>
     /// <param name="settings">As the program was posted: layers, units, start and machine decide what is compared with what.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
-    public static async Task<VerificationReport> VerifyAsync(ReadBackProgram program, Drawing drawing, DrawingSettings settings, CancellationToken cancellation)
+    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
+    public static async Task<VerificationReport> VerifyAsync(ReadBackProgram program, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
+        var bridges = BridgedGaps.Beyond(job.Toolpath, RunJudge.Tolerances(job).Deviation);
+        TraceJudge[] judges = bridges.Count == 0 ? [RunJudge.JudgeOf(job)] : [RunJudge.JudgeOf(job), RunJudge.JudgeOf(job, bridges)];
+        var listener = new RecordListener(job.Settings.Machine, judges);
+        var start = job.Settings.Machine.Scale.ToCounts(job.Settings.Start);
+        listener.Start(-(double)start.X, -(double)start.Y);
         var replay = program.Diagnostics.Count > 0
-            ? new ProgramReplay([], program.Diagnostics)
-            : await ProgramReplayer.RunAsync(program, Longest(job), cancellation).ConfigureAwait(false);
-        return Report(job, replay);
+            ? new ProgramReplay(program.Diagnostics)
+            : await ProgramReplayer.RunAsync(program, Longest(job), listener, progress, cancellation).ConfigureAwait(false);
+        return Report(job, replay, listener.Verdicts(), bridges);
     }
 
     private static TimeSpan Longest(PreparedJob job) =>
         TimeSpan.FromSeconds(PatienceSeconds + (job.Motion.Program is { } motion ? Patience * MotionTime.Estimate(motion) : 0.0));
 
     /// <summary>The largest deviation is always the one from the drawing. Where the join tolerance bridges gaps, what may be cut is the drawing with its bridges.</summary>
-    private static VerificationReport Report(PreparedJob job, ProgramReplay replay)
+    /// <param name="verdicts">On the drawing, and where there are bridges on the drawing with them.</param>
+    private static VerificationReport Report(PreparedJob job, ProgramReplay replay, TraceVerdict[] verdicts, IReadOnlyList<ToolpathMove> bridges)
     {
-        var start = job.Settings.Machine.Scale.ToCounts(job.Settings.Start);
         var tolerance = RunJudge.Tolerances(job).Deviation;
-        var found = RunJudge.Compare(job, replay.Record, -(long)start.X, -(long)start.Y);
-        var bridges = found.MaxDeviation > tolerance ? BridgedGaps.Beyond(job.Toolpath, tolerance) : [];
-        var judged = bridges.Count == 0 ? found : RunJudge.Compare(job, replay.Record, -(long)start.X, -(long)start.Y, bridges);
+        var found = verdicts[0];
+        var isBridged = bridges.Count > 0 && found.MaxDeviation > tolerance;
+        var judged = isBridged ? verdicts[^1] : found;
         var findings = replay.Diagnostics.Count > 0 ? replay.Diagnostics : [.. Differences(judged with { MissingLength = found.MissingLength, MissingAt = found.MissingAt }, tolerance)];
         var deviation = found.CuttingSamples == 0 || !double.IsFinite(found.MaxDeviation) ? (double?)null : found.MaxDeviation;
-        var allowed = tolerance + (bridges.Count == 0 ? 0.0 : bridges.Max(bridge => bridge.Segment.Length) / 2.0);
+        var allowed = tolerance + (!isBridged ? 0.0 : bridges.Max(bridge => bridge.Segment.Length) / 2.0);
         var ok = findings.Count == 0 && judged.ExtraLength == 0.0 && !job.Drawing.HasErrors;
         return new VerificationReport(deviation, allowed, found.MissingLength, judged.ExtraLength, ok, findings);
     }

@@ -168,8 +168,8 @@ public class ProgramVerificationTests
         var drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10.003, aside, 20, aside).Line(0, 5, 10, 5).Build();
         var motion = JobPreparation.Prepare(drawing, slow, style).Motion.Program!;
         var text = style == MotionStyle.Calls ? DmcPost.Calls(motion, DmcPostOptions.Default).Text : DmcPost.Sequences(motion, DmcPostOptions.Default).Text;
-        var good = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), drawing, slow, CancellationToken.None);
-        var bad = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Replaced(text, style == MotionStyle.Calls ? "x=10000;y=0" : "VP 10000,0", style == MotionStyle.Calls ? "x=10000;y=6" : "VP 10000,6")), drawing, slow, CancellationToken.None);
+        var good = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), drawing, slow, progress: null, CancellationToken.None);
+        var bad = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Replaced(text, style == MotionStyle.Calls ? "x=10000;y=0" : "VP 10000,0", style == MotionStyle.Calls ? "x=10000;y=6" : "VP 10000,6")), drawing, slow, progress: null, CancellationToken.None);
 
         Assert.Empty(good.Diagnostics);
         Assert.True(good.Ok);
@@ -199,7 +199,7 @@ public class ProgramVerificationTests
     public async Task A_drawing_that_cannot_be_read_is_never_ok()
     {
         var drawing = DrawingFile.Open("nowhere.dxf", new DrawingSettings(), CancellationToken.None);
-        var report = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Post("paper-001", MotionStyle.Calls)), drawing, new DrawingSettings(), CancellationToken.None);
+        var report = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Post("paper-001", MotionStyle.Calls)), drawing, new DrawingSettings(), progress: null, CancellationToken.None);
 
         Assert.False(report.Ok);
         Assert.Null(report.MaxDeviationMm);
@@ -212,7 +212,7 @@ public class ProgramVerificationTests
     }
 
     private static Task<VerificationReport> VerifyAsync(string sample, string text, DrawingSettings? settings = null) =>
-        ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), Open(sample), settings ?? new DrawingSettings(), CancellationToken.None);
+        ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), Open(sample), settings ?? new DrawingSettings(), progress: null, CancellationToken.None);
 
     private static string Post(string sample, MotionStyle style, int memoryLines = 1000, DrawingSettings? settings = null)
     {

@@ -1,0 +1,143 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Verification;
+
+/// <summary>Which parts of a drawn line or arc lie within reach of a cut along a line or an arc.</summary>
+/// <remarks>The places at exactly the reach lie on the cut's offsets to both sides and on circles round its ends; between two of them one place speaks for all.</remarks>
+internal static class CutNearSegment
+{
+    private const int MostMarks = 24;
+
+    /// <summary>A line by a line: one interval, since both the line and what is within reach of the cut are convex.</summary>
+    public static void CoverLine(LineSegment drawn, LineSegment cut, double reach, CoveredParts covered)
+    {
+        var length = drawn.Length;
+        if (length == 0.0) return;
+        var along = (drawn.End - drawn.Start) * (1.0 / length);
+        var (from, to) = (double.PositiveInfinity, double.NegativeInfinity);
+        IncludeDisc(drawn.Start, along, cut.Start, reach, ref from, ref to);
+        IncludeDisc(drawn.Start, along, cut.End, reach, ref from, ref to);
+        if (cut.Length is > 0.0 and var cutLength) IncludeStrip(drawn.Start, along, cut.Start, (cut.End - cut.Start) * (1.0 / cutLength), cutLength, reach, ref from, ref to);
+        if (from <= to && from <= length && to >= 0.0) covered.Add(from / length, to / length);
+    }
+
+    /// <summary>A line or an arc by a line or an arc.</summary>
+    public static void Cover(in Segment drawn, in Segment cut, double reach, CoveredParts covered)
+    {
+        if (drawn.Length == 0.0) return;
+        Span<double> marks = stackalloc double[MostMarks];
+        var count = 0;
+        marks[count++] = 0.0;
+        marks[count++] = 1.0;
+        AddDisc(drawn, cut.Start, reach, marks, ref count);
+        AddDisc(drawn, cut.End, reach, marks, ref count);
+        if (cut.Kind == SegmentKind.Line)
+        {
+            AddOffset(drawn, cut.Line, reach, marks, ref count);
+            AddOffset(drawn, cut.Line, -reach, marks, ref count);
+        }
+        else
+        {
+            AddDisc(drawn, cut.Arc.Centre, cut.Arc.Radius + reach, marks, ref count);
+            AddDisc(drawn, cut.Arc.Centre, cut.Arc.Radius - reach, marks, ref count);
+        }
+
+        marks = marks[..count];
+        marks.Sort();
+        for (var i = 1; i < count; i++)
+        {
+            if (cut.DistanceTo(drawn.PointAt((marks[i - 1] + marks[i]) / 2.0)) <= reach) covered.Add(marks[i - 1], marks[i]);
+        }
+    }
+
+    private static void IncludeDisc(Point2D origin, Vector2D along, Point2D centre, double reach, ref double from, ref double to)
+    {
+        var spoke = centre - origin;
+        var (foot, beside) = (spoke.Dot(along), along.Cross(spoke));
+        if (Math.Abs(beside) > reach) return;
+        var half = Math.Sqrt((reach * reach) - (beside * beside));
+        (from, to) = (Math.Min(from, foot - half), Math.Max(to, foot + half));
+    }
+
+    private static void IncludeStrip(Point2D origin, Vector2D along, Point2D cutStart, Vector2D way, double length, double reach, ref double from, ref double to)
+    {
+        var spoke = origin - cutStart;
+        var (low, high) = (double.NegativeInfinity, double.PositiveInfinity);
+        Clip(spoke.Dot(way), along.Dot(way), 0.0, length, ref low, ref high);
+        Clip(way.Cross(spoke), way.Cross(along), -reach, reach, ref low, ref high);
+        if (low <= high) (from, to) = (Math.Min(from, low), Math.Max(to, high));
+    }
+
+    /// <summary>Keeps the parameters at which start + slope x parameter lies between two values.</summary>
+    private static void Clip(double start, double slope, double least, double most, ref double low, ref double high)
+    {
+        if (slope == 0.0)
+        {
+            if (start < least || start > most) (low, high) = (1.0, 0.0);
+            return;
+        }
+
+        var (first, last) = ((least - start) / slope, (most - start) / slope);
+        low = Math.Max(low, Math.Min(first, last));
+        high = Math.Min(high, Math.Max(first, last));
+    }
+
+    /// <summary>Marks where the drawn segment crosses a circle.</summary>
+    private static void AddDisc(in Segment drawn, Point2D centre, double radius, Span<double> marks, ref int count)
+    {
+        if (radius <= 0.0) return;
+        if (drawn.Kind == SegmentKind.Line)
+        {
+            var length = drawn.Length;
+            var along = (drawn.End - drawn.Start) * (1.0 / length);
+            var (from, to) = (double.PositiveInfinity, double.NegativeInfinity);
+            IncludeDisc(drawn.Start, along, centre, radius, ref from, ref to);
+            Mark(from / length, marks, ref count);
+            Mark(to / length, marks, ref count);
+            return;
+        }
+
+        var arc = drawn.Arc;
+        var spoke = centre - arc.Centre;
+        var distance = spoke.Length;
+        var cosine = ((distance * distance) + ((arc.Radius - radius) * (arc.Radius + radius))) / (2.0 * distance * arc.Radius);
+        if (distance > 0.0 && Math.Abs(cosine) <= 1.0) MarkAngles(arc, Math.Atan2(spoke.Y, spoke.X), Math.Acos(cosine), marks, ref count);
+    }
+
+    /// <summary>Marks where the drawn segment crosses the line beside a cut, to its left for a positive offset.</summary>
+    private static void AddOffset(in Segment drawn, LineSegment cut, double offset, Span<double> marks, ref int count)
+    {
+        var length = cut.Length;
+        if (length == 0.0) return;
+        var way = (cut.End - cut.Start) * (1.0 / length);
+        if (drawn.Kind == SegmentKind.Line)
+        {
+            var chord = drawn.End - drawn.Start;
+            if (way.Cross(chord) is not 0.0 and var slope) Mark((offset - way.Cross(drawn.Start - cut.Start)) / slope, marks, ref count);
+            return;
+        }
+
+        // The height of the arc above the cut is that of its centre plus radius times the cosine from the normal.
+        var arc = drawn.Arc;
+        var cosine = (offset - way.Cross(arc.Centre - cut.Start)) / arc.Radius;
+        if (Math.Abs(cosine) <= 1.0) MarkAngles(arc, Math.Atan2(way.X, -way.Y), Math.Acos(cosine), marks, ref count);
+    }
+
+    private static void MarkAngles(ArcSegment arc, double direction, double half, Span<double> marks, ref int count)
+    {
+        MarkAngle(arc, direction - half, marks, ref count);
+        MarkAngle(arc, direction + half, marks, ref count);
+    }
+
+    private static void MarkAngle(ArcSegment arc, double angle, Span<double> marks, ref int count)
+    {
+        var sweep = arc.Sweep.Radians;
+        var ahead = Math.IEEERemainder(angle - arc.Start.Radians, 2.0 * Math.PI) * Math.Sign(sweep);
+        Mark((ahead < 0.0 ? ahead + (2.0 * Math.PI) : ahead) / Math.Abs(sweep), marks, ref count);
+    }
+
+    private static void Mark(double fraction, Span<double> marks, ref int count)
+    {
+        if (fraction is > 0.0 and < 1.0) marks[count++] = fraction;
+    }
+}

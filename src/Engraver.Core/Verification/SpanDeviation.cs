@@ -1,0 +1,90 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Verification;
+
+/// <summary>Largest distance of a span from the drawing, and how much of it lies beside it, without walking along it: a part is done when it can hold nothing worse than what is known.</summary>
+/// <remarks>Lines and arcs against lines and arcs have exact bounds (<see cref="FarthestOf"/>), so that the work follows the number of joints under a span and not its length.
+/// Against curves a part is judged by three places once it is short and lies over one piece or two neighbours, on which the distance is smooth.</remarks>
+internal sealed class SpanDeviation(IReadOnlyList<Segment> drawing, SegmentIndex index, TraceTolerances tolerances)
+{
+    private const double KnownPart = 0.002;
+    private const double ShortPart = 1.0 / 8.0;
+    private const int DeepestPart = 60;
+
+    private readonly double _reach = tolerances.Coverage;
+    private readonly double _resolution = tolerances.Count / 50.0;
+    private readonly double _shortest = tolerances.Count / 4.0;
+    private Result _found;
+
+    /// <param name="known">The largest distance found before: less need not be found exactly.</param>
+    public Result Measure(in TraceSpan span, double known)
+    {
+        _found = new Result(known, 0.0, 0.0);
+        if (index.NearestTo(span.Path.End, out var atEnd) >= 0) Offer(atEnd, 1.0);
+        Visit(span.Path, 0.0, 1.0, DeepestPart);
+        return _found;
+    }
+
+    private void Visit(in Segment path, double from, double to, int depth)
+    {
+        var middle = (from + to) / 2.0;
+        var length = path.Length * (to - from);
+        var nearest = index.NearestTo(path.PointAt(middle), out var distance);
+        Offer(distance, middle);
+        if (nearest < 0)
+        {
+            _found = _found with { Extra = _found.Extra + length };
+            return;
+        }
+
+        var most = distance + (length / 2.0);
+        var isWorthBounding = most > Enough || most > _reach;
+        if (isWorthBounding) most = Math.Min(most, drawing[nearest].IsFreeCurve ? FarthestOfCurve(path, from, to, distance) : FarthestOf.Drawn(drawing[nearest], Part(path, from, to)));
+        var isBeside = distance - (length / 2.0) > _reach;
+        if (most <= Enough && (most <= _reach || isBeside))
+        {
+            if (isBeside) _found = _found with { Extra = _found.Extra + length };
+            return;
+        }
+
+        if (length <= _shortest || depth == 0)
+        {
+            if (distance > _reach) _found = _found with { Extra = _found.Extra + length };
+            return;
+        }
+
+        Visit(path, from, middle, depth - 1);
+        Visit(path, middle, to, depth - 1);
+    }
+
+    /// <summary>A part that holds no more than this changes nothing worth telling.</summary>
+    private double Enough => _found.Largest + Math.Max(_resolution, KnownPart * _found.Largest);
+
+    private void Offer(double distance, double at)
+    {
+        if (distance > _found.Largest) _found = _found with { Largest = distance, At = at };
+    }
+
+    private double FarthestOfCurve(in Segment path, double from, double to, double inMiddle)
+    {
+        if (to - from > ShortPart) return double.PositiveInfinity;
+        var first = index.NearestTo(path.PointAt(from), out var atFirst);
+        var last = index.NearestTo(path.PointAt(to), out var atLast);
+        Offer(atFirst, from);
+        Offer(atLast, to);
+        if (Math.Abs(first - last) > 1) return double.PositiveInfinity;
+        return Math.Max(inMiddle, Math.Max(atFirst, atLast)) + Math.Abs(atFirst - (2.0 * inMiddle) + atLast);
+    }
+
+    internal static Segment Part(in Segment path, double from, double to)
+    {
+        if (path.Kind == SegmentKind.Line) return Segment.FromLine(path.PointAt(from), path.PointAt(to));
+        var arc = path.Arc;
+        return Segment.FromArc(new ArcSegment(arc.Centre, arc.Radius, arc.Start + (arc.Sweep * from), arc.Sweep * (to - from)));
+    }
+
+    /// <param name="Largest">Millimetres, at least what was known before.</param>
+    /// <param name="At">Where, as a fraction of the span; without meaning when nothing larger was found.</param>
+    /// <param name="Extra">Length farther from the drawing than the coverage tolerance.</param>
+    internal readonly record struct Result(double Largest, double At, double Extra);
+}

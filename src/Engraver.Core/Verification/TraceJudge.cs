@@ -1,0 +1,85 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Verification;
+
+/// <summary>The judge of a run that listens while it goes on: takes the drawing once, then samples and spans in order of time. Memory follows the drawing, time the number of samples and spans told.</summary>
+/// <remarks>Meaning and numbers are those of <see cref="TraceComparison.Compare"/>. Not thread safe.</remarks>
+public sealed class TraceJudge
+{
+    private readonly SegmentIndex _index;
+    private readonly SpanDeviation _spans;
+    private readonly DrawnCoverage _coverage;
+    private readonly double _reach;
+    private long _samples;
+    private double _largest;
+    private double _extra;
+    private TraceSample? _worst;
+    private TraceSample? _last;
+    private bool _wasOff;
+
+    /// <param name="drawing">What was to be cut, millimetres; order and direction do not matter. Ellipses and splines are exact here, not the arcs that were cut for them.</param>
+    /// <param name="tolerances">What counts as cut, and how short a gap is none.</param>
+    public TraceJudge(IReadOnlyList<Segment> drawing, TraceTolerances tolerances)
+    {
+        ArgumentNullException.ThrowIfNull(tolerances);
+        var pieces = CurvePieces.Of(drawing);
+        _reach = tolerances.Coverage;
+        _index = new SegmentIndex(pieces);
+        _spans = new SpanDeviation(pieces, _index, tolerances);
+        _coverage = new DrawnCoverage(pieces, _index, tolerances);
+    }
+
+    /// <summary>The machine was here; between two consecutive cutting samples it went straight.</summary>
+    public void Add(in TraceSample sample)
+    {
+        if (sample.Cutting)
+        {
+            _samples++;
+            Judge(sample);
+        }
+
+        _last = sample;
+    }
+
+    /// <summary>The machine went along here.</summary>
+    public void Add(in TraceSpan span)
+    {
+        if (span.Cutting)
+        {
+            _samples += span.Samples;
+            Judge(span.At(0.0));
+            var found = _spans.Measure(span, _largest);
+            if (found.Largest > _largest) (_largest, _worst) = (found.Largest, span.At(found.At));
+            _extra += found.Extra;
+            _coverage.Add(span.Path);
+            _wasOff = _index.DistanceFrom(span.Path.End) > _reach;
+        }
+
+        _last = span.At(1.0);
+    }
+
+    /// <summary>What is known so far; with no more to come, the verdict.</summary>
+    public TraceVerdict Verdict()
+    {
+        var (missing, at) = _coverage.Missing();
+        return new TraceVerdict(_samples, _largest, _worst, missing, at, _extra);
+    }
+
+    private void Judge(in TraceSample sample)
+    {
+        var deviation = _index.DistanceFrom(sample.Place);
+        if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
+        var isOff = deviation > _reach;
+        if (_last is { Cutting: true } before)
+        {
+            if (isOff || _wasOff) _extra += before.Place.DistanceTo(sample.Place);
+            if (before.Place != sample.Place) _coverage.AddChord(before.Place, sample.Place);
+        }
+        else
+        {
+            _coverage.AddChord(sample.Place, sample.Place); // a lone sample is a dot
+        }
+
+        _wasOff = isOff;
+    }
+}
