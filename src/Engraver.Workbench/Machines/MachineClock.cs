@@ -1,4 +1,6 @@
 using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
 using Engraver.Simulator.Clocks;
 
 namespace Engraver.Workbench.Machines;
@@ -26,8 +28,12 @@ public sealed class MachineClock : IDisposable
         return new(clock, clock, clock.Heard);
     }
 
-    /// <summary>A link for a job that goes by this clock.</summary>
-    public IControllerLink Over(IControllerLink link) => _heard is null ? link : new ClockedLink(link, _heard);
+    /// <summary>A session that goes by this clock.</summary>
+    /// <exception cref="ControllerException">The link never came up.</exception>
+    public Task<ControllerSession> OpenSessionAsync(MachineConnection connection, SessionOptions options, CancellationToken cancellation) =>
+        ControllerSession.OpenAsync(async stop => Over(await connection.OpenLinkAsync(stop).ConfigureAwait(false)), options, Time, cancellation);
 
     public void Dispose() => _taken?.Dispose();
+
+    private IControllerLink Over(IControllerLink link) => _heard is null ? link : new ClockedLink(link, _heard);
 }

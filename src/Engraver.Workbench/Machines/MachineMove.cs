@@ -13,10 +13,11 @@ internal static class MachineMove
     /// <param name="journal">Where what was found in the controller is written down, for whoever comes after a crash.</param>
     /// <exception cref="Galil.Protocol.ControllerException">The link never came up.</exception>
     public static async Task<JobResult> ToAsync(
-        MachineConnection connection, MachineProfile profile, CountsPoint start, CountsPoint goal, string journal, TimeProvider time, IProgress<JobProgress> progress, CancellationToken stop)
+        MachineConnection connection, MachineProfile profile, CountsPoint start, CountsPoint goal, string journal, IProgress<JobProgress> progress, CancellationToken stop)
     {
         var options = new JobOptions { JournalPath = journal, Address = connection.Description, DrawingName = "CNCGOTO", DryRun = true };
-        await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, new SessionOptions(), time, stop).ConfigureAwait(false);
+        using var clock = connection.TakeClock();
+        await using var session = await clock.OpenSessionAsync(connection, new SessionOptions(), stop).ConfigureAwait(false);
         return await JobRunner.GoToAsync(new MotionProgram(profile, start, []), goal, session, options, progress, stop).ConfigureAwait(false);
     }
 }

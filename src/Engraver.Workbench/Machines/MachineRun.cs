@@ -79,7 +79,7 @@ public static class MachineRun
             FrameTaken = frame => listener?.Start(frame.X, frame.Y),
             KeepsPolledTrace = connection.Simulator is null,
         };
-        await using var session = await ControllerSession.OpenAsync(async cancellation => clock.Over(await connection.OpenLinkAsync(cancellation).ConfigureAwait(false)), sessionOptions, clock.Time, stop).ConfigureAwait(false);
+        await using var session = await clock.OpenSessionAsync(connection, sessionOptions, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
         return new MachineRunReport(result, judgement, session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
     }

@@ -233,7 +233,7 @@ public sealed class MachineSession : IAsyncDisposable
         await _watched.GiveWayAsync().ConfigureAwait(false);
         try
         {
-            var result = await MachineMove.ToAsync(connection, Profile, _board.Here, goal, journal, _time, Listener(_board), stop).ConfigureAwait(false);
+            var result = await MachineMove.ToAsync(connection, Profile, _board.Here, goal, journal, Listener(_board), stop).ConfigureAwait(false);
             _board.MoveEnds(result);
             return result;
         }

@@ -16,7 +16,7 @@ internal static class SerialBench
     /// <param name="harm">What arrives instead of a line.</param>
     public static Task<ControllerSession> OpenSerialAsync(this SimulatedBench bench, int baud, Action<string>? sending = null, Func<string, string>? harm = null) => ControllerSession.OpenAsync(
         _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(baud)) { Sending = sending, Harm = harm }),
-        new SessionOptions(), TimeProvider.System, CancellationToken.None);
+        new SessionOptions(), bench.Clock, CancellationToken.None);
 
     public static async Task<JobResult> RunSerialAsync(
         this SimulatedBench bench, int baud, MotionProgram program, JobMode mode, IProgress<JobProgress>? progress = null, Action<string>? sending = null, CancellationToken stop = default)

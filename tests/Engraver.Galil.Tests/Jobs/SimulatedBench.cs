@@ -6,14 +6,16 @@ using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
 using Engraver.Simulator;
+using Engraver.Simulator.Clocks;
 
 namespace Engraver.Galil.Tests.Jobs;
 
 /// <summary>A simulated controller at full speed and the wires to it.</summary>
 internal sealed class SimulatedBench : IAsyncDisposable
 {
-    /// <summary>The simulator's time is the commands it receives: no pause between polls.</summary>
-    public static readonly JobOptions Job = new() { PollInterval = TimeSpan.Zero };
+    public static readonly JobOptions Job = new();
+
+    private HostClock? _clock;
 
     /// <param name="clock">The controller's wall clock: where one stands, silence of the host lets no time pass, however long this computer is held up.</param>
     /// <param name="spacing">What divides a negative number from the one before it.</param>
@@ -24,6 +26,17 @@ internal sealed class SimulatedBench : IAsyncDisposable
 
     public MotionSample Last => Controller.Record[Controller.Record.Count - 1];
 
+    /// <summary>The controller's clock, which the bench's sessions go by; taken with the first of them.</summary>
+    public HostClock Clock => _clock ??= Controller.JoinClock();
+
+    /// <summary>The host is no more: time goes on without it.</summary>
+    public void GiveClockBack()
+    {
+        _clock?.Dispose();
+        _clock = null;
+    }
+
+    /// <param name="time">Null for the controller's clock.</param>
     /// <param name="opened">Told each link as it is opened: the command handle, then the second one.</param>
     public Task<ControllerSession> OpenAsync(TimeProvider? time = null, Action<WithheldLink>? opened = null) => ControllerSession.OpenAsync(
         _ =>
@@ -33,7 +46,7 @@ internal sealed class SimulatedBench : IAsyncDisposable
             return Task.FromResult<IControllerLink>(link);
         },
         new SessionOptions(),
-        time ?? TimeProvider.System,
+        time ?? Clock,
         CancellationToken.None);
 
     public async Task<ControllerSession> OpenTcpAsync()
@@ -41,7 +54,7 @@ internal sealed class SimulatedBench : IAsyncDisposable
         var end = await Controller.ListenTcpAsync(0, CancellationToken.None);
         return await ControllerSession.OpenAsync(
             async cancellation => await TcpLink.ConnectAsync("127.0.0.1", end.Port, TimeSpan.FromSeconds(60), TimeProvider.System, cancellation),
-            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(60) }, TimeProvider.System, CancellationToken.None);
+            new SessionOptions { ReplyTimeout = TimeSpan.FromSeconds(60) }, Clock, CancellationToken.None);
     }
 
     /// <summary>Runs a job and closes the session behind it.</summary>
