@@ -95,8 +95,14 @@ public class SomebodyElseTests
     public async Task A_tool_that_did_not_go_off_is_not_taken_along_to_the_next_stroke(JobMode mode, int baud)
     {
         await using var bench = new SimulatedBench();
-        var seen = 0;
-        string Harm(string line) => line.StartsWith("CB 1", StringComparison.Ordinal) && seen++ == 1 ? "CB 2\r" : line;
+        var (isOn, isHarmed) = (false, false);
+        string Harm(string line)
+        {
+            isOn |= line == "SB 1\r";
+            if (!isOn || isHarmed || line != "CB 1\r") return line;
+            isHarmed = true;
+            return "CB 2\r";
+        }
 
         var result = await RunAsync(bench, MotionPrograms.TwoStrokes, mode, baud, _ => false, () => { }, Harm);
 
