@@ -20,13 +20,17 @@ internal static class CutNearCurve
         var isShort = cut.Kind == SegmentKind.Line && cut.Length < 4.0 * reach;
         var places = isShort ? 2 : Places;
         var (before, wasNear) = (from, IsNear(span, from, cut, reach));
+        var start = from;
         for (var i = 1; i <= places; i++)
         {
             var at = from + ((to - from) * i / places);
             var isNear = IsNear(span, at, cut, reach);
-            if (isNear || wasNear) covered.Add(wasNear ? before : Border(span, at, before, cut, reach), isNear ? at : Border(span, before, at, cut, reach));
+            if (isNear && !wasNear) start = Border(span, at, before, cut, reach);
+            if (wasNear && !isNear) covered.Add(start, Border(span, before, at, cut, reach));
             (before, wasNear) = (at, isNear);
         }
+
+        if (wasNear) covered.Add(start, to);
     }
 
     /// <summary>The piece reaches beyond the feet by up to the reach.</summary>

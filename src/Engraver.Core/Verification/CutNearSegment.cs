@@ -44,10 +44,16 @@ internal static class CutNearSegment
 
         marks = marks[..count];
         marks.Sort();
+        var from = double.NaN;
         for (var i = 1; i < count; i++)
         {
-            if (cut.DistanceTo(drawn.PointAt((marks[i - 1] + marks[i]) / 2.0)) <= reach) covered.Add(marks[i - 1], marks[i]);
+            var isNear = cut.DistanceTo(drawn.PointAt((marks[i - 1] + marks[i]) / 2.0)) <= reach;
+            if (isNear && double.IsNaN(from)) from = marks[i - 1];
+            if (!isNear && !double.IsNaN(from)) covered.Add(from, marks[i - 1]); // whole at once: bits of it would not touch what was covered behind them
+            if (!isNear) from = double.NaN;
         }
+
+        if (!double.IsNaN(from)) covered.Add(from, 1.0);
     }
 
     private static void IncludeDisc(Point2D origin, Vector2D along, Point2D centre, double reach, ref double from, ref double to)

@@ -37,8 +37,8 @@ internal static class FarthestOf
         if (Math.Abs(last - first) + (2.0 * bend) > Math.PI) return double.PositiveInfinity;
         var sweep = Math.Abs(arc.Sweep.Radians);
         var (low, high) = (Math.Min(first, last) - bend, Math.Max(first, last) + bend);
-        // A chord and its arc have the same end directions: what bends out in between does not leave the sweep unless the ends nearly do.
-        return low >= -1e-12 && high <= sweep + 1e-12 ? 0.0 : Math.Max(Math.Max(-low, high - sweep), 0.0);
+        if (low < 0.0 && high > sweep) return double.PositiveInfinity; // the part may pass behind the arc
+        return Math.Max(0.0, Math.Max(-low, high - sweep));
     }
 
     /// <summary>Direction of a place seen from the centre, from the start of the arc in its sense; a little before the start is a little below 0.</summary>
