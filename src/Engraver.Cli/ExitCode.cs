@@ -5,7 +5,7 @@ public static class ExitCode
 {
     public const int Done = 0;
 
-    /// <summary>A diagnostic of severity error: file unusable or truncated, or a curve lost.</summary>
+    /// <summary>A diagnostic of severity error: file unusable or truncated, or a curve lost; or what was cut is not the drawing.</summary>
     public const int DrawingError = 1;
 
     /// <summary>Unknown verb, option or unreadable value.</summary>

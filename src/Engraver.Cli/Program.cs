@@ -1,4 +1,5 @@
 using Engraver.Cli;
 
+LastResort.Install(args);
 var streams = new ConsoleStreams(Console.OpenStandardOutput(), Console.Error, new StreamReader(Console.OpenStandardInput())) { Interactive = !Console.IsInputRedirected && !Console.IsOutputRedirected };
 return await EngraverProgram.RunAsync(args, streams).ConfigureAwait(false);

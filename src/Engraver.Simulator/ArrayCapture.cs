@@ -36,8 +36,8 @@ internal sealed class ArrayCapture(Machine machine)
         if (IsOn) throw new CommandRefusedException(Tc.AlreadyRecording);
         if (Arrays.Count == 0 || Sources.Count != Arrays.Count) throw new CommandRefusedException(Tc.NothingToRecord);
         var shortest = Arrays.Min(a => a.Length);
+        if (Math.Abs((long)length) > shortest) throw new CommandRefusedException(Tc.TooManyElements);
         _length = length == 0 ? shortest : Math.Abs(length);
-        if (_length > shortest) throw new CommandRefusedException(Tc.TooManyElements);
         _isCircular = length < 0;
         _period = period;
         _last = machine.Sample;

@@ -6,7 +6,7 @@ namespace Engraver.Simulator;
 /// <summary>What BN and BV keep and RS brings back (galil-dmc.md A.6): parameters; variables, arrays and the cam's table. CF, VR, targets and positions are not burned.</summary>
 internal sealed class BurnedState(Machine machine)
 {
-    private (AxisSetup[] Axes, (double Speed, double Acceleration, double Deceleration)[] Planes, int[] Polarity) _motion = MotionOf(machine);
+    private (AxisSetup[] Axes, (double Speed, double Acceleration, double Deceleration)[] Planes, int[] Polarity) _motion = MotionOf(Prepared(machine));
     private (int Marking, int WhenBlocked, bool Echo, bool Trace, byte Outputs) _ports = PortsOf(machine);
     private (NumberFormat Position, NumberFormat Variable, bool StripZeros, int Sample) _formats = FormatsOf(machine);
     private KeyValuePair<string, FixedPoint>[] _variables = [];
@@ -43,6 +43,20 @@ internal sealed class BurnedState(Machine machine)
         foreach (var (name, value) in _variables) machine.Variables.Write(name, value);
         foreach (var (name, values) in _arrays) machine.Variables.Arrays[name] = (FixedPoint[])values.Clone();
         _cam?.ApplyTo(motion.Cam);
+    }
+
+    /// <summary>What the owner burned stands in the controller before the first command.</summary>
+    private static Machine Prepared(Machine machine)
+    {
+        if (machine.Options.Burned is not { } given) return machine;
+        foreach (var axis in machine.Motion.Axes)
+        {
+            (axis.Acceleration, axis.Deceleration) = (given.Acceleration, given.Acceleration);
+            if (axis.Index < given.AxisSpeeds.Count) axis.CruiseSpeed = given.AxisSpeeds[axis.Index];
+        }
+
+        foreach (var plane in machine.Motion.Planes) Apply((given.VectorSpeed, given.Acceleration, given.Acceleration), plane);
+        return machine;
     }
 
     private static void Apply((double Speed, double Acceleration, double Deceleration) burned, VectorPlane plane)

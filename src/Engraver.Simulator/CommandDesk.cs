@@ -21,6 +21,7 @@ internal sealed class CommandDesk(Machine machine, SimulatorOptions options) : I
         if (options.Faults is { } faults)
         {
             if (IsFrozen) return default;
+            if (faults.BreakDownAtCommand == _commands) throw new InvalidOperationException("The fault plan makes the simulator fail here.");
             if (faults.RefusalOf(_commands) is { } code)
             {
                 machine.LastError = code;

@@ -16,6 +16,7 @@ internal sealed class ControllerCore : IDisposable
     private readonly CommandDesk _desk;
     private readonly StatusBoard _status;
     private readonly RecordFile _recordFile;
+    private readonly TaskCompletionSource _broken = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private TimeSpan _paced;
     private TimeSpan _nextTick = TimeSpan.MaxValue;
 
@@ -32,6 +33,9 @@ internal sealed class ControllerCore : IDisposable
     }
 
     public Machine Machine { get; }
+
+    /// <summary>Faults with the bug that ended the controller's work.</summary>
+    public Task Broken => _broken.Task;
 
     /// <summary>What stopped the record file from being written; null while all is well.</summary>
     public IOException? RecordFailure => _recordFile.Failure;
@@ -70,16 +74,40 @@ internal sealed class ControllerCore : IDisposable
         }
     }
 
+    /// <summary>What a client sent. A bug that shows here breaks the controller, not the thread that carries the bytes.</summary>
     public void Receive(Handle handle, ReadOnlySpan<byte> bytes)
     {
         lock (_gate)
         {
-            Pace();
-            var asked = handle.Questions;
-            handle.Receive(bytes);
-            _silence.Heard(handle, handle.Questions - asked);
-            _status.Notify();
-            TickWithin(TickPeriod);
+            try
+            {
+                Pace();
+                var asked = handle.Questions;
+                handle.Receive(bytes);
+                _silence.Heard(handle, handle.Questions - asked);
+                _status.Notify();
+                TickWithin(TickPeriod);
+            }
+            catch (Exception bug)
+            {
+                Break(bug);
+            }
+        }
+    }
+
+    /// <summary>Serves clients to the end; a bug there ends the controller's work like one of its own.</summary>
+    public async Task WatchAsync(Task serving)
+    {
+        try
+        {
+            await serving.ConfigureAwait(false);
+        }
+        catch (Exception bug)
+        {
+            lock (_gate)
+            {
+                Break(bug);
+            }
         }
     }
 
@@ -99,11 +127,16 @@ internal sealed class ControllerCore : IDisposable
     {
         lock (_gate)
         {
-            foreach (var handle in Machine.Handles.Open.ToArray()) handle.Cut();
-
-            Machine.Serial.Client?.Cut();
+            CutLinks();
             _status.Notify();
         }
+    }
+
+    private void CutLinks()
+    {
+        foreach (var handle in Machine.Handles.Open.ToArray()) handle.Cut();
+
+        Machine.Serial.Client?.Cut();
     }
 
     public void With(Action<Machine> action)
@@ -167,7 +200,9 @@ internal sealed class ControllerCore : IDisposable
 
         try
         {
-            return await waiter.Task.WaitAsync(cancellation).ConfigureAwait(false);
+            await Task.WhenAny(waiter.Task, Broken).WaitAsync(cancellation).ConfigureAwait(false);
+            if (!waiter.Task.IsCompleted) await Broken.ConfigureAwait(false);
+            return await waiter.Task.ConfigureAwait(false);
         }
         finally
         {
@@ -207,20 +242,42 @@ internal sealed class ControllerCore : IDisposable
         _timer.Change(delay, Timeout.InfiniteTimeSpan);
     }
 
+    /// <summary>On a thread of the timer: what is not caught here would end the process.</summary>
     private void Tick()
     {
         lock (_gate)
         {
-            _nextTick = TimeSpan.MaxValue;
-            Pace();
-            _desk.ReleaseReplies();
-            if (_options.IsVirtual) _silence.Look();
-
-            _status.Notify();
-            TickWithin(QuietTime());
+            if (_broken.Task.IsCompleted) return;
+            try
+            {
+                PassTime();
+            }
+            catch (Exception bug)
+            {
+                Break(bug);
+            }
         }
 
         _recordFile.Flush();
+    }
+
+    private void PassTime()
+    {
+        _nextTick = TimeSpan.MaxValue;
+        Pace();
+        _desk.ReleaseReplies();
+        if (_options.IsVirtual) _silence.Look();
+
+        _status.Notify();
+        TickWithin(QuietTime());
+    }
+
+    /// <summary>A bug of the simulator: no state can be trusted any more. Clients are cut, so that none waits for an answer; whoever owns the controller is told.</summary>
+    private void Break(Exception bug)
+    {
+        if (!_broken.TrySetException(new InvalidOperationException($"the simulated controller failed ({bug.GetType().Name}: {bug.Message}); every client was cut off", bug))) return;
+        _ = _broken.Task.Exception; // looked at: an owner who does not ask is not told a second time by the runtime
+        CutLinks();
     }
 
     /// <summary>Real time: controller time follows the wall. Where it is to run ahead of the wall, the time that the computing takes does not count: a busy computer

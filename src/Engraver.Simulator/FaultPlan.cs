@@ -14,11 +14,14 @@ public sealed record FaultPlan
     /// <summary>After this many commands nothing is answered any more, although motion and programs go on; null never freezes.</summary>
     public long? FreezeAfterCommands { get; init; }
 
+    /// <summary>With this command the simulator itself fails, as by a bug of ours: all links are cut and <c>simulate</c> ends with exit 70; null never fails.</summary>
+    public long? BreakDownAtCommand { get; init; }
+
     /// <summary>Wall time by which every reply is late.</summary>
     public TimeSpan ReplyDelay { get; init; } = TimeSpan.Zero;
 
     /// <summary>
-    /// Reads a plan as written in a faults file: <c>{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],"freezeAfterCommands":99,"replyDelay":"00:00:00.050"}</c>.
+    /// Reads a plan as written in a faults file: <c>{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],"freezeAfterCommands":99,"breakDownAtCommand":120,"replyDelay":"00:00:00.050"}</c>.
     /// </summary>
     /// <exception cref="JsonException">The text is no such plan.</exception>
     public static FaultPlan Parse(string json) =>
@@ -26,6 +29,7 @@ public sealed record FaultPlan
 
     private static readonly JsonSerializerOptions FileFormat = new(JsonSerializerDefaults.Web)
     {
+        RespectNullableAnnotations = true,
         UnmappedMemberHandling = System.Text.Json.Serialization.JsonUnmappedMemberHandling.Disallow,
     };
 

@@ -70,7 +70,7 @@ internal sealed class Machine
     public bool StripLeadingZeros { get; set; } = true;
 
     /// <summary>VF and LZ together: how values print.</summary>
-    public NumberFormat ValueFormat => VariableFormat with { LeadingZeros = !StripLeadingZeros };
+    public NumberFormat ValueFormat => Padded(VariableFormat);
 
     /// <summary>TM: the nominal sample in microseconds.</summary>
     public int SampleMicroseconds
@@ -137,6 +137,15 @@ internal sealed class Machine
     public VariableAxes VariableAxes { get; } = new();
 
     public string Print(FixedPoint value) => ValueFormat.Print(value);
+
+    /// <summary>PF and LZ together: how positions print.</summary>
+    public string PrintPosition(int value) => Padded(PositionFormat).Print(FixedPoint.FromInteger(value));
+
+    /// <summary>The answer to a question for a whole number that PF does not format.</summary>
+    public string PrintWhole(long value) => Padded(NumberFormat.Position).Print(FixedPoint.FromInteger(value));
+
+    /// <summary>LZ 0 prints the zeros in front in the answer to every question (A.3).</summary>
+    public NumberFormat Padded(NumberFormat format) => format with { LeadingZeros = !StripLeadingZeros };
 
     /// <summary>Lets controller time pass.</summary>
     public void Advance(TimeSpan time)

@@ -25,6 +25,9 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <summary>Every sample of motion and every output change so far.</summary>
     public MotionRecord Record => _core.Machine.Record;
 
+    /// <summary>Faults with the bug of the simulator that ended its work, on whatever thread it happened; all links are cut then. Never completes otherwise.</summary>
+    public Task Broken => _core.Broken;
+
     public ControllerStatus Status => _core.Status;
 
     /// <summary>What stopped the record's file from being written (a full disk); null while all is well.</summary>

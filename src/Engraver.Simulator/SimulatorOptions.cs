@@ -23,6 +23,9 @@ public sealed record SimulatorOptions
     /// <summary>Controller time that one command of a running program takes (galil-dmc.md A.4, I.8).</summary>
     public TimeSpan LineCost { get; init; } = TimeSpan.FromMilliseconds(0.5);
 
+    /// <summary>What stands before a negative number that follows another one in a message (galil-dmc.md A.3: differs from page to page).</summary>
+    public NumberSpacing NumberSpacing { get; init; }
+
     /// <summary>Lines of program memory (galil-dmc.md 0.3).</summary>
     public int ProgramLines { get; init; } = 1000;
 
@@ -40,6 +43,9 @@ public sealed record SimulatorOptions
 
     /// <summary>Where limit switches, home switches and index pulses lie; axes left out have switches only as far as they are set by hand, and an index every 4000 counts.</summary>
     public IReadOnlyList<AxisSwitches> Switches { get; init; } = [];
+
+    /// <summary>Speeds and accelerations at power up; null for the factory's.</summary>
+    public BurnedMotion? Burned { get; init; }
 
     /// <summary>Where program messages go after power up: A to H, or S for the serial port (CF, galil-dmc.md A.5).</summary>
     public char MessagePort { get; init; } = 'S';

@@ -23,9 +23,13 @@ internal sealed class EngraverProcess : IDisposable
     /// <summary>As a shell without job control starts a background command: with the interrupt ignored.</summary>
     public static EngraverProcess StartInBackground(params string[] args) => Start("sh", ["-c", "trap '' INT; exec dotnet \"$@\"", "sh", Program, .. args]);
 
-    private static EngraverProcess Start(string command, IEnumerable<string> args)
+    /// <summary>With <see cref="StartupHook"/> in it: the signal <see cref="StartupHook.Trigger"/> makes a thread of its pool throw.</summary>
+    public static EngraverProcess StartWithBug(params string[] args) => Start("dotnet", [Program, .. args], ("DOTNET_STARTUP_HOOKS", typeof(StartupHook).Assembly.Location));
+
+    private static EngraverProcess Start(string command, IEnumerable<string> args, (string Name, string Value)? setting = null)
     {
         var start = new ProcessStartInfo(command) { RedirectStandardOutput = true, RedirectStandardError = true, UseShellExecute = false };
+        if (setting is { } variable) start.Environment[variable.Name] = variable.Value;
         foreach (var arg in args) start.ArgumentList.Add(arg);
         return new EngraverProcess(Process.Start(start) ?? throw new InvalidOperationException("dotnet did not start."));
     }
@@ -47,7 +51,7 @@ internal sealed class EngraverProcess : IDisposable
 
     public void Signal(PosixSignal signal)
     {
-        var number = signal switch { PosixSignal.SIGINT => 2, PosixSignal.SIGTERM => 15, _ => throw new ArgumentOutOfRangeException(nameof(signal)) };
+        var number = signal switch { PosixSignal.SIGINT => 2, PosixSignal.SIGTERM => 15, StartupHook.Trigger => (int)StartupHook.Trigger, _ => throw new ArgumentOutOfRangeException(nameof(signal)) };
         if (NativeMethods.Kill(_process.Id, number) != 0) throw new InvalidOperationException($"kill failed: {Marshal.GetLastPInvokeErrorMessage()}");
     }
 

@@ -9,12 +9,15 @@ internal sealed class StoppedTime : TimeProvider
     /// <summary>Callbacks of timers so far.</summary>
     public int Ticks { get; private set; }
 
+    /// <summary>Thrown by the next look at the clock: a bug where no test can put one otherwise.</summary>
+    public Exception? Bug { get; set; }
+
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
 
     /// <summary>So long does the next look at the clock take, and then none any more.</summary>
     public Queue<TimeSpan> Delays { get; } = [];
 
-    public override long GetTimestamp() => _now += Delays.TryDequeue(out var delay) ? delay.Ticks : 0;
+    public override long GetTimestamp() => Bug is { } bug ? throw bug : _now += Delays.TryDequeue(out var delay) ? delay.Ticks : 0;
 
     public override DateTimeOffset GetUtcNow() => new(_now, TimeSpan.Zero);
 

@@ -1,8 +1,9 @@
+using System.Globalization;
 using System.Text;
 
 namespace Engraver.TestKit;
 
-/// <summary>Damages drawings in ways that happen and ways that hardly do: bytes, lines, pairs and whole records. The same seed gives the same file.</summary>
+/// <summary>Damages drawings in ways that happen and ways that hardly do: bytes, lines, pairs and whole records, weights, knots and numbers, and sectors of zeros. The same seed gives the same file.</summary>
 public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
 {
     private static readonly string[] OddValues =
@@ -19,8 +20,70 @@ public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
         var random = new Random(seed);
         var original = originals[random.Next(originals.Count)];
         var isText = original.Length > 0 && original[0] != (byte)'A';
-        return isText && random.Next(4) != 0 ? OfPairs(original, random) : OfBytes(original, random);
+        var file = random.Next(8) switch
+        {
+            < 2 => OfBytes(original, random),
+            < 5 when isText => OfPairs(original, random),
+            < 7 when isText => OfMeaning(original, random),
+            _ => OfBytes(original, random),
+        };
+        if (random.Next(12) == 0) ZeroSector(file, random);
+        return file;
     }
+
+    /// <summary>A part of the file that was never written: a sector of zeros, or a few zero bytes.</summary>
+    private static void ZeroSector(byte[] file, Random random)
+    {
+        var size = 1 << random.Next(13);
+        var at = size * random.Next((file.Length / size) + 1);
+        file.AsSpan(Math.Min(at, file.Length), Math.Min(size, file.Length - Math.Min(at, file.Length))).Clear();
+    }
+
+    /// <summary>Changes what means something: weights, knots, digits of numbers, and the lines that make records and sections of the rest.</summary>
+    private static byte[] OfMeaning(byte[] original, Random random)
+    {
+        var pairs = Pairs(original);
+        for (var change = random.Next(1, 6); change > 0 && pairs.Count > 0; change--)
+        {
+            var kind = random.Next(5);
+            int[] at = [.. Enumerable.Range(0, pairs.Count).Where(i => IsOf(kind, pairs[i]))];
+            if (at.Length == 0) continue;
+            var chosen = at[random.Next(at.Length)];
+            if (kind == 3 && random.Next(3) == 0) pairs.RemoveAt(chosen);
+            else pairs[chosen] = Changed(kind, pairs[chosen], random);
+        }
+
+        return Bytes(pairs);
+    }
+
+    /// <summary>0 weights and scales, 1 knots, 2 any number, 3 beginnings of records, 4 names of sections and blocks.</summary>
+    private static bool IsOf(int kind, (string Code, string Value) pair) => (kind, pair.Code.Trim()) switch
+    {
+        (0, "41" or "42" or "43") or (1, "40") or (3, "0") or (4, "2") => true,
+        (2, var code) => code.Length == 2 && double.TryParse(pair.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out _),
+        _ => false,
+    };
+
+    private static (string Code, string Value) Changed(int kind, (string Code, string Value) pair, Random random)
+    {
+        if (kind == 3) return random.Next(2) == 0 ? pair with { Code = OddCodes[random.Next(OddCodes.Length)] } : pair with { Value = Misspelt(pair.Value, random) };
+        if (kind is 2 or 4) return pair with { Value = Misspelt(pair.Value, random) };
+        var power = Math.Pow(10.0, random.Next(-20, 21));
+        return pair with { Value = (power * (random.Next(3) == 0 ? random.NextDouble() : 1.0)).ToString("R", CultureInfo.InvariantCulture) };
+    }
+
+    private static string Misspelt(string value, Random random)
+    {
+        const string Letters = "0123456789.-+eE5O \0";
+        if (value.Length == 0) return "5";
+        var at = random.Next(value.Length);
+        return value[..at] + Letters[random.Next(Letters.Length)] + value[(at + random.Next(2))..];
+    }
+
+    private static List<(string Code, string Value)> Pairs(byte[] file) =>
+        [.. Encoding.Latin1.GetString(file).Split('\n').Chunk(2).Select(pair => (Code: pair[0], Value: pair.Length > 1 ? pair[1] : ""))];
+
+    private static byte[] Bytes(List<(string Code, string Value)> pairs) => Encoding.Latin1.GetBytes(string.Concat(pairs.Select(pair => $"{pair.Code}\n{pair.Value}\n")));
 
     private static byte[] OfBytes(byte[] original, Random random)
     {
@@ -56,7 +119,7 @@ public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
 
     private static byte[] OfPairs(byte[] original, Random random)
     {
-        var pairs = Encoding.Latin1.GetString(original).Split('\n').Chunk(2).Select(pair => (Code: pair[0], Value: pair.Length > 1 ? pair[1] : "")).ToList();
+        var pairs = Pairs(original);
         for (var change = random.Next(1, 10); change > 0 && pairs.Count > 0; change--)
         {
             var at = random.Next(pairs.Count);
@@ -83,7 +146,7 @@ public sealed class DrawingFuzzer(IReadOnlyList<byte[]> originals)
             }
         }
 
-        return Encoding.Latin1.GetBytes(string.Concat(pairs.Select(pair => $"{pair.Code}\n{pair.Value}\n")));
+        return Bytes(pairs);
     }
 
     /// <summary>Cuts a run of pairs out, or copies it, and puts it anywhere.</summary>

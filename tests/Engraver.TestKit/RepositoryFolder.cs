@@ -8,17 +8,8 @@ public static class RepositoryFolder
 
     public static string Samples => Path.Combine(Root, "samples");
 
-    /// <summary>The corpus of real drawings beside the project, or null where it is not laid out. In CI it must be there.</summary>
-    public static string? Corpus
-    {
-        get
-        {
-            var folder = Path.GetFullPath(Path.Combine(Root, "..", "shared", "corpus"));
-            if (Directory.Exists(folder)) return folder;
-            if (Environment.GetEnvironmentVariable("CI") == "true") throw new DirectoryNotFoundException("In CI the corpus must stand beside the project.");
-            return null;
-        }
-    }
+    /// <summary>The corpus of real drawings beside the project, or null where it is not laid out: tests that need it are then skipped, and in CI a skip is a failure.</summary>
+    public static string? Corpus => Path.GetFullPath(Path.Combine(Root, "..", "shared", "corpus")) is var folder && Directory.Exists(folder) ? folder : null;
 
     private static string Find()
     {

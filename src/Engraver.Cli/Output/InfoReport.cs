@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 
 namespace Engraver.Cli.Output;
@@ -9,7 +10,7 @@ internal static class InfoReport
     /// <summary>More are in the drawing, not in the report.</summary>
     private const int ShownTexts = 10_000;
 
-    public static InfoJson Json(Drawing drawing, DrawingSummary summary)
+    public static InfoJson Json(Drawing drawing, DrawingSummary summary, IReadOnlyList<Diagnostic> findings)
     {
         var balance = drawing.Balance;
         var length = summary.Length;
@@ -29,7 +30,7 @@ internal static class InfoReport
             new InfoJson.LengthJson(length.Line, length.Arc, length.Circle, length.Ellipse, length.Spline, length.Total, length.PlanTotal),
             summary.Bounds is { } box ? new InfoJson.BoundsJson(box.MinX, box.MinY, box.MaxX, box.MaxY) : null,
             [.. drawing.Layers.Select((layer, index) => new InfoJson.LayerJson(layer.Name, layer.On, layer.Frozen, layer.Plot, Records(balance, index)))],
-            [.. drawing.Diagnostics.Select(DiagnosticJson.From)],
+            [.. findings.Select(DiagnosticJson.From)],
             [.. drawing.Texts.Take(ShownTexts).Select(text => Text(text, drawing.Layers))]);
     }
 

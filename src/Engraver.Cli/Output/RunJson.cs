@@ -1,6 +1,7 @@
 namespace Engraver.Cli.Output;
 
 /// <summary>What <c>engraver run --json</c> prints; names, units and meanings are the runner's contract.</summary>
+/// <param name="NotCut">What is seen on the layers that are cut and gives no cut, by DXF type; null when the job was not prepared.</param>
 internal sealed record RunJson(
     string Outcome,
     int SegmentsSent,
@@ -16,7 +17,8 @@ internal sealed record RunJson(
     double? MissingLength,
     string DeviationSource,
     string? Journal,
-    RunJson.LeftOutJson? LeftOut)
+    RunJson.LeftOutJson? LeftOut,
+    IReadOnlyDictionary<string, int>? NotCut)
 {
     internal sealed record ScaleJson(double X, double Y);
 

@@ -24,12 +24,13 @@ internal static class RunReport
         report.Judgement.MissingLengthMm,
         report.Judgement.Source,
         journal,
-        LeftOut(job));
+        LeftOut(job),
+        job.NotCut.Counts);
 
     /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
     /// <param name="job">Null when it was stopped before it was prepared.</param>
     public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome) =>
-        new(RunText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job));
+        new(RunText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts);
 
     /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);

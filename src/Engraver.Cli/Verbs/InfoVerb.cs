@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
 using Engraver.Workbench.Documents;
@@ -26,12 +27,13 @@ internal static class InfoVerb
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             JobPreparation.CheckLayers(read, settings);
             var summary = DrawingSummary.Of(read);
-            if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary), ContractJson.Default.InfoJson);
+            IReadOnlyList<Diagnostic> found = [.. read.Diagnostics, .. JobPreparation.Findings(read, settings)];
+            if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary, found), ContractJson.Default.InfoJson);
             else DrawingText.Write(host.Out, read, summary);
             // The second reading knows curves only, not the outlines of --cut.
             var curves = settings.Cut == CutChoice.None ? summary : DrawingSummary.Of(DrawingFile.Open(read.FileName, settings with { Cut = CutChoice.None }, stop));
             var agrees = !parsed.GetValue(twice) || SecondOpinionReport.Write(host.Error, read, curves);
-            var code = host.Report(parsed, read.FileName, read.Diagnostics);
+            var code = host.Report(parsed, read.FileName, found);
             return Task.FromResult(agrees ? code : ExitCode.DrawingError);
         });
         return command;

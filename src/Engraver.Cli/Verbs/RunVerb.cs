@@ -45,7 +45,7 @@ internal sealed class RunVerb
         var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
         {
-            return NotStarted(parsed, job, job.Motion.Program is null ? "nothing that this machine can cut" : "the drawing has errors; look at them, then start with --accept-errors");
+            return NotStarted(parsed, job, job.Motion.Program is null ? WithoutProgram(job) : "the drawing has errors; look at them, then start with --accept-errors");
         }
 
         if (fit is null || program.SegmentCount == 0) return NotStarted(parsed, job, "no curve on the selected layers");
@@ -90,6 +90,8 @@ internal sealed class RunVerb
             JournalPath = parsed.GetValue(_journal) ?? JournalFolder.NewJournal(job.Drawing.FileName, TimeProvider.System),
             TracePath = parsed.GetValue(_trace),
             DryRun = parsed.GetValue(_dryRun),
+            Starts = parsed.GetRequiredValue(_connect) is SimulatedAddress ? null : new StartMemory(StartMemory.FolderIn(null)),
+            Told = finding => _host.Report(parsed, job.Drawing.FileName, [finding]),
         };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         CheckWritable(options.JournalPath);
@@ -123,9 +125,12 @@ internal sealed class RunVerb
             JobOutcome.Complete => ExitCode.Done,
             JobOutcome.Stopped => ExitCode.StoppedByOperator,
             JobOutcome.Refused => ExitCode.Refused,
+            JobOutcome.Deviated => ExitCode.DrawingError,
             _ => ExitCode.LinkLost,
         };
     }
+
+    private static string WithoutProgram(PreparedJob job) => job.Faults.Count > 0 ? char.ToLowerInvariant(job.WithoutProgram[0]) + job.WithoutProgram[1..] : "nothing that this machine can cut";
 
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)
     {

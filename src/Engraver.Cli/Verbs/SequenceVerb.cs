@@ -27,12 +27,12 @@ internal static class SequenceVerb
             var options = JobPreparation.SequencingFor(read, settings);
             var (chained, chainSeconds) = Timed(() => Sequencer.Chain(JobPreparation.Analyse(read, settings), read, options));
             var (result, orderSeconds) = Timed(() => Sequencer.Order(chained, options));
-            var posted = parsed.GetValue(output) is null ? null : PostedProgram.OfSequence(read, result, settings);
+            var posted = parsed.GetValue(output) is null ? null : PostedProgram.OfSequence(read, chained.Analysed, result, settings);
             if (posted?.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);
             else SequenceText.Write(host.Out, result);
-            return Task.FromResult(host.Report(parsed, read.FileName, posted?.Diagnostics ?? [.. read.Diagnostics, .. result.Diagnostics]));
+            return Task.FromResult(host.Report(parsed, read.FileName, posted?.Diagnostics ?? [.. read.Diagnostics, .. JobPreparation.Findings(read, settings), .. result.Diagnostics]));
         });
         return command;
     }

@@ -7,6 +7,7 @@ using System.Text.Json;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Simulator;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -21,14 +22,16 @@ internal static class SimulateVerb
         var baud = new Option<int>("--baud") { HelpName = "N", Description = "Rate of the serial port, which every byte takes its time by.", DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
         var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = "Controller seconds for each second on the wall; max: virtual time.", DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
         var record = new Option<string?>("--record") { HelpName = "FILE", Description = "Write every motor sample and output change as CSV (t,a,b,c,d,outputs)." };
+        var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = "Start with the speeds and accelerations of this machine profile, as its owner burned them, and its angle quantum." };
         var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = "What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md)." };
-        var command = new MachineCommand("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, faults };
+        var numbers = new Option<NumberSpacing>("--numbers") { HelpName = "blank|column", Description = "What divides a negative number from the one before it in a message: a blank, or the column of the sign alone.", CustomParser = ParseSpacing };
+        var command = new MachineCommand("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, machine, faults, numbers };
         command.Validators.Add(result =>
         {
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError("--baud is the rate of a serial port; give --serial PATH with it.");
         });
         command.SetAction((parsed, stop) => RunAsync(
-            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), new SimulatorOptions { Speed = parsed.GetValue(speed), KeepsRecord = false, Faults = Faults(parsed.GetValue(faults)) }, stop));
+            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Machine(parsed.GetValue(machine)) with { Speed = parsed.GetValue(speed), KeepsRecord = false, Faults = Faults(parsed.GetValue(faults)), NumberSpacing = parsed.GetValue(numbers) }, stop));
         return command;
     }
 
@@ -51,6 +54,7 @@ internal static class SimulateVerb
 
     /// <summary>Opens every way in, says so, and serves until the signal.</summary>
     /// <exception cref="OperationCanceledException">The signal.</exception>
+    /// <exception cref="InvalidOperationException">A bug of the simulator; its clients are cut off.</exception>
     private static async Task ServeAsync(VerbHost host, SimulatedController controller, int? port, int? datagrams, string? serial, int baud, CancellationToken stop)
     {
         if (port is not null || (serial is null && datagrams is null)) await ListenAsync(host, "tcp", controller.ListenTcpAsync, port ?? 0, stop).ConfigureAwait(false);
@@ -62,7 +66,7 @@ internal static class SimulateVerb
             await SayAsync(host, $"listening serial://{serial}", stop).ConfigureAwait(false);
         }
 
-        await Task.Delay(Timeout.InfiniteTimeSpan, stop).ConfigureAwait(false);
+        await controller.Broken.WaitAsync(stop).ConfigureAwait(false);
     }
 
     /// <exception cref="ControllerLinkException">The port is taken or may not be used.</exception>
@@ -111,6 +115,19 @@ internal static class SimulateVerb
         }
     }
 
+    /// <summary>What of a profile is the controller's own: the rest describes the host's work with it.</summary>
+    /// <exception cref="SettingException">The profile cannot be used.</exception>
+    private static SimulatorOptions Machine(string? path)
+    {
+        if (path is null) return new SimulatorOptions();
+        var profile = MachineProfileSource.Load(path);
+        return new SimulatorOptions
+        {
+            AngleQuantumDegrees = profile.AngleQuantumDegrees,
+            Burned = new BurnedMotion(profile.VectorSpeed, profile.AccelerationCounts, [profile.RapidSpeedX, profile.RapidSpeedY]),
+        };
+    }
+
     /// <exception cref="UsageException">The file cannot be read or is no plan of faults.</exception>
     private static FaultPlan? Faults(string? path)
     {
@@ -139,6 +156,18 @@ internal static class SimulateVerb
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)) return baud;
         result.AddError($"--baud: '{word}' is not one of {string.Join(", ", SerialLine.Rates)}.");
         return ControllerAddress.DefaultBaud;
+    }
+
+    private static NumberSpacing ParseSpacing(ArgumentResult result)
+    {
+        switch (result.Tokens[0].Value)
+        {
+            case "blank": return NumberSpacing.Blank;
+            case "column": return NumberSpacing.SignColumn;
+            default:
+                result.AddError($"--numbers: '{result.Tokens[0].Value}' is neither blank nor column.");
+                return NumberSpacing.Blank;
+        }
     }
 
     private static double ParseSpeed(ArgumentResult result)

@@ -6,7 +6,7 @@ namespace Engraver.Core.Diagnostics;
 /// <summary>Every rule there is, and the page that documents them: written from the same table the code uses, so it cannot lag behind.</summary>
 public static class DiagnosticTable
 {
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [.. DocumentRules.All, .. DxfRules.All, .. SequencingRules.All, .. MotionRules.All, .. VerificationRules.All];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [.. DocumentRules.All, .. DxfRules.All, .. PreparationRules.All, .. SequencingRules.All, .. MotionRules.All, .. VerificationRules.All];
 
     /// <summary>docs/diagnostics.md.</summary>
     public static string ToMarkdown()

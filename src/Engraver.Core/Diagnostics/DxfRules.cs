@@ -128,6 +128,32 @@ public static class DxfRules
     public static readonly DiagnosticRule RestUnreadable = new("DXF0044", Severity.Info,
         "The file cannot be read beyond {place}, where the length of a value belies its group code; no entity and no block stands behind it.", "Nothing needs to be done; the drawing is complete.");
 
+    public static readonly DiagnosticRule RecordMayBeLost = new("DXF0050", Severity.Error,
+        "Behind {type}, at {place}, stands {found}: a record that began there may be lost.", "Repair that line (above the name of each record stands a line 0), or export the drawing again.");
+
+    public static readonly DiagnosticRule TwoRecords = new("DXF0051", Severity.Error,
+        "{type} at {place} was left out: group {code} stands in it twice and a value is the name of a record, as if the 0 between two records were damaged.",
+        "Repair the 0 in front of the second record, or export the drawing again.");
+
+    public static readonly DiagnosticRule SectionPassedOver = new("DXF0052", Severity.Error,
+        "The section '{name}' was passed over, for no section of a drawing is called so; but it holds {count} of a drawing, the first at {place}.",
+        "Repair the name (HEADER, TABLES, BLOCKS, ENTITIES), or export the drawing again.");
+
+    public static readonly DiagnosticRule DamageBesideCurves = new("DXF0053", Severity.Warning,
+        "The section {name} is damaged at {place}: '{found}' stands where a group code is due. No curve stands in that section.", "Check units and layer names; export the drawing again if they are wrong.");
+
+    public static readonly DiagnosticRule ZeroBytes = new("DXF0054", Severity.Error,
+        "The text of the file is damaged at {place}: {count} of its bytes are zero, as in a file that was written only in part.", "Copy or export the file again.");
+
+    public static readonly DiagnosticRule ZeroScale = new("DXF0055", Severity.Warning,
+        "{type} at {place} has the scale 0 in {group}; its block is squeezed to a line or a point.", "Compare the entity with the original drawing; a block as it was drawn has the scale 1.");
+
+    public static readonly DiagnosticRule WeightsTooUnequal = new("DXF0056", Severity.Error,
+        "{type} at {place} was left out: its largest weight is {ratio} times its smallest, and beyond a million its course cannot be told.", "Convert the spline to a polyline, or to a spline without weights, in the CAD program.");
+
+    public static readonly DiagnosticRule MisplacedRecord = new("DXF0057", Severity.Error,
+        "{type} at {place} was left out: it stands in the section {section}, outside of what belongs there.", "Compare the place with the original drawing: the record in front of it may be lost or damaged.");
+
     /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: those curves are taken.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
@@ -135,5 +161,6 @@ public static class DxfRules
         TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
         WidthIgnored, NoExtrusion, NothingInserted, SplineWeights, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, SplineUnusable, BlockTwice, UnknownCodePage,
         OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints, OutsideOfSections, ModelSpaceBlock, RestUnreadable,
+        RecordMayBeLost, TwoRecords, SectionPassedOver, DamageBesideCurves, ZeroBytes, ZeroScale, WeightsTooUnequal, MisplacedRecord,
     ];
 }

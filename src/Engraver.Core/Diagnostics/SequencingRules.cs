@@ -47,7 +47,10 @@ public static class SequencingRules
         "The entering entity {handle} was drawn twice or is part of a recovered arc: entity {other} is cut for it, and cutting begins there.",
         "Nothing, when that is meant; with --keep-duplicates, or without --recover-arcs, it is cut by itself.");
 
+    public static readonly DiagnosticRule MoreOfTheSame = new("SEQ0014", Severity.Info,
+        "{id} was found {count} times in all; only the first {shown} are listed.", "Mend the cause of the first ones and sequence the drawing again; the list of discontinuities is complete.");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
-        [DuplicatesRemoved, OpenEnds, SmallGap, ShortSegments, EntryNotFound, EntryWaits, NothingToCut, Branches, ArcRecovered, CircleRecovered, EntryStandsIn];
+        [DuplicatesRemoved, OpenEnds, SmallGap, ShortSegments, EntryNotFound, EntryWaits, NothingToCut, Branches, ArcRecovered, CircleRecovered, EntryStandsIn, MoreOfTheSame];
 }

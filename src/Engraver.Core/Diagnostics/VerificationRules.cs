@@ -1,6 +1,6 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>What can be wrong with a program that is read back and replayed. Lines are lines of the program's file.</summary>
+/// <summary>What can be wrong with a program that is read back and replayed (lines are lines of the program's file), and with a toolpath that is held against its drawing.</summary>
 public static class VerificationRules
 {
     public static readonly DiagnosticRule ProgramEmpty = new("VER0001", Severity.Error,
@@ -30,7 +30,19 @@ public static class VerificationRules
     public static readonly DiagnosticRule NotCut = new("VER0009", Severity.Error,
         "The program leaves {length} mm of the drawing uncut, first at {x}, {y}.", "Compare the program with the drawing there; layers and units must be given as they were posted.");
 
+    public static readonly DiagnosticRule ToolpathBeside = new("VER0020", Severity.Error,
+        "The toolpath runs {deviation} mm beside the entity at {x}, {y}; {tolerance} mm are allowed.", NotSent);
+
+    public static readonly DiagnosticRule ToolpathMissing = new("VER0021", Severity.Error,
+        "The toolpath leaves {length} mm of the entity uncut, first at {x}, {y}.", NotSent);
+
+    public static readonly DiagnosticRule ToolpathExtra = new("VER0022", Severity.Error,
+        "The toolpath cuts {length} mm for the entity that are not drawn, first at {x}, {y}.", NotSent);
+
+    /// <summary>The drawing is held against our own path: what is found is never the drawing's fault.</summary>
+    private const string NotSent = "Nothing was sent or written, for this is a fault of the program: report it with the drawing, and draw the entity in another way until it is mended.";
+
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
-        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut];
+        [ProgramEmpty, NoJobLabel, ChunksIncomplete, LineUnusable, NotLoaded, LineRefused, Endless, CutBesideDrawing, NotCut, ToolpathBeside, ToolpathMissing, ToolpathExtra];
 }

@@ -23,6 +23,9 @@ public sealed record Drawing(
     /// <summary>Every TEXT, MTEXT and ATTRIB with its content and place, blocks expanded (the first million).</summary>
     public IReadOnlyList<PlacedText> Texts { get; init; } = [];
 
+    /// <summary>What is drawn besides curves and texts and can be seen where its layer can, blocks expanded.</summary>
+    public IReadOnlyList<ConstructionCount> Construction { get; init; } = [];
+
     /// <summary>True when a diagnostic of severity error stands against the drawing (exit code 1; a job does not start without consent).</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 

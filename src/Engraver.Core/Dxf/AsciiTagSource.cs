@@ -100,6 +100,26 @@ internal sealed class AsciiTagSource : DxfTagSource
         return false;
     }
 
+    public override (int Count, int Line) ZeroBytes()
+    {
+        var text = Bytes[..Position].TrimEnd("\0\u001A \t\r\n"u8);
+        var first = text.IndexOf((byte)0);
+        return first < 0 ? default : (text.Count((byte)0), LineOf(first));
+    }
+
+    private int LineOf(int offset)
+    {
+        var here = Bookmark();
+        Return((0, 1));
+        while (Position <= offset && TakeLine(out _, out _, out _))
+        {
+        }
+
+        var line = NextLine - 1;
+        Return(here);
+        return line;
+    }
+
     private static bool IsBlank(ReadOnlySpan<byte> line) => line.Trim(" \t\0\u001A"u8).IsEmpty;
 
     /// <summary>A whole number of up to five digits, as the formats know it (-5 to 1071); anything else is no group code.</summary>

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
@@ -16,7 +17,7 @@ internal sealed class Block(string name, Vector3D basePoint, int firstCurve)
     public int EndCurve { get; set; } = firstCurve;
 
     /// <summary>True when nothing can come of it and nothing is reported of it.</summary>
-    public bool IsEmpty => EndCurve == FirstCurve && Inserts.Count == 0 && Troubles.Count == 0 && Texts.Count == 0;
+    public bool IsEmpty => EndCurve == FirstCurve && Inserts.Count == 0 && Troubles.Count == 0 && Texts.Count == 0 && Construction.Count == 0;
 
     /// <summary>What its splines cost an expansion beyond one step each: they may have a million spans.</summary>
     public long ExtraSteps { get; set; }
@@ -28,6 +29,9 @@ internal sealed class Block(string name, Vector3D basePoint, int firstCurve)
 
     /// <summary>Texts and points directly in it, by type.</summary>
     public Dictionary<string, long> Annotations { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>Construction other than text directly in it that can be seen, by type and layer.</summary>
+    public Dictionary<(string Type, int Layer), (int Count, SourceRef First)> Construction { get; } = [];
 
     /// <summary>The same texts with content and place; those of attributes too.</summary>
     public List<PlacedText> Texts { get; } = [];

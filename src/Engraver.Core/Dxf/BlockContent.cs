@@ -33,6 +33,9 @@ internal sealed class BlockContent(Block block, CurveColumns columns) : IContent
     public void AddConstruction(EntityRecord record)
     {
         if (record.Kind is RecordKind.Text or RecordKind.Point or RecordKind.Attribute) Count(record.Type, 1);
+        if (!ConstructionTally.Counts(record, inBlock: true)) return;
+        var known = block.Construction.GetValueOrDefault((record.Type, record.Layer), (0, ConstructionTally.SourceOf(record)));
+        block.Construction[(record.Type, record.Layer)] = (known.Item1 + 1, known.Item2);
     }
 
     public void Refuse(EntityRecord record, in Trouble trouble) => block.Troubles.Add(trouble);

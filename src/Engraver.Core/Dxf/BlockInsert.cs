@@ -22,6 +22,7 @@ internal readonly record struct BlockInsert
         var direction = record.Extrusion();
         var system = direction == default ? Placement.Identity : Placement.OfExtrusion(direction);
         var rotation = Angle.FromDegrees(record.Number(50, 0.0));
+        ZeroScaleCode = record.Number(41, 1.0) == 0.0 ? 41 : record.Number(42, 1.0) == 0.0 ? 42 : 0;
         var scale = new Vector3D(record.Number(41, 1.0), record.Number(42, 1.0), record.Number(43, 1.0));
         Placement = system.After(Placement.OfInsert(scale, rotation).MovedBy(record.Point(10)));
         ColumnStep = system.ApplyToDirection(new Vector3D(rotation.Cos(), rotation.Sin(), 0.0) * record.Number(44, 0.0));
@@ -29,6 +30,9 @@ internal readonly record struct BlockInsert
     }
 
     public string Type { get; }
+
+    /// <summary>The group of a scale that leaves nothing of the block's width (41) or height (42); 0 when neither does.</summary>
+    public int ZeroScaleCode { get; }
 
     /// <summary>Number of the block's name.</summary>
     public int Block { get; }

@@ -50,6 +50,7 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, Block> blocks)
         long curves = block.EndCurve - block.FirstCurve;
         var steps = BlockWeight.Sum(curves + block.Inserts.Count, block.ExtraSteps);
         long textSteps = block.Texts.Count;
+        long constructionSteps = block.Construction.Count;
         var loses = block.Troubles.Exists(trouble => trouble.Refused);
         var annotations = new Dictionary<string, long>(block.Annotations, StringComparer.Ordinal);
         foreach (var nested in block.Inserts)
@@ -61,10 +62,11 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, Block> blocks)
             curves = BlockWeight.Sum(curves, BlockWeight.Times(copies, child.Curves));
             if (child.Curves > 0) steps = BlockWeight.Sum(steps, BlockWeight.Times(copies, child.Steps + 1));
             if (child.TextSteps > 0) textSteps = BlockWeight.Sum(textSteps, BlockWeight.Times(copies, child.TextSteps + 1));
+            if (child.ConstructionSteps > 0) constructionSteps = BlockWeight.Sum(constructionSteps, BlockWeight.Times(copies, child.ConstructionSteps + 1));
             AddAnnotations(annotations, child.Annotations, copies);
         }
 
-        return new BlockWeight(curves, steps, loses, annotations, textSteps);
+        return new BlockWeight(curves, steps, loses, annotations, textSteps, constructionSteps);
     }
 
     /// <summary>Adds texts and points, a copy's amount times the copies.</summary>

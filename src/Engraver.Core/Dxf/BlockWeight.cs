@@ -6,7 +6,8 @@ namespace Engraver.Core.Dxf;
 /// <param name="Loses">True when something in it was refused.</param>
 /// <param name="Annotations">Texts and points after full expansion, by type.</param>
 /// <param name="TextSteps">Texts and the inserts on the way to them; 0 when there is no text in it.</param>
-internal sealed record BlockWeight(long Curves, long Steps, bool Loses, IReadOnlyDictionary<string, long> Annotations, long TextSteps)
+/// <param name="ConstructionSteps">Counts of construction (a type on a layer) and the inserts on the way to them; 0 when there is none in it.</param>
+internal sealed record BlockWeight(long Curves, long Steps, bool Loses, IReadOnlyDictionary<string, long> Annotations, long TextSteps, long ConstructionSteps)
 {
     public const long Most = long.MaxValue / 4;
 

@@ -1,3 +1,4 @@
+using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 
@@ -69,6 +70,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         if (_record.Fault is { } fault) target.Refuse(_record, fault);
         else target.AddInsert(_record, insert, attributes);
         if (_record.Oddity is { } odd) target.Note(odd);
+        if (insert.ZeroScaleCode is not 0 and var code) target.Note(_record.Finding(DxfRules.ZeroScale, string.Create(CultureInfo.InvariantCulture, $"group {code}"), refused: false));
         foreach (var text in _attributes) target.AddText(text);
     }
 
@@ -128,6 +130,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         for (; records.Next == RecordKind.Attribute; count++)
         {
             records.Read(_part);
+            if (_part.Fault is { Rule: var rule } && (rule == DxfRules.TwoRecords || rule == DxfRules.DamagedRecord)) _record.TakeFaultOf(_part);
             if (texts.Map(_part) is { } text) _attributes.Add(text);
         }
 

@@ -18,12 +18,25 @@ internal sealed class DefinitionReader(
     /// <summary>Where the blocks that are model space begin, as far as they hold anything: some programs write the drawing there and not in ENTITIES.</summary>
     public List<(int Position, int Line)> ModelSpaceBlocks { get; } = [];
 
-    /// <summary>Takes a definition; every other record is passed over.</summary>
-    public void Take()
+    /// <summary>Takes a definition; every other record is passed over, and told of when it does not belong into the section.</summary>
+    /// <param name="section">HEADER, TABLES, BLOCKS, or "" outside of every section.</param>
+    public void Take(string section)
     {
         if (records.Next == RecordKind.Block) TakeBlock();
         else if (records.Next is RecordKind.LayerEntry or RecordKind.StyleEntry) TakeTableEntry();
-        else records.Skip();
+        else PassOver(section);
+    }
+
+    private void PassOver(string section)
+    {
+        var misplaced = section switch
+        {
+            "TABLES" => !RecordKinds.IsOfTables(records.NextType),
+            "HEADER" or "BLOCKS" => RecordKinds.IsOfDrawing(records.Next) && records.Next != RecordKind.BlockEnd,
+            _ => false,
+        };
+        if (misplaced) log.Add(new Trouble(DxfRules.MisplacedRecord, records.NextType, 0, records.NextLine, section, Refused: true));
+        records.Skip();
     }
 
     /// <summary>No record that follows belongs to a block that has not ended.</summary>
@@ -61,8 +74,9 @@ internal sealed class DefinitionReader(
 
     private void PassModelSpace((int Position, int Line) start)
     {
+        if (_record.Fault is { } fault) log.Add(fault);
         if (!EndsBlock()) ModelSpaceBlocks.Add(start);
-        while (!EndsBlock()) records.Skip();
+        while (!EndsBlock()) records.PassOver();
         if (records.Next == RecordKind.BlockEnd) records.Skip();
     }
 

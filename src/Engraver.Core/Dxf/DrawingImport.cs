@@ -17,6 +17,7 @@ internal sealed class DrawingImport
     private readonly LayerTable _layers;
     private readonly DefinitionReader _definitions;
     private readonly TextExpander _texts;
+    private readonly ConstructionTally _construction;
     private readonly CurveColumns _curves = new();
     private readonly BalanceSheet _balance;
     private readonly ModelSpace _modelSpace;
@@ -34,7 +35,7 @@ internal sealed class DrawingImport
         _log = new ImportLog(tags.IsBinary ? "byte" : "line");
         if (tags.IsUtf8) _text.UseUtf8();
         var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Of(tags, cancellation) : new MultiLineStyles();
-        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, cancellation) { Progress = options.Progress };
+        _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, _log, cancellation) { Progress = options.Progress };
         var styles = new StyleTable();
         _content = new ContentReader(_records, new TextMapper(styles), new OutlineMapper(multiLines), options.Cut);
         _layers = new LayerTable(_records.Layers);
@@ -43,7 +44,8 @@ internal sealed class DrawingImport
         _definitions = new DefinitionReader(_records, _content, styles, _layers, blocks, blockCurves, _balance, _log);
         var expander = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
         _texts = new TextExpander(blocks, _layers, cancellation);
-        _modelSpace = new ModelSpace(_curves, expander, _texts, _balance, _log);
+        _construction = new ConstructionTally(blocks, _layers, cancellation);
+        _modelSpace = new ModelSpace(_curves, expander, _texts, _construction, _balance, _log);
     }
 
     /// <summary>Reads everything; false when not one section was found, so that the file is no DXF.</summary>
@@ -56,6 +58,7 @@ internal sealed class DrawingImport
             else ReadLoose();
         }
 
+        if (_tags.ZeroBytes() is { Count: > 0 } zeros) _log.Add(DxfRules.ZeroBytes, zeros.Line, _log.Place(zeros.Line), zeros.Count.ToString(CultureInfo.InvariantCulture));
         if (_records.Truncated) _log.Add(_passing && UnreadRest.IsHarmless(_tags) ? DxfRules.RestUnreadable : DxfRules.Truncated, _records.NextLine, _log.Place(_records.NextLine));
         foreach (var entities in _postponed)
         {
@@ -82,6 +85,7 @@ internal sealed class DrawingImport
         {
             Curves = _curves.Curves,
             Texts = _texts.Texts,
+            Construction = _construction.ToCounts(),
         };
     }
 
@@ -90,33 +94,34 @@ internal sealed class DrawingImport
         _sections++;
         _definitions.Finish();
         var name = _records.EnterSection();
+        var damages = _tags.DamageCount;
         _passing = name is "OBJECTS" or "ACDSDATA" or "THUMBNAILIMAGE";
         switch (name)
         {
             case "HEADER":
-                ReadHeader();
+                ReadHeader(damages);
                 break;
             case "TABLES":
-                ReadDefinitions();
+                ReadDefinitions(name);
                 _readTables = true;
                 break;
             case "BLOCKS":
-                ReadDefinitions();
+                ReadDefinitions(name);
                 _readBlocks = true;
                 break;
             case "ENTITIES" when IsAheadOfItsBlocks():
                 _postponed.Add(_tags.Bookmark());
-                _records.Skip();
+                do _records.PassOver();
+                while (!AtSectionEnd());
                 break;
             case "ENTITIES":
                 ReadEntities();
                 break;
             default:
-                _records.Skip();
+                PassSection(name, damages);
                 break;
         }
 
-        while (!AtSectionEnd()) _records.Skip();
         if (_records.Next == RecordKind.SectionEnd) _records.Skip();
         else if (!_records.Truncated) _log.Add(DxfRules.SectionWithoutEnd, _records.NextLine, name, _log.Place(_records.NextLine));
     }
@@ -132,16 +137,36 @@ internal sealed class DrawingImport
 
     private bool AtSectionEnd() => _records.Next is RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;
 
-    private void ReadHeader()
+    /// <summary>Sections of other programs and those that hold nothing to cut. Damage in them is told, and so is what can only be part of a drawing.</summary>
+    private void PassSection(string name, int damages)
+    {
+        var (count, first) = (0, 0);
+        for (_records.PassOver(); !AtSectionEnd(); _records.PassOver())
+        {
+            if (RecordKinds.IsOfDrawing(_records.Next) && count++ == 0) first = _records.NextLine;
+        }
+
+        if (count > 0) _log.Add(DxfRules.SectionPassedOver, first, name, string.Create(CultureInfo.InvariantCulture, $"{count} {(count == 1 ? "record" : "records")}"), _log.Place(first));
+        TellDamage(name, damages);
+    }
+
+    private void TellDamage(string section, int damages)
+    {
+        if (_tags.DamageCount != damages && !_tags.IsBinary) _log.Add(DxfRules.DamageBesideCurves, _tags.DamageLine, section, _log.Place(_tags.DamageLine), _tags.DamageText);
+    }
+
+    private void ReadHeader(int damages)
     {
         _records.Skip(_header.Take);
         _text.UseVersion(_header.Version);
+        TellDamage("HEADER", damages);
+        while (!AtSectionEnd()) _definitions.Take("HEADER");
         if (_header.CodePage is { } name && !_text.UseCodePage(name)) _log.Add(DxfRules.UnknownCodePage, 0, name);
     }
 
-    private void ReadDefinitions()
+    private void ReadDefinitions(string section)
     {
-        for (_records.Skip(); !AtSectionEnd();) _definitions.Take();
+        for (_records.SkipHead(); !AtSectionEnd();) _definitions.Take(section);
     }
 
     /// <summary>
@@ -156,7 +181,7 @@ internal sealed class DrawingImport
             if (!RecordKinds.IsEntity(_records.Next))
             {
                 if (_records.Next == RecordKind.BlockEnd) _definitions.Finish();
-                _definitions.Take();
+                _definitions.Take("");
                 continue;
             }
 
@@ -168,14 +193,14 @@ internal sealed class DrawingImport
 
     private void ReadEntities()
     {
-        _records.Skip();
+        _records.SkipHead();
         while (!AtSectionEnd()) _content.ReadEntity(_modelSpace);
     }
 
     /// <summary>What stands in the block that is model space. It comes last, for its inserts need the blocks behind it.</summary>
     private void ReadModelSpaceBlock()
     {
-        _records.Skip();
+        _records.PassOver();
         var (line, before) = (_records.NextLine, _balance.Taken);
         while (!AtSectionEnd() && _records.Next is not (RecordKind.Block or RecordKind.BlockEnd)) _content.ReadEntity(_modelSpace);
         var taken = _balance.Taken - before;

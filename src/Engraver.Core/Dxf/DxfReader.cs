@@ -47,7 +47,8 @@ public static class DxfReader
     {
         if (bytes.StartsWith(BinaryTagSource.Sentinel)) return "nothing follows the mark of a binary DXF";
         var start = Encoding.Latin1.GetString(bytes[..Math.Min(ShownStart, bytes.Length)]);
-        return $"it begins with '{string.Concat(start.Select(c => char.IsControl(c) ? '.' : c))}' and has no section";
+        var shown = string.Join(' ', start.Split((char[])['\r', '\n', '\t', ' '], StringSplitOptions.RemoveEmptyEntries));
+        return $"it begins with '{string.Concat(shown.Select(c => char.IsControl(c) ? '.' : c))}' and has no section";
     }
 
     private static Drawing Unreadable(string fileName, long bytes, Diagnostic why) => Drawing.Unusable(fileName, bytes, why);

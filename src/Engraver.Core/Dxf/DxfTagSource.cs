@@ -88,6 +88,9 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
         AtEnd = false;
     }
 
+    /// <summary>Zero bytes in what has been read of a text, and the line of the first; none where zeros are part of the form, or only fill up the end.</summary>
+    public virtual (int Count, int Line) ZeroBytes() => default;
+
     protected int NextLine { get; set; }
 
     protected abstract bool ReadPair();

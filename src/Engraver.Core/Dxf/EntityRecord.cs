@@ -25,6 +25,7 @@ internal sealed class EntityRecord
     private readonly double[] _values = new double[KeptCodes.Length];
     private ulong _seen;
     private bool _embedded;
+    private uint _counted;
 
     public RecordKind Kind { get; private set; }
 
@@ -44,6 +45,9 @@ internal sealed class EntityRecord
 
     /// <summary>A code that appeared twice, 0 when none did.</summary>
     public int RepeatedCode { get; private set; }
+
+    /// <summary>A name or layer that stands in the record more than once; 0 when none does.</summary>
+    public int DoubledCode { get; private set; }
 
     /// <summary>The first value that could not be read; the record must be refused then.</summary>
     public Trouble? Fault { get; private set; }
@@ -76,12 +80,21 @@ internal sealed class EntityRecord
         Handle = 0;
         Name = -1;
         RepeatedCode = 0;
+        DoubledCode = 0;
+        _counted = 0;
         Fault = null;
         Oddity = null;
         _embedded = false;
         Texts.Clear();
         Sequence.Clear();
         _seen = 0;
+    }
+
+    /// <summary>Counts a code below 32 of which a record has one.</summary>
+    public void Count(int code)
+    {
+        if ((_counted & (1u << code)) != 0) DoubledCode = code;
+        _counted |= 1u << code;
     }
 
     /// <summary>Keeps the value of a code for which <see cref="Keeps"/> holds. The first one counts: what follows a complete entity is the damage.</summary>

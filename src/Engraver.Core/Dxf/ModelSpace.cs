@@ -3,7 +3,7 @@ using Engraver.Core.Drawings;
 namespace Engraver.Core.Dxf;
 
 /// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded where they stand.</summary>
-internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, TextExpander texts, BalanceSheet balance, ImportLog log) : IContentTarget
+internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, TextExpander texts, ConstructionTally construction, BalanceSheet balance, ImportLog log) : IContentTarget
 {
     public bool Takes(EntityRecord record) => !record.InPaperSpace;
 
@@ -34,6 +34,7 @@ internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, T
         var before = columns.Count;
         var trouble = expander.Expand(insert);
         texts.Expand(insert);
+        construction.Expand(insert);
         if (columns.Count > before) balance.AddCut(record);
         else if (trouble is { } reason) balance.AddRefused(record, reason);
         else balance.AddConstruction(record);
@@ -42,6 +43,7 @@ internal sealed class ModelSpace(CurveColumns columns, BlockExpander expander, T
     public void AddConstruction(EntityRecord record)
     {
         balance.AddConstruction(record);
+        if (ConstructionTally.Counts(record, inBlock: false)) construction.Add(record);
         if (record.Kind is RecordKind.Text or RecordKind.Point or RecordKind.Attribute) balance.AddAnnotation(record.Type, 1);
     }
 

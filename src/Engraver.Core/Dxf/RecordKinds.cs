@@ -12,6 +12,8 @@ internal static class RecordKinds
         "ACAD_PROXY_ENTITY", "PDFUNDERLAY", "DWFUNDERLAY", "DGNUNDERLAY", "POINTCLOUD", "POSITIONMARKER", "CAMERA",
     ];
 
+    private static readonly FrozenSet<string> TableTypes = FrozenSet.Create("TABLE", "ENDTAB", "VPORT", "LTYPE", "VIEW", "UCS", "APPID", "DIMSTYLE", "BLOCK_RECORD");
+
     private static readonly FrozenDictionary<string, RecordKind> Known = Build();
 
     /// <summary>The types of ENTITIES and BLOCKS that are known, with what becomes of each: for the page of diagnostics.</summary>
@@ -32,6 +34,21 @@ internal static class RecordKinds
     /// <summary>True for what stands in ENTITIES or in a block and is known there.</summary>
     public static bool IsEntity(RecordKind kind) => kind is (>= RecordKind.Line and <= RecordKind.Polyline) or RecordKind.Insert or RecordKind.Text or RecordKind.Point or RecordKind.Construction
         || IsOutline(kind);
+
+    /// <summary>True for whatever makes a section part of a drawing: entities and their parts, blocks, layers.</summary>
+    public static bool IsOfDrawing(RecordKind kind) => IsEntity(kind) || kind is RecordKind.Vertex or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.LayerEntry or RecordKind.Block or RecordKind.BlockEnd;
+
+    /// <summary>True for the types of record that TABLES holds besides those that are read.</summary>
+    public static bool IsOfTables(string type) => TableTypes.Contains(type);
+
+    /// <summary>False for a group that a record without content cannot have: it belongs to another record whose beginning is damaged. True for every record that is no such frame.</summary>
+    public static bool MayHold(RecordKind kind, string type, int code) => kind switch
+    {
+        RecordKind.Section or RecordKind.SectionEnd => false,
+        RecordKind.BlockEnd or RecordKind.SequenceEnd => code is 5 or 6 or 8 or 39 or 48 or 60 or 62 or 67 or 92 or 100 or 102 or 160 or 284 or (>= 310 and < 450) or >= 1000,
+        _ when type == "TABLE" => code is 2 or 5 or 70 or 71 or 100 or 102 or (>= 330 and < 370) or >= 1000,
+        _ => type != "ENDTAB",
+    };
 
     /// <summary>True for construction that an operator may want cut all the same (<see cref="CutChoice"/>).</summary>
     public static bool IsOutline(RecordKind kind) => kind is RecordKind.Hatch or RecordKind.MultiLine or RecordKind.Leader or RecordKind.Helix or RecordKind.Face;

@@ -8,6 +8,10 @@ namespace Engraver.Core.Dxf;
 internal sealed class RecordReader
 {
     private const int ShownValue = 40;
+
+    /// <summary>Names a variable of the header.</summary>
+    private const int VariableCode = 9;
+
     private readonly DxfTagSource _tags;
     private readonly NameTable _types = new(bytes => Encoding.Latin1.GetString(bytes).ToUpperInvariant());
     private readonly List<RecordKind> _kinds = [];
@@ -18,9 +22,11 @@ internal sealed class RecordReader
 
     private readonly TextDecoding _decode;
     private readonly CutChoice _cut;
+    private readonly ImportLog _log;
 
-    public RecordReader(DxfTagSource tags, NameTable layers, NameTable blocks, TextDecoding decode, CutChoice cut, CancellationToken cancellation)
+    public RecordReader(DxfTagSource tags, NameTable layers, NameTable blocks, TextDecoding decode, CutChoice cut, ImportLog log, CancellationToken cancellation)
     {
+        _log = log;
         _cut = cut;
         _decode = decode;
         _tags = tags;
@@ -28,7 +34,7 @@ internal sealed class RecordReader
         Layers = layers;
         Blocks = blocks;
         _layerZero = layers.IdOf("0");
-        Skip();
+        PassOver();
     }
 
     public NameTable Layers { get; }
@@ -50,7 +56,10 @@ internal sealed class RecordReader
     /// <summary>Is told how far reading is; null: nobody.</summary>
     public IProgress<double>? Progress { get; init; }
 
-    /// <summary>Where the next record begins: <see cref="DxfTagSource.Return"/> and <see cref="Skip()"/> lead to the one behind it.</summary>
+    /// <summary>The next record's type name, in capitals.</summary>
+    public string NextType => _types[_nextType];
+
+    /// <summary>Where the next record begins: <see cref="DxfTagSource.Return"/> and <see cref="PassOver()"/> lead to the one behind it.</summary>
     public (int Position, int Line) Bookmark() => _tags.Bookmark();
 
     /// <summary>Reads the next record whole, whatever it is.</summary>
@@ -59,15 +68,39 @@ internal sealed class RecordReader
         _cancellation.ThrowIfCancellationRequested();
         if (Progress is { } progress) Tell(progress);
         record.Begin(Next, _types[_nextType], _nextType, NextLine, _layerZero);
-        var damages = _tags.DamageCount;
+        var (damages, start) = (_tags.DamageCount, _tags.Bookmark());
         while (_tags.Read() && _tags.Code != 0) Accept(record);
+        if (record.DoubledCode != 0 && NamesRecord(start)) record.Refuse(DxfRules.TwoRecords, record.Line, record.DoubledCode.ToString(CultureInfo.InvariantCulture));
         Settle();
         if (_tags.DamageCount != damages) record.Refuse(DxfRules.DamagedRecord, _tags.DamageLine, _tags.DamageText);
         if (Truncated && _tags.CutInsidePair) record.Refuse(DxfRules.CutRecord, record.Line, "");
     }
 
-    /// <summary>Passes over the next record.</summary>
-    public void Skip()
+    /// <summary>Passes over the next record, which holds nothing that matters. Tells when it holds what cannot be its own, for then another record is lost in it.</summary>
+    public void Skip() => Skip(Next, NextType);
+
+    /// <summary>Passes over the rest of the head of TABLES, BLOCKS or ENTITIES, whose name has been read.</summary>
+    public void SkipHead() => Skip(RecordKind.Section, "SECTION");
+
+    private void Skip(RecordKind kind, string type)
+    {
+        _cancellation.ThrowIfCancellationRequested();
+        var damages = _tags.DamageCount;
+        var (variables, foreign) = (false, default(Trouble?));
+        while (_tags.Read() && _tags.Code != 0)
+        {
+            variables |= kind == RecordKind.SectionEnd && _tags.Code == VariableCode; // some programs end the header too early
+            if (foreign is not null || variables || RecordKinds.MayHold(kind, type, _tags.Code)) continue;
+            foreign = new Trouble(DxfRules.RecordMayBeLost, type, 0, _tags.Line, string.Create(CultureInfo.InvariantCulture, $"group {_tags.Code} ('{ShownText()}'), which it cannot have"), Refused: true);
+        }
+
+        if (_tags.DamageCount != damages && !_tags.IsBinary) foreign = new Trouble(DxfRules.RecordMayBeLost, type, 0, _tags.DamageLine, $"'{_tags.DamageText}' where a group code is due", Refused: true);
+        if (foreign is { } trouble) _log.Add(trouble);
+        Settle();
+    }
+
+    /// <summary>Passes over the next record without a word: it is read later, or it stands in a section that is no part of the drawing.</summary>
+    public void PassOver()
     {
         _cancellation.ThrowIfCancellationRequested();
         while (_tags.Read() && _tags.Code != 0)
@@ -75,6 +108,21 @@ internal sealed class RecordReader
         }
 
         Settle();
+    }
+
+    /// <summary>Goes through the record that has just been read once more: true when the name of a type of record stands where a 0 may have been above it.</summary>
+    private bool NamesRecord((int Position, int Line) start)
+    {
+        var (end, found) = (_tags.Bookmark(), false);
+        _tags.Return(start);
+        while (!found && _tags.Bookmark().Position < end.Position && _tags.Read()) found = _tags.Code is > 0 and < 10 && RecordKinds.Of(Encoding.Latin1.GetString(_tags.Value.Trim(" \t"u8))) != RecordKind.Unknown;
+        _tags.Return(start);
+        while (_tags.Bookmark().Position < end.Position && _tags.Read())
+        {
+        }
+
+        if (_tags.Code != 0) _tags.Read(); // at the end of the file
+        return found;
     }
 
     /// <summary>Passes over the pairs up to the next record and shows each to <paramref name="take"/>: the HEADER section has no records.</summary>
@@ -126,13 +174,16 @@ internal sealed class RecordReader
             case 5 when record.Handle == 0:
                 record.Handle = DxfHandles.Parse(_tags.Value);
                 break;
-            case 8:
+            case 8 when record.Kind is not RecordKind.LayerEntry:
+                record.Count(8);
                 record.Layer = Layers.IdOf(_tags.Value);
                 break;
             case 2 when record.Kind is RecordKind.Insert or RecordKind.Block:
+                record.Count(2);
                 record.Name = Blocks.IdOf(_tags.Value);
                 break;
             case 2 when record.Kind is RecordKind.LayerEntry:
+                record.Count(2);
                 record.Name = Layers.IdOf(_tags.Value);
                 break;
             default:

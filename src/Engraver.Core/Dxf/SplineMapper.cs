@@ -11,8 +11,11 @@ internal sealed class SplineMapper
     private const int DegreeWithoutGroup = 3;
     private const int ClosedFlag = 1;
 
-    /// <summary>A weight so much smaller than the largest is none.</summary>
-    private const double SmallestWeight = 1e-60;
+    /// <summary>
+    /// Largest weight over the smallest. A heavier point draws nearly the whole way of the curve into so little of its parameter that doubles cannot follow it: from 1e8 on lengths
+    /// were wrong, and at 1e17 no chain of arcs came to an end.
+    /// </summary>
+    private const double LargestRatio = 1e6 * (1.0 + 1e-12);
 
     private readonly List<Vector3D> _controls = [];
     private readonly List<Vector3D> _fitPoints = [];
@@ -91,7 +94,8 @@ internal sealed class SplineMapper
             return null;
         }
 
-        return new NurbsCurve(_degree, Knots(record, shape), Homogeneous(record, shape)).ToCurve();
+        var (knots, points) = (Knots(record, shape), Homogeneous(record, shape));
+        return record.Fault is null ? new NurbsCurve(_degree, knots, points).ToCurve() : null;
     }
 
     /// <summary>The knots as written, or what stands in for them. OpenNURBS (Rhino) has no first and no last knot, on which no point depends: with these two repeated its clamped curve is exact.</summary>
@@ -113,7 +117,9 @@ internal sealed class SplineMapper
     private double[] Homogeneous(EntityRecord record, CurveShape shape)
     {
         var largest = _weights.DefaultIfEmpty(1.0).Max(); // only their ratios count
-        var weighted = _weights.Count == _controls.Count && largest > 0.0 && _weights.TrueForAll(weight => weight / largest > SmallestWeight);
+        var smallest = _weights.DefaultIfEmpty(1.0).Min();
+        var weighted = _weights.Count == _controls.Count && smallest > 0.0;
+        if (weighted && largest / smallest > LargestRatio) record.Refuse(DxfRules.WeightsTooUnequal, record.Line, string.Create(CultureInfo.InvariantCulture, $"{largest / smallest:G3}"));
         if (!weighted && _weights.Count > 0) Note(record, shape, DxfRules.SplineWeights, string.Create(CultureInfo.InvariantCulture, $"{_weights.Count} weights for {_controls.Count} control points"));
         var points = new double[_controls.Count * BezierSpan.Stride];
         for (var i = 0; i < _controls.Count; i++)

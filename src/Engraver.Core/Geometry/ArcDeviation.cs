@@ -13,9 +13,6 @@ internal static class ArcDeviation
 
     private const int MostHalvings = 7;
 
-    /// <summary>Binomial coefficients up to twice the largest degree.</summary>
-    private static readonly double[][] Binomials = Pascal(2 * NurbsCurve.LargestDegree);
-
     public static bool IsWithin(BezierSpan piece, in TangentArc arc, double tolerance) => IsWithin(piece, arc, tolerance, MostHalvings);
 
     private static bool IsWithin(BezierSpan piece, in TangentArc arc, double tolerance, int halvings)
@@ -50,11 +47,11 @@ internal static class ArcDeviation
             var sum = 0.0;
             for (var i = Math.Max(0, k - degree); i <= Math.Min(degree, k); i++)
             {
-                var share = Binomials[degree][i] * Binomials[degree][k - i];
+                var share = Bernstein.Binomials[degree][i] * Bernstein.Binomials[degree][k - i];
                 sum += share * ((arc.Curvature * ((x[i] * x[k - i]) + (y[i] * y[k - i]))) - (piece.Weight(i) * line[k - i]));
             }
 
-            largest = Math.Max(largest, Math.Abs(sum) / Binomials[2 * degree][k]);
+            largest = Math.Max(largest, Math.Abs(sum) / Bernstein.Binomials[2 * degree][k]);
         }
 
         return (ToDistance(largest / (least * least), arc.Curvature), Math.Max(AtEnd(piece.Start, arc), AtEnd(piece.End, arc)));
@@ -87,18 +84,5 @@ internal static class ArcDeviation
         }
 
         return most;
-    }
-
-    private static double[][] Pascal(int rows)
-    {
-        var table = new double[rows + 1][];
-        for (var n = 0; n <= rows; n++)
-        {
-            table[n] = new double[n + 1];
-            table[n][0] = table[n][n] = 1.0;
-            for (var i = 1; i < n; i++) table[n][i] = table[n - 1][i - 1] + table[n - 1][i];
-        }
-
-        return table;
     }
 }

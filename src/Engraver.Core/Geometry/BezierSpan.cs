@@ -7,6 +7,9 @@ public sealed class BezierSpan
     /// <summary>Doubles for each control point.</summary>
     public const int Stride = 4;
 
+    /// <summary>Of the largest distance of a control point from the first: a speed, or a leg of the control polygon, below it is rounding.</summary>
+    private const double StandingStill = 1e-10;
+
     private readonly double[] _points;
 
     /// <param name="homogeneous">Degree + 1 times x w, y w, z w, w; taken over, not copied. Degree at least 1.</param>
@@ -43,6 +46,16 @@ public sealed class BezierSpan
         var place = EvaluateInSpace(parameter, out var slope);
         derivative = new Vector2D(slope.X, slope.Y);
         return new Point2D(place.X, place.Y);
+    }
+
+    /// <summary>Direction of travel (length 1); where the span stands still, that in which it goes on (at its end: in which it arrives).</summary>
+    public Vector2D TangentAt(double parameter)
+    {
+        if (parameter <= 0.0) return StartTangent;
+        if (parameter >= 1.0) return EndTangent;
+        Evaluate(parameter, out var derivative);
+        var (speed, still) = (derivative.Length, StandingStill * Extent());
+        return speed > still ? derivative * (1.0 / speed) : Part(parameter, 1.0).FirstDirection(0, 1, still);
     }
 
     /// <summary>The place in space and the derivative by the parameter (de Casteljau).</summary>
@@ -130,16 +143,23 @@ public sealed class BezierSpan
         for (var count = Degree; count >= 1; count--) Interpolate(points, count, parameter);
     }
 
-    private Vector2D FirstDirection(int from, int step)
+    private Vector2D FirstDirection(int from, int step, double still = 0.0)
     {
         var place = Control(from);
         for (var i = from + step; i >= 0 && i <= Degree; i += step)
         {
             var chord = Control(i) - place;
             var length = chord.Length;
-            if (length > 1e-14 * (Math.Abs(place.X) + Math.Abs(place.Y))) return chord * (1.0 / length);
+            if (length > Math.Max(still, 1e-14 * (Math.Abs(place.X) + Math.Abs(place.Y)))) return chord * (1.0 / length);
         }
 
         return default;
+    }
+
+    private double Extent()
+    {
+        var (place, extent) = (Control(0), 0.0);
+        for (var i = 1; i <= Degree; i++) extent = Math.Max(extent, Control(i).DistanceTo(place));
+        return extent;
     }
 }

@@ -8,6 +8,11 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
 
     private const int SingleSteps = 20;
 
+    /// <summary>So many lines in a row bridge no cusp: the numbers of the curve are worn away by rounding (its size against its distance from the origin), and no arc will ever fit.</summary>
+    private const int MostLines = 16;
+
+    private const double SmallestStep = 1e-12;
+
     private readonly BiarcChoice _choice = new(run, tolerance);
     private readonly List<TangentArc> _arcs = [];
     private double _step = 1.0;
@@ -16,6 +21,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
     public IReadOnlyList<TangentArc> Cover()
     {
         var tangent = run.TangentAt(0.0);
+        var lines = 0;
         for (var from = 0.0; from < run.End;)
         {
             var (to, pair) = LongestFrom(from, tangent);
@@ -27,6 +33,8 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
             }
             else
             {
+                lines = pair is null ? lines + 1 : 0;
+                if (lines > MostLines) to = Math.Min(run.End, Math.Max(to, from + Math.ScaleB(SmallestStep, lines - MostLines)));
                 Add(from, to, pair);
                 tangent = pair?.Second.EndTangent ?? run.TangentAt(to);
             }

@@ -68,6 +68,12 @@ public sealed class BoxTree
         if (_items.Length > 0) Collect(_boxes.Length - 1, 0, box, found);
     }
 
+    /// <summary>Adds every shown item whose box contains <paramref name="box"/> to <paramref name="found"/>, in no particular order.</summary>
+    public void Containing(Bounds2D box, List<int> found)
+    {
+        if (_items.Length > 0) CollectAround(_boxes.Length - 1, 0, box, found);
+    }
+
     private static int[] Ones(int count)
     {
         var ones = new int[count];
@@ -160,6 +166,19 @@ public sealed class BoxTree
 
         var end = Math.Min((index + 1) * Fanout, _boxes[level - 1].Length);
         for (var child = index * Fanout; child < end; child++) Collect(level - 1, child, box, found);
+    }
+
+    private void CollectAround(int level, int index, in Bounds2D box, List<int> found)
+    {
+        if (_shown[level][index] == 0 || !_boxes[level][index].Contains(box)) return;
+        if (level == 0)
+        {
+            found.Add(_items[index]);
+            return;
+        }
+
+        var end = Math.Min((index + 1) * Fanout, _boxes[level - 1].Length);
+        for (var child = index * Fanout; child < end; child++) CollectAround(level - 1, child, box, found);
     }
 
     private struct Best(int item, double distance)

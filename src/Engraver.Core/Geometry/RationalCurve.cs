@@ -77,25 +77,25 @@ public sealed class RationalCurve
         return _spans[span].PointAt(place - span);
     }
 
-    /// <summary>Direction of travel (length 1) at a fraction of the parameter; zero at a cusp.</summary>
+    /// <summary>Direction of travel (length 1) at a fraction of the parameter; where the curve stands still, that in which it goes on.</summary>
     public Vector2D TangentAt(double fraction)
     {
         if (fraction <= 0.0) return StartTangent;
         if (fraction >= 1.0) return EndTangent;
         var place = fraction * _spans.Length;
         var span = Math.Min((int)place, _spans.Length - 1);
-        _spans[span].Evaluate(place - span, out var derivative);
-        return derivative.Length is var length && length > 0.0 ? derivative * (1.0 / length) : default;
+        return _spans[span].TangentAt(place - span);
     }
 
-    /// <summary>The curve in pieces so flat that the nearest place on one is found by Newton's method from its chord.</summary>
+    /// <summary>The curve in pieces that are nearly straight and nearly even in speed.</summary>
     public IReadOnlyList<RationalCurve> Pieces() => _pieces ??= CurvePieces.Of(this);
 
     /// <summary>Shortest distance from a place to the curve in plan, its ends included.</summary>
     public double DistanceTo(Point2D place)
     {
-        var pieces = Pieces();
-        return pieces.Count == 1 ? CurvePieces.Distance(_spans[0], place) : pieces.Min(piece => CurvePieces.Distance(piece._spans[0], place));
+        var nearest = double.PositiveInfinity;
+        foreach (var span in _spans) nearest = SpanDistance.Of(span, place, nearest);
+        return nearest;
     }
 
     /// <summary>Puts the last end exactly on the first start: quotients of different weights round differently.</summary>

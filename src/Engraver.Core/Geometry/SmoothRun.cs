@@ -30,14 +30,11 @@ internal sealed class SmoothRun(ArraySegment<BezierSpan> spans)
         return place == span ? spans[span].Start : place >= End ? spans[span].End : spans[span].PointAt(place - span);
     }
 
-    /// <summary>Direction of travel (length 1); zero at a cusp.</summary>
+    /// <summary>Direction of travel (length 1); where the run stands still, that in which it goes on.</summary>
     public Vector2D TangentAt(double place)
     {
         var span = Math.Min((int)place, spans.Count - 1);
-        if (place == span) return spans[span].StartTangent;
-        if (place >= End) return spans[span].EndTangent;
-        spans[span].Evaluate(place - span, out var derivative);
-        return derivative.Length is var speed && speed > 0.0 ? derivative * (1.0 / speed) : default;
+        return spans[span].TangentAt(place - span);
     }
 
     /// <summary>What lies between two places, span by span.</summary>

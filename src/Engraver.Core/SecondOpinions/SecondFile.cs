@@ -19,7 +19,24 @@ internal sealed class SecondFile
         _bytes = wide is null ? file : Encoding.Latin1.GetBytes(wide.GetString(file).TrimStart('\uFEFF'));
     }
 
-    public IEnumerable<SecondTag> Tags => _binary ? SecondBinary.Tags(_bytes, BinaryMark.Length) : Ascii();
+    /// <summary>Code of a line that should be a group code and is none.</summary>
+    public const int Damaged = int.MinValue;
+
+    public IEnumerable<SecondTag> Tags => TagsAndDamage.Where(tag => tag.Code != Damaged);
+
+    /// <summary>The tags, and between them the lines that are passed over for they are no group codes.</summary>
+    public IEnumerable<SecondTag> TagsAndDamage => _binary ? SecondBinary.Tags(_bytes, BinaryMark.Length) : Ascii();
+
+    /// <summary>True when a line of text has zero bytes in it: that part of the file was never written.</summary>
+    public bool HasZero(SecondTag tag) => !_binary && _bytes.AsSpan(tag.Start, tag.Length).Contains((byte)0);
+
+    /// <summary>The line of a tag's value, or its byte.</summary>
+    public string Place(SecondTag tag)
+    {
+        if (_binary) return string.Create(CultureInfo.InvariantCulture, $"byte {tag.Start}");
+        var before = _bytes.AsSpan(0, tag.Start);
+        return string.Create(CultureInfo.InvariantCulture, $"line {Math.Max(before.Count((byte)'\n'), before.Count((byte)'\r')) + 1}");
+    }
 
     /// <summary>The value as a line of an ASCII file would have it.</summary>
     public string Line(SecondTag tag) => _binary && SecondBinary.SizeOf(tag.Code) > 0
@@ -44,6 +61,7 @@ internal sealed class SecondFile
             if (valueStart < 0) yield break;
             if (Code(at, codeEnd) is not { } code)
             {
+                if (!_bytes.AsSpan(at, codeEnd - at).Trim(" \t"u8).IsEmpty) yield return new SecondTag(Damaged, at, codeEnd - at);
                 at = valueStart;
                 continue;
             }

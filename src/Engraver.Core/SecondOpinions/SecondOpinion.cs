@@ -12,12 +12,15 @@ public sealed record SecondOpinion(IReadOnlyDictionary<string, int> Counts, doub
 {
     private const double Tolerance = 1e-6;
 
+    /// <summary>Where records may have been lost, so that the figures are not to be believed; null when the file has no such place.</summary>
+    public string? Damage { get; private init; }
+
     /// <exception cref="SecondOpinionException">The drawing is too large for it, or a block contains itself.</exception>
     public static SecondOpinion Of(byte[] file)
     {
         var tally = SecondReading.Of(file);
         var bounds = tally.X.Min <= tally.X.Max && tally.Y.Min <= tally.Y.Max ? Bounds2D.Of(new Point2D(tally.X.Min, tally.Y.Min), new Point2D(tally.X.Max, tally.Y.Max)) : (Bounds2D?)null;
-        return new SecondOpinion(tally.Counts, tally.Length, bounds);
+        return new SecondOpinion(tally.Counts, tally.Length, bounds) { Damage = SecondDamage.In(new SecondFile(file)) };
     }
 
     /// <summary>A sentence for each figure in which the two readings differ; empty when they agree.</summary>
@@ -33,6 +36,7 @@ public sealed record SecondOpinion(IReadOnlyDictionary<string, int> Counts, doub
 
         if (!Near(first.Length.Total, Length, Math.Max(1.0, Length))) differences.Add(Text($"length: {first.Length.Total}, the second reading has {Length}"));
         if (!Agree(first.Bounds, Bounds)) differences.Add(Text($"extents: {first.Bounds?.ToString() ?? "none"}, the second reading has {Bounds?.ToString() ?? "none"}"));
+        if (Damage is not null) differences.Add(Damage);
         return differences;
     }
 

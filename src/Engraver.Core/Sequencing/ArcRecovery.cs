@@ -36,8 +36,8 @@ public static class ArcRecovery
     /// <summary>The contours in which an arc may be.</summary>
     private static List<Contour> Contours(Segment[] segments, double maxError)
     {
-        if (ChordJoints.RowsOf(segments, GapShare * maxError, maxError) is not { } rows || rows.Length == segments.Length) return new ContourWalker(segments, GapShare * maxError).WalkAll();
-        var contours = new ContourWalker([.. rows.Select(row => segments[row])], GapShare * maxError).WalkAll();
+        if (ChordJoints.RowsOf(segments, GapShare * maxError, maxError) is not { } rows || rows.Length == segments.Length) return new ContourWalker(segments, GapShare * maxError, EndHeights.Flat).WalkAll();
+        var contours = new ContourWalker([.. rows.Select(row => segments[row])], GapShare * maxError, EndHeights.Flat).WalkAll();
         return contours.ConvertAll(contour => contour with { Pieces = contour.Pieces.ToArray().Select(piece => piece with { Row = rows[piece.Row] }).ToArray() });
     }
 }

@@ -1,3 +1,4 @@
+using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
@@ -10,11 +11,14 @@ public static class ContourChainer
     /// <remarks>Linear in the number of segments (hash grid of ends); paper 000's repeated passes give the same contours. A contour grows from its lowest row
     /// forwards, then, when it did not close, backwards. Two ends join when they lie within the tolerance of each other (not by way of a third).
     /// At a branch: segments shorter than the tolerance first, nearest first (they lead nowhere else), then the straightest continuation, then the lowest row.</remarks>
-    public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance)
+    public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance) => Chain(segments, joinTolerance, EndHeights.Flat);
+
+    /// <summary>The same for segments at different heights: ends at clearly different heights do not join, however near they are as seen from above.</summary>
+    public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance, EndHeights heights)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(joinTolerance);
-        var walker = new ContourWalker(segments.ToArray(), joinTolerance);
+        var walker = new ContourWalker(segments.ToArray(), joinTolerance, heights);
         var contours = walker.WalkAll();
-        return new ChainResult(contours, OpenEnds.Find(contours, segments), walker.Branches);
+        return new ChainResult(contours, OpenEnds.Find(contours, segments, heights), walker.Branches);
     }
 }

@@ -23,8 +23,7 @@ public static class ContourNesting
         for (var i = 0; i < inside.Length; i++)
         {
             candidates.Clear();
-            var witness = outlines[i].Witness(0, Witnesses);
-            tree.Overlapping(Bounds2D.Of(witness, witness), candidates);
+            tree.Containing(outlines[i].Bounds, candidates); // not what lies around one place: a star's contours all meet in its middle
             for (var at = 0; at < candidates.Count; at++) candidates[at] = closed[candidates[at]];
             inside[i] = DirectlyAround(i, outlines, candidates, tolerance);
         }

@@ -5,6 +5,12 @@ namespace Engraver.Core.Sequencing;
 /// <summary>One segment of a contour: which row it is, and whether the contour runs it backwards.</summary>
 public readonly record struct ContourPiece(int Row, bool Reversed)
 {
+    /// <summary>Number of the end at which the contour comes into the piece: 2 x row is a segment's start, 2 x row + 1 its end.</summary>
+    public int StartNumber => (2 * Row) + (Reversed ? 1 : 0);
+
+    /// <summary>Number of the end at which the contour leaves it.</summary>
+    public int EndNumber => (2 * Row) + (Reversed ? 0 : 1);
+
     /// <summary>The piece when the whole contour is turned round.</summary>
     public ContourPiece Turned() => this with { Reversed = !Reversed };
 

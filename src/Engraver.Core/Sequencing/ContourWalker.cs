@@ -1,3 +1,4 @@
+using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
@@ -13,16 +14,18 @@ internal sealed class ContourWalker
 
     private readonly Segment[] _segments;
     private readonly double _tolerance;
+    private readonly EndHeights _heights;
     private readonly EndGrid _ends;
     private readonly bool[] _used;
     private readonly CrowdedJunctions _crowded = new();
     private readonly List<int> _near = [];
     private int _firstRow;
 
-    public ContourWalker(Segment[] segments, double joinTolerance)
+    public ContourWalker(Segment[] segments, double joinTolerance, EndHeights heights)
     {
         _segments = segments;
         _tolerance = joinTolerance;
+        _heights = heights;
         _used = new bool[segments.Length];
         var places = new Point2D[2 * segments.Length];
         for (var row = 0; row < segments.Length; row++) (places[2 * row], places[(2 * row) + 1]) = (segments[row].Start, segments[row].End);
@@ -103,7 +106,7 @@ internal sealed class ContourWalker
     private ContourPiece? Next(ContourPiece last, int closingRow)
     {
         var here = last.EndIn(_segments);
-        FindNear(here, TravelAtEnd(last));
+        FindNear(here, _heights.LevelOf(last.EndNumber), TravelAtEnd(last));
         _near.RemoveAll(end => _used[end / 2] && end / 2 != closingRow);
         if (_near.Count == 0) return null;
         var isBranch = _near.Exists(end => end / 2 != _near[0] / 2);
@@ -112,12 +115,13 @@ internal sealed class ContourWalker
         return new ContourPiece(chosen / 2, Reversed: (chosen & 1) == 1);
     }
 
-    /// <summary>Every end within the tolerance; at a place known to be crowded only those that lead straight on.</summary>
-    private void FindNear(Point2D here, Vector2D travel)
+    /// <summary>Every end within the tolerance at the same height; at a place known to be crowded only those that lead straight on.</summary>
+    private void FindNear(Point2D here, int level, Vector2D travel)
     {
-        if (_crowded.TryFind(here, travel, SameTurnCosine, IsGone, _near)) return;
+        if (_crowded.TryFind(here, level, travel, SameTurnCosine, IsGone, _near)) return;
         _ends.Near(here, _near);
-        if (_near.Count >= CrowdedJunctions.Crowd && !_near.Exists(end => _segments[end / 2].Length <= _tolerance)) _crowded.Remember(here, _near, TravelInto);
+        if (!_heights.AreFlat) _near.RemoveAll(end => _heights.LevelOf(end) != level);
+        if (_near.Count >= CrowdedJunctions.Crowd && !_near.Exists(end => _segments[end / 2].Length <= _tolerance)) _crowded.Remember(here, level, _near, TravelInto);
     }
 
     /// <summary>Used; but the first segment of the walk stays a goal: to come back to it is to close the contour.</summary>

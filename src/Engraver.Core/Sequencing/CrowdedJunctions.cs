@@ -9,24 +9,25 @@ internal sealed class CrowdedJunctions
     /// <summary>Fewer ends than this are looked at one by one.</summary>
     public const int Crowd = 64;
 
-    private readonly Dictionary<Point2D, (int[] Ends, Point2D[] Directions, BoxTree Tree)> _crowds = [];
+    private readonly Dictionary<(Point2D Place, int Level), (int[] Ends, Point2D[] Directions, BoxTree Tree)> _crowds = [];
     private readonly List<int> _found = [];
 
-    public void Remember(Point2D here, List<int> ends, Func<int, Vector2D> travelInto)
+    public void Remember(Point2D here, int level, List<int> ends, Func<int, Vector2D> travelInto)
     {
         var directions = ends.Select(end => Point2D.Origin + travelInto(end)).ToArray();
-        _crowds[here] = ([.. ends], directions, BoxTree.Of(directions));
+        _crowds[(here, level)] = ([.. ends], directions, BoxTree.Of(directions));
     }
 
     /// <summary>Fills <paramref name="near"/> with the ends that lead on as straight as any, to rounding; false when no crowd is known here.</summary>
     /// <param name="here">Where the walk stands.</param>
+    /// <param name="level">At which height (a level of the ends).</param>
     /// <param name="travel">Direction of travel, length 1.</param>
     /// <param name="sameTurnCosine">Directions whose cosines differ by less are equally straight.</param>
     /// <param name="isGone">True for ends that can never be chosen again.</param>
     /// <param name="near">Replaced by the answer; empty when nobody is left.</param>
-    public bool TryFind(Point2D here, Vector2D travel, double sameTurnCosine, Predicate<int> isGone, List<int> near)
+    public bool TryFind(Point2D here, int level, Vector2D travel, double sameTurnCosine, Predicate<int> isGone, List<int> near)
     {
-        if (_crowds.Count == 0 || !_crowds.TryGetValue(here, out var crowd)) return false;
+        if (_crowds.Count == 0 || !_crowds.TryGetValue((here, level), out var crowd)) return false;
         var ahead = Point2D.Origin + travel;
         near.Clear();
         while (crowd.Tree.Nearest(ahead, (item, place) => crowd.Directions[item].DistanceTo(place), double.PositiveInfinity, out var distance) is >= 0 and var nearest)

@@ -40,9 +40,10 @@ public static class Sequencer
             segments = kept.ToSegments();
         }
 
-        var chain = ContourChainer.Chain(segments, options.JoinTolerance);
+        var chain = ContourChainer.Chain(segments, options.JoinTolerance, EndHeights.Of(kept, options.JoinTolerance));
         var inside = ContourNesting.Find(chain.Contours, segments, options.JoinTolerance);
         findings.AddChain(chain, kept, segments);
+        findings.SumUp();
         return new ChainedTable(analysed, kept, segments, chain, inside, drawing, findings.Diagnostics) { DuplicatesRemoved = duplicates };
     }
 

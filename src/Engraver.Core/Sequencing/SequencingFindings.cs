@@ -9,7 +9,11 @@ namespace Engraver.Core.Sequencing;
 /// <summary>Collects what sequencing has to say, in the operator's terms.</summary>
 internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions options, IReadOnlyList<Diagnostic>? earlier = null)
 {
+    /// <summary>Of each rule so many are listed; the rest are counted.</summary>
+    private const int ShownPerRule = 100;
+
     private readonly List<Diagnostic> _diagnostics = [.. earlier ?? []];
+    private readonly Dictionary<DiagnosticRule, int> _counts = new(ReferenceEqualityComparer.Instance);
 
     public IReadOnlyList<Diagnostic> Diagnostics => _diagnostics;
 
@@ -47,6 +51,15 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
         if (wide.Count == 0) return;
         Add(SequencingRules.OpenEnds, table.EntityIndexOf(wide[0].Row), Number(wide.Count), Number(options.SuspiciousGap), Number(wide[0].Place.X), Number(wide[0].Place.Y));
+    }
+
+    /// <summary>Says of which rules there are more findings than are listed. To be called once, when all are in.</summary>
+    public void SumUp()
+    {
+        foreach (var (rule, count) in _counts.Where(entry => entry.Value > ShownPerRule).OrderBy(entry => entry.Key.Id, StringComparer.Ordinal))
+        {
+            _diagnostics.Add(SequencingRules.MoreOfTheSame.At(default, rule.Id, Number(count), Number(ShownPerRule)));
+        }
     }
 
     /// <param name="wish">What the operator named.</param>
@@ -96,7 +109,11 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         Add(SequencingRules.ShortSegments, table.EntityIndexOf(first), Number(count), Number(options.JoinTolerance), Number(place.X), Number(place.Y));
     }
 
-    private void Add(DiagnosticRule rule, int entity, params ReadOnlySpan<string> facts) => _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts));
+    private void Add(DiagnosticRule rule, int entity, params ReadOnlySpan<string> facts)
+    {
+        var count = _counts[rule] = _counts.GetValueOrDefault(rule) + 1;
+        if (count <= ShownPerRule) _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts));
+    }
 
     private string? HandleOf(int entity) => drawing?.SourceOf(entity).Handle;
 }

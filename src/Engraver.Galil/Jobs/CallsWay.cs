@@ -49,19 +49,31 @@ internal sealed class CallsWay(JobMachine machine, JobLedger ledger) : ISequence
         var arguments = ResidentServer.Arguments(segment, here, speed);
         var where = Text($" Drawing entity {segment.EntityIndex}.");
         if (await machine.SendAsync(arguments, where).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        if (await SettingCheck.ReadBackAsync(machine, ResidentServer.Held(segment, here, speed)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
         if (await machine.Tool.OnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         var calls = machine.State.Calls;
         if (await machine.SendAsync(ResidentServer.GoCommand, where).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         ledger.Sent++;
-        if (await machine.PollUntilAsync(state => state.Calls != calls).ConfigureAwait(false) is { Ends: true } broken) return broken;
-        return Check(segment);
+        var watch = machine.Watch(here, [segment], speed);
+        machine.Expectation = state => state.SequenceRunning ? watch.Look(0, machine.Here) : JobStep.Done;
+        try
+        {
+            if (await machine.PollUntilAsync(state => state.Calls != calls).ConfigureAwait(false) is { Ends: true } broken) return broken;
+        }
+        finally
+        {
+            machine.Expectation = null;
+        }
+
+        return Check(segment, watch);
     }
 
-    private JobStep Check(in VectorSegment segment)
+    private JobStep Check(in VectorSegment segment, PathWatch watch)
     {
         var state = machine.State;
         if (state.StopCode != StopCodes.SequenceEnded)
             return JobStep.Broken(Text($"The call for drawing entity {segment.EntityIndex} ended at {state.Position.X},{state.Position.Y} ({StopCodes.Text(state.StopCode)}); find out what stopped it."));
+        if (watch.LookAtEnd(machine.Here) is { Ends: true } elsewhere) return elsewhere;
         ledger.Confirm(segment);
         return JobStep.Done;
     }

@@ -14,6 +14,14 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
 
     public bool IsEnd(int mark) => mark == _endMark;
 
+    /// <summary>What the chunk wants of the tool: on while a sequence runs, off in a rapid, which is the motion between two sequences; null where that depends on the line it is at.</summary>
+    public static bool? IsToolWanted(MachineState state) => (state.Calls % 2 != 0, state.SequenceRunning, state.AxesRunning) switch
+    {
+        (true, true, _) => true,
+        (false, false, true) => false,
+        _ => null,
+    };
+
     /// <summary>Segments of the job that are done.</summary>
     /// <param name="mark">seq: two for each sequence that is done, one more while one is under way.</param>
     /// <param name="counter">_CSS; belongs to a sequence only while one is under way.</param>

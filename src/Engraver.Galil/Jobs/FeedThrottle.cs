@@ -12,19 +12,22 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
     /// <summary>A few long segments are lead enough: 1.6 ms a command feeds more than a hundred in this time, seconds. Wide apart from the short lead, so that the speed does not hunt.</summary>
     private const double ComfortableSeconds = 0.25;
 
-    private const string Full = "VR 1";
-    private const string Slow = "VR 0.5";
-    private const string VerySlow = "VR 0.1";
+    private const double Full = 1.0;
+    private const double Slow = 0.5;
+    private const double VerySlow = 0.1;
 
-    private string _now = Full;
+    private double _now = Full;
 
     private double ShortSeconds => rampSeconds + reactionSeconds;
 
-    /// <summary>The command that sets the ratio for this lead, or null when it stands so already.</summary>
+    /// <summary>The command that sets the ratio.</summary>
+    public static string Command(double ratio) => JobMachine.Text($"VR {ratio}");
+
+    /// <summary>The ratio for this lead, or null when it stands so already.</summary>
     /// <param name="lead">Segments sent and not yet executed.</param>
     /// <param name="secondsAhead">How long they last at full speed.</param>
     /// <param name="remaining">Segments not yet sent.</param>
-    public string? Command(int lead, double secondsAhead, int remaining)
+    public double? Ratio(int lead, double secondsAhead, int remaining)
     {
         if (remaining == 0 || secondsAhead > Math.Max(ComfortableSeconds, 2 * ShortSeconds)) return Release();
         if (lead < VeryShortLead || secondsAhead < ShortSeconds / 2) return Change(VerySlow);
@@ -32,12 +35,12 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
     }
 
     /// <summary>Back to full speed: nothing more has to be sent in time.</summary>
-    public string? Release() => Change(Full);
+    public double? Release() => Change(Full);
 
-    private string? Change(string command)
+    private double? Change(double ratio)
     {
-        if (command == _now) return null;
-        _now = command;
-        return command;
+        if (ratio == _now) return null;
+        _now = ratio;
+        return ratio;
     }
 }

@@ -22,7 +22,7 @@ internal sealed class Job
     private readonly OperatorStop _stopper;
     private bool _touched;
 
-    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop)
+    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop, CountsPoint? goTo = null)
     {
         _program = program;
         _session = session;
@@ -33,7 +33,7 @@ internal sealed class Job
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
         _memory = new ProgramMemory(session);
         _found = new FoundController(session, _memory, program.Profile, options, _log);
-        _way = options.Mode switch
+        _way = goTo is { } goal ? new HandMove(_machine, goal) : options.Mode switch
         {
             JobMode.Stream => new StrokeByStroke(program, _machine, _ledger, _log, new StreamWay(_machine, _ledger)),
             JobMode.Calls => new StrokeByStroke(program, _machine, _ledger, _log, new CallsWay(_machine, _ledger)),
@@ -58,7 +58,8 @@ internal sealed class Job
 
         var (end, standstill) = await BringToRestAsync(step).ConfigureAwait(false);
         var notRestored = await LeaveAsFoundAsync().ConfigureAwait(false);
-        return Journalled(Result(end, standstill, notRestored));
+        var result = Result(end, standstill, notRestored);
+        return Journalled(_options.Judge?.Invoke(result) ?? result);
     }
 
     private static JobStep Stopped => new(JobOutcome.Stopped, "Stopped by the operator.", null);
@@ -113,17 +114,19 @@ internal sealed class Job
 
     private async Task<JobStep> PrepareAsync()
     {
+        await _stopper.RehearseAsync().ConfigureAwait(false);
         await _machine.MeasureClockAsync().ConfigureAwait(false);
         var resident = ResidentServer.Program(_options.Mode, _program.Profile);
         if (await _found.BorrowAsync(resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         string[] settings = ["AC", "DC"];
-        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_machine.Limit) }; // whatever somebody left on or selected
+        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_machine.Limit, _program.Profile) }; // whatever somebody left on or selected
         commands.AddRange(_session.Found.MotorsOff.Where("AB".Contains).Select(letter => $"SH{letter}"));
         commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
         commands.Add(ResidentServer.StartCommand(resident));
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
-        if (await _machine.AwaitAsync(ResidentServer.WatchdogLine, line => line >= 0).ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
+        if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => "AB".Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        if (await _machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
         if (await _way.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
         if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;
         _log.Begin(_options, _session.Identity.Model);
@@ -144,11 +147,21 @@ internal sealed class Job
             if (step.Ends) await _way.StoppedAsync(standstill.SegmentCounter).ConfigureAwait(false);
             return (step, standstill);
         }
+        catch (ProtocolViolationException unknown) when (!_session.StopHandle.IsBroken)
+        {
+            return (JobStep.Broken(step.Ends ? $"{step.Sentence} {unknown.Message}" : unknown.Message), null);
+        }
         catch (ControllerException failure)
         {
-            return (step.Outcome == JobOutcome.LinkLost ? step : JobStep.LinkLost(failure.Message), null);
+            var lost = step.Outcome == JobOutcome.LinkLost ? step : JobStep.LinkLost(failure.Message);
+            return (lost with { Sentence = lost.Sentence + LastWord }, null);
         }
     }
+
+    /// <summary>What the controller does behind its last word nobody hears; a buffer, or a program with all of its strokes, goes on until the watchdog trips.</summary>
+    private string LastWord => _machine.Known is { } known
+        ? JobMachine.Text($" The last word of the controller was {known.Position.X},{known.Position.Y} with {_ledger.Executed} segments done; it goes on with what it has until its watchdog stops it, so that more may be cut than is counted here.")
+        : "";
 
     /// <summary>The found program, speeds and motors; the machine stands and our threads are halted.</summary>
     private async Task<IReadOnlyList<string>> LeaveAsFoundAsync()
@@ -180,6 +193,7 @@ internal sealed class Job
         Sentence = step.Sentence,
         SegmentsSent = _ledger.Sent,
         SegmentsExecuted = _ledger.Executed,
+        SegmentsUncut = _ledger.Uncut,
         Seconds = _machine.Seconds,
         Underruns = _ledger.Underruns,
         Rejected = _ledger.Rejected,

@@ -9,8 +9,10 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
     private readonly List<TracePoint> _trace = [];
     private readonly List<int> _entities = [];
     private readonly HashSet<int> _seen = [];
+    private readonly List<(int Stroke, VectorSegment Segment)> _uncut = [];
     private readonly int[] _executed = new int[program.Strokes.Count];
     private readonly double[] _lengths = new double[program.Strokes.Count];
+    private bool _isToolMissing;
 
     public int SegmentCount { get; } = program.SegmentCount;
 
@@ -23,6 +25,22 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
     public int Sent { get; set; }
 
     public int Executed { get; private set; }
+
+    /// <summary>The last poll saw the tool off though it should have been on: what is confirmed now counts as cut only when the next one takes that back.</summary>
+    public bool IsToolMissing
+    {
+        get => _isToolMissing;
+        set
+        {
+            _isToolMissing = value;
+            if (value) return;
+            foreach (var (stroke, segment) in _uncut) CountCut(stroke, segment);
+            _uncut.Clear();
+        }
+    }
+
+    /// <summary>Segments confirmed while the tool was seen off.</summary>
+    public int Uncut => _uncut.Count;
 
     public int Underruns { get; set; }
 
@@ -46,7 +64,13 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
     {
         Executed++;
         _executed[Stroke]++;
-        _lengths[Stroke] += segment.Length;
+        if (IsToolMissing) _uncut.Add((Stroke, segment));
+        else CountCut(Stroke, segment);
+    }
+
+    private void CountCut(int stroke, in VectorSegment segment)
+    {
+        _lengths[stroke] += segment.Length;
         if (_seen.Add(segment.EntityIndex)) _entities.Add(segment.EntityIndex);
     }
 

@@ -21,6 +21,10 @@ internal sealed class JobMachine
     private readonly CancellationToken _stop;
     private readonly Heartbeat _heartbeat;
     private readonly StopHandleWatch _stopHandle;
+    private readonly ProgressWatch _progress;
+    private readonly ToolWatch _toolWatch = new();
+    private readonly JobFault _fault;
+    private bool _isGuarded;
     private int _glances;
 
     public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, Action polled, CancellationToken stop)
@@ -36,6 +40,8 @@ internal sealed class JobMachine
         _stop = stop;
         _heartbeat = new Heartbeat(session);
         _stopHandle = new StopHandleWatch(session, ledger);
+        _progress = new ProgressWatch(program.Profile);
+        _fault = new JobFault(this, program, ledger);
     }
 
     public MachineProfile Profile { get; }
@@ -45,6 +51,9 @@ internal sealed class JobMachine
 
     /// <summary>How far the watchdog is wound up.</summary>
     public WatchdogLimit Limit { get; private set; } = WatchdogLimit.OneSecond;
+
+    /// <summary>After so many seconds of the controller without progress a job is given up.</summary>
+    public double StandstillSeconds => _progress.Seconds;
 
     /// <summary>The last poll; null before the first.</summary>
     public MachineState? Known { get; private set; }
@@ -98,6 +107,7 @@ internal sealed class JobMachine
     {
         if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(HeartbeatCommand, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
         var reply = await _session.Commands.SendAsync(command, _stop).ConfigureAwait(false);
+        if (reply is Accepted && command != HeartbeatCommand) _progress.Acted();
         if (!_heartbeat.IsDueAfterCommand()) return reply;
         var beat = await _session.Commands.SendAsync(HeartbeatCommand, _stop).ConfigureAwait(false);
         return beat is Rejected && reply is Accepted ? beat : reply;
@@ -116,6 +126,19 @@ internal sealed class JobMachine
         return reading.Refusal is { } refused ? (0.0, Refuse(refused, "")) : (reading.Values[0], JobStep.Done);
     }
 
+    /// <summary>Asks for several numbers at once.</summary>
+    public async ValueTask<(IReadOnlyList<double> Values, JobStep Step)> AskAllAsync(string operands)
+    {
+        var reading = await _session.Commands.ReadAsync(operands, _stop).ConfigureAwait(false);
+        return reading.Refusal is { } refused ? ([], Refuse(refused, "")) : (reading.Values, JobStep.Done);
+    }
+
+    /// <summary>Held against every polled state; null while nothing is expected of the position.</summary>
+    public Func<MachineState, JobStep>? Expectation { get; set; }
+
+    /// <summary>A watch over the path of a sequence from here.</summary>
+    public PathWatch Watch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed) => new(start, segments, speed, (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6);
+
     /// <summary>Asks where the machine is. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
@@ -128,7 +151,7 @@ internal sealed class JobMachine
     /// <summary>Looks at the path alone where a whole poll would hold the feeding up: on a serial line.</summary>
     public async ValueTask<JobStep> GlanceAsync()
     {
-        if (Line is null || Known is null || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
+        if (Line is null || Known is null || _toolWatch.IsSuspicious || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
         _clock.Asks();
         if (await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
 
@@ -152,8 +175,37 @@ internal sealed class JobMachine
         _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, IsToolOn) { Executed = _ledger.Executed });
         _polled();
         await _stopHandle.LookAsync().ConfigureAwait(false);
-        if (State.Tripped || State.ProgramError != 0 || !State.ProgramRuns) return await ProgramEndedAsync().ConfigureAwait(false);
+        if (await FaultAsync().ConfigureAwait(false) is { Ends: true } fault) return fault;
+        if (Expectation?.Invoke(State) is { Ends: true } unexpected) return unexpected;
         return await BeatAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>What a poll tells against the job: the program in the controller is no longer at work, the tool is not as it should be, or nothing gets on.</summary>
+    private async ValueTask<JobStep> FaultAsync()
+    {
+        if (_stop.IsCancellationRequested) return JobStep.Done; // what this poll saw may be the stop's own work
+        var isToolWrong = _toolWatch.IsWrong(State, Tool.IsOutputOn(State), Tool.Wanted(State), Tool.WantedByProgram is not null);
+        var hasProgramEnded = State.Trip != 0 || State.ProgramError != 0 || !State.ProgramRuns;
+        _ledger.IsToolMissing = _toolWatch.IsMissing && !hasProgramEnded; // then the controller switched it off and stopped
+        if (hasProgramEnded) return await ProgramEndedAsync().ConfigureAwait(false);
+        if (_isGuarded && !State.WatchdogRuns) return _fault.Unwatched();
+        if (isToolWrong) return _fault.ToolSwitched();
+        return _progress.IsStalled(State, Limit) ? await _fault.StalledAsync().ConfigureAwait(false) : JobStep.Done;
+    }
+
+    /// <summary>The program in the controller has started: waits until its watchdog runs, which from then on is looked after.</summary>
+    public async ValueTask<JobStep> AwaitWatchdogAsync()
+    {
+        if (await AwaitAsync(ResidentServer.WatchdogLine, line => line >= 0).ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
+        _isGuarded = true;
+        return JobStep.Done;
+    }
+
+    /// <summary>Ends the program in the controller and its watchdog; to be called at rest with the tool off.</summary>
+    public ValueTask<JobStep> HaltProgramAsync()
+    {
+        _isGuarded = false;
+        return SendAllAsync(ResidentServer.HaltCommands);
     }
 
     private string HeartbeatCommand => ResidentServer.HeartbeatCommand(Limit);
@@ -220,7 +272,8 @@ internal sealed class JobMachine
     /// <summary>The program in the controller is no longer at work: the watchdog tripped, one of its lines was refused, or somebody halted it.</summary>
     private async ValueTask<JobStep> ProgramEndedAsync()
     {
-        if (State.Tripped)
+        if (State.Trip == WatchdogProgram.ToolForgotten) return _fault.ToolForgotten();
+        if (State.Trip != 0)
             return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.", LinkLoss.Watchdog);
         if (State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
         if (State.ProgramError == WatchedJob.Strayed)

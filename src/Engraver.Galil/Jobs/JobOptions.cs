@@ -19,8 +19,14 @@ public sealed record JobOptions
     /// <summary>Where a drawing entity stands in its file, for diagnostics; null where nobody knows.</summary>
     public Func<int, SourceRef>? SourceOf { get; init; }
 
+    /// <summary>Holds what was cut against the drawing when the machine rests, before the journal says how the job ended; null where nobody judges.</summary>
+    public Func<JobResult, JobResult>? Judge { get; init; }
+
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }
+
+    /// <summary>Called once when the job stands ready, after the journal has it and before anything moves; it must not take long, for the watchdog runs. Null for nobody.</summary>
+    public Action<JournalHeader>? Begins { get; init; }
 
     /// <summary>Told where the frame of the job lies, counts of the controller at the drawing's zero, before anything moves; null for nobody.</summary>
     public Action<CountsPoint>? FrameTaken { get; init; }

@@ -20,6 +20,9 @@ public sealed record JobResult
     /// <summary>By _CS or seq of the controller.</summary>
     public required int SegmentsExecuted { get; init; }
 
+    /// <summary>Those of them that were counted while the tool was seen off though it should have been on: they have no part in <see cref="LengthByStroke"/>.</summary>
+    public int SegmentsUncut { get; init; }
+
     /// <summary>Controller time, in nominal samples (TM).</summary>
     public required double Seconds { get; init; }
 

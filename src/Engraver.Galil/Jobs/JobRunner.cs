@@ -11,7 +11,26 @@ public static class JobRunner
     /// <param name="progress">Told where the job is, 20 times a second of controller time; may be null.</param>
     /// <param name="stop">The operator's stop: the machine is stopped first, however long it brakes, then this returns.</param>
     public static async Task<JobResult> RunAsync(
-        MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
+        MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
+        await RunAsync(program, null, session, options, progress, stop).ConfigureAwait(false);
+
+    /// <summary>Moves the machine by hand: with the tool off, at rapid speed, each axis at its own pace, under the same watchdog and stop as a job.</summary>
+    /// <param name="program">Without strokes: the machine, and where it stands in the frame in which progress is told.</param>
+    /// <param name="goal">The controller's own counts.</param>
+    /// <returns>As of a job; refused when a motor is off, for nothing is switched on by a move.</returns>
+    public static async Task<JobResult> GoToAsync(
+        MotionProgram program, CountsPoint goal, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        ArgumentNullException.ThrowIfNull(session);
+        string off = string.Concat(session.Found.MotorsOff.Where("AB".Contains));
+        return off.Length > 0
+            ? JobResult.NotStarted(program, $"The motor of axis {string.Join(" and ", off.AsEnumerable())} is off; switch the motors on before a move.")
+            : await RunAsync(program, goal, session, options with { DryRun = true }, progress, stop).ConfigureAwait(false);
+    }
+
+    private static async Task<JobResult> RunAsync(
+        MotionProgram program, CountsPoint? goTo, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(session);
@@ -29,6 +48,6 @@ public static class JobRunner
         var paced = session.ClockRunsAhead ? options with { PollInterval = TimeSpan.Zero } : options;
 
         // Replies from memory come at once: without a thread of its own the whole job would run before this method returns.
-        using (journal) return await Task.Run(new Job(program, session, paced, progress, journal, stop).RunAsync, CancellationToken.None).ConfigureAwait(false);
+        using (journal) return await Task.Run(new Job(program, session, paced, progress, journal, stop, goTo).RunAsync, CancellationToken.None).ConfigureAwait(false);
     }
 }

@@ -16,5 +16,7 @@ internal sealed record JobStep(JobOutcome Outcome, string Sentence, Rejected? Re
 
     public static JobStep Broken(string sentence) => new(JobOutcome.Refused, sentence, null);
 
+    public static JobStep Deviated(string sentence) => new(JobOutcome.Deviated, sentence, null);
+
     public static JobStep LinkLost(string sentence, LinkLoss loss = LinkLoss.Link) => new(JobOutcome.LinkLost, sentence, null) { Loss = loss };
 }

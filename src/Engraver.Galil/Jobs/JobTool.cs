@@ -8,12 +8,21 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
 
     private bool _isOn;
 
+    /// <summary>What the output is to be by a poll, where a program in the controller switches it; null where this job does.</summary>
+    public Func<MachineState, bool?>? WantedByProgram { get; set; }
+
+    /// <summary>What the output is to be by this poll: what this job switched it to, or what the program is to have done; null where that cannot be said. A dry run never wants it.</summary>
+    public bool? Wanted(MachineState state) => dryRun ? false : WantedByProgram is { } program ? program(state) : _isOn;
+
     public ValueTask<JobStep> OnAsync() => dryRun || _isOn ? new(JobStep.Done) : SwitchAsync(true);
 
     public ValueTask<JobStep> OffAsync() => _isOn ? SwitchAsync(false) : new(JobStep.Done);
 
     /// <summary>Whether the output is on, as the controller said last; whoever switched it.</summary>
-    public bool IsSeenOn(MachineState? known) => !dryRun && known is { } state && (state.Outputs & (1 << (machine.Profile.ToolOutput - 1))) != 0;
+    public bool IsSeenOn(MachineState? known) => !dryRun && known is { } state && IsOutputOn(state);
+
+    /// <summary>The same, a dry run too.</summary>
+    public bool IsOutputOn(MachineState state) => (state.Outputs & (1 << (machine.Profile.ToolOutput - 1))) != 0;
 
     private async ValueTask<JobStep> SwitchAsync(bool on)
     {

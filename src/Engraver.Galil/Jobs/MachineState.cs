@@ -14,17 +14,18 @@ namespace Engraver.Galil.Jobs;
 /// <param name="StopCode">_SCA.</param>
 /// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
 /// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="WatchedJob.Strayed"/> for a motion that ended early, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow.</param>
-/// <param name="Tripped">wtrip: the watchdog has stopped the machine.</param>
+/// <param name="WatchdogRuns">_XQ1 is a line: the watchdog lives, or has just tripped.</param>
+/// <param name="Trip">wtrip: why the watchdog has stopped the machine (<see cref="WatchdogProgram"/>); 0 while it has not.</param>
 /// <param name="Outputs">_OP0: outputs 1 to 8, bit 0 is output 1.</param>
 internal readonly record struct MachineState(
-    bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, int ProgramError, bool Tripped, int Outputs)
+    bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, bool WatchdogRuns, int ProgramError, int Trip, int Outputs)
 {
-    /// <summary>What is asked, in the order of the parameters; within the 80 characters of a line.</summary>
+    /// <summary>What is asked, in the order of the parameters; with MG exactly the 80 characters of a line. wtrip is asked behind _XQ1: where the watchdog ended by its trip, that is already known.</summary>
     public const string Operands =
-        $"_BGS,_BGA,_BGB,_CSS,{Variables.Sequence},_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,{Variables.ErrorCode},{Variables.WatchdogTripped},_OP0";
+        $"_BGS,_BGA,_BGB,_CSS,{Variables.Sequence},_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,_XQ1,{Variables.ErrorCode},{Variables.WatchdogTripped},_OP0";
 
     /// <summary>On a serial line the questions go in two parts, so that the heartbeat fits between them: first what a program does ...</summary>
-    public const string ProgramOperands = $"_BGA,_BGB,{Variables.Sequence},_XQ0,{Variables.ErrorCode}";
+    public const string ProgramOperands = $"_BGA,_BGB,{Variables.Sequence},_XQ0,_XQ1,{Variables.ErrorCode}";
 
     /// <summary>... then, and more often, what the path does. Asked last: where the axes stood before, the position is final.</summary>
     public const string MotionOperands = $"_BGS,_CSS,_VMS,_RPA,_RPB,TIME,_SCA,{Variables.WatchdogTripped},_OP0";
@@ -36,7 +37,8 @@ internal readonly record struct MachineState(
         AxesRunning = v[0] != 0 || v[1] != 0,
         Calls = (int)v[2],
         ProgramRuns = v[3] >= 0,
-        ProgramError = (int)v[4],
+        WatchdogRuns = v[4] >= 0,
+        ProgramError = (int)v[5],
     };
 
     public MachineState WithMotion(IReadOnlyList<double> v) => this with
@@ -47,10 +49,10 @@ internal readonly record struct MachineState(
         Position = new CountsPoint((int)v[3], (int)v[4]),
         Time = (long)v[5],
         StopCode = (int)v[6],
-        Tripped = v[7] != 0,
+        Trip = (int)v[7],
         Outputs = (int)v[8],
     };
 
     public static MachineState Of(IReadOnlyList<double> v) => new(
-        v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, (int)v[11], v[12] != 0, (int)v[13]);
+        v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, v[11] >= 0, (int)v[12], (int)v[13], (int)v[14]);
 }

@@ -61,7 +61,7 @@ internal sealed class ProgramWay(MotionProgram program, JobMachine machine, JobL
     private async ValueTask<JobStep> LoadAsync(ProgramChunk chunk)
     {
         _chunk = null;
-        if (await machine.SendAllAsync(ResidentServer.HaltCommands).ConfigureAwait(false) is { Ends: true } running) return running;
+        if (await machine.HaltProgramAsync().ConfigureAwait(false) is { Ends: true } running) return running;
         return await memory.SwapAsync(chunk.Text, machine.Stop).ConfigureAwait(false) is { } refused ? JobStep.Refused(refused, "") : JobStep.Done;
     }
 
@@ -77,13 +77,33 @@ internal sealed class ProgramWay(MotionProgram program, JobMachine machine, JobL
     {
         var progress = new ChunkProgress(chunk, _path.Count);
         machine.PlaceInProgram = progress.PlaceOf;
-        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Limit), Text($"XQ {WatchedJob.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        machine.Tool.WantedByProgram = ChunkProgress.IsToolWanted;
+        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Limit, machine.Profile), Text($"XQ {WatchedJob.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         _chunk = progress;
         ledger.Sent += chunk.Segments.Count();
-        if (await machine.AwaitAsync(ResidentServer.WatchdogLine, line => line >= 0).ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
-        var end = await machine.PollUntilAsync(IsDone).ConfigureAwait(false);
+        if (await machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
+        var end = await WatchedAsync(chunk).ConfigureAwait(false);
         return end.Ends && machine.State.ProgramError == WatchedJob.Strayed ? end with { Sentence = end.Sentence + progress.PlaceAt(machine.State.Calls) } : end;
     }
+
+    /// <summary>The program was read back before it ran; the path is watched all the same, for somebody else may move the axes. Over a serial line the sequence and the position are asked one after the other, and only the end is looked at.</summary>
+    private async ValueTask<JobStep> WatchedAsync(ProgramChunk chunk)
+    {
+        var watches = chunk.Parts.SelectMany(part => part.Sequences).Select(sequence => machine.Watch(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
+        if (machine.Line is null) machine.Expectation = state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Look(state.Counter, machine.Here) : JobStep.Done;
+        try
+        {
+            var end = await machine.PollUntilAsync(IsDone).ConfigureAwait(false);
+            return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here);
+        }
+        finally
+        {
+            machine.Expectation = null;
+        }
+    }
+
+    /// <summary>An odd mark belongs to a sequence under way.</summary>
+    private static bool IsCutting(MachineState state) => state.SequenceRunning && state.Calls % 2 != 0;
 
     private bool IsDone(MachineState state)
     {

@@ -12,8 +12,8 @@ internal static class ResidentServer
     public static string HeartbeatCommand(WatchdogLimit limit) => JobMachine.Text($"{Variables.Heartbeat}={limit.Ticks}");
 
     /// <summary>Gives every variable that is polled a value before it is read: an undefined one is refused. Winds the watchdog up before it starts.</summary>
-    public static string DefineVariables(WatchdogLimit limit) =>
-        $"{HeartbeatCommand(limit)};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0";
+    public static string DefineVariables(WatchdogLimit limit, MachineProfile profile) =>
+        JobMachine.Text($"{HeartbeatCommand(limit)};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.StillLimit}={StandstillLimit.ControllerTicks(profile, limit)}");
 
     /// <summary>Ends both threads of a job.</summary>
     public static IReadOnlyList<string> HaltCommands { get; } = [JobMachine.Text($"HX{MainThread}"), JobMachine.Text($"HX{WatchdogThread}")];
@@ -41,4 +41,13 @@ internal static class ResidentServer
     public static string Arguments(in VectorSegment segment, CountsPoint here, int speed) => segment.Kind == VectorSegmentKind.Line
         ? JobMachine.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Feed}={speed};{Variables.Operation}={Operations.Line}")
         : JobMachine.Text($"{Variables.Radius}={segment.Radius};{Variables.Theta}={DmcFormat.Number(segment.ThetaDegrees)};{Variables.Delta}={DmcFormat.Number(segment.DeltaDegrees)};{Variables.Feed}={speed};{Variables.Operation}={Operations.Arc}");
+
+    /// <summary>The variables that <see cref="Arguments"/> sets, as they are read back.</summary>
+    public static IReadOnlyList<(string Operand, double Value, double Step)> Held(in VectorSegment segment, CountsPoint here, int speed)
+    {
+        const double Exact = SettingCheck.Exact;
+        return segment.Kind == VectorSegmentKind.Line
+            ? [(Variables.X, (double)segment.End.X - here.X, Exact), (Variables.Y, (double)segment.End.Y - here.Y, Exact), (Variables.Feed, speed, Exact), (Variables.Operation, Operations.Line, Exact)]
+            : [(Variables.Radius, segment.Radius, Exact), (Variables.Theta, segment.ThetaDegrees, Exact), (Variables.Delta, segment.DeltaDegrees, Exact), (Variables.Feed, speed, Exact), (Variables.Operation, Operations.Arc, Exact)];
+    }
 }

@@ -20,6 +20,10 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Shorter delays between two commands are nothing to look into.</summary>
     private const double HeldUpSeconds = 0.05;
 
+    /// <summary>How far the controller's path length may differ from the planned one, counts: it is cut off to whole counts, and how it is kept from segment to segment is not known (galil-dmc.md B.1).</summary>
+    private const double LengthAllowance = 2.0;
+    private const double LengthPerSegment = 0.5;
+
     private readonly FeedPace _pace = FeedPace.Of(machine.Line);
     private readonly FeedThrottle _throttle = new((double)sequence.Speed / machine.Profile.AccelerationCounts, FeedPace.Of(machine.Line).ReactionSeconds);
     private int _capacity;
@@ -30,6 +34,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private double _countsAhead;
     private bool _begun;
     private CountsPoint _origin;
+    private PathWatch? _watch;
 
     /// <summary>The first segment that this feed has not dealt with.</summary>
     public int Next => first + _skipped + _executed;
@@ -40,6 +45,18 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
 
     public async ValueTask<JobStep> RunAsync()
+    {
+        try
+        {
+            return await FeedAsync().ConfigureAwait(false);
+        }
+        finally
+        {
+            machine.Expectation = null;
+        }
+    }
+
+    private async ValueTask<JobStep> FeedAsync()
     {
         if (await OpenAsync().ConfigureAwait(false) is { Ends: true } unopened) return unopened;
         if (Remaining == 0) return JobStep.Done;
@@ -83,8 +100,16 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (Remaining == 0) return JobStep.Done;
         var acceleration = machine.Profile.AccelerationCounts;
         var opened = await machine.SendAllAsync(["CSS", "VMAB", Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
-        return opened.Ends ? opened : await AskCapacityAsync().ConfigureAwait(false);
+        if (opened.Ends) return opened;
+        if (await SettingCheck.ReadBackAsync(
+            machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration), ("_VRS", 1.0, SettingCheck.Exact)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        return await AskCapacityAsync().ConfigureAwait(false);
     }
+
+    /// <summary>What this feed cuts; it begins where the machine stands.</summary>
+    private IReadOnlyList<VectorSegment> Ahead => [.. sequence.Segments.Skip(first + _skipped)];
+
+    private JobStep OnPath(MachineState state) => state.SequenceRunning ? _watch!.Look(state.Counter, machine.Here) : JobStep.Done;
 
     /// <summary>A line that ends where the machine stands has no length for the controller (TC 30): it is done before it is sent.</summary>
     private bool IsAlreadyThere(in VectorSegment segment) => segment.Kind == VectorSegmentKind.Line && segment.End == _origin;
@@ -125,6 +150,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private async ValueTask<JobStep> BeginAsync()
     {
         if (await machine.Tool.OnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        _watch = machine.Watch(_origin, Ahead, sequence.Speed);
+        machine.Expectation = OnPath;
         _begun = true;
         return await machine.SendAsync("BGS").ConfigureAwait(false);
     }
@@ -136,18 +163,39 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         ConfirmUpTo(machine.State.Counter);
         _sentAtWatch = _sent;
         if (!machine.State.SequenceRunning) return EndedEarly();
-        return _throttle.Command(_sent - _executed, SecondsAhead, Remaining) is { } command ? await machine.SendAsync(command).ConfigureAwait(false) : JobStep.Done;
+        return _throttle.Ratio(_sent - _executed, SecondsAhead, Remaining) is { } ratio ? await ThrottleAsync(ratio).ConfigureAwait(false) : JobStep.Done;
     }
 
     private async ValueTask<JobStep> CloseAsync()
     {
         if (await machine.SendAsync("VE").ConfigureAwait(false) is { Ends: true } refused) return refused;
         if (!_begun && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
-        if (_throttle.Release() is { } command && await machine.SendAsync(command).ConfigureAwait(false) is { Ends: true } unreleased) return unreleased;
+        if (_throttle.Release() is { } ratio && await ThrottleAsync(ratio).ConfigureAwait(false) is { Ends: true } unreleased) return unreleased;
         if (await machine.GlanceUntilAsync(HasEnded).ConfigureAwait(false) is { Ends: true } end) return end;
         if (machine.State.StopCode != StopCodes.SequenceEnded) return EndedEarly();
+        if (_watch!.LookAtEnd(machine.Here) is { Ends: true } elsewhere) return elsewhere;
+        if (await CheckLengthAsync().ConfigureAwait(false) is { Ends: true } another) return another;
         ConfirmUpTo(_sent);
         return JobStep.Done;
+    }
+
+    private async ValueTask<JobStep> ThrottleAsync(double ratio)
+    {
+        if (await machine.SendAsync(FeedThrottle.Command(ratio)).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        return await SettingCheck.ReadBackAsync(machine, ("_VRS", ratio, SettingCheck.Exact)).ConfigureAwait(false);
+    }
+
+    /// <summary>A closed contour ends where it began, also where nothing of it was cut or a turn was shorter: the length of the path tells (_AVS counts from the start of the sequence, galil-dmc.md B.1).
+    /// On a serial line every command was compared with its echo, which a question would be slower than.</summary>
+    private async ValueTask<JobStep> CheckLengthAsync()
+    {
+        if (machine.Line is not null) return JobStep.Done;
+        var (travelled, end) = await machine.AskAsync("_AVS").ConfigureAwait(false);
+        if (end.Ends) return end;
+        var planned = Ahead.Sum(segment => segment.Length);
+        return Math.Abs(travelled - planned) <= LengthAllowance + (LengthPerSegment * _sent)
+            ? JobStep.Done
+            : JobStep.Deviated(Text($"The controller went {travelled:0} counts along its path where {planned:0} were planned, up to drawing entity {sequence.Segments[^1].EntityIndex}, at {machine.Here.X},{machine.Here.Y} of the drawing (counts); what was sent has not arrived as it was sent. Look at the work piece and the cable."));
     }
 
     private bool HasEnded(MachineState state)

@@ -93,7 +93,7 @@ internal sealed class SerialConversation(SerialLine line)
         Pass(Question(MachineState.ProgramOperands));
         var asked = Now;
         _axesSeenMoving = asked < _movingUntil;
-        Pass(Answer(1, 1, Digits(Calls), ThreadLineDigits, 1));
+        Pass(Answer(1, 1, Digits(Calls), ThreadLineDigits, ThreadLineDigits, 1));
         return asked;
     }
 

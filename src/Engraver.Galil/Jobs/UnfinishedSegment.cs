@@ -13,22 +13,11 @@ public static class UnfinishedSegment
     {
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(result);
-        var last = result.PolledTrace.LastOrDefault(point => point.ToolOn && point.Executed == result.SegmentsExecuted);
-        if (!last.ToolOn || Next(program, result.SegmentsExecuted) is not var (start, segment)) return 0.0;
+        var cut = result.SegmentsExecuted - result.SegmentsUncut;
+        var last = result.PolledTrace.LastOrDefault(point => point.ToolOn && point.Executed == cut);
+        if (!last.ToolOn || program.SegmentBehind(cut) is not var (start, segment, _)) return 0.0;
         var (from, place) = (new Point2D(start.X, start.Y), new Point2D(last.X, last.Y));
         return segment.Kind == VectorSegmentKind.Line ? AlongLine(from, segment, place, tolerance) : AlongArc(from, segment, place, tolerance);
-    }
-
-    /// <summary>The segment behind so many in the order of cutting, and where it starts; null behind the last.</summary>
-    private static (CountsPoint Start, VectorSegment Segment)? Next(MotionProgram program, int executed)
-    {
-        foreach (var sequence in program.Strokes.SelectMany(stroke => stroke.Sequences))
-        {
-            if (executed < sequence.Segments.Count) return (executed == 0 ? sequence.Start : sequence.Segments[executed - 1].End, sequence.Segments[executed]);
-            executed -= sequence.Segments.Count;
-        }
-
-        return null;
     }
 
     private static double AlongLine(Point2D start, in VectorSegment segment, Point2D place, double tolerance)

@@ -1,6 +1,6 @@
 namespace Engraver.Galil.Links;
 
-/// <summary>What a serial line means for those who talk over it: one wire for everything, characters echoed until EO 0, and every byte takes its time.</summary>
+/// <summary>What a serial line means for those who talk over it: one wire for everything, characters echoed while EO is 1, and every byte takes its time.</summary>
 /// <param name="Baud">Bits per second; one of <see cref="Rates"/>.</param>
 public sealed record SerialLine(int Baud)
 {

@@ -12,4 +12,19 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
     public MotionStyle Style { get; init; }
 
     public int SegmentCount => Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Segments.Count));
+
+    /// <summary>The segment behind so many in the order of cutting, where it starts and its stroke; null behind the last.</summary>
+    public (CountsPoint Start, VectorSegment Segment, MotionStroke Stroke)? SegmentBehind(int executed)
+    {
+        foreach (var stroke in Strokes)
+        {
+            foreach (var sequence in stroke.Sequences)
+            {
+                if (executed < sequence.Segments.Count) return (executed == 0 ? sequence.Start : sequence.Segments[executed - 1].End, sequence.Segments[executed], stroke);
+                executed -= sequence.Segments.Count;
+            }
+        }
+
+        return null;
+    }
 }

@@ -4,7 +4,7 @@ namespace Engraver.Galil.Programs;
 
 /// <summary>What stays in the controller while the host runs a job: a loop in thread 0 (handlers only run beside one on older firmware, galil-dmc.md C.3), the watchdog in thread 1, #POSERR and #CMDERR.</summary>
 /// <remarks>
-/// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/>, <c>XQ</c> <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
+/// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/> and <see cref="Variables.StillLimit"/>, <c>XQ</c> <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
 /// <see cref="Variables.Heartbeat"/> at least every 300 ms. The constants spell every name the host needs.
 /// </remarks>
 /// <param name="Text">Program lines, each ended with LF.</param>
@@ -41,7 +41,13 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
         /// <summary>Ticks left until the watchdog trips.</summary>
         public const string Heartbeat = "hb";
 
-        /// <summary>1 when the watchdog has stopped the machine.</summary>
+        /// <summary>Ticks that the tool has been on while nothing moved.</summary>
+        public const string Still = "still";
+
+        /// <summary>As many of them trip the watchdog.</summary>
+        public const string StillLimit = "stillmax";
+
+        /// <summary>0 until the watchdog has stopped the machine: <see cref="WatchdogProgram.HostLost"/> or <see cref="WatchdogProgram.ToolForgotten"/>.</summary>
         public const string WatchdogTripped = "wtrip";
 
         /// <summary>TC code of a refused program line, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow, 0 while there was neither. The server has then given up.</summary>

@@ -17,6 +17,8 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <summary>A download over a serial line is sent in portions of about so many bytes, so that it can be cut short.</summary>
     private const int DownloadPortion = 128;
 
+    private const string EchoProbe = "MG \"ECHO\"";
+
     private readonly IControllerLink _link;
     private readonly string _name;
     private readonly TimeSpan _replyTimeout;
@@ -28,6 +30,7 @@ public sealed class CommandChannel : IAsyncDisposable
     private byte[] _sent = new byte[256];
     private TimeSpan _timeout;
     private ControllerException? _failure;
+    private LineEcho? _echo;
 
     /// <param name="link">Owned: closed with the channel.</param>
     /// <param name="name">The handle's name in the trace.</param>
@@ -47,7 +50,7 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <summary>The serial line that this channel talks over; null for none.</summary>
     public SerialLine? Line => _link.Line;
 
-    /// <summary>Bytes sent and received so far.</summary>
+    /// <summary>Bytes sent and received so far; an echo takes no time of its own and does not count.</summary>
     public long Traffic { get; private set; }
 
     /// <summary>Called with each line that a program in the controller printed.</summary>
@@ -59,10 +62,38 @@ public sealed class CommandChannel : IAsyncDisposable
     public async ValueTask<bool> GreetAsync(CancellationToken cancellation) =>
         await ExchangeAsync(SerialGreeting.Text, ReplyShape.Greeting, 0, _replyTimeout, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && SerialGreeting.WasEchoed(said);
 
+    /// <summary>From here on every command is compared with its echo (EO 1): on a serial line a byte can arrive as another one. A controller that does not echo is talked to as before.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async ValueTask CompareEchoAsync(CancellationToken cancellation)
+    {
+        if (await SendAsync("EO 1", cancellation).ConfigureAwait(false) is Rejected) return;
+        if (await SendAsync(EchoProbe, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && said.StartsWith(EchoProbe, StringComparison.Ordinal)) _echo = new LineEcho();
+    }
+
     /// <summary>Sends one line and waits for the prompts of all its parts. The first refused part makes the reply a <see cref="Rejected"/>.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
+    /// <exception cref="EchoException">The line does not carry what is said; the stop can still be sent.</exception>
     /// <exception cref="ArgumentException">The line breaks the rules of <see cref="CommandLine"/>.</exception>
-    public ValueTask<Reply> SendAsync(string line, CancellationToken cancellation) => ExchangeAsync(CommandLine.Checked(line), ReplyShape.Text, 0, _replyTimeout, cancellation);
+    public ValueTask<Reply> SendAsync(string line, CancellationToken cancellation)
+    {
+        var text = CommandLine.Checked(line);
+        return _echo is not null && text.Contains(';', StringComparison.Ordinal) ? SendEachAsync(CommandLine.Parts(text), cancellation) : ExchangeAsync(text, ReplyShape.Text, 0, _replyTimeout, cancellation);
+    }
+
+    /// <summary>Where echoes are compared, the parts of a line go one after the other: else the reply to one would come in the middle of the echo of the next. It takes as many bytes.</summary>
+    private async ValueTask<Reply> SendEachAsync(IReadOnlyList<string> parts, CancellationToken cancellation)
+    {
+        Rejected? refused = null;
+        var data = new List<string>();
+        foreach (var part in parts)
+        {
+            var reply = await ExchangeAsync(part, ReplyShape.Text, 0, _replyTimeout, ReferenceEquals(part, parts[0]) ? cancellation : CancellationToken.None).ConfigureAwait(false);
+            refused ??= reply as Rejected;
+            if (reply is Accepted { Data.Length: > 0 } said) data.Add(said.Data);
+        }
+
+        return refused ?? (data.Count == 0 ? Accepted.Silent : (Reply)new Accepted(string.Join('\n', data)));
+    }
 
     /// <summary>UL: the program memory, lines separated by LF, without the end mark; empty when the memory is.</summary>
     public async ValueTask<Reply> UploadAsync(CancellationToken cancellation) =>
@@ -137,6 +168,7 @@ public sealed class CommandChannel : IAsyncDisposable
     {
         _trace?.Write(_name, '>', text);
         _framer.Expect(shape, recordLength);
+        _echo?.Begin(isDownload);
         if (_sent.Length < text.Length + 1) _sent = new byte[text.Length + 1];
         var count = Encoding.Latin1.GetBytes(text, _sent);
         if (!isDownload) _sent[count++] = (byte)'\r';
@@ -175,6 +207,7 @@ public sealed class CommandChannel : IAsyncDisposable
 
     private async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes)
     {
+        _echo?.Sent(bytes.Span);
         await _link.WriteAsync(bytes, _deadline.Expired).ConfigureAwait(false);
         Traffic += bytes.Length;
     }
@@ -184,9 +217,23 @@ public sealed class CommandChannel : IAsyncDisposable
     private async ValueTask<ReplyFrame> ReadFrameAsync(string text)
     {
         ReplyFrame frame;
-        while (!_framer.TryTake(out frame)) await ReadSomeAsync(text).ConfigureAwait(false);
+        while (!_framer.TryTake(out frame))
+        {
+            await ReadSomeAsync(text).ConfigureAwait(false);
+            if (_echo?.Harm is { } heard) throw await HarmedAsync(text, heard).ConfigureAwait(false);
+        }
+
         _trace?.Write(_name, '<', frame.Data + (frame.Accepted ? ":" : "?"));
         return frame;
+    }
+
+    /// <summary>What the controller made of it is not known, but the stop must still reach it: the line is greeted anew, which ends whatever was half said, and goes on without echoes.</summary>
+    private async ValueTask<EchoException> HarmedAsync(string text, string heard)
+    {
+        _echo = null;
+        await WriteAsync(SerialGreeting.Text, false, ReplyShape.Greeting, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
+        await ReadFrameAsync(SerialGreeting.Text).ConfigureAwait(false);
+        return new EchoException($"{_link.Description} heard '{heard.TrimEnd('\r')}' where '{FirstLine(text)}' was sent: the line does not carry what is said. Look at the cable, at what disturbs it, and at the flow control.");
     }
 
     private async ValueTask ReadSomeAsync(string text)
@@ -195,6 +242,7 @@ public sealed class CommandChannel : IAsyncDisposable
         {
             var count = await _link.ReadAsync(_received, _deadline.Expired).ConfigureAwait(false);
             if (count == 0) throw Fail(new ControllerLinkException($"{_link.Description} closed the connection."));
+            count = _echo?.Strip(_received.AsSpan(0, count)) ?? count;
             Traffic += count;
             _framer.Append(_received.AsSpan(0, count));
 

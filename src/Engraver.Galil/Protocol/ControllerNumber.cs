@@ -3,6 +3,7 @@ using System.Globalization;
 namespace Engraver.Galil.Protocol;
 
 /// <summary>Numbers as the controller prints them: blanks or commas between them, leading zeros, a point, or hexadecimal with a dollar sign (galil-dmc.md A.3).</summary>
+/// <remarks>Whether a blank stands between two numbers of one MG differs from page to page of the manuals (A.3): where the column of the sign is all that divides them, a minus follows the last digit directly, <c>20000.0000-81.0000</c>.</remarks>
 public static class ControllerNumber
 {
     private static readonly char[] Separators = [' ', ',', '\t', '\r', '\n'];
@@ -12,11 +13,27 @@ public static class ControllerNumber
     public static bool TryParseAll(string data, out double[] values)
     {
         ArgumentNullException.ThrowIfNull(data);
-        var words = data.Split(Separators, StringSplitOptions.RemoveEmptyEntries);
-        values = new double[words.Length];
-        for (var i = 0; i < words.Length; i++)
+        var numbers = new List<double>();
+        values = [];
+        foreach (var word in data.Split(Separators, StringSplitOptions.RemoveEmptyEntries))
         {
-            if (!TryParse(words[i], out values[i])) return false;
+            if (!TryParseWord(word, numbers)) return false;
+        }
+
+        values = [.. numbers];
+        return true;
+    }
+
+    /// <summary>One number, or several that only their signs divide.</summary>
+    private static bool TryParseWord(string word, List<double> numbers)
+    {
+        for (var start = 0; start < word.Length;)
+        {
+            var sign = word.IndexOf('-', start + 1);
+            var end = sign < 0 ? word.Length : sign;
+            if (!TryParse(word[start..end], out var value)) return false;
+            numbers.Add(value);
+            start = end;
         }
 
         return true;

@@ -16,8 +16,25 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 
     private Task _begun = Task.CompletedTask;
 
+    /// <summary>Polls at which an axis is said to move and does not; behind the patience and AB1 that is a standstill (VR 0, a jog at no speed).</summary>
+    private const int MostStandingPolls = 100;
+
     /// <summary>Switches the tool off, stops the plane and the axes and halts the thread that commands motion, at once; the watchdog lives on until the machine stands. Returns without waiting; failures are told by <see cref="FinishAsync"/>.</summary>
-    public void Begin() => _begun = HaltAsync(ownThreads.Take(1));
+    public void Begin() => _begun = BeginAsync();
+
+    /// <summary>The same at rest, before anything moves: what a stop needs has then been loaded and run once, which on a busy computer would otherwise take its time at the worst moment.</summary>
+    /// <exception cref="ControllerException">The handle of the stop failed.</exception>
+    public Task RehearseAsync() => BeginAsync();
+
+    /// <summary>Everything in one line: what comes behind it may wait for a computer that is busy.</summary>
+    private async Task BeginAsync()
+    {
+        var halt = ownThreads.Take(1).Select(thread => string.Create(CultureInfo.InvariantCulture, $"HX{thread}"));
+        await SendAsync(string.Join(';', [.. BrakeCommands, .. halt])).ConfigureAwait(false);
+
+        // A program of ours may have begun a motion or switched the tool between the stop and its halt.
+        await BrakeAsync().ConfigureAwait(false);
+    }
 
     /// <summary>Brakes again, halts our threads and waits until the machine stands, however long it brakes. Then the segment buffer is emptied.</summary>
     /// <returns>Where the machine stands, and _CSS before the buffer was emptied.</returns>
@@ -38,26 +55,24 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 
     private async Task<StandstillReport> StopAsync(TimeSpan pollInterval, CancellationToken cancellation)
     {
-        await HaltAsync(ownThreads).ConfigureAwait(false);
+        await HaltAsync().ConfigureAwait(false);
         var report = await WaitForRestAsync(pollInterval, cancellation).ConfigureAwait(false);
         await SendAsync("CSS").ConfigureAwait(false);
         return report;
     }
 
-    private async Task HaltAsync(IEnumerable<int> threads)
+    private string[] BrakeCommands => [string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "STS", "ST AB"];
+
+    private async Task HaltAsync()
     {
         await BrakeAsync().ConfigureAwait(false);
-        foreach (var thread in threads) await SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}")).ConfigureAwait(false);
-
-        // A program of ours may have begun a motion or switched the tool between the stop and its halt.
+        foreach (var thread in ownThreads) await SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}")).ConfigureAwait(false);
         await BrakeAsync().ConfigureAwait(false);
     }
 
     private async Task BrakeAsync()
     {
-        await SendAsync(string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}")).ConfigureAwait(false);
-        await SendAsync("STS").ConfigureAwait(false);
-        await SendAsync("ST AB").ConfigureAwait(false);
+        foreach (var command in BrakeCommands) await SendAsync(command).ConfigureAwait(false);
     }
 
     private async Task<StandstillReport> WaitForRestAsync(TimeSpan pollInterval, CancellationToken cancellation)
@@ -65,22 +80,30 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
         var last = new StandstillReport(0, 0, 0, 0);
         for (var standing = 0; ; standing++)
         {
-            var reading = await session.StopHandle.ReadAsync(Operands, cancellation).ConfigureAwait(false);
-            if (reading.Refusal is { } refused)
-            {
-                // Once is an accident; whoever never answers is asked no longer.
-                if (standing > PatiencePolls) throw new ProtocolViolationException(refused.Explain());
-                continue;
-            }
-
-            var v = reading.Values;
+            var v = await LookAsync(cancellation).ConfigureAwait(false);
             var now = new StandstillReport((int)v[3], (int)v[4], (int)v[5], (long)v[6]);
-            if (v[0] == 0 && v[1] == 0 && v[2] == 0) return now;
             if ((now.X, now.Y) != (last.X, last.Y)) standing = 0;
+            if ((v[0] == 0 && v[1] == 0 && v[2] == 0) || standing == MostStandingPolls) return now;
             if (standing == PatiencePolls) await SendAsync("AB 1").ConfigureAwait(false);
             last = now;
             if (pollInterval > TimeSpan.Zero) await Task.Delay(pollInterval, session.Time, cancellation).ConfigureAwait(false);
         }
+    }
+
+    /// <summary>Asks all at once and, where that is refused, one by one: what the controller does not know is not fitted and does not move. The position it must know.</summary>
+    private async ValueTask<IReadOnlyList<double>> LookAsync(CancellationToken cancellation)
+    {
+        var all = await session.StopHandle.ReadAsync(Operands, cancellation).ConfigureAwait(false);
+        if (all.Refusal is null) return all.Values;
+        var values = new List<double>();
+        foreach (var operand in Operands.Split(','))
+        {
+            var one = await session.StopHandle.ReadAsync(operand, cancellation).ConfigureAwait(false);
+            if (one.Refusal is { } refused && operand.StartsWith("_RP", StringComparison.Ordinal)) throw new ProtocolViolationException($"The tool is off and the machine was told to stop; where it stands could not be asked: {refused.Explain()}");
+            values.Add(one.OrNothing ?? 0.0);
+        }
+
+        return values;
     }
 
     /// <summary>A refusal does not keep the stop from going on: each command is worth trying on its own.</summary>

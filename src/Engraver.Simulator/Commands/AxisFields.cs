@@ -11,7 +11,7 @@ internal static class AxisFields
         var asked = new List<string>();
         foreach (var (axis, field) in AxisParameters.TakeAxisFields(reader))
         {
-            if (field.IsQuery) asked.Add(reader.Machine.PositionFormat.Print(FixedPoint.FromInteger(read(reader.Machine, axis))));
+            if (field.IsQuery) asked.Add(reader.Machine.PrintPosition(read(reader.Machine, axis)));
             else if (field.Value is { } value) write(reader.Machine, axis, value.Integer);
         }
 

@@ -107,7 +107,7 @@ internal static class AxisParameters
         {
             if (field.IsQuery)
             {
-                printed.Add((parameter.Format ?? reader.Machine.PositionFormat).Print(parameter.Read(axis)));
+                printed.Add(reader.Machine.Padded(parameter.Format ?? reader.Machine.PositionFormat).Print(parameter.Read(axis)));
             }
             else if (field.Value is { } value)
             {
@@ -122,7 +122,7 @@ internal static class AxisParameters
     {
         var axes = reader.Machine.Motion.Axes;
         var result = new List<(Axis, Field)>();
-        if (AxisSelection.IndexOf(reader.Next) >= 0 || reader.Next is '*' or '~')
+        if (AxisSelection.IndexOf(reader.Next) >= 0 || reader.Next is '*' or '~' || AxisSelection.IsAbsent(reader.Rest))
         {
             var selection = reader.TakeAxes();
             reader.Take('=', Tc.OperandError);

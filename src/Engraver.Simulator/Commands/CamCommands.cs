@@ -53,7 +53,7 @@ internal static class CamCommands
         var cam = reader.Machine.Motion.Cam;
         if (fields[0].IsQuery)
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(cam.Interval)));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(cam.Interval));
             return;
         }
 
@@ -83,7 +83,7 @@ internal static class CamCommands
         var asked = new List<string>();
         for (var i = 0; i < Math.Min(fields.Count, Axis.Real); i++)
         {
-            if (fields[i].IsQuery) asked.Add(NumberFormat.Position.Print(FixedPoint.FromInteger(cam.Followers[i][index])));
+            if (fields[i].IsQuery) asked.Add(reader.Machine.PrintWhole(cam.Followers[i][index]));
             if (fields[i].Value is { } value) cam.Followers[i][index] = value.Integer;
         }
 
@@ -98,7 +98,7 @@ internal static class CamCommands
         var cam = reader.Machine.Motion.Cam;
         if (field.IsQuery)
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(cam.Index)));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(cam.Index));
             return;
         }
 

@@ -24,7 +24,7 @@ internal static class ContourCommands
         if (reader.TryTake('?'))
         {
             reader.ExpectEnd();
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(motion.Contour.FreeRecords)));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(motion.Contour.FreeRecords));
             return;
         }
 
@@ -50,7 +50,7 @@ internal static class ContourCommands
         var contour = reader.Machine.Motion.Contour;
         if (field.IsQuery)
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(contour.TimeExponent)));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(contour.TimeExponent));
             return;
         }
 

@@ -39,7 +39,7 @@ internal static class IoCommands
         reader.ExpectEnd();
         if (field.IsQuery)
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(reader.Machine.Io.Outputs)));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(reader.Machine.Io.Outputs));
             return;
         }
 
@@ -52,6 +52,6 @@ internal static class IoCommands
         var bank = reader.IsAtEnd ? 0 : reader.TakeExpression().Integer;
         reader.ExpectEnd();
         int value = bank == 0 ? reader.Machine.Io.Inputs : throw new CommandRefusedException(Tc.OutOfRange);
-        reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(value)));
+        reader.Context.WriteLine(reader.Machine.PrintWhole(value));
     }
 }

@@ -160,7 +160,7 @@ internal static class MemoryCommands
     {
         if (reader.TryTake('?'))
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(reader.Machine.Variables.ElementsLeft)));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(reader.Machine.Variables.ElementsLeft));
             return;
         }
 
@@ -179,7 +179,7 @@ internal static class MemoryCommands
         var variables = reader.Machine.Variables;
         if (reader.TryTake('?'))
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(VariableStore.MaximumArrays - variables.Arrays.Count)));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(VariableStore.MaximumArrays - variables.Arrays.Count));
             return;
         }
 

@@ -65,10 +65,10 @@ internal sealed class MessageText
         AppendNumber(_pending ?? _reader.Machine.ValueFormat, value);
     }
 
-    /// <summary>Every number has a sign column; between two numbers a minus gets a blank of its own.</summary>
+    /// <summary>Every number has a sign column; between two numbers a minus gets a blank of its own where the controller is of that kind.</summary>
     private void AppendNumber(NumberFormat format, FixedPoint value)
     {
-        if (_afterNumber && value.Raw < 0 && !format.Hex) _text.Append(' ');
+        if (_afterNumber && value.Raw < 0 && !format.Hex && _reader.Machine.Options.NumberSpacing == NumberSpacing.Blank) _text.Append(' ');
         _reader.Context.WriteNumber(format, value);
         _afterNumber = true;
     }

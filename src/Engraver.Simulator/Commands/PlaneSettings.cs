@@ -43,7 +43,7 @@ internal static class PlaneSettings
             Refuse(i > 1 && !fields[i].IsMissing, Tc.PlaneNotValid);
             if (fields[i].IsQuery)
             {
-                printed.Add(PrintSetting(read(planes[i]), letters));
+                printed.Add(reader.Machine.Padded(new NumberFormat(10, letters ? 0 : 4, false, false)).Print(FixedPoint.FromDouble(read(planes[i]))));
             }
             else if (fields[i].Value is { } value)
             {
@@ -66,7 +66,4 @@ internal static class PlaneSettings
         fields[letter - 'S'] = field.IsMissing ? new Field(true, null) : field;
         return fields;
     }
-
-    private static string PrintSetting(double value, bool whole) =>
-        new NumberFormat(10, whole ? 0 : 4, false, false).Print(FixedPoint.FromDouble(value));
 }

@@ -39,7 +39,7 @@ internal static class ReportCommands
         | (axis.Inputs.ForwardHit ? 0 : 0x08)
         | (axis.Inputs.ReverseHit ? 0 : 0x04);
 
-    private static string Position(Machine machine, int value) => machine.PositionFormat.Print(FixedPoint.FromInteger(value));
+    private static string Position(Machine machine, int value) => machine.PrintPosition(value);
 
     private static void PerAxis(StatementReader reader, Func<Machine, Axis, string> print)
     {

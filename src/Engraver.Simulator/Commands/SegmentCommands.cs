@@ -67,6 +67,7 @@ internal static class SegmentCommands
     /// <summary>LIA=n is LI with one field (B.1).</summary>
     private static List<Field> TakeIncrements(StatementReader reader)
     {
+        Refuse(AxisSelection.IsAbsent(reader.Rest), Tc.BadAxis);
         if (AxisSelection.IndexOf(reader.Next) is not (>= 0 and < Axis.Real) || reader.Rest is not [_, '=', ..]) return reader.TakeFields(comparisons: false);
         var fields = Enumerable.Repeat(default(Field), Axis.Real).ToList();
         var slot = AxisSelection.IndexOf(reader.TakeCharacter());

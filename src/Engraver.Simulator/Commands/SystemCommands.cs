@@ -13,8 +13,8 @@ internal static class SystemCommands
         new("\x12\x16", CommandScope.Host, r => r.Context.WriteLine(r.Machine.Options.Model)),
         new("RS", CommandScope.Host, Reset),
         new("TM", CommandScope.Both, SampleTime),
-        new("PF", CommandScope.Both, r => SetFormat(r, f => r.Machine.PositionFormat = f)),
-        new("VF", CommandScope.Both, r => SetFormat(r, f => r.Machine.VariableFormat = f)),
+        new("PF", CommandScope.Both, r => Format(r, r.Machine.PositionFormat, f => r.Machine.PositionFormat = f)),
+        new("VF", CommandScope.Both, r => Format(r, r.Machine.VariableFormat, f => r.Machine.VariableFormat = f)),
         new("LZ", CommandScope.Both, LeadingZeros),
         new("CN", CommandScope.Both, Polarity),
     ];
@@ -37,7 +37,7 @@ internal static class SystemCommands
         reader.ExpectEnd();
         if (field.IsQuery)
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(reader.Machine.SampleMicroseconds)));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(reader.Machine.SampleMicroseconds));
         }
         else
         {
@@ -47,11 +47,12 @@ internal static class SystemCommands
         }
     }
 
-    private static void SetFormat(StatementReader reader, Action<NumberFormat> set)
+    private static void Format(StatementReader reader, NumberFormat present, Action<NumberFormat> set)
     {
-        var value = reader.TakeExpression();
+        var field = reader.TakeFields()[0];
         reader.ExpectEnd();
-        set(NumberFormat.FromArgument(value));
+        if (field.IsQuery) reader.Context.WriteLine(new NumberFormat(2, 1, false, false).Print(present.Argument));
+        else set(NumberFormat.FromArgument(field.Value ?? throw new CommandRefusedException(Tc.NotEnoughFields)));
     }
 
     private static void LeadingZeros(StatementReader reader)

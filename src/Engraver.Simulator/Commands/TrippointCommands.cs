@@ -97,8 +97,9 @@ internal static class TrippointCommands
     {
         var input = reader.TakeExpression().Integer;
         var io = reader.Machine.Io;
-        io.Input(Math.Abs(input));
-        Set(reader, () => io.Input(Math.Abs(input)) == input > 0);
+        var number = input > 0 ? input : ~input + 1; // the lowest number stays as it is, and is no input
+        io.Input(number);
+        Set(reader, () => io.Input(number) == input > 0);
     }
 
     private static Func<bool> AfterDistance(Axis axis, int distance) =>

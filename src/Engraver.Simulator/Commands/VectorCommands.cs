@@ -25,7 +25,7 @@ internal static class VectorCommands
         var motion = reader.Machine.Motion;
         if (reader.TryTake('?'))
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(motion.Selected.Letter - 'S')));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(motion.Selected.Letter - 'S'));
             return;
         }
 
@@ -49,7 +49,7 @@ internal static class VectorCommands
     {
         if (reader.TryTake('?'))
         {
-            reader.Context.WriteLine(NumberFormat.Position.Print(FixedPoint.FromInteger(reader.Machine.Motion.Selected.Buffer.FreeSlots)));
+            reader.Context.WriteLine(reader.Machine.PrintWhole(reader.Machine.Motion.Selected.Buffer.FreeSlots));
             return;
         }
 

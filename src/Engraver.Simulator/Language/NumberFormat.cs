@@ -4,7 +4,7 @@ namespace Engraver.Simulator.Language;
 
 /// <summary>How a number is printed: digits before and after the point, padded or not, decimal or hexadecimal (galil-dmc.md A.3 format commands, E messages).</summary>
 /// <param name="Digits">Places before the point.</param>
-/// <param name="Decimals">Places after the point. Four are cut off (0.6 prints 0.5999), fewer are rounded (4.1 with {F5.2} prints 00004.10, E Messages).</param>
+/// <param name="Decimals">Places after the point, rounded: what was given with up to four decimals prints as it was given, although 0.6 is kept as 0.59999 (4.1 with {F5.2} prints 00004.10, E Messages).</param>
 /// <param name="LeadingZeros">Whether unused places before the point print as zeros.</param>
 /// <param name="Hex">Hexadecimal with a dollar sign.</param>
 internal readonly record struct NumberFormat(int Digits, int Decimals, bool LeadingZeros, bool Hex)
@@ -12,7 +12,6 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
     /// <summary>Characters of the longest number: sign or blank, ten digits, point, four decimals.</summary>
     public const int Longest = 20;
 
-    private const int LeastCutDecimals = 4;
     private static readonly long[] Powers = [.. Enumerable.Range(0, 12).Select(n => (long)Math.Pow(10, n))];
 
     public static NumberFormat Variable => new(10, 4, false, false);
@@ -22,12 +21,14 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
     /// <summary>From the argument of PF and VF: m.n, negative m for hexadecimal.</summary>
     public static NumberFormat FromArgument(FixedPoint argument)
     {
-        var digits = Math.Abs(argument.Integer);
-        var decimals = (int)Math.Round((Math.Abs(argument.Value) - digits) * 10);
+        var (digits, decimals) = Math.DivRem((long)Math.Round(Math.Abs(argument.Value) * 10), 10);
         return digits is > 0 and <= 10 && decimals <= 4
-            ? new(digits, decimals, false, argument.Raw < 0)
+            ? new((int)digits, (int)decimals, false, argument.Raw < 0)
             : throw new CommandRefusedException(Tc.OutOfRange);
     }
+
+    /// <summary>m.n as PF and VF take it, negative for hexadecimal: <c>PF ?</c>, <c>_PF</c>.</summary>
+    public FixedPoint Argument => FixedPoint.FromDouble((Digits + (Decimals / 10.0)) * (Hex ? -1 : 1));
 
     /// <summary>The number with one column for the sign: a blank or a minus.</summary>
     public string Print(FixedPoint value)
@@ -45,11 +46,11 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
 
     private int WriteDecimal(Span<char> text, FixedPoint value)
     {
-        // One unit of the last place; the stored fraction is coarser than four decimals, so rounding those would invent digits.
+        // One unit of the last place. A literal loses less than 1/65536 when it is read, so rounding to four decimals gives back what was written.
         var unit = Powers[Decimals];
-        var scaled = ((Int128)Math.Abs(value.Raw) * unit) + (Decimals < LeastCutDecimals ? 1 << 15 : 0);
-        var places = (long)(scaled >> 16);
+        var places = (long)((((Int128)Math.Abs(value.Raw) * unit) + (1 << 15)) >> 16);
         var (whole, fraction) = Math.DivRem(places, unit);
+        if (whole > int.MaxValue && value.Raw > 0) (whole, fraction) = (int.MaxValue, unit - 1); // no number is larger (E, Number)
         if (whole >= Powers[Digits]) (whole, fraction) = (Powers[Digits] - 1, unit - 1); // clipped: all nines (A.3 format commands)
         Span<char> zeros = stackalloc char[Digits];
         zeros.Fill('0');

@@ -76,8 +76,8 @@ internal static class Operands
         ["AB"] = r => FixedPoint.FromBoolean(!r.Machine.IsAbortInputActive),
         ["CN"] = r => Whole(r.Machine.Motion.Polarity.Fields[r.Number(4)]),
         ["LZ"] = r => FixedPoint.FromBoolean(r.Machine.StripLeadingZeros),
-        ["PF"] = r => FormatNumber(r.Machine.PositionFormat),
-        ["VF"] = r => FormatNumber(r.Machine.VariableFormat),
+        ["PF"] = r => r.Machine.PositionFormat.Argument,
+        ["VF"] = r => r.Machine.VariableFormat.Argument,
     }.ToFrozenDictionary(StringComparer.Ordinal);
 
     private static readonly FrozenDictionary<string, Func<OperandRequest, FixedPoint>>.AlternateLookup<ReadOnlySpan<char>> Lookup =
@@ -103,9 +103,6 @@ internal static class Operands
 
     /// <summary>A path length in whole counts; the tolerance keeps an exact end from reading one less.</summary>
     private static FixedPoint Length(double value) => Whole((long)Math.Floor(value + 1e-6));
-
-    private static FixedPoint FormatNumber(NumberFormat format) =>
-        Real((format.Digits + (format.Decimals / 10.0)) * (format.Hex ? -1 : 1));
 
     private static FixedPoint ProgramError(OperandRequest request)
     {

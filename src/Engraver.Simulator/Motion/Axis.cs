@@ -45,8 +45,8 @@ internal sealed class Axis
     /// <summary>TD: the auxiliary encoder, for a stepper the pulses sent.</summary>
     public int SecondEncoder => IsStepper ? Reference : Auxiliary;
 
-    /// <summary>RP - TP: <c>_TE</c>; a stepper has none.</summary>
-    public int Error => IsStepper ? 0 : Reference - Motor.Counts;
+    /// <summary>RP - TP: <c>_TE</c>, the largest number where it does not fit; a stepper has none.</summary>
+    public int Error => IsStepper ? 0 : (int)Math.Clamp((long)Reference - Motor.Counts, -int.MaxValue, int.MaxValue);
 
     /// <summary>The register of DE: the auxiliary encoder of a servo, the main encoder of a stepper.</summary>
     public int Auxiliary { get; set; }

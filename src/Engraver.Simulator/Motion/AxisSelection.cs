@@ -23,6 +23,9 @@ internal sealed class AxisSelection(MotionKernel motion)
         return index >= 0 ? index : Alternatives.IndexOf(letter, StringComparison.Ordinal);
     }
 
+    /// <summary>E= to H=: an axis that larger models have (TC 90).</summary>
+    public static bool IsAbsent(ReadOnlySpan<char> text) => text is [>= 'E' and <= 'H', '=', ..];
+
     public void Add(char letter)
     {
         if (letter == '*')

@@ -255,7 +255,7 @@ internal sealed class MotionKernel
         }
 
         _sampleSteps[axis.Index] = (int)Math.Round(counts);
-        axis.SetPosition(axis.Position + counts);
+        axis.SetPosition(Math.Clamp(axis.Position + counts, int.MinValue, int.MaxValue)); // gears that drive each other would run to infinity
     }
 
     /// <summary>An error beyond ER counts once until it has been smaller again; with OE 1 or 3 everything that moves the axis stops and its motors go off (C, ER, OE).</summary>

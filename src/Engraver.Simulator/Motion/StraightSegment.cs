@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>VP or LI: a straight line between two frame points over two to four axes.</summary>
+/// <summary>VP or LI: a straight line between two frame points over one to six axes.</summary>
 internal sealed class StraightSegment : VectorSegment
 {
     private readonly double[] _start;
@@ -29,5 +29,6 @@ internal sealed class StraightSegment : VectorSegment
         }
     }
 
-    public override double TangentAt(double distance) => Math.Atan2(_end[1] - _start[1], _end[0] - _start[0]) * (180 / Math.PI);
+    /// <remarks>The line of a single axis (LM A) leads forwards or backwards.</remarks>
+    public override double TangentAt(double distance) => Math.Atan2(_end.Length > 1 ? _end[1] - _start[1] : 0, _end[0] - _start[0]) * (180 / Math.PI);
 }

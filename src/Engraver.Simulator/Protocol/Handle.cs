@@ -7,12 +7,12 @@ namespace Engraver.Simulator.Protocol;
 /// <remarks>All members are called under the controller's lock, except that <see cref="Output"/> may be read by anyone.</remarks>
 internal sealed class Handle
 {
-    private const int LongestLine = 80;
+    private const int LongestCommand = 80;
     private readonly ICommandSink _sink;
     private readonly TextBuffer _command = new();
     private readonly TextIntake _text;
     private CommandContext? _context;
-    private int _lineLength;
+    private int _length;
     private bool _quoted;
     private bool _swallowReturn;
     private bool _closeAfterReply;
@@ -143,34 +143,31 @@ internal sealed class Handle
         else if (c == '\r')
         {
             // A CR behind the terminator of a download belongs to it (L.2 point 3).
-            if (!afterTerminator) EndLine();
+            if (!afterTerminator) EndCommand();
+        }
+        else if (c == ';' && (!_quoted || _length > LongestCommand))
+        {
+            EndCommand();
         }
         else
         {
-            AcceptCommand(c);
+            Append(c);
         }
     }
 
-    private void AcceptCommand(char c)
+    /// <summary>What is longer than a line is not kept. A quote that never ends protects no semicolon beyond it: some clients never send a CR (L.1.2), and must not fall silent.</summary>
+    private void Append(char c)
     {
-        _lineLength++;
-        if (_lineLength > LongestLine) return;
-
+        if (++_length > LongestCommand) return;
         _quoted ^= c == '"';
-        if (c == ';' && !_quoted)
-        {
-            RunCommand();
-        }
-        else
-        {
-            _command.Append(c);
-        }
+        _command.Append(c);
     }
 
-    private void EndLine()
+    /// <summary>CR and ";" both end a command, which is executed at once and makes room for the next (A.3).</summary>
+    private void EndCommand()
     {
-        var tooLong = _lineLength > LongestLine;
-        _lineLength = 0;
+        var tooLong = _length > LongestCommand;
+        _length = 0;
         _quoted = false;
         if (tooLong)
         {

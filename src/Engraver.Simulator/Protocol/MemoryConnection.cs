@@ -22,6 +22,7 @@ internal sealed class MemoryConnection(ControllerCore core, Handle handle) : Str
         if (handle.IsClosed) throw new IOException("The controller closed the connection.");
 
         core.Receive(handle, buffer);
+        if (core.Broken is { IsFaulted: true, Exception: { } bug }) throw new InvalidOperationException(bug.InnerException!.Message, bug.InnerException);
     }
 
     public override void Write(byte[] buffer, int offset, int count) => Write(buffer.AsSpan(offset, count));

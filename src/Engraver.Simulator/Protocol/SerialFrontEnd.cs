@@ -27,7 +27,7 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
         _handle = core.OpenSerial(baud, terminal.Ring) ?? throw new IOException("The serial port has a client.");
         _handle.Between = () => _incoming.Count > 0 || terminal.HasUnread;
         new Thread(Listen) { IsBackground = true, Name = "serial port" }.Start();
-        _serving = Task.WhenAll(ReceiveAsync(_stopping.Token), SendAsync(_stopping.Token));
+        _serving = Task.WhenAll(core.WatchAsync(ReceiveAsync(_stopping.Token)), core.WatchAsync(SendAsync(_stopping.Token)));
     }
 
     /// <exception cref="IOException">The path is taken, the port has a client, or there is no terminal to be had.</exception>

@@ -19,7 +19,7 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
         _listener.Bind(new IPEndPoint(IPAddress.Loopback, port));
         _listener.Listen();
         EndPoint = (IPEndPoint)_listener.LocalEndPoint!;
-        _accepting = AcceptAsync(_stopping.Token);
+        _accepting = core.WatchAsync(AcceptAsync(_stopping.Token));
     }
 
     public IPEndPoint EndPoint { get; }
@@ -70,7 +70,7 @@ internal sealed class TcpFrontEnd : IAsyncDisposable
         }
 
         handle.Between = () => HasArrived(socket);
-        var serving = ServeAsync(socket, handle, cancellation);
+        var serving = _core.WatchAsync(ServeAsync(socket, handle, cancellation));
         lock (_gate)
         {
             _clients.RemoveWhere(c => c.IsCompleted);

@@ -1,10 +1,14 @@
 using System.Text;
+using Engraver.Simulator.Language;
 
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>Text that follows a command up to an end mark and gets its prompt only then: a program (DL) or the elements of an array (QD) (galil-dmc.md A.6).</summary>
 internal sealed class TextIntake(Handle handle, ICommandSink sink)
 {
+    /// <summary>Characters for every element that an array can have; a text beyond it holds too many.</summary>
+    private const int LongestArray = VariableStore.MaximumElements * 24;
+
     private readonly StringBuilder _received = new();
     private Action<string>? _arrayTarget;
     private bool _isProgram;
@@ -32,7 +36,7 @@ internal sealed class TextIntake(Handle handle, ICommandSink sink)
     {
         var isEnd = c is '\\' or '\x1A' || (_isProgram && c is '\x11' or '\x04');
         if (_isProgram && (c == '\r' || isEnd)) EndLine();
-        else if (!isEnd) _received.Append(c);
+        else if (!isEnd && _received.Length < Longest) _received.Append(c); // what is longer is refused and need not be kept
         return isEnd;
     }
 
@@ -47,8 +51,10 @@ internal sealed class TextIntake(Handle handle, ICommandSink sink)
 
         var store = _arrayTarget!;
         _arrayTarget = null;
-        return sink.StoreArray(handle, () => store(_received.ToString()));
+        return sink.StoreArray(handle, () => store(_received.Length < LongestArray ? _received.ToString() : throw new CommandRefusedException(Tc.TooManyElements)));
     }
+
+    private int Longest => _isProgram ? ProgramMemory.LongestLine + 1 : LongestArray;
 
     private void EndLine()
     {

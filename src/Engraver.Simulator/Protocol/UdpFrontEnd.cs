@@ -18,7 +18,7 @@ internal sealed class UdpFrontEnd : IAsyncDisposable
         _core = core;
         _socket.Bind(new IPEndPoint(IPAddress.Loopback, port));
         EndPoint = (IPEndPoint)_socket.LocalEndPoint!;
-        _receiving = ReceiveAsync(_stopping.Token);
+        _receiving = core.WatchAsync(ReceiveAsync(_stopping.Token));
     }
 
     public IPEndPoint EndPoint { get; }

@@ -58,9 +58,11 @@ public static class StageBenchmark
         var toolpath = ToolpathPlanner.Plan(sequence, s_settings.Start, s_settings.MaxErrorMm);
         var (generate, motion) = await StageClock.MeasureAsync(
             entities, "generate", Repetitions, () => MotionProgramGenerator.Generate(toolpath, s_settings.Machine, s_settings.MaxErrorMm, drawing.SourceOf), made => $"{made.Program!.SegmentCount} segments").ConfigureAwait(false);
+        var (check, _) = await StageClock.MeasureAsync(
+            entities, "toolpath check", Repetitions, () => JobPreparation.FaultsOf(drawing, s_settings, analysed, toolpath), found => $"{found.Count} faults").ConfigureAwait(false);
         var job = new PreparedJob(drawing, s_settings, analysed, sequence, toolpath, motion);
         var simulate = await SimulateAsync(entities, job, motion.Program!, stop).ConfigureAwait(false);
-        return [read, table, chain, order, generate, simulate];
+        return [read, table, chain, order, generate, check, simulate];
     }
 
     /// <summary>Once: it is the longest stage by far and its result is a judgement, not only a time.</summary>

@@ -100,6 +100,8 @@ public sealed class CommandContext
 
     internal bool StartIsForHands => _session.StartIsForHands;
 
+    internal bool IsScripted => _session.IsScripted;
+
     /// <summary>A path for the journal of a run that starts now.</summary>
     internal string NewRunJournal(string drawing) => JournalFolder.NewJournal(drawing, _session.Environment.RunJournalFolder, Time);
 

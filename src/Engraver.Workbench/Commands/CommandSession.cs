@@ -21,7 +21,7 @@ public sealed class CommandSession : IAsyncDisposable
     {
         Environment = environment;
         Catalog = catalog;
-        Machine = new MachineSession(environment.Time);
+        Machine = new MachineSession(environment.Time) { StartsFolder = StartMemory.FolderIn(environment.RunJournalFolder) };
         Derivation = new DerivationSession(Document);
         Playback = new PlaybackSession(environment.Time);
         Settings = new SettingsSession(environment.SettingsFile, environment.Time);
@@ -71,6 +71,9 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Where a person starts by hand, a script may connect and arm, but the start of a machine that is not simulated is left to the person.</summary>
     internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.IsSimulation;
+
+    /// <summary>What is typed comes out of a script.</summary>
+    internal bool IsScripted => _scripts.IsRunnable;
 
     internal Point2D LastPoint { get; set; }
 

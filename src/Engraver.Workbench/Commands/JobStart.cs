@@ -16,14 +16,20 @@ internal static class JobStart
     {
         var job = JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, MachineRunOptions.StyleOf(mode));
         Findings.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
-        if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, "There is nothing that this machine can cut.");
+        if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         if (hasErrors && !await context.ConfirmAsync("The drawing has errors. Go on all the same?").ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, "Not started: the drawing has errors.");
         return job;
     }
 
     public static MachineRunOptions Options(CommandContext context, PreparedJob job, ControllerAddress address, JobMode mode, bool dryRun) =>
-        new(address, mode) { JournalPath = context.NewRunJournal(job.Drawing.FileName), DryRun = dryRun };
+        new(address, mode)
+        {
+            JournalPath = context.NewRunJournal(job.Drawing.FileName),
+            DryRun = dryRun,
+            Starts = context.Machine.Starts,
+            Told = finding => Findings.Say(context, job.Drawing.FileName, [finding], Severity.Warning),
+        };
 
     /// <summary>Says how it went.</summary>
     /// <exception cref="CommandException">It did not go to the end.</exception>
@@ -31,8 +37,10 @@ internal static class JobStart
     {
         context.Say(RunText.Sentence(job, report), MessageKind.Result);
         foreach (var left in report.Result.NotRestored) context.Say($"not restored: {left}", MessageKind.Warning);
-        if (report.Result.Outcome == JobOutcome.Complete) return;
-        var failure = report.Result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, _ => CommandFailure.LinkLost };
-        throw new CommandException(failure, report.Result.Sentence);
+        if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);
     }
+
+    /// <summary>What did not go to the end.</summary>
+    public static CommandException Failure(JobResult result) =>
+        new(result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, JobOutcome.Deviated => CommandFailure.Drawing, _ => CommandFailure.LinkLost }, result.Sentence);
 }

@@ -1,8 +1,10 @@
 using System.Diagnostics;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.Core.Verification;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Settings;
 
@@ -16,17 +18,22 @@ public static class JobPreparation
     public static EntityTable Analyse(Drawing drawing, DrawingSettings settings)
     {
         CheckLayers(drawing, settings);
-        var selection = new LayerSelection(settings.Layers ?? [], settings.SkippedLayers);
-        return ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, selection));
+        return ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, SelectionOf(settings)));
     }
 
     /// <summary>Makes sure that the layers which the operator names are there. A drawing that could not be read has none, and has said so already.</summary>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static void CheckLayers(Drawing drawing, DrawingSettings settings)
     {
-        var selection = new LayerSelection(settings.Layers ?? [], settings.SkippedLayers);
-        if (drawing.Layers.Count > 0 && selection.UnknownNames(drawing.Layers) is { Count: > 0 } unknown) throw SettingException.UnknownLayers(unknown, drawing.Layers);
+        if (drawing.Layers.Count > 0 && SelectionOf(settings).UnknownNames(drawing.Layers) is { Count: > 0 } unknown) throw SettingException.UnknownLayers(unknown, drawing.Layers);
     }
+
+    /// <summary>What has to be said of the drawing before it is cut (<see cref="CutFindings"/>).</summary>
+    public static IReadOnlyList<Diagnostic> Findings(Drawing drawing, DrawingSettings settings) =>
+        CutFindings.Of(drawing, SelectionOf(settings), settings.Start, settings.JoinToleranceMm);
+
+    /// <summary>The layers that are cut.</summary>
+    public static LayerSelection SelectionOf(DrawingSettings settings) => new(settings.Layers ?? [], settings.SkippedLayers);
 
     /// <summary>Contours, order, discontinuities.</summary>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
@@ -65,9 +72,20 @@ public static class JobPreparation
         cancellation.ThrowIfCancellationRequested();
         var toolpath = PathOf(sequence, settings);
         cancellation.ThrowIfCancellationRequested();
-        var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
-        return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion);
+        return OfPath(drawing, settings, analysed, sequence, toolpath, style);
     }
+
+    /// <summary>The last stages: the motion of a toolpath, when the toolpath is what is drawn. Otherwise there is no program, and the faults say where.</summary>
+    public static PreparedJob OfPath(Drawing drawing, DrawingSettings settings, EntityTable analysed, SequencingResult sequence, Toolpath toolpath, MotionStyle style)
+    {
+        var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
+        var faults = motion.Program is null ? [] : FaultsOf(drawing, settings, analysed, toolpath);
+        return new PreparedJob(drawing, settings, analysed, sequence, toolpath, faults.Count > 0 ? motion with { Program = null } : motion) { Faults = faults, Findings = Findings(drawing, settings) };
+    }
+
+    /// <summary>Where the toolpath, whose coordinates are finite, is not what is drawn.</summary>
+    public static IReadOnlyList<Diagnostic> FaultsOf(Drawing drawing, DrawingSettings settings, EntityTable analysed, Toolpath toolpath) =>
+        ToolpathCheck.Findings(analysed, toolpath, new ToolpathTolerances(settings.MaxErrorMm, settings.JoinToleranceMm, settings.RecoverArcs), drawing.SourceOf);
 
     private static EnterAt? Entering(Drawing drawing, EnteringPlace? place) => place switch
     {

@@ -1,7 +1,9 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
 using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
 using Engraver.Galil.Programs;
 using Engraver.Workbench.Settings;
 
@@ -27,22 +29,37 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     public static PostedProgram Of(Drawing drawing, DrawingSettings settings, string target)
     {
         if (drawing.Entities.Count == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? drawing.Diagnostics : [.. drawing.Diagnostics, DocumentRules.NothingToPost.At(default)]);
-        if (target == CutterLocation) return OfSequence(drawing, JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings), settings);
-        var calls = target == GalilCalls;
-        var job = JobPreparation.Prepare(drawing, settings, calls ? MotionStyle.Calls : MotionStyle.Continuous);
+        if (target == CutterLocation)
+        {
+            var analysed = JobPreparation.Analyse(drawing, settings);
+            return OfSequence(drawing, analysed, JobPreparation.Sequence(drawing, analysed, settings), settings);
+        }
+
+        return OfJob(JobPreparation.Prepare(drawing, settings, target == GalilCalls ? MotionStyle.Calls : MotionStyle.Continuous));
+    }
+
+    /// <summary>The program of a job, in the style that it was prepared in.</summary>
+    public static PostedProgram OfJob(PreparedJob job)
+    {
+        ArgumentNullException.ThrowIfNull(job);
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]);
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics);
-        var post = calls ? DmcPost.Calls(program, DmcPostOptions.Default, drawing.SourceOf) : DmcPost.Sequences(program, DmcPostOptions.Default, drawing.SourceOf);
+        var post = program.Style == MotionStyle.Calls
+            ? DmcPost.Calls(program, DmcPostOptions.Default, job.Drawing.SourceOf)
+            : DmcPost.Sequences(program, DmcPostOptions.Default, job.Drawing.SourceOf);
         return new PostedProgram(post.Text, [.. job.Diagnostics, .. post.Diagnostics]);
     }
 
     /// <summary>The sequenced, oriented drawing as DXF.</summary>
+    /// <param name="analysed">The table that was sequenced.</param>
     /// <param name="sequence">Of <paramref name="drawing"/>, with <paramref name="settings"/>.</param>
-    public static PostedProgram OfSequence(Drawing drawing, SequencingResult sequence, DrawingSettings settings)
+    public static PostedProgram OfSequence(Drawing drawing, EntityTable analysed, SequencingResult sequence, DrawingSettings settings)
     {
         ArgumentNullException.ThrowIfNull(sequence);
-        IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. sequence.Diagnostics];
+        IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics];
         if (sequence.Contours == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]);
+        var path = new Toolpath(settings.Start, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]);
+        if (JobPreparation.FaultsOf(drawing, settings, analysed, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]);
         using var text = new StringWriter { NewLine = "\n" };
         ClData.Write(sequence, settings.Start, text);
         return new PostedProgram(text.ToString(), found);

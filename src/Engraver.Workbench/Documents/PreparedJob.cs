@@ -12,8 +12,22 @@ namespace Engraver.Workbench.Documents;
 /// <param name="Analysed">The table of what is to be cut, as drawn: what a run is judged by.</param>
 /// <param name="Sequence">The table chained and ordered.</param>
 /// <param name="Toolpath">Ordered moves, mm.</param>
-/// <param name="Motion">The motion program, or why there is none.</param>
+/// <param name="Motion">The motion program, or why there is none. There is none for a path that is not the drawing's (see <see cref="Faults"/>).</param>
 public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, EntityTable Analysed, SequencingResult Sequence, Toolpath Toolpath, MotionGeneration Motion)
 {
-    public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Sequence.Diagnostics, .. Motion.Diagnostics];
+    /// <summary>What is seen and not cut, heights, size and place (<see cref="JobPreparation.Findings"/>).</summary>
+    public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
+
+    /// <summary>What is seen on the layers that are cut and gives no cut.</summary>
+    public NotCut NotCut => NotCut.Of(Drawing, JobPreparation.SelectionOf(Settings));
+
+    /// <summary>Where the toolpath is not what is drawn (VER0020 to VER0022), which no operator can accept; empty for every job that may be run or posted.</summary>
+    public IReadOnlyList<Diagnostic> Faults { get; init; } = [];
+
+    public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Findings, .. Sequence.Diagnostics, .. Motion.Diagnostics, .. Faults];
+
+    /// <summary>Why there is no motion program, without a full stop.</summary>
+    public string WithoutProgram => Faults.Count > 0
+        ? $"The toolpath is not what is drawn ({string.Join(", ", Faults.Select(fault => fault.Id).Distinct())})"
+        : "There is nothing that this machine can cut";
 }

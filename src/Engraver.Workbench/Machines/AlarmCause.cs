@@ -24,6 +24,9 @@ public enum AlarmCause
     /// <summary>A job ended before its end.</summary>
     JobStopped,
 
+    /// <summary>What a job cut is not the drawing, by what the controller said.</summary>
+    Deviated,
+
     /// <summary>A bug of ours: in a command or in the program around it; the machine was stopped.</summary>
     InternalError,
 }

@@ -13,29 +13,33 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     public bool Passed => Checks.All(check => check.Passed);
 
     /// <param name="errorsAccepted">The operator has said that the drawing's errors do not matter.</param>
-    public static ArmingChecklist Of(PreparedJob job, MachineStatus status, bool errorsAccepted)
+    /// <param name="lastStart">The last run of the drawing on this controller; null when none is known.</param>
+    public static ArmingChecklist Of(PreparedJob job, MachineStatus status, bool errorsAccepted, RunStart? lastStart = null)
     {
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         return new ArmingChecklist(
         [
             Check(errors == 0 || errorsAccepted, errors == 0 ? "The drawing has no errors" : $"The drawing has {CountText.Of(errors, "error")}{(errorsAccepted ? ", accepted by the operator" : "; CHECK lists them")}"),
-            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {CountText.Of(program.SegmentCount, "segment")}" : "There is nothing that this machine can cut"),
+            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {CountText.Of(program.SegmentCount, "segment")}" : job.WithoutProgram),
             Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? $"The link to {link} stands" : "No controller is connected; CNCCONNECT"),
             Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, $"The controller is {Word(status)}"),
             Check(status.MotorsOn == true, status.MotorsOn == true ? "The motors are on" : "The motors are off; CNCMOTORS ON"),
             Check(status.Limit.Length == 0, status.Limit.Length == 0 ? "No limit is hit" : $"{status.Limit} is hit; move the machine off it"),
-            .. StartWarning(job, status),
+            .. job.Findings.Where(found => found.Severity == Severity.Warning).Select(found => Warning(CommandWording.Of(found).Message.TrimEnd('.'))),
+            .. StartWarning(job, status, lastStart),
         ]);
     }
 
     /// <summary>A job takes the place where the machine stands for the drawing's start, wherever the last one left it.</summary>
-    private static IEnumerable<ArmingCheck> StartWarning(PreparedJob job, MachineStatus status)
+    private static IEnumerable<ArmingCheck> StartWarning(PreparedJob job, MachineStatus status, RunStart? lastStart)
     {
-        var last = status.LastOutcome is { } outcome and not JobOutcome.Complete ? $"The last job on this machine ended early ({RunText.Word(outcome)}). " : "";
+        var last = status.LastOutcome is { } outcome and not JobOutcome.Complete ? $"The last job on this machine {(outcome == JobOutcome.Deviated ? "did not cut what was drawn" : "ended early")} ({RunText.Word(outcome)}). " : "";
         var start = PointPrompt.Show(job.Settings.Start);
         if (status.WorkPosition is not { } at)
         {
-            if (last.Length > 0) yield return Warning($"{last}Where it left the machine is not known any more: the place where it stands now is taken for the drawing's start {start}; look there first");
+            var elsewhere = status.MachinePosition is { } here ? StartPlace.Compare(lastStart, job, job.Settings.Machine.Scale.ToCounts(here)) : null;
+            if (elsewhere is not null) yield return Warning($"{last}{CommandWording.Of(elsewhere).Message.TrimEnd('.')}");
+            else if (last.Length > 0) yield return Warning($"{last}Where it left the machine is not known any more: the place where it stands now is taken for the drawing's start {start}; look there first");
             yield break;
         }
 

@@ -20,7 +20,7 @@ internal sealed class JobAtWork(Action over, Action changed)
 
     /// <summary>Runs a job, which <see cref="Stop"/> and the caller's token end.</summary>
     /// <exception cref="InvalidOperationException">A job runs already.</exception>
-    public async Task<MachineRunReport> RunAsync(Func<CancellationToken, Task<MachineRunReport>> run, CancellationToken cancellation)
+    public async Task<T> RunAsync<T>(Func<CancellationToken, Task<T>> run, CancellationToken cancellation)
     {
         var stop = new CancellationTokenSource(); // not disposed: a stop may come at any moment, and it holds no timer
         var ended = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -30,6 +30,7 @@ internal static class MachineAlarms
             { Outcome: JobOutcome.Complete } => (AlarmCause?)null,
             { Outcome: JobOutcome.Stopped } => AlarmCause.JobStopped,
             { Outcome: JobOutcome.LinkLost } => result.Loss == LinkLoss.Watchdog ? AlarmCause.WatchdogTripped : AlarmCause.LinkLost,
+            { Outcome: JobOutcome.Deviated } => AlarmCause.Deviated,
             { Refusal: not null } => AlarmCause.Refused,
             _ => AlarmCause.JobStopped,
         };
@@ -39,7 +40,7 @@ internal static class MachineAlarms
     /// <summary>What a new start leaves behind.</summary>
     public static void Begun(AlarmLog log)
     {
-        foreach (var cause in new[] { AlarmCause.JobStopped, AlarmCause.Refused, AlarmCause.WatchdogTripped }) log.Clear(cause);
+        foreach (var cause in new[] { AlarmCause.JobStopped, AlarmCause.Deviated, AlarmCause.Refused, AlarmCause.WatchdogTripped }) log.Clear(cause);
     }
 
     private static void Standing(AlarmLog log, bool stands, AlarmCause cause, string what, string toDo, string link)

@@ -138,6 +138,22 @@ internal sealed class MachineBoard : IDisposable
         MachineAlarms.Ended(Alarms, result, Link);
     }
 
+    /// <summary>A move by hand has ended: the place of the drawing and the end of the last job are as they were.</summary>
+    public void MoveEnds(JobResult result)
+    {
+        Change(facts => facts with { LastRefusal = result.Refusal?.Explain() ?? facts.LastRefusal });
+        MachineAlarms.Ended(Alarms, result, Link);
+    }
+
+    /// <summary>Where the machine stands in the frame of the last job, or by its own zero before the first.</summary>
+    public CountsPoint Here
+    {
+        get
+        {
+            lock (_guard) return _facts.Poll is { } at ? new CountsPoint(at.X - (_facts.Frame?.X ?? 0), at.Y - (_facts.Frame?.Y ?? 0)) : default;
+        }
+    }
+
     /// <summary>The machine is nobody's again.</summary>
     public void JobIsOver() => Change(facts => facts with { JobRuns = false, Stopping = false });
 

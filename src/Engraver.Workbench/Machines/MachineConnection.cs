@@ -39,6 +39,10 @@ public sealed class MachineConnection : IAsyncDisposable
         _ => throw new UnreachableException(),
     };
 
+    /// <summary>A machine behind links that somebody else opens.</summary>
+    /// <param name="description">Where it is, for people and for the journal.</param>
+    internal static MachineConnection Through(string description, Func<CancellationToken, Task<IControllerLink>> open) => new(description, simulator: null, open);
+
     /// <summary>Opens one more link (one more handle of the controller).</summary>
     public Task<IControllerLink> OpenLinkAsync(CancellationToken cancellation) => _open(cancellation);
 

@@ -95,8 +95,8 @@ internal sealed record MachineFacts
     };
 
     /// <summary>Controller's counts; the last that is known, also when the link is lost.</summary>
-    private CountsPoint? PlaceCounts() => (JobRuns || PollIsOld) && Progress is { } told && Frame is { } frame
-        ? new CountsPoint(told.X + frame.X, told.Y + frame.Y)
+    private CountsPoint? PlaceCounts() => (JobRuns || PollIsOld) && Progress is { } told
+        ? new CountsPoint(told.X + (Frame?.X ?? 0), told.Y + (Frame?.Y ?? 0)) // without a frame only a move by hand tells, by the controller's zero
         : Poll is { } look ? new CountsPoint(look.X, look.Y) : null;
 
     private static EngravedProgress Engraved(MachineProfile profile, in JobProgress told) =>

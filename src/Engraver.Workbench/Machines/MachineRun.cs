@@ -64,20 +64,29 @@ public static class MachineRun
     {
         var listener = options.DryRun || connection.Simulator is null ? null : new RecordListener(job.Settings.Machine, RunJudge.JudgeOf(job));
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // what earlier jobs on the same simulated controller cut does not count for this one
+        var judgement = RunJudgement.Unknown;
         var jobOptions = new JobOptions
         {
+            Judge = ended => RunVerdict.Of(job, program, ended, judgement = Judge(job, program, ended, listener, options.DryRun)),
             Mode = options.Mode,
             JournalPath = options.JournalPath,
             Address = connection.Description,
             DrawingName = job.Drawing.FileName,
             DryRun = options.DryRun,
             SourceOf = job.Drawing.SourceOf,
+            Begins = header => Begin(job, connection.Description, options, header),
             FrameTaken = frame => listener?.Start(frame.X, frame.Y),
             KeepsPolledTrace = connection.Simulator is null,
         };
         await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, sessionOptions, time, stop).ConfigureAwait(false);
         var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
-        return new MachineRunReport(result, Judge(job, program, result, listener, options.DryRun), session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
+        return new MachineRunReport(result, judgement, session.Identity.Model, JobTime.Of(program, session.Line, options.Mode).Total);
+    }
+
+    private static void Begin(PreparedJob job, string controller, MachineRunOptions options, JournalHeader header)
+    {
+        if (options.Starts is not { } starts) return;
+        foreach (var finding in StartPlace.Begin(starts, controller, job, header)) options.Told?.Invoke(finding);
     }
 
     private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, RecordListener? listener, bool dryRun)

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
@@ -15,6 +16,12 @@ public sealed record MachineRunOptions(ControllerAddress Address, JobMode Mode)
 
     /// <summary>Every motion, but the tool stays off.</summary>
     public bool DryRun { get; init; }
+
+    /// <summary>Where the starts of earlier runs are kept; null where nobody remembers.</summary>
+    public StartMemory? Starts { get; init; }
+
+    /// <summary>Told what is found out before the first motion; on the thread of the job.</summary>
+    public Action<Diagnostic>? Told { get; init; }
 
     /// <summary>The style in which a job must be prepared for a mode.</summary>
     public static MotionStyle StyleOf(JobMode mode) => mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous;

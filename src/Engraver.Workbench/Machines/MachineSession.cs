@@ -60,6 +60,12 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>True for a controller that lives in this process.</summary>
     public bool IsSimulation => _watched.Connection?.Simulator is not null;
 
+    /// <summary>Where the starts of runs are kept between two sessions; null: nowhere. A simulated machine ends with its connection, and so does what is known of it.</summary>
+    public string? StartsFolder { get; init; }
+
+    /// <summary>Where the runs on the connected controller started.</summary>
+    public StartMemory Starts { get; private set; } = new(null);
+
     public bool IsRunning => _work.Stop is not null;
 
     /// <summary>The last word of the job under way or just ended; null before the first.</summary>
@@ -77,6 +83,7 @@ public sealed class MachineSession : IAsyncDisposable
         await DisconnectAsync().ConfigureAwait(false);
         var poll = await _watched.OpenAsync(address, cancellation).ConfigureAwait(false);
         var identity = _watched.Identity!;
+        Starts = new StartMemory(IsSimulation ? null : StartsFolder);
         _board.Connected(_watched.Connection!.Description, IsSimulation, identity);
         _board.Seen(poll);
         _watched.Resume();
@@ -121,6 +128,20 @@ public sealed class MachineSession : IAsyncDisposable
     {
         if (_watched is not { Connection: { } connection, Address: { } address }) throw new InvalidOperationException("No controller is connected.");
         return await WithStopAsync(stop => RunWatchedAsync(connection, job, program, options(address), stop), cancellation).ConfigureAwait(false);
+    }
+
+    /// <summary>Where the last run of a drawing on the connected controller had the drawing's zero; null when none is known.</summary>
+    public RunStart? LastStart(Drawing drawing) => Description is { } controller ? Starts.Last(controller, StartPlace.FileOf(drawing)) : null;
+
+    /// <summary>Moves the connected machine with the tool off, at the profile's rapid speed, and disarms. It is stopped as a job is.</summary>
+    /// <param name="goal">The controller's own counts.</param>
+    /// <param name="journal">Where what is found in the controller is written down.</param>
+    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
+    /// <exception cref="ControllerException">The link never came up.</exception>
+    public async Task<JobResult> GoToAsync(CountsPoint goal, string journal, CancellationToken cancellation)
+    {
+        if (_watched.Connection is not { } connection) throw new InvalidOperationException("No controller is connected.");
+        return await _work.RunAsync(stop => GoToWatchedAsync(connection, goal, journal, stop), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Runs a job on a simulated controller of its own, at full speed; what is connected is left alone.</summary>
@@ -199,6 +220,22 @@ public sealed class MachineSession : IAsyncDisposable
             var report = await MachineRun.RunAsync(job, program, connection, options, _time, Listener(_board), stop).ConfigureAwait(false);
             _board.JobEnds(report.Result);
             return report;
+        }
+        finally
+        {
+            await _watched.ResumeAsync(connection).ConfigureAwait(false);
+        }
+    }
+
+    private async Task<JobResult> GoToWatchedAsync(MachineConnection connection, CountsPoint goal, string journal, CancellationToken stop)
+    {
+        _board.JobBegins();
+        await _watched.GiveWayAsync().ConfigureAwait(false);
+        try
+        {
+            var result = await MachineMove.ToAsync(connection, Profile, _board.Here, goal, journal, _time, Listener(_board), stop).ConfigureAwait(false);
+            _board.MoveEnds(result);
+            return result;
         }
         finally
         {

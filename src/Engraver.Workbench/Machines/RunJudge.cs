@@ -23,7 +23,7 @@ public static class RunJudge
     }
 
     /// <summary>What was found while the controller ran.</summary>
-    public static RunJudgement ByRecord(TraceVerdict found) => new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record");
+    public static RunJudgement ByRecord(TraceVerdict found) => new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt };
 
     /// <summary>A judge of the drawing that a record can be told to.</summary>
     /// <param name="bridges">Lines that may be cut besides; what is missing is then not to be asked of the verdict.</param>
@@ -41,7 +41,7 @@ public static class RunJudge
         var tolerances = Tolerances(job);
         var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
         var missing = Math.Max(0.0, planned - cut) / Math.Max(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
-        return new RunJudgement(found.MaxDeviation, missing, "polled");
+        return new RunJudgement(found.MaxDeviation, missing, "polled") { DeviationAt = found.DeviationAt?.Place };
     }
 
     /// <summary>What a faithful run of the job may differ by.</summary>

@@ -1,3 +1,5 @@
+using Engraver.Core.Geometry;
+
 namespace Engraver.Workbench.Machines;
 
 /// <summary>What a run is worth, by what the controller or the simulator's record says; null where nothing is known.</summary>
@@ -7,4 +9,10 @@ namespace Engraver.Workbench.Machines;
 public sealed record RunJudgement(double? MaxDeviationMm, double? MissingLengthMm, string Source)
 {
     public static RunJudgement Unknown { get; } = new(null, null, "none");
+
+    /// <summary>Where on the drawing the machine was furthest from it, millimetres; null where that is not known.</summary>
+    public Point2D? DeviationAt { get; init; }
+
+    /// <summary>The first place of the drawing that was never cut, millimetres; null where nothing is missing or nobody knows where.</summary>
+    public Point2D? MissingAt { get; init; }
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.EntityTables;
 using Engraver.Galil.Jobs;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
@@ -14,21 +15,22 @@ public static class RunText
         var planned = job.Motion.Program?.SegmentCount ?? 0;
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"{Word(result.Outcome)}: {result.SegmentsExecuted} of {planned} segments cut in {result.Seconds:0.0} s of machine time; {Verdict(report.Judgement, LeftOut(job))}.");
+            $"{Word(result.Outcome)}: {result.SegmentsExecuted} of {planned} segments cut in {result.Seconds:0.0} s of machine time; {Verdict(report.Judgement, LeftOut(job), job.NotCut)}.");
     }
 
     /// <summary>Entities of the drawing, in its blocks too, that gave no curve though they should have.</summary>
     public static int LeftOut(PreparedJob job) => job.Drawing.Balance.Refused.Count + job.Drawing.Balance.RefusedInBlocks.Count;
 
-    private static string Verdict(RunJudgement judgement, int leftOut)
+    private static string Verdict(RunJudgement judgement, int leftOut, NotCut notCut)
     {
-        if (judgement.MaxDeviationMm is not { } deviation) return "nothing is known about the cut";
+        var unseen = notCut.Counts.Count == 0 ? "" : $"; {notCut.Subject} visible and NOT CUT";
+        if (judgement.MaxDeviationMm is not { } deviation) return "nothing is known about the cut" + unseen;
         var who = judgement.Source == "record" ? "the simulated motors were" : "the polled positions were";
         var missing = judgement.MissingLengthMm is > 0.0 and var length
             ? string.Create(CultureInfo.InvariantCulture, $"{length:0.###} mm of the drawing are MISSING")
-            : leftOut > 0 ? "nothing of what could be read is missing" : "nothing of it is missing";
+            : leftOut > 0 ? "nothing of what could be read is missing" : unseen.Length > 0 ? "nothing of its curves is missing" : "nothing of it is missing";
         if (leftOut > 0) missing += string.Create(CultureInfo.InvariantCulture, $", but {leftOut} of its entities could not be read and {(leftOut == 1 ? "is" : "are")} LEFT OUT");
-        return string.Create(CultureInfo.InvariantCulture, $"{who} at worst {deviation:0.0000} mm from the drawing and {missing}");
+        return string.Create(CultureInfo.InvariantCulture, $"{who} at worst {deviation:0.0000} mm from the drawing and {missing}{unseen}");
     }
 
     /// <summary>The outcome in the words of the runner's contract.</summary>
@@ -37,6 +39,7 @@ public static class RunText
         JobOutcome.Complete => "complete",
         JobOutcome.Stopped => "stopped",
         JobOutcome.Refused => "refused",
+        JobOutcome.Deviated => "deviated",
         _ => "linkLost",
     };
 }

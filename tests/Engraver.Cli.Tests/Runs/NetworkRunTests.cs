@@ -45,6 +45,42 @@ public class NetworkRunTests
         AssertRecord(await File.ReadAllLinesAsync(folder.PathOf("record.csv")));
     }
 
+    /// <summary>As it was found: the line ten times as long was cut, and the run called complete with 396 mm as its own measure.</summary>
+    [Fact]
+    public async Task A_line_that_arrives_ten_times_as_long_ends_as_deviated_with_exit_1()
+    {
+        using var folder = new TemporaryFolder();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        var place = await controller.ListenTcpAsync(0, CancellationToken.None);
+        await using var proxy = new HarmingProxy(place.Port, line => line == "VP 100000,0" ? "VP 1000000,0" : line);
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", proxy.Address, "--json", "--journal", folder.PathOf("run.jsonl"));
+
+        Assert.Equal((ExitCode.DrawingError, "deviated"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));
+        Assert.Matches("The machine stood at 15[0-9]{4},50000 of the drawing .counts., [0-9]+ counts beside the planned path", run.Error);
+        Assert.Contains("\"outcome\":\"deviated\"", (await File.ReadAllLinesAsync(folder.PathOf("run.jsonl")))[^1], StringComparison.Ordinal);
+        Assert.Equal(0, controller.Status.Outputs);
+        Assert.InRange(controller.Record.Snapshot().Max(row => row.A), 150_000, 160_000); // stopped, not cut to its end
+    }
+
+    [Theory]
+    [InlineData("column")]
+    [InlineData("blank")]
+    public async Task Simulate_prints_numbers_with_and_without_a_blank_between_them(string numbers)
+    {
+        using var patience = new CancellationTokenSource(s_patience);
+        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--speed", "max", "--numbers", numbers);
+        var address = (await simulate.LineAsync("listening tcp://127.0.0.1:", patience.Token))["listening tcp://127.0.0.1:".Length..];
+        using var client = new System.Net.Sockets.TcpClient();
+        await client.ConnectAsync("127.0.0.1", int.Parse(address, CultureInfo.InvariantCulture), patience.Token);
+        await client.GetStream().WriteAsync("MG 2,-8\r"u8.ToArray(), patience.Token);
+        var answer = new byte[64];
+        var count = await client.GetStream().ReadAtLeastAsync(answer, 16, cancellationToken: patience.Token);
+        simulate.Signal(PosixSignal.SIGINT);
+        await simulate.WaitAsync(patience.Token);
+
+        Assert.StartsWith(numbers == "column" ? " 2.0000-8.0000\r\n" : " 2.0000 -8.0000\r\n", System.Text.Encoding.ASCII.GetString(answer, 0, count), StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData(5.0, "stream")]
     [InlineData(20.0, "stream")]

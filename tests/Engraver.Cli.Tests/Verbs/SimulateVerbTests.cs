@@ -74,7 +74,32 @@ public class SimulateVerbTests
         Assert.StartsWith("32 ", await AskAsync(client, "TC1\r", patience.Token), StringComparison.Ordinal);
     }
 
+    [Fact]
+    public async Task A_bug_of_the_simulator_is_exit_70_with_a_report_and_no_client_waits_for_ever()
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        using var simulate = EngraverProcess.Start("simulate", "--speed", "max", "--faults", folder.WithFile("faults.json", """{"breakDownAtCommand":2}"""));
+        var port = PortOf(await simulate.LineAsync("listening tcp://127.0.0.1:", patience.Token));
+        using var client = new TcpClient("127.0.0.1", port);
+        using var other = new TcpClient("127.0.0.1", port);
+        Assert.Equal(":", await AskAsync(client, "n=1\r", patience.Token));
+
+        await client.GetStream().WriteAsync("n=2\r"u8.ToArray(), patience.Token);
+
+        await Assert.ThrowsAsync<IOException>(() => other.GetStream().ReadExactlyAsync(new byte[1], patience.Token).AsTask());
+        await simulate.WaitAsync(patience.Token);
+        var said = await simulate.Error.ReadToEndAsync(patience.Token);
+        Assert.Equal(ExitCode.InternalError, simulate.ExitCode);
+        var report = Assert.Single(System.Text.RegularExpressions.Regex.Matches(said, "[^ ]+engraver-crash-[^ ;]+\\.txt")).Value;
+        Assert.Contains("The fault plan makes the simulator fail", await File.ReadAllTextAsync(report, patience.Token), StringComparison.Ordinal);
+        Assert.Contains("every client was cut off", said, StringComparison.Ordinal);
+        File.Delete(report);
+    }
+
     [Theory]
+    [InlineData("{\"refusals\":null}")]
+    [InlineData("{\"drops\":[null]}")]
     [InlineData("{\"refusal\":[]}")]
     [InlineData("no JSON")]
     [InlineData(null)]
@@ -85,6 +110,29 @@ public class SimulateVerbTests
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("--faults", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_machine_profile_stands_in_the_controller_as_if_it_were_burned()
+    {
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        var profile = folder.WithFile("machine.json", """{"countsPerMillimetreX":500,"feedMmPerMinute":300,"rapidMmPerMinute":600,"accelerationCounts":102400,"angleQuantumDegrees":0.5}""");
+        using var simulate = EngraverProcess.Start("simulate", "--speed", "max", "--machine", profile);
+        using var client = new TcpClient("127.0.0.1", PortOf(await simulate.LineAsync("listening tcp://127.0.0.1:", patience.Token)));
+
+        Assert.Equal(" 5000.0000 10000.0000 25000.0000 2500.0000\r\n:", await AskAsync(client, "MG _SPA,_SPB,_SPC,_VSS\r", patience.Token));
+        Assert.Equal(" 102400.0000 102400.0000 102400.0000 102400.0000\r\n:", await AskAsync(client, "MG _ACA,_DCB,_VAS,_VDT\r", patience.Token));
+    }
+
+    [Fact]
+    public async Task A_machine_profile_that_cannot_be_used_is_exit_2_with_one_sentence()
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.Of("simulate", "--machine", folder.WithFile("machine.json", """{"toolOutput":9}"""));
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("toolOutput", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
     }
 
     [Fact]

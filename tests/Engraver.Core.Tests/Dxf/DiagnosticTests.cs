@@ -55,6 +55,14 @@ public class DiagnosticTests
         ["DXF0042"] = new DxfText().Header("AC1015", 4).Add(Line).End().ToAscii(),
         ["DXF0043"] = new DxfText().Header("AC1015", 4).Section("BLOCKS", OddDrawings.Block("*Model_Space", Line)).End().ToAscii(),
         ["DXF0044"] = new DxfText().Header("AC1015", 4).Section("ENTITIES", Line).Section("OBJECTS", (0, "THING"), (2000, "x")).End().ToBinary(oneByteCodes: false),
+        ["DXF0050"] = Encoding.ASCII.GetBytes("0\nSECTION\n2\nENTITIES\nLINE\n8\n0\n10\n0\n0\nENDSEC\n0\nEOF\n"),
+        ["DXF0051"] = Entities([.. Line, (8, "0"), (8, "CIRCLE"), (8, "0"), (10, 5), (20, 5), (40, 1)]),
+        ["DXF0052"] = new DxfText().Header("AC1015", 4).Section("ENTITIE5", Line).End().ToAscii(),
+        ["DXF0053"] = Encoding.ASCII.GetBytes("0\nSECTION\n2\nOBJECTS\n0\nXRECORD\nabc\nxyz\n10\n0\n0\nENDSEC\n0\nEOF\n"),
+        ["DXF0054"] = Encoding.ASCII.GetBytes("0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\0\0\n20\n0\n11\n1\n21\n0\n0\nENDSEC\n0\nEOF\n"),
+        ["DXF0055"] = Inserting(Line, (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (41, 0)),
+        ["DXF0056"] = Entities([.. Spline, (40, 0), (40, 0), (40, 0), (40, 0), (40, 1), (40, 1), (40, 1), (40, 1), (41, 1), (41, 1e9), (41, 1), (41, 1)]),
+        ["DXF0057"] = new DxfText().Header("AC1015", 4).Section("BLOCKS", Line).End().ToAscii(),
     };
 
     public static TheoryData<string> Ids => [.. DxfRules.All.Select(rule => rule.Id)];
@@ -71,6 +79,22 @@ public class DiagnosticTests
 
     [Fact]
     public void Ids_are_unique_and_in_order() => Assert.Equal(DxfRules.All.Select(rule => rule.Id).Distinct().Order(), DxfRules.All.Select(rule => rule.Id));
+
+    /// <summary>Line breaks are no dots: what the file begins with is to be recognised.</summary>
+    [Fact]
+    public void The_beginning_of_another_file_is_shown_in_one_line_as_it_reads() =>
+        Assert.Contains("'Dear Sir or Madam, thi'", Assert.Single(Reading.Of("Dear Sir\r\nor Madam,\n\nthis is not what you think\n").Diagnostics).Message, StringComparison.Ordinal);
+
+    [Theory]
+    [InlineData(41)]
+    [InlineData(42)]
+    public void An_insert_of_scale_0_says_so(int code)
+    {
+        var finding = Assert.Single(Reading.Of(Inserting(Line, (0, "INSERT"), (5, "2A"), (2, "B"), (10, 0), (20, 0), (code, 0))).Diagnostics, diagnostic => diagnostic.Id == "DXF0055");
+
+        Assert.Equal("2A", finding.Source.Handle);
+        Assert.Contains("group " + code, finding.Message, StringComparison.Ordinal);
+    }
 
     [Fact]
     public void A_sound_drawing_has_no_diagnostics() => Assert.Empty(Reading.Entities(Line).Diagnostics);

@@ -17,12 +17,18 @@ public class FuzzTests
     /// <summary>Small, so that array bombs are refused and not drawn.</summary>
     private const int MostCurves = 20_000;
 
+    [CorpusFact]
+    public Task No_damage_makes_the_reader_throw_lose_count_or_give_a_number_that_is_none() => JudgeAllAsync([.. Made(), .. Real()], Setting("ENGRAVER_FUZZ_CASES", 20_000));
+
+    /// <summary>The same where no corpus is at hand: drawings of our own only, and fewer of them.</summary>
     [Fact]
-    public async Task No_damage_makes_the_reader_throw_lose_count_or_give_a_number_that_is_none()
+    public Task No_damage_to_drawings_of_our_own_does_either() => JudgeAllAsync(Made(), 2_000);
+
+    private static async Task JudgeAllAsync(List<byte[]> originals, int cases)
     {
-        var fuzzer = new DrawingFuzzer(Originals());
+        var fuzzer = new DrawingFuzzer(originals);
         var first = Setting("ENGRAVER_FUZZ_FIRST", 1);
-        for (var seed = first; seed < first + Setting("ENGRAVER_FUZZ_CASES", 20_000); seed++)
+        for (var seed = first; seed < first + cases; seed++)
         {
             await JudgeAsync(fuzzer.Case(seed), seed);
         }
@@ -64,15 +70,16 @@ public class FuzzTests
 
     private static bool Fits(double number) => Math.Abs(number) <= LargestCoordinate;
 
-    private static List<byte[]> Originals()
+    private static List<byte[]> Made()
     {
         var everything = OddDrawings.OneOfEverything();
-        var files = new List<byte[]> { everything.ToAscii(), everything.ToBinary(oneByteCodes: false), everything.ToBinary(oneByteCodes: true) };
-        files.AddRange(Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Order(StringComparer.Ordinal).Select(File.ReadAllBytes).Where(file => file.Length <= LargestOriginal));
-        if (RepositoryFolder.Corpus is not { } corpus) return files;
-        files.AddRange(Directory.GetFiles(Path.Combine(corpus, "files"), "*.dxf", SearchOption.AllDirectories).Order(StringComparer.Ordinal).Where(path => new FileInfo(path).Length <= LargestOriginal).Select(File.ReadAllBytes));
-        return files;
+        return [everything.ToAscii(), everything.ToBinary(oneByteCodes: false), everything.ToBinary(oneByteCodes: true), .. Small(RepositoryFolder.Samples, SearchOption.TopDirectoryOnly)];
     }
+
+    private static IEnumerable<byte[]> Real() => Small(Path.Combine(RepositoryFolder.Corpus!, "files"), SearchOption.AllDirectories);
+
+    private static IEnumerable<byte[]> Small(string folder, SearchOption depth) =>
+        Directory.GetFiles(folder, "*.dxf", depth).Order(StringComparer.Ordinal).Where(path => new FileInfo(path).Length <= LargestOriginal).Select(File.ReadAllBytes);
 
     private static int Setting(string name, int otherwise) => int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : otherwise;
 }

@@ -92,7 +92,7 @@ public class HeaderAndLayerTests
     public void Unknown_sections_and_a_second_entities_section_are_no_obstacle()
     {
         var drawing = Reading.Of(new DxfText()
-            .Section("ENTITIES", (0, "POINT")).Section("NOVELTY", (0, "LINE"), (10, 0)).Section("EMPTY").Section("ENTITIES", (0, "POINT")).End());
+            .Section("ENTITIES", (0, "POINT")).Section("NOVELTY", (0, "THING"), (10, 0)).Section("EMPTY").Section("ENTITIES", (0, "POINT")).End());
 
         Assert.Equal((2, "DXF0003"), (drawing.Balance.Points, string.Join(' ', Reading.Ids(drawing))));
     }

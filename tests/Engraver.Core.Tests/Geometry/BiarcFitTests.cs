@@ -14,6 +14,19 @@ public class BiarcFitTests
     [Fact]
     public void Ellipses_stay_within_the_error() => Prop.ForAll(FreeCurves.Ellipses, StaysWithin).QuickCheckThrowOnFailure();
 
+    /// <summary>An ellipse of 6 mm at a distance at which neighbouring numbers are kilometres apart: no arc fits what rounding has left of it, and the search must not halve its step for ever.</summary>
+    [Theory]
+    [InlineData(1e15)]
+    [InlineData(1e17)]
+    [InlineData(99999999999999999999.0)]
+    [InlineData(1e90)]
+    public void A_curve_that_rounding_has_worn_away_comes_to_an_end(double distance)
+    {
+        var ellipse = new EllipseArc(new Vector3D(distance, 0, 0), new Vector3D(6, 2, 0), new Vector3D(-0.8, 2.4, 0), Angle.FromDegrees(17), Angle.FromDegrees(212));
+
+        Assert.InRange(BiarcFit.Fit(ellipse.ToCurve(), 0.01).Count, 1, 1000);
+    }
+
     [Fact]
     public void Splines_stay_within_the_error() => Prop.ForAll(FreeCurves.Splines, StaysWithin).QuickCheckThrowOnFailure();
 

@@ -1,5 +1,6 @@
 using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
+using Engraver.Core.Tests.Dxf;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Geometry;
@@ -34,10 +35,10 @@ public class BiarcOptimumTests
         })], maxError);
     }
 
-    [Fact]
+    [CorpusFact]
     public void Curves_of_real_drawings_take_hardly_more_pieces_than_the_optimum()
     {
-        if (RepositoryFolder.Corpus is not { } corpus) return;
+        var corpus = RepositoryFolder.Corpus!;
         var judged = 0;
         foreach (var path in Directory.EnumerateFiles(Path.Combine(corpus, "files"), "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
         {

@@ -22,6 +22,38 @@ public class BoxTreeTests
         }).QuickCheckThrowOnFailure();
 
     [Fact]
+    public void The_boxes_around_a_box_are_those_that_looking_at_all_would_find() =>
+        Prop.ForAll(Seeds, seed =>
+        {
+            var random = new Random(seed);
+            var boxes = Enumerable.Range(0, random.Next(1, 200)).Select(_ => new Bounds2D(random.Next(10), random.Next(10), 10 + random.Next(10), 10 + random.Next(10))).ToArray();
+            var asked = new Bounds2D(random.Next(12), random.Next(12), 8 + random.Next(12), 8 + random.Next(12));
+            var hidden = random.Next(boxes.Length);
+            var tree = BoxTree.Of(boxes);
+            tree.Hide(hidden);
+            var found = new List<int>();
+
+            tree.Containing(asked, found);
+
+            return found.Order().SequenceEqual(Enumerable.Range(0, boxes.Length).Where(i => i != hidden && boxes[i].Contains(asked)));
+        }).QuickCheckThrowOnFailure();
+
+    /// <summary>A star's contours all meet in its middle, so that most boxes lie around most places; but few hold the whole of another.</summary>
+    [Theory]
+    [InlineData(2_000)]
+    [InlineData(20_000)]
+    public void Of_the_wedges_of_a_star_few_lie_around_one(int wedges)
+    {
+        var boxes = Enumerable.Range(0, wedges).Select(i => Bounds2D.Of(default, Point2D.Origin + Vector2D.FromPolar(50.0, Angle.FromDegrees(360.0 * i / wedges)))).ToArray();
+        var tree = BoxTree.Of(boxes);
+        var found = new List<int>();
+
+        foreach (var box in boxes) tree.Containing(box, found);
+
+        Assert.InRange(found.Count, wedges, 3 * wedges);
+    }
+
+    [Fact]
     public void Hidden_items_are_not_found_until_they_are_shown_again() =>
         Prop.ForAll(Seeds, seed =>
         {

@@ -124,6 +124,29 @@ public class SequencerTests
                 && result.Strokes.All(IsJoined);
         }).QuickCheckThrowOnFailure();
 
+    /// <summary>Warnings stop at a hundred and are counted; the list of open ends stays whole.</summary>
+    [Fact]
+    public void A_thousand_small_gaps_are_a_hundred_warnings_and_a_count()
+    {
+        var drawing = new DrawingBuilder();
+        for (var i = 0; i < 501; i++) drawing.Line(i * 10, 0, (i * 10) + 9.5, 0);
+        var result = Sequence(drawing, Nearest);
+
+        Assert.Equal(100, result.Diagnostics.Count(finding => finding.Id == "SEQ0003"));
+        var rest = Assert.Single(result.Diagnostics, finding => finding.Id == "SEQ0014");
+        Assert.Contains("SEQ0003 was found 1000 times", rest.Message, StringComparison.Ordinal);
+        Assert.Equal((1002, 1000), (result.Discontinuities.Count, result.Discontinuities.Count(end => end.DiagnosticId == "SEQ0003")));
+    }
+
+    [Fact]
+    public void A_hundred_small_gaps_are_a_hundred_warnings()
+    {
+        var drawing = new DrawingBuilder();
+        for (var i = 0; i < 51; i++) drawing.Line(i * 10, 0, (i * 10) + 9.5, 0);
+
+        Assert.Equal(["SEQ0002", "SEQ0003"], Sequence(drawing, Nearest).Diagnostics.Select(finding => finding.Id).Distinct().Order());
+    }
+
     [Fact]
     public void The_entering_entity_is_cut_first_and_begun_at_itself()
     {

@@ -1,6 +1,7 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Tests.Links;
+using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -93,6 +94,24 @@ public class JobRunnerTests
 
         Assert.Equal(new CountsPoint(-65000, 5123), result.FinalPosition);
         Assert.Equal((5000, 5000), (result.PolledTrace[^1].X, result.PolledTrace[^1].Y));
+    }
+
+    [Theory]
+    [InlineData(JobMode.Stream, NumberSpacing.Blank)]
+    [InlineData(JobMode.Stream, NumberSpacing.SignColumn)]
+    [InlineData(JobMode.Calls, NumberSpacing.Blank)]
+    [InlineData(JobMode.Calls, NumberSpacing.SignColumn)]
+    [InlineData(JobMode.Program, NumberSpacing.Blank)]
+    [InlineData(JobMode.Program, NumberSpacing.SignColumn)]
+    public async Task Negative_coordinates_are_read_with_and_without_a_blank_before_them(JobMode mode, NumberSpacing spacing)
+    {
+        await using var bench = new SimulatedBench(spacing: spacing);
+        await bench.SendAsync("DPA=-70000", "DPB=-123");
+
+        var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job with { Mode = mode });
+
+        Assert.Equal("Done: 4 segments.", result.Sentence);
+        Assert.Equal(new CountsPoint(-65000, 4877), result.FinalPosition);
     }
 
     [Fact]

@@ -130,6 +130,17 @@ public class OperatorStopTests
         Assert.False(bench.Controller.Status.IsSequenceOpen);
     }
 
+    [Fact]
+    public async Task A_motion_that_is_begun_and_does_not_move_does_not_keep_the_stop_waiting()
+    {
+        await using var bench = new SimulatedBench();
+        await using var session = await bench.OpenAsync(opened: link => link.Harm = line => line.Replace("MG _BGS,_BGA", "MG _BGS,1", StringComparison.Ordinal));
+
+        var standstill = await new OperatorStop(session, 1, []).FinishAsync(TimeSpan.Zero, CancellationToken.None).WaitAsync(TimeSpan.FromMinutes(1));
+
+        Assert.Equal((0, 0), (standstill.X, standstill.Y));
+    }
+
     private static (MotionProgram Program, int Far) Job(string place) => place switch
     {
         "line" => (MotionPrograms.LongLine(200000), 50000),

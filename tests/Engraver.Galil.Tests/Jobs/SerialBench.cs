@@ -13,8 +13,9 @@ internal static class SerialBench
         new StreamLink(bench.Controller.OpenSerialConnection(baud), "serial memory") { Line = new SerialLine(baud) };
 
     /// <param name="sending">Told each line before it goes out.</param>
-    public static Task<ControllerSession> OpenSerialAsync(this SimulatedBench bench, int baud, Action<string>? sending = null) => ControllerSession.OpenAsync(
-        _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(baud)) { Sending = sending }),
+    /// <param name="harm">What arrives instead of a line.</param>
+    public static Task<ControllerSession> OpenSerialAsync(this SimulatedBench bench, int baud, Action<string>? sending = null, Func<string, string>? harm = null) => ControllerSession.OpenAsync(
+        _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(baud)) { Sending = sending, Harm = harm }),
         new SessionOptions(), TimeProvider.System, CancellationToken.None);
 
     public static async Task<JobResult> RunSerialAsync(

@@ -1,3 +1,4 @@
+using System.Text;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
@@ -15,8 +16,9 @@ internal sealed class SimulatedBench : IAsyncDisposable
     public static readonly JobOptions Job = new() { PollInterval = TimeSpan.Zero };
 
     /// <param name="clock">The controller's wall clock: where one stands, silence of the host lets no time pass, however long this computer is held up.</param>
-    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null) => Controller = new SimulatedController(
-        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System });
+    /// <param name="spacing">What divides a negative number from the one before it.</param>
+    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null, NumberSpacing spacing = NumberSpacing.Blank) => Controller = new SimulatedController(
+        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System, NumberSpacing = spacing });
 
     public SimulatedController Controller { get; }
 
@@ -82,6 +84,13 @@ internal sealed class SimulatedBench : IAsyncDisposable
     {
         await using var channel = OpenChannel();
         foreach (var command in commands) Assert.IsType<Accepted>(await channel.SendAsync(command, CancellationToken.None));
+    }
+
+    /// <summary>The same in the middle of a job, from where nobody can wait; what is answered is not looked at.</summary>
+    public void Interfere(string command)
+    {
+        using var stream = Controller.OpenConnection();
+        stream.Write(Encoding.Latin1.GetBytes(command + "\r"));
     }
 
     public async Task DownloadAsync(string program)

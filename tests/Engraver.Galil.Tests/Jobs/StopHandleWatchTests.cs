@@ -53,13 +53,4 @@ public class StopHandleWatchTests
     }
 
     private static void Cut(WithheldLink link) => _ = link.DisposeAsync().AsTask();
-
-    private sealed class Both(IProgress<JobProgress> first, IProgress<JobProgress> second) : IProgress<JobProgress>
-    {
-        public void Report(JobProgress value)
-        {
-            first.Report(value);
-            second.Report(value);
-        }
-    }
 }

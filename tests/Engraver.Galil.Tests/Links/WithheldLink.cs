@@ -21,10 +21,14 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
     /// <summary>Called with each line before it goes out.</summary>
     public Action<string>? Sending { get; set; }
 
+    /// <summary>What arrives instead of a line, its CR included; null leaves every line as it is.</summary>
+    public Func<string, string>? Harm { get; set; }
+
     public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
-        Sending?.Invoke(Encoding.Latin1.GetString(bytes.Span));
-        return inner.WriteAsync(bytes, cancellation);
+        var line = Encoding.Latin1.GetString(bytes.Span);
+        Sending?.Invoke(line);
+        return inner.WriteAsync(Harm is { } harm ? Encoding.Latin1.GetBytes(harm(line)) : bytes, cancellation);
     }
 
     public async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation)

@@ -80,6 +80,63 @@ public class ResidentInControllerTests
         Assert.Equal((0.0, 3), (bench.Value("wtrip"), bench.Status.RunningThreads));
     }
 
+    [Theory]
+    [InlineData("stream")]
+    [InlineData("calls")]
+    public async Task A_tool_that_is_on_while_nothing_moves_goes_off_although_the_host_lives(string way)
+    {
+        await using var bench = Started(way == "stream" ? ResidentProgram.ForStream(MachineProfile.Default) : ResidentProgram.ForCalls(MachineProfile.Default));
+        bench.Do("SB1");
+
+        PassFed(bench, seconds: 5.5);
+        Assert.Equal((1, 0.0), (bench.Status.Outputs, bench.Value("wtrip")));
+
+        PassFed(bench, seconds: 1.5);
+        Assert.Equal((0, 2.0, 0), (bench.Status.Outputs, bench.Value("wtrip"), bench.Status.RunningThreads));
+    }
+
+    [Fact]
+    public async Task A_sequence_that_is_held_by_VR_0_is_stopped_and_one_that_creeps_is_not()
+    {
+        await using var bench = Started(ResidentProgram.ForStream(MachineProfile.Default));
+        foreach (var command in new[] { "VMAB", "VS 2000", "VP 100000,0", "VE", "SB1", "BGS", "VR 0.001" }) bench.Do(command);
+
+        PassFed(bench, seconds: 20.0);
+        Assert.Equal((0.0, 1.0, 1), (bench.Value("wtrip"), bench.Value("_BGS"), bench.Status.Outputs));
+
+        bench.Do("VR 0");
+        PassFed(bench, seconds: 8.0);
+        Assert.Equal((2.0, 0), (bench.Value("wtrip"), bench.Status.Outputs));
+        bench.Do("VR 1");
+        bench.Pass(1000);
+        Assert.Equal(0.0, bench.Value("_BGS"));
+    }
+
+    [Fact]
+    public async Task A_host_that_feeds_slowly_with_the_tool_on_is_left_alone()
+    {
+        await using var bench = Started(ResidentProgram.ForStream(MachineProfile.Default));
+        foreach (var command in new[] { "SB1", "VMAB" }) bench.Do(command);
+
+        for (var i = 1; i <= 10; i++)
+        {
+            bench.Do($"VP {i * 100},0");
+            PassFed(bench, seconds: 3.0);
+        }
+
+        Assert.Equal((0.0, 1), (bench.Value("wtrip"), bench.Status.Outputs));
+    }
+
+    [Fact]
+    public async Task A_standstill_without_the_tool_lasts_as_long_as_it_likes()
+    {
+        await using var bench = Started(ResidentProgram.ForCalls(MachineProfile.Default));
+
+        PassFed(bench, seconds: 60.0);
+
+        Assert.Equal((0.0, 3), (bench.Value("wtrip"), bench.Status.RunningThreads));
+    }
+
     [Fact]
     public async Task A_refused_call_is_reported_and_the_server_takes_no_other()
     {
@@ -100,10 +157,20 @@ public class ResidentInControllerTests
         var bench = new ControllerBench();
         bench.Download(program.Text);
         bench.Do("SHAB");
-        bench.Do("hb=20");
+        bench.Do("hb=20;stillmax=120");
         bench.Do($"XQ{program.EntryLabel},{ResidentProgram.MainThread}");
         bench.Pass(50);
         return bench;
+    }
+
+    /// <summary>Lets time pass with a host that lives.</summary>
+    private static void PassFed(ControllerBench bench, double seconds)
+    {
+        for (var passed = 0.0; passed < seconds; passed += 0.25)
+        {
+            bench.Do("hb=20");
+            bench.Pass(250);
+        }
     }
 
     /// <summary>Assigns a call and waits for its end as the host does: by seq, with the heartbeat kept alive.</summary>

@@ -9,7 +9,7 @@ public class StageBenchmarkTests
     {
         var rows = await StageBenchmark.RunAsync(100, CancellationToken.None);
 
-        Assert.Equal(["read", "table and analysis", "chain", "order", "generate", "simulate and judge"], rows.Select(row => row.Stage));
+        Assert.Equal(["read", "table and analysis", "chain", "order", "generate", "toolpath check", "simulate and judge"], rows.Select(row => row.Stage));
         Assert.All(rows, row => Assert.Equal(100, row.Entities));
         Assert.Equal("100 rows", rows[1].Note);
         Assert.EndsWith("missing 0 mm", rows[^1].Note, StringComparison.Ordinal);

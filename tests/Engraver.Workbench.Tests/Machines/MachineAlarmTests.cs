@@ -17,6 +17,7 @@ public class MachineAlarmTests
         { JobOutcome.LinkLost, null, AlarmCause.LinkLost },
         { JobOutcome.Stopped, null, AlarmCause.JobStopped },
         { JobOutcome.Refused, null, AlarmCause.JobStopped },
+        { JobOutcome.Deviated, null, AlarmCause.Deviated },
     };
 
     [Theory]

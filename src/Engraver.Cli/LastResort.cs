@@ -1,0 +1,23 @@
+using Engraver.Cli.Output;
+
+namespace Engraver.Cli;
+
+/// <summary>For a bug on a thread that nobody waits for (a timer's, a pool's): the runtime would end the process with a signal (exit 134) and no report.</summary>
+internal sealed class LastResort(string[] args, TextWriter error, Action<int> exit)
+{
+    private int _ended;
+
+    public static void Install(string[] args)
+    {
+        var resort = new LastResort(args, Console.Error, Environment.Exit);
+        AppDomain.CurrentDomain.UnhandledException += (_, failure) => resort.End(failure.ExceptionObject as Exception ?? new InvalidOperationException(failure.ExceptionObject.ToString()));
+    }
+
+    /// <summary>Says what happened and where the report stands, and ends the program. Only the first call does anything.</summary>
+    public void End(Exception bug)
+    {
+        if (Interlocked.Exchange(ref _ended, 1) != 0) return;
+        error.WriteLine($"engraver: {CrashReport.Write(bug, args)}");
+        exit(ExitCode.InternalError);
+    }
+}

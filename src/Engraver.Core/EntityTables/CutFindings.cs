@@ -1,0 +1,66 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.EntityTables;
+
+/// <summary>What has to be said of a drawing before it is cut: what is seen and not cut, heights that no flat machine has, a size or a place that no machine reaches.</summary>
+public static class CutFindings
+{
+    /// <summary>Larger than this in either direction is no work piece of an engraver, mm: the largest flat-bed machines on the market have about this. A profile says nothing of its machine's table yet.</summary>
+    public const double LargestMm = 10_000.0;
+
+    /// <summary>Farther from the tool's start than this no machine goes, mm: the diagonal of the largest, and room.</summary>
+    public const double FarthestMm = 20_000.0;
+
+    /// <param name="selection">The layers that are cut.</param>
+    /// <param name="toolStart">The drawing point where the tool stands, mm.</param>
+    /// <param name="joinTolerance">As sequencing has it: it also says which heights are one.</param>
+    public static IReadOnlyList<Diagnostic> Of(Drawing drawing, LayerSelection selection, Point2D toolStart, double joinTolerance)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        var findings = new List<Diagnostic>();
+        if (NotCut.Of(drawing, selection).Finding is { } notCut) findings.Add(notCut);
+        var extent = CutExtent.Of(drawing, selection, EndHeights.ToleranceFor(joinTolerance));
+        if (!extent.Bounds.IsEmpty) AddHeights(findings, drawing, extent);
+        if (!extent.Bounds.IsEmpty) AddSize(findings, drawing, extent.Bounds, toolStart);
+        return findings;
+    }
+
+    private static void AddHeights(List<Diagnostic> findings, Drawing drawing, CutExtent extent)
+    {
+        if (extent.Slanted is { Count: > 0 } slanted)
+        {
+            var curves = slanted.Count == 1 ? "1 of the curves rises or falls" : Whole(slanted.Count) + " of the curves rise or fall";
+            findings.Add(PreparationRules.NotLevel.At(drawing.SourceOf(slanted.First), curves, Number(slanted.Low), Number(slanted.High)));
+        }
+
+        if (extent.Levels > 1) findings.Add(PreparationRules.SeveralHeights.At(default, Whole(extent.Levels), Number(extent.Low), Number(extent.High)));
+        else if (Math.Abs(extent.Low) > extent.Tolerance && extent.Slanted.Count == 0) findings.Add(PreparationRules.OneHeight.At(default, Number(extent.Low)));
+    }
+
+    private static void AddSize(List<Diagnostic> findings, Drawing drawing, Bounds2D bounds, Point2D toolStart)
+    {
+        var (dx, dy) = (Math.Max(Math.Abs(bounds.MinX - toolStart.X), Math.Abs(bounds.MaxX - toolStart.X)), Math.Max(Math.Abs(bounds.MinY - toolStart.Y), Math.Abs(bounds.MaxY - toolStart.Y)));
+        var distance = double.Hypot(dx, dy);
+        if (bounds.Width <= LargestMm && bounds.Height <= LargestMm && distance <= FarthestMm) return;
+        findings.Add(PreparationRules.TooLarge.At(default, Number(bounds.Width), Number(bounds.Height), Number(distance), Number(LargestMm), Number(FarthestMm), Guess(drawing.Unit, bounds)));
+    }
+
+    /// <summary>What such numbers usually mean.</summary>
+    private static string Guess(LengthUnit unit, Bounds2D bounds)
+    {
+        var size = Math.Max(bounds.Width, bounds.Height);
+        if (size <= LargestMm) return ": the size is usual, but it lies far away from its origin, as what was cut out of a map does";
+        var asNumbers = size / unit.ToMillimetres;
+        var says = unit.Source == "INSUNITS" ? $"the drawing says that its unit is {unit.Name}" : $"its unit was taken as {unit.Name}";
+        return asNumbers <= LargestMm && unit.ToMillimetres > 1.0
+            ? $": {says}, and its numbers read as millimetres would make it {Number(bounds.Width / unit.ToMillimetres)} x {Number(bounds.Height / unit.ToMillimetres)} mm"
+            : $": {says}, and such a size is that of a building or a map";
+    }
+
+    private static string Whole(int count) => count.ToString(CultureInfo.InvariantCulture);
+
+    private static string Number(double value) => Math.Round(value, 3).ToString("0.###", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,182 @@
+namespace Engraver.Core.Geometry;
+
+/// <summary>Shortest distance from a place to a span, whatever its shape: control points may coincide, run back, or make a cusp.</summary>
+/// <remarks>
+/// With N the way from the place to the span times the weight w, the squared distance is N.N / w^2, and its slope has the sign of (N.N)' w - 2 N.N w'. Both are polynomials whose Bernstein
+/// coefficients bound them: where no coefficient of N.N - d^2 w^2 is below zero, nothing is nearer than d; where the slope changes its sign once, there is one foot, and Newton's steps
+/// between two parameters on either side find it. What neither decides is halved. Nowhere is a derivative asked whether it is zero.
+/// </remarks>
+internal static class SpanDistance
+{
+    private const int MostHalvings = 48;
+
+    /// <summary>Of one question, should rounding keep the halves from ever being decided.</summary>
+    private const int MostParts = 2000;
+
+    private const int MostSteps = 60;
+
+    private const double ParameterKnown = 1e-14;
+
+    /// <summary>What is nearer by less than this part is not looked for.</summary>
+    private const double DistanceKnown = 1e-12;
+
+    /// <summary>Of the place's coordinates: their rounding.</summary>
+    private const double Rounding = 4e-16;
+
+    /// <summary>The distance, exact to rounding, or <paramref name="bound"/> when nothing of the span is nearer than that.</summary>
+    public static double Of(BezierSpan span, Point2D place, double bound = double.PositiveInfinity)
+    {
+        var count = span.Degree + 1;
+        Span<double> x = stackalloc double[count];
+        Span<double> y = stackalloc double[count];
+        Span<double> w = stackalloc double[count];
+        for (var i = 0; i < count; i++)
+        {
+            var weight = span.Weight(i);
+            (x[i], y[i], w[i]) = (span.Homogeneous[i * BezierSpan.Stride] - (place.X * weight), span.Homogeneous[(i * BezierSpan.Stride) + 1] - (place.Y * weight), weight);
+        }
+
+        var search = new Search { Best = bound, Noise = Rounding * (Math.Abs(place.X) + Math.Abs(place.Y)), Parts = MostParts, IsRational = w.ContainsAnyExcept(w[0]) };
+        search.Take(x[0], y[0], w[0]);
+        search.Take(x[^1], y[^1], w[^1]);
+        search.Look(x, y, w, MostHalvings);
+        return search.Best;
+    }
+
+    private struct Search
+    {
+        public double Best;
+        public double Noise;
+        public int Parts;
+        public bool IsRational;
+
+        public void Take(double x, double y, double weight) => Best = Math.Min(Best, double.Hypot(x, y) / weight);
+
+        /// <summary>Looks for what is nearer than the best so far; the ends have been taken.</summary>
+        public void Look(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w, int halvings)
+        {
+            var least = Best - (DistanceKnown * Best) - Noise;
+            if (!(least > 0.0) || --Parts < 0) return;
+            var degree = x.Length - 1;
+            Span<double> squared = stackalloc double[(2 * degree) + 1];
+            Span<double> weight = stackalloc double[degree + 1];
+            Scale(w, weight);
+            SquaredDistance(x, y, squared);
+            if (IsNowhereNearer(squared, weight, least)) return;
+            Span<double> slope = stackalloc double[IsRational ? 3 * degree : 2 * degree];
+            Slope(squared, weight, slope);
+            var changes = Bernstein.SignChanges(slope, out var first);
+            if (changes == 0 || (changes == 1 && first > 0)) return; // nearest at an end
+            if (changes == 1) TakeFoot(x, y, w);
+            else if (halvings > 0) Halve(x, y, w, halvings - 1);
+        }
+
+        private static void Scale(ReadOnlySpan<double> plain, Span<double> scaled)
+        {
+            var binomials = Bernstein.Binomials[plain.Length - 1];
+            for (var i = 0; i < plain.Length; i++) scaled[i] = binomials[i] * plain[i];
+        }
+
+        private static void SquaredDistance(ReadOnlySpan<double> x, ReadOnlySpan<double> y, Span<double> squared)
+        {
+            Span<double> scaled = stackalloc double[x.Length];
+            Scale(x, scaled);
+            Bernstein.Multiply(scaled, scaled, squared);
+            Scale(y, scaled);
+            Bernstein.AddProduct(scaled, scaled, 1.0, squared);
+        }
+
+        private static bool IsNowhereNearer(ReadOnlySpan<double> squared, ReadOnlySpan<double> weight, double least)
+        {
+            Span<double> excess = stackalloc double[squared.Length];
+            squared.CopyTo(excess);
+            Bernstein.AddProduct(weight, weight, -least * least, excess);
+            foreach (var coefficient in excess)
+            {
+                if (!(coefficient >= 0.0)) return false;
+            }
+
+            return true;
+        }
+
+        private readonly void Slope(ReadOnlySpan<double> squared, ReadOnlySpan<double> weight, Span<double> slope)
+        {
+            Span<double> derivative = stackalloc double[squared.Length - 1];
+            Bernstein.Differentiate(squared, derivative);
+            if (!IsRational)
+            {
+                derivative.CopyTo(slope);
+                return;
+            }
+
+            Bernstein.Multiply(derivative, weight, slope);
+            Span<double> change = stackalloc double[weight.Length - 1];
+            Bernstein.Differentiate(weight, change);
+            Bernstein.AddProduct(squared, change, -2.0, slope);
+        }
+
+        /// <summary>Newton's steps (Gauss's form) to the one foot, between a parameter before it and one behind it; halved where they do not get on.</summary>
+        private void TakeFoot(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w)
+        {
+            var (low, high, parameter, before) = (0.0, 1.0, 0.5, double.PositiveInfinity);
+            for (var step = 0; step < MostSteps; step++)
+            {
+                var (ahead, speed) = At(x, y, w, parameter);
+                if (ahead == 0.0) return;
+                if (ahead > 0.0) low = parameter;
+                else high = parameter;
+                var next = parameter + (ahead / speed);
+                if (high - low <= ParameterKnown || Math.Abs(next - parameter) <= ParameterKnown) return;
+                if (!(next > low && next < high) || Math.Abs(ahead) > before / 2.0) next = (low + high) / 2.0;
+                (parameter, before) = (next, Math.Abs(ahead));
+            }
+        }
+
+        /// <summary>Takes the point at a parameter (de Casteljau). How far the place lies ahead of it times the speed there, and that speed squared.</summary>
+        private (double Ahead, double Speed) At(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w, double parameter)
+        {
+            var (px, dx) = Evaluate(x, parameter);
+            var (py, dy) = Evaluate(y, parameter);
+            var (weight, change) = IsRational ? Evaluate(w, parameter) : (w[0], 0.0);
+            Take(px, py, weight);
+            (px, py) = (px / weight, py / weight);
+            (dx, dy) = ((dx - (px * change)) / weight, (dy - (py * change)) / weight);
+            return (-((px * dx) + (py * dy)), (dx * dx) + (dy * dy));
+        }
+
+        private static (double Value, double Derivative) Evaluate(ReadOnlySpan<double> points, double parameter)
+        {
+            Span<double> work = stackalloc double[points.Length];
+            points.CopyTo(work);
+            for (var count = points.Length - 1; count > 1; count--)
+            {
+                for (var i = 0; i < count; i++) work[i] += parameter * (work[i + 1] - work[i]);
+            }
+
+            var slope = work[1] - work[0];
+            return (work[0] + (parameter * slope), (points.Length - 1) * slope);
+        }
+
+        private void Halve(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w, int halvings)
+        {
+            var count = x.Length;
+            Span<double> halves = stackalloc double[6 * count];
+            Halve(x, halves[..count], halves[(3 * count)..(4 * count)]);
+            Halve(y, halves[count..(2 * count)], halves[(4 * count)..(5 * count)]);
+            Halve(w, halves[(2 * count)..(3 * count)], halves[(5 * count)..]);
+            Take(halves[3 * count], halves[4 * count], halves[5 * count]);
+            Look(halves[..count], halves[count..(2 * count)], halves[(2 * count)..(3 * count)], halvings);
+            Look(halves[(3 * count)..(4 * count)], halves[(4 * count)..(5 * count)], halves[(5 * count)..], halvings);
+        }
+
+        private static void Halve(ReadOnlySpan<double> points, Span<double> first, Span<double> second)
+        {
+            points.CopyTo(second);
+            for (var i = 0; i < points.Length; i++)
+            {
+                first[i] = second[0];
+                for (var j = 0; j < points.Length - 1 - i; j++) second[j] = (second[j] + second[j + 1]) / 2.0;
+            }
+        }
+    }
+}

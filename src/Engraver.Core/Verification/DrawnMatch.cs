@@ -1,0 +1,87 @@
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Toolpaths;
+
+namespace Engraver.Core.Verification;
+
+/// <summary>Pairs the moves of a toolpath that are unchanged (lines, arcs, circles; in CL data curves too) with the rows they are, by entity and exact ends; each row once. In linear time.</summary>
+/// <param name="Rows">Drawn and not paired: ellipses and splines that became arcs, duplicates, lines that an arc stands for, and what is missing.</param>
+/// <param name="Moves">Cut and not paired: what stands for those rows, and what is too much.</param>
+internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyList<ToolpathMove> Moves)
+{
+    public static DrawnMatch Of(EntityTable drawn, Toolpath toolpath)
+    {
+        var last = new Dictionary<Key, int>(drawn.Count);
+        var before = new int[drawn.Count];
+        var rows = new List<ToolpathMove>();
+        for (var row = 0; row < drawn.Count; row++)
+        {
+            before[row] = -1;
+            var key = Key.Of(drawn[row].ToSegment(), drawn.EntityIndexOf(row));
+            if (!last.TryAdd(key, row)) (before[row], last[key]) = (last[key], row);
+        }
+
+        var moves = new List<ToolpathMove>();
+        var paired = new bool[drawn.Count];
+        foreach (var stroke in toolpath.Strokes)
+        {
+            foreach (var move in stroke.Moves)
+            {
+                if (!Pair(drawn, move, last, before, paired)) moves.Add(move);
+            }
+        }
+
+        for (var row = 0; row < drawn.Count; row++)
+        {
+            if (!paired[row]) rows.Add(new ToolpathMove(drawn[row].ToSegment(), drawn.EntityIndexOf(row)));
+        }
+
+        return new DrawnMatch(rows, moves);
+    }
+
+    private static bool Pair(EntityTable drawn, in ToolpathMove move, Dictionary<Key, int> last, int[] before, bool[] paired)
+    {
+        if (!last.TryGetValue(Key.Of(move.Segment, move.EntityIndex), out var row)) return false;
+        while (row >= 0 && (paired[row] || !AreSame(drawn, row, move.Segment))) row = before[row];
+        if (row >= 0) paired[row] = true;
+        return row >= 0;
+    }
+
+    /// <summary>Their ends are the same: lines and circles are, arcs when they have the same middle, curves span by span.</summary>
+    private static bool AreSame(EntityTable drawn, int row, in Segment cut)
+    {
+        if (cut.IsFreeCurve) return AreSame(drawn.CurveOf(row)!, cut.Curve);
+        if (cut.Kind != SegmentKind.Arc) return true;
+        var arc = drawn[row].ToSegment();
+        return arc.PointAt(0.5).IsNear(cut.PointAt(0.5), ToolpathTolerances.RoundingOf(arc));
+    }
+
+    /// <summary>Span for span, in the one direction or the other.</summary>
+    private static bool AreSame(RationalCurve drawn, RationalCurve cut)
+    {
+        if (ReferenceEquals(drawn, cut)) return true;
+        if (drawn.Spans.Length != cut.Spans.Length) return false;
+        return HaveSameSpans(drawn, cut) || HaveSameSpans(drawn, cut.Reversed());
+    }
+
+    private static bool HaveSameSpans(RationalCurve drawn, RationalCurve cut)
+    {
+        for (var i = 0; i < drawn.Spans.Length; i++)
+        {
+            if (!drawn.Spans[i].Homogeneous.SequenceEqual(cut.Spans[i].Homogeneous)) return false;
+        }
+
+        return true;
+    }
+
+    /// <summary>Both ends in an order that does not depend on the direction; of a circle its centre and radius.</summary>
+    private readonly record struct Key(int Entity, SegmentKind Kind, double X1, double Y1, double X2, double Y2)
+    {
+        public static Key Of(in Segment segment, int entity)
+        {
+            if (segment.Kind == SegmentKind.Circle) return new Key(entity, segment.Kind, segment.Arc.Centre.X, segment.Arc.Centre.Y, segment.Arc.Radius, 0.0);
+            var (a, b) = (segment.Start, segment.End);
+            return a.X < b.X || (a.X == b.X && a.Y <= b.Y) ? new Key(entity, segment.Kind, a.X, a.Y, b.X, b.Y) : new Key(entity, segment.Kind, b.X, b.Y, a.X, a.Y);
+        }
+    }
+}

@@ -1,0 +1,22 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Workbench.Machines;
+
+/// <summary>One move by hand on a machine that stays connected.</summary>
+internal static class MachineMove
+{
+    /// <param name="start">Where the machine stands, in the frame in which progress is told.</param>
+    /// <param name="goal">Controller counts.</param>
+    /// <param name="journal">Where what was found in the controller is written down, for whoever comes after a crash.</param>
+    /// <exception cref="Galil.Protocol.ControllerException">The link never came up.</exception>
+    public static async Task<JobResult> ToAsync(
+        MachineConnection connection, MachineProfile profile, CountsPoint start, CountsPoint goal, string journal, TimeProvider time, IProgress<JobProgress> progress, CancellationToken stop)
+    {
+        var options = new JobOptions { JournalPath = journal, Address = connection.Description, DrawingName = "CNCGOTO", DryRun = true };
+        await using var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, new SessionOptions(), time, stop).ConfigureAwait(false);
+        return await JobRunner.GoToAsync(new MotionProgram(profile, start, []), goal, session, options, progress, stop).ConfigureAwait(false);
+    }
+}

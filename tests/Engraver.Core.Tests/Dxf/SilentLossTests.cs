@@ -1,0 +1,211 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Drawings;
+using Engraver.Core.SecondOpinions;
+using Engraver.TestKit;
+
+namespace Engraver.Core.Tests.Dxf;
+
+/// <summary>Damage where no entity stands (heads and ends of sections, tables and blocks) must not cost an entity without a word, in neither reading.</summary>
+public class SilentLossTests
+{
+    private static readonly (int, object)[] Line = [(0, "LINE"), (5, "2F"), (8, "CUT"), (10, 0.0), (20, 0.0), (11, 7.0), (21, 3.0)];
+
+    private static readonly (int, object)[] Circle = [(0, "CIRCLE"), (5, "30"), (8, "CUT"), (10, 50.0), (20, 0.0), (40, 4.0)];
+
+    private static readonly (int, object)[] Polyline =
+        [(0, "POLYLINE"), (5, "31"), (8, "CUT"), (66, 1), (70, 0), (0, "VERTEX"), (8, "CUT"), (10, 0.0), (20, 0.0), (0, "VERTEX"), (8, "CUT"), (10, 9.0), (20, 0.0), (0, "VERTEX"), (8, "CUT"), (10, 9.0), (20, 8.0), (0, "SEQEND"), (5, "32"), (8, "CUT")];
+
+    private static readonly (int, object)[] Text = [(0, "TEXT"), (5, "33"), (8, "CUT"), (10, 1.0), (20, 1.0), (40, 2.5), (1, "x")];
+
+    /// <summary>A hidden layer, a block, a polyline, texts: with each kind of record that is passed over in front of one that is not.</summary>
+    private static readonly DxfText Sample = new DxfText()
+        .Header("AC1015", 4)
+        .Section("TABLES", (0, "TABLE"), (2, "LAYER"), (5, "2"), (70, 2), (0, "LAYER"), (5, "10"), (2, "HIDDEN"), (70, 1), (62, -7), (6, "CONTINUOUS"), (0, "LAYER"), (5, "11"), (2, "CUT"), (70, 0), (62, 3), (6, "CONTINUOUS"), (0, "ENDTAB"))
+        .Section("BLOCKS", [(0, "BLOCK"), (5, "20"), (8, "0"), (2, "A"), (70, 0), (10, 0.0), (20, 0.0), .. Line, .. Circle, (0, "ENDBLK"), (5, "21"), (8, "0"), (0, "BLOCK"), (5, "22"), (8, "0"), (2, "B"), (70, 0), (10, 1.0), (20, 1.0), .. Polyline, (0, "ENDBLK"), (5, "23"), (8, "0")])
+        .Section("ENTITIES", [.. Line, (8, "HIDDEN"), .. Circle, .. Polyline, .. Line, .. Text, .. Circle, .. Insert("A", 20.0), .. Insert("B", 40.0), .. Text, .. Line])
+        .Section("OBJECTS", (0, "DICTIONARY"), (5, "C"), (3, "ACAD_GROUP"), (350, "D"))
+        .End();
+
+    public static TheoryData<string?> Damages => [null, "O", "8", "5", "1", "x0", " 0 0", "LINE"];
+
+    /// <summary>Each line 0 of the drawing, lost or damaged: the curves are all there, or an error says so.</summary>
+    [Theory]
+    [MemberData(nameof(Damages))]
+    public void A_record_whose_0_is_lost_or_damaged_is_never_lost_without_an_error(string? instead)
+    {
+        var lines = Lines(Sample);
+        var silent = new List<string>();
+        for (var code = 0; code < lines.Length; code += 2)
+        {
+            if (lines[code].Trim() != "0" || lines[code + 1] is "EOF" or "DICTIONARY" || code == 0) continue;
+            List<string> damaged = [.. lines];
+            if (instead is null) damaged.RemoveAt(code);
+            else damaged[code] = instead;
+            if (Silence(damaged) is { } loss) silent.Add($"{instead ?? "nothing"} for the 0 of line {code + 1} in front of {lines[code + 1]}: {loss}");
+        }
+
+        Assert.Empty(silent);
+    }
+
+    [Fact]
+    public void A_section_whose_name_is_damaged_is_never_dropped_without_an_error()
+    {
+        var lines = Lines(Sample);
+        var silent = new List<string>();
+        for (var value = 1; value < lines.Length; value += 2)
+        {
+            if (lines[value] is not ("TABLES" or "BLOCKS" or "ENTITIES") || lines[value - 1].Trim() != "2") continue;
+            for (var at = 0; at < lines[value].Length; at++)
+            {
+                List<string> damaged = [.. lines];
+                damaged[value] = string.Create(CultureInfo.InvariantCulture, $"{lines[value][..at]}5{lines[value][(at + 1)..]}");
+                if (Silence(damaged) is { } loss) silent.Add($"{damaged[value]}: {loss}");
+            }
+        }
+
+        Assert.Empty(silent);
+    }
+
+    [Theory]
+    [InlineData("LAYER", "LAY3R")]
+    [InlineData("BLOCK", "BL0CK")]
+    [InlineData("ENDBLK", "ENDB1K")]
+    [InlineData("ENDSEC", "ENDSEX")]
+    [InlineData("ENDTAB", "ENDTAD")]
+    [InlineData("SECTION", "SECTI0N")]
+    public void A_frame_whose_name_is_damaged_is_never_passed_over_without_an_error(string name, string instead)
+    {
+        var lines = Lines(Sample);
+        var silent = new List<string>();
+        for (var value = 1; value < lines.Length; value += 2)
+        {
+            if (lines[value] != name || lines[value - 1].Trim() != "0" || value == 1) continue;
+            List<string> damaged = [.. lines];
+            damaged[value] = instead;
+            if (Silence(damaged) is { } loss) silent.Add($"line {value + 1}: {loss}");
+        }
+
+        Assert.Empty(silent);
+    }
+
+    [Fact]
+    public void The_damage_is_told_with_its_line()
+    {
+        List<string> lines = [.. Lines(Sample)];
+        var head = lines.IndexOf("ENTITIES");
+        lines.RemoveAt(head + 1);
+
+        var finding = Assert.Single(Read(lines).Diagnostics, diagnostic => diagnostic.Id == "DXF0050");
+        Assert.Equal(head + 2, finding.Source.Line);
+        Assert.Contains("'LINE'", finding.Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>Sections that other programs add, of records of their own; preview pictures; what AutoCAD stores behind the entities; header variables behind the header's end.</summary>
+    [Theory]
+    [InlineData("THUMBNAILIMAGE", "90 12|310 28000000|310 FFFF")]
+    [InlineData("ACDSDATA", "70 2|71 6|0 ACDSSCHEMA|90 0|1 AcDb_Thumbnail_Schema|2 AcDbDs::ID|280 10|91 8|0 ACDSRECORD|90 0")]
+    [InlineData("CLASSES", "0 CLASS|1 WIPEOUT|2 AcDbWipeout|3 ObjectDBX|90 127|280 0")]
+    [InlineData("OBJECTS", "0 DICTIONARY|5 C|3 LINE|350 D|0 XRECORD|8 LINE|10 1|10 2|8 LINE")]
+    [InlineData("ACME_STUFF", "0 FOO|8 LINE|10 1|0 BAR|2 ENTITIES")]
+    public void Sections_of_other_programs_stay_quiet(string name, string pairs)
+    {
+        (int, object)[] content = [.. pairs.Split('|').Select(pair => pair.Split(' ', 2)).Select(pair => (int.Parse(pair[0], CultureInfo.InvariantCulture), (object)pair[1]))];
+        var file = new DxfText().Header("AC1015", 4).Section("ENTITIES", Line).Section(name, content).End().ToAscii();
+
+        Assert.Empty(Reading.Of(file).Diagnostics);
+        Assert.Empty(SecondOpinion.Of(file).DifferencesFrom(DrawingSummary.Of(Reading.Of(file))));
+    }
+
+    [Fact]
+    public void A_layer_that_is_called_like_an_entity_is_no_damage()
+    {
+        var file = new DxfText().Header("AC1015", 4)
+            .Section("BLOCKS", (0, "BLOCK"), (8, "LINE"), (2, "B"), (0, "CIRCLE"), (8, "LINE"), (10, 0), (20, 0), (40, 1), (0, "ENDBLK"), (5, "1F"), (8, "LINE"))
+            .Section("ENTITIES", (0, "TEXT"), (5, "1"), (8, "TEXT"), (10, 0), (20, 0), (40, 1), (1, "LINE"), (0, "INSERT"), (8, "INSERT"), (2, "B"), (10, 0), (20, 0)).End().ToAscii();
+
+        Assert.Empty(Reading.Of(file).Diagnostics);
+        Assert.Empty(SecondOpinion.Of(file).DifferencesFrom(DrawingSummary.Of(Reading.Of(file))));
+    }
+
+    /// <summary>Twelve offsets of each form of each sample: a sector of zeros is an error unless every curve is still there.</summary>
+    [Fact]
+    public void A_sector_of_zeros_is_never_passed_over_in_silence()
+    {
+        var random = new Random(11);
+        var silent = new List<string>();
+        foreach (var path in Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Order(StringComparer.Ordinal))
+        {
+            var file = File.ReadAllBytes(path);
+            if (file.Length > 400_000 || file.AsSpan().StartsWith("AutoCAD Binary"u8)) continue;
+            var whole = Curves(Reading.Of(file));
+            foreach (var form in (byte[][])[file, Encoding.Unicode.GetBytes('\uFEFF' + Encoding.UTF8.GetString(file))])
+            {
+                for (var trial = 0; trial < 12; trial++)
+                {
+                    var sector = trial % 2 == 0 ? 4096 : 512;
+                    var at = sector * random.Next((form.Length / sector) + 1);
+                    byte[] damaged = [.. form];
+                    damaged.AsSpan(at, Math.Min(sector, damaged.Length - at)).Clear();
+                    var read = Reading.Of(damaged);
+                    if (!read.HasErrors && Curves(read) != whole) silent.Add($"{Path.GetFileName(path)}, {sector} bytes at {at}");
+                }
+            }
+        }
+
+        Assert.Empty(silent);
+    }
+
+    [Theory]
+    [InlineData("\0")]
+    [InlineData("\0\0\0\0")]
+    [InlineData("\n\0")]
+    public void A_zero_byte_inside_the_text_is_an_error_with_its_line(string zeros)
+    {
+        var text = Encoding.UTF8.GetString(Sample.ToAscii());
+        var at = text.IndexOf("CIRCLE", StringComparison.Ordinal) + "CIRCLE".Length;
+        var line = text[..at].Count(c => c == '\n') + 1;
+
+        var finding = Assert.Single(Reading.Of(text.Insert(at, zeros)).Diagnostics, diagnostic => diagnostic.Id == "DXF0054");
+        Assert.Equal(zeros[0] == '\n' ? line + 1 : line, finding.Source.Line);
+    }
+
+    [Theory]
+    [InlineData("\0\0\0")]
+    [InlineData("\u001A")]
+    [InlineData("\u001A\0\0\r\n\0")]
+    [InlineData("\nanything \0 behind the end\n")]
+    public void What_fills_up_the_end_of_the_file_is_no_damage(string tail)
+    {
+        var text = Encoding.UTF8.GetString(Sample.ToAscii()) + tail;
+
+        Assert.Empty(Reading.Of(text).Diagnostics);
+        Assert.Empty(Reading.Of(Encoding.Unicode.GetBytes('\uFEFF' + text)).Diagnostics);
+    }
+
+    private static (int, object)[] Insert(string block, double x) => [(0, "INSERT"), (5, "34"), (8, "CUT"), (2, block), (10, x), (20, 0.0)];
+
+    private static string[] Lines(DxfText text) => Encoding.UTF8.GetString(text.ToAscii()).TrimEnd('\n').Split('\n');
+
+    private static Drawing Read(IEnumerable<string> lines) => Reading.Of(Bytes(lines));
+
+    private static byte[] Bytes(IEnumerable<string> lines) => Encoding.UTF8.GetBytes(string.Join('\n', lines) + "\n");
+
+    /// <summary>What was lost without an error, or without a difference in the second reading; null when nothing was.</summary>
+    private static string? Silence(IEnumerable<string> lines)
+    {
+        var file = Bytes(lines);
+        var read = Reading.Of(file);
+        if (Curves(read) == Curves(Reading.Of(Sample))) return null;
+        if (!read.HasErrors) return $"the reader says {string.Join(' ', Reading.Ids(read))}";
+        return SecondOpinion.Of(file).DifferencesFrom(DrawingSummary.Of(read)).Count == 0 ? "the second reading agrees" : null;
+    }
+
+    /// <summary>What is cut, and whether its layer is switched on; in any order.</summary>
+    private static string Curves(Drawing drawing)
+    {
+        var curves = Reading.Curves(drawing).Select(entity => string.Create(CultureInfo.InvariantCulture,
+            $"{entity.Type} {drawing.Layers[entity.Layer].On} {string.Concat(Enumerable.Range(entity.FirstPart, entity.PartCount).Select(i => $"{drawing.Parts[i].A:R},{drawing.Parts[i].B:R},{drawing.Parts[i].D:R},{drawing.Parts[i].E:R};"))}"));
+        return string.Join('\n', curves.Order(StringComparer.Ordinal)) + string.Concat(drawing.Layers.Select(layer => $"\n{layer.Name} {layer.On}").Order(StringComparer.Ordinal));
+    }
+}

@@ -1,0 +1,160 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Programs;
+
+namespace Engraver.Galil.Tests.Jobs;
+
+/// <summary>Somebody else switches the tool or halts our watchdog in the middle of a job, or a command of ours for the tool arrives as another one: it is seen, told, and what was not cut counts as missing.</summary>
+public class SomebodyElseTests
+{
+    private const int Network = 0;
+
+    public static TheoryData<JobMode, int> Everywhere => StalledJobTests.Everywhere;
+
+    /// <summary>Over a network by what the controller then does, on a serial line by the echo.</summary>
+    private static JobOutcome Noticed(int baud) => baud == Network ? JobOutcome.Refused : JobOutcome.LinkLost;
+
+    [Theory]
+    [MemberData(nameof(Everywhere))]
+    public async Task A_tool_that_somebody_switched_off_stops_the_job_and_the_rest_is_missing(JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var (at, sample) = (0, 0L);
+
+        var result = await RunAsync(bench, MotionPrograms.LongLine(200000), mode, baud, progress => progress.X > 50000, () =>
+        {
+            (at, sample) = (bench.Last.A, bench.Controller.Status.Sample);
+            bench.Interfere("CB 1");
+        });
+        var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(MotionPrograms.LongLine(200000), result, 4.0);
+
+        Assert.Equal(JobOutcome.Refused, result.Outcome);
+        Assert.Contains("off while cutting", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("drawing entity 0", result.Sentence, StringComparison.Ordinal);
+        Assert.InRange(cut, at - 1000.0 - 3000.0, at - 1000.0); // up to a poll before
+        CutRecord.AssertSafeAfter(bench, sample, toolSeconds: 0.1, restSeconds: 1.0);
+    }
+
+    [Theory]
+    [InlineData(JobMode.Stream, Network)]
+    [InlineData(JobMode.Calls, Network)]
+    [InlineData(JobMode.Program, Network)]
+    [InlineData(JobMode.Stream, 19200)]
+    public async Task Segments_that_were_counted_while_the_tool_was_off_are_not_cut(JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var program = MotionPrograms.ShortLines(1600);
+
+        var result = await RunAsync(bench, program, mode, baud, progress => progress.X > 30000, () => bench.Interfere("CB 1"));
+        var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, 4.0);
+
+        Assert.Equal(JobOutcome.Refused, result.Outcome);
+        Assert.InRange(cut, 20000.0, Cut(bench));
+        Assert.InRange(result.SegmentsExecuted, 400, 1500);
+    }
+
+    [Theory]
+    [MemberData(nameof(Everywhere))]
+    public async Task A_watchdog_that_somebody_halted_stops_the_job(JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var sample = 0L;
+
+        var result = await RunAsync(bench, MotionPrograms.LongLine(200000), mode, baud, progress => progress.X > 50000, () =>
+        {
+            sample = bench.Controller.Status.Sample;
+            bench.Interfere("HX1");
+        });
+
+        Assert.Equal(JobOutcome.Refused, result.Outcome);
+        Assert.Contains("watchdog", result.Sentence, StringComparison.Ordinal);
+        CutRecord.AssertSafeAfter(bench, sample, toolSeconds: 1.0, restSeconds: 1.5);
+    }
+
+    [Theory]
+    [InlineData("SB 1", "SB 2", JobMode.Stream, Network)]
+    [InlineData("SB 1", "CB 1", JobMode.Stream, Network)]
+    [InlineData("SB 1", "SB 2", JobMode.Calls, Network)]
+    [InlineData("SB 1", "SB 2", JobMode.Stream, 19200)]
+    [InlineData("SB 1", "SB 2", JobMode.Calls, 19200)]
+    public async Task A_tool_command_that_arrived_as_another_one_cuts_nothing(string sent, string arrived, JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+
+        var result = await RunAsync(bench, MotionPrograms.Paper, mode, baud, _ => false, () => { }, line => line.Replace(sent, arrived, StringComparison.Ordinal));
+
+        Assert.Equal((Noticed(baud), 0), (result.Outcome, result.SegmentsExecuted));
+        Assert.Contains(baud == Network ? "off while cutting" : "where 'SB 1' was sent", result.Sentence, StringComparison.Ordinal);
+        Assert.Equal(new CountsPoint(5000, 5000), result.FinalPosition);
+    }
+
+    [Theory]
+    [InlineData(JobMode.Stream, Network)]
+    [InlineData(JobMode.Calls, Network)]
+    [InlineData(JobMode.Stream, 19200)]
+    [InlineData(JobMode.Calls, 19200)]
+    public async Task A_tool_that_did_not_go_off_is_not_taken_along_to_the_next_stroke(JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var (isOn, isHarmed) = (false, false);
+        string Harm(string line)
+        {
+            isOn |= line == "SB 1\r";
+            if (!isOn || isHarmed || line != "CB 1\r") return line;
+            isHarmed = true;
+            return "CB 2\r";
+        }
+
+        var result = await RunAsync(bench, MotionPrograms.TwoStrokes, mode, baud, _ => false, () => { }, Harm);
+
+        Assert.Equal((Noticed(baud), 0), (result.Outcome, bench.Controller.Status.Outputs & 1));
+        Assert.Contains(baud == Network ? "on where it has to be off" : "where 'CB 1' was sent", result.Sentence, StringComparison.Ordinal);
+        CutRecord.AssertNothingElseWasCut(bench, MotionPrograms.TwoStrokes);
+    }
+
+    [Theory]
+    [MemberData(nameof(Everywhere))]
+    public async Task A_tool_that_somebody_switched_on_in_a_rapid_goes_off_again(JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var sample = 0L;
+
+        var result = await RunAsync(bench, MotionPrograms.LongRapid(200000), mode, baud, progress => progress.X > 50000, () =>
+        {
+            sample = bench.Controller.Status.Sample;
+            bench.Interfere("SB 1");
+        });
+
+        Assert.Equal(JobOutcome.Refused, result.Outcome);
+        Assert.Contains("on where it has to be off", result.Sentence, StringComparison.Ordinal);
+        CutRecord.AssertSafeAfter(bench, sample, toolSeconds: 1.0, restSeconds: 2.0);
+    }
+
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task A_dry_run_with_the_tool_on_ends(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        await using var session = await bench.OpenAsync();
+        var act = new CancelWhen(progress => progress.X > 50000, () => bench.Interfere("SB 1"));
+
+        var result = await JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode, DryRun = true }, act, CancellationToken.None);
+
+        Assert.Equal((JobOutcome.Refused, 0), (result.Outcome, bench.Controller.Status.Outputs));
+    }
+
+    private static async Task<JobResult> RunAsync(
+        SimulatedBench bench, MotionProgram program, JobMode mode, int baud, Func<JobProgress, bool> when, Action act, Func<string, string>? harm = null)
+    {
+        await using var session = baud == Network ? await bench.OpenAsync(opened: link => link.Harm = harm) : await bench.OpenSerialAsync(baud, harm: harm);
+        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(when, act), CancellationToken.None);
+    }
+
+    /// <summary>What the motors went with the tool on, by the record, counts.</summary>
+    private static double Cut(SimulatedBench bench)
+    {
+        var rows = bench.Controller.Record.Snapshot();
+        return rows.Zip(rows.Skip(1)).Where(pair => (pair.First.Outputs & 1) != 0).Sum(pair => Math.Sqrt(Math.Pow(pair.Second.A - pair.First.A, 2) + Math.Pow(pair.Second.B - pair.First.B, 2)));
+    }
+}

@@ -1,0 +1,115 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+
+namespace Engraver.Galil.Tests.Jobs;
+
+/// <summary>Nothing moves and nothing is counted though it should: the job ends with the tool off and says where and why. What is only slow goes on.</summary>
+public class StalledJobTests
+{
+    private const int Network = 0;
+
+    public static TheoryData<JobMode, int> Everywhere => new()
+    {
+        { JobMode.Stream, Network },
+        { JobMode.Calls, Network },
+        { JobMode.Program, Network },
+        { JobMode.Stream, 19200 },
+        { JobMode.Calls, 19200 },
+        { JobMode.Program, 19200 },
+    };
+
+    [Theory]
+    [MemberData(nameof(Everywhere))]
+    public async Task A_feed_override_of_nothing_from_another_handle_ends_the_job(JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var stoppedAt = 0L;
+
+        var result = await RunAsync(bench, MotionPrograms.LongLine(200000), mode, baud, progress => progress.X > 50000, () =>
+        {
+            stoppedAt = bench.Controller.Status.Sample;
+            bench.Interfere("VR 0");
+        });
+
+        Assert.Equal((JobOutcome.Refused, 0), (result.Outcome, result.SegmentsExecuted));
+        Assert.Contains("VR is 0", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("stroke 1, drawing entity 0", result.Sentence, StringComparison.Ordinal);
+        CutRecord.AssertSafeAfter(bench, stoppedAt, toolSeconds: 5.0, restSeconds: 5.0);
+    }
+
+    [Theory]
+    [InlineData("go=1", "o=1", 1, JobMode.Calls, Network)] // the first is the empty call at the start, with the tool off
+    [InlineData("go=1", "o=1", 0, JobMode.Calls, Network)]
+    [InlineData("go=1", "o=1", 1, JobMode.Calls, 19200)] // seen in the echo
+    [InlineData("SPA=", "SPA=0;g=", 0, JobMode.Stream, Network)] // seen when it is read back
+    [InlineData("SPA=", "SPA=0;g=", 0, JobMode.Calls, 19200)]
+    public async Task A_command_that_arrived_as_another_one_does_not_keep_the_job_waiting_for_ever(string sent, string arrived, int nth, JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var seen = 0;
+        string Harm(string line)
+        {
+            if (!line.StartsWith(sent, StringComparison.Ordinal) || line.IndexOf('\r') != line.Length - 1 || seen++ != nth) return line; // no part of a download
+            return arrived.Contains(';', StringComparison.Ordinal) ? arrived[..arrived.IndexOf(';', StringComparison.Ordinal)] + "\r" : arrived + line[sent.Length..];
+        }
+
+        var result = await RunAsync(bench, MotionPrograms.Paper, mode, baud, _ => false, () => { }, Harm);
+
+        var isSeenAtOnce = baud != Network || sent == "SPA=";
+        Assert.Equal(isSeenAtOnce ? JobOutcome.LinkLost : JobOutcome.Refused, result.Outcome);
+        Assert.Contains(isSeenAtOnce ? "was sent" : "Nothing has moved", result.Sentence, StringComparison.Ordinal);
+        if (!isSeenAtOnce) Assert.Contains("drawing entity 0", result.Sentence, StringComparison.Ordinal);
+        Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
+    }
+
+    [Theory]
+    [MemberData(nameof(Everywhere))]
+    public async Task A_cut_that_is_only_slow_comes_to_its_end(JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+
+        var result = await RunAsync(bench, MotionPrograms.LongLine(6000), mode, baud, progress => progress.X > 1020 && progress.ToolOn, () => bench.Interfere("VR 0.005"), patience: 200.0);
+
+        Assert.Equal((JobOutcome.Complete, 1), (result.Outcome, result.SegmentsExecuted));
+        Assert.InRange(result.Seconds, 15.0, 200.0);
+    }
+
+    [Theory]
+    [MemberData(nameof(Everywhere))]
+    public async Task A_tool_that_settles_for_longer_than_a_job_may_stand_is_waited_for(JobMode mode, int baud)
+    {
+        await using var bench = new SimulatedBench();
+        var program = MotionPrograms.LongLine(1000) with { Profile = MachineProfile.Default with { ToolSettleSeconds = 12.0 } };
+
+        var result = await RunAsync(bench, program, mode, baud, _ => false, () => { });
+
+        Assert.Equal((JobOutcome.Complete, 1), (result.Outcome, result.SegmentsExecuted));
+        CutRecord.AssertWholePathWasCut(bench, program);
+    }
+
+    [Fact]
+    public async Task A_slow_line_that_fills_the_buffer_while_the_tool_is_on_is_no_standstill()
+    {
+        await using var bench = new SimulatedBench();
+        var first = MotionPrograms.ShortLines(2).Strokes[0].Sequences[0];
+        var second = new VectorSequence(first.End, 20000, [.. Enumerable.Range(1, 480).Select(i => MotionPrograms.Line(120 + (i * 60), i % 2, i + 1, Math.Sqrt(3601.0)))]);
+        var program = MotionPrograms.LongLine(1) with { Strokes = [new MotionStroke(0, first.Start, [first, second])] };
+
+        var result = await RunAsync(bench, program, JobMode.Stream, 4800, _ => false, () => { });
+
+        Assert.Equal((JobOutcome.Complete, 482), (result.Outcome, result.SegmentsExecuted));
+        Assert.InRange(result.Seconds, 15.0, 60.0); // the bytes of the second sequence, far longer than a standstill may last
+    }
+
+    /// <summary>Runs a job in which <paramref name="act"/> happens once; the operator stops it after <paramref name="patience"/> seconds of the controller, so that a test of something endless ends.</summary>
+    private static async Task<JobResult> RunAsync(
+        SimulatedBench bench, MotionProgram program, JobMode mode, int baud, Func<JobProgress, bool> when, Action act, Func<string, string>? harm = null, double patience = 60.0)
+    {
+        using var stop = new CancellationTokenSource();
+        var acting = new CancelWhen(when, act);
+        var progress = new Both(acting, new CancelWhen(now => now.Seconds > patience, stop.Cancel));
+        await using var session = baud == Network ? await bench.OpenAsync(opened: link => link.Harm = harm) : await bench.OpenSerialAsync(baud, harm: harm);
+        return await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode }, progress, stop.Token);
+    }
+}

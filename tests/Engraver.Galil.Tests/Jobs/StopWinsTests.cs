@@ -1,0 +1,81 @@
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Tests.Links;
+using Engraver.TestKit;
+
+namespace Engraver.Galil.Tests.Jobs;
+
+/// <summary>The operator's stop wins over every step that a job has under way or in mind, however busy this computer is: nothing of the job is sent behind it, and its own words wait for nobody.</summary>
+public class StopWinsTests
+{
+    public static TheoryData<JobMode, string> Steps => new()
+    {
+        { JobMode.Stream, "BG" }, // the rapid
+        { JobMode.Stream, "VP " },
+        { JobMode.Stream, "SB 1" },
+        { JobMode.Stream, "BGS" },
+        { JobMode.Stream, "MG _BGS," },
+        { JobMode.Calls, "x=" },
+        { JobMode.Calls, "SB 1" },
+        { JobMode.Calls, "go=1" },
+        { JobMode.Calls, "r=" },
+        { JobMode.Calls, "hb=" },
+        { JobMode.Program, "XQ" },
+        { JobMode.Program, "HX0" },
+        { JobMode.Program, "MG _BGS," },
+    };
+
+    [Theory]
+    [MemberData(nameof(Steps))]
+    public async Task Behind_the_stop_nothing_of_the_job_is_sent_whatever_it_was_about_to_do(JobMode mode, string step)
+    {
+        await using var bench = new SimulatedBench();
+        using var stop = new CancellationTokenSource();
+        var (links, behind, braked) = (new List<WithheldLink>(), new List<string>(), false);
+        await using var session = await bench.OpenAsync(opened: links.Add);
+        links[1].Sending = line => braked |= stop.IsCancellationRequested && line.StartsWith("CSS", StringComparison.Ordinal);
+        links[0].Sending = line =>
+        {
+            if (stop.IsCancellationRequested && !braked) behind.Add(line);
+            if (line.StartsWith(step, StringComparison.Ordinal)) stop.Cancel(); // it is sent already
+        };
+
+        var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Mode = mode }, null, stop.Token);
+
+        Assert.Equal((JobOutcome.Stopped, true), (result.Outcome, braked));
+        Assert.Empty(behind);
+        Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
+    }
+
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task With_no_thread_to_take_its_answers_the_stop_has_said_everything(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        using var stop = new CancellationTokenSource();
+        var (links, said) = (new List<WithheldLink>(), new List<string>());
+        var time = new ManualTimeProvider();
+        await using var session = await bench.OpenAsync(time, links.Add);
+        (bool Moves, int Outputs) behind = (true, 1);
+        var press = new CancelWhen(progress => progress.X > 50000, () =>
+        {
+            links[1].Sending = said.Add;
+            links[1].Withhold(); // the thread that would take the answer does not come: all that is left is what is said at once
+            links[0].Withhold();
+            stop.Cancel();
+            bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
+            behind = (bench.Controller.Status.IsMoving, bench.Controller.Status.Outputs);
+        });
+        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, press, stop.Token);
+        await links[1].SomebodyWaits;
+        while (!running.IsCompleted)
+        {
+            time.Advance(TimeSpan.FromSeconds(1)); // both handles are given up
+            await Task.Yield();
+        }
+
+        Assert.Equal((false, 0), behind);
+        Assert.Equal("CB 1;STS;ST AB;HX0\r", Assert.Single(said));
+    }
+}

@@ -1,0 +1,76 @@
+using System.Globalization;
+using Engraver.Core.Dxf;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+using Engraver.TestKit;
+
+namespace Engraver.Galil.Tests.Programs;
+
+/// <summary>
+/// Damaged drawings all the way to the motion program. More of them: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Galil.Tests -c Release --filter WholeWayFuzzTests;
+/// ENGRAVER_FUZZ_FIRST names the first seed.
+/// </summary>
+public class WholeWayFuzzTests
+{
+    private const double MaxError = 0.01;
+
+    /// <summary>Small drawings: twenty thousand of them are a matter of seconds.</summary>
+    private const int LargestOriginal = 6_000;
+
+    private const int MostCurves = 500;
+
+    /// <summary>No drawing of this size needs so many; beyond it a stage does not come to its end.</summary>
+    private const int MostSegments = 2_000_000;
+
+    /// <summary>No case takes a hundredth of it, even on a busy machine: beyond it is an endless loop.</summary>
+    private static readonly TimeSpan LongestWay = TimeSpan.FromMinutes(2);
+
+    [Fact]
+    public async Task No_damage_makes_a_stage_throw_or_run_on_for_ever()
+    {
+        var fuzzer = new DrawingFuzzer(Originals());
+        var first = Setting("ENGRAVER_FUZZ_FIRST", 1);
+        for (var seed = first; seed < first + Setting("ENGRAVER_FUZZ_CASES", 20_000); seed++)
+        {
+            var file = fuzzer.Case(seed);
+            try
+            {
+                await Task.Run(() => Go(file, seed)).WaitAsync(LongestWay);
+            }
+            catch (Exception wrong)
+            {
+                var path = Path.Combine(AppContext.BaseDirectory, string.Create(CultureInfo.InvariantCulture, $"way-{seed}.dxf"));
+                await File.WriteAllBytesAsync(path, file);
+                throw new InvalidOperationException($"seed {seed}, written to {path}: {wrong.GetType().Name}: {wrong.Message}", wrong);
+            }
+        }
+    }
+
+    private static void Go(byte[] file, int seed)
+    {
+        var drawing = DxfReader.Read(file, "test.dxf", new DxfReadOptions(MaxExpandedCurves: MostCurves, Cut: seed % 2 == 0 ? CutChoice.None : (CutChoice)31), CancellationToken.None);
+        var analysed = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], [])));
+        var options = SequencingOptions.Default with { ArcTolerance = seed % 3 == 0 ? MaxError : null, KeepDuplicates = seed % 5 == 0 };
+        var sequence = Sequencer.Sequence(analysed, drawing, options);
+        var toolpath = ToolpathPlanner.Plan(sequence, default, MaxError);
+        Assert.Equal(sequence.Strokes.Count, toolpath.Strokes.Count);
+        Assert.All(toolpath.Strokes, stroke => Assert.NotEmpty(stroke.Moves));
+        var motion = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, drawing.SourceOf, seed % 2 == 0 ? MotionStyle.Continuous : MotionStyle.Calls);
+        if (motion.Program is not { } program) Assert.Contains(motion.Diagnostics, finding => finding.Severity == Core.Diagnostics.Severity.Error);
+        else Assert.InRange(program.SegmentCount, 0, MostSegments);
+    }
+
+    private static List<byte[]> Originals()
+    {
+        var everything = OddDrawings.OneOfEverything();
+        var files = new List<byte[]> { everything.ToAscii(), everything.ToBinary(oneByteCodes: false), DxfText.WithEntities([.. OddDrawings.Spline, .. OddDrawings.Ellipse, .. OddDrawings.FitSpline]).ToAscii() };
+        files.AddRange(Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Order(StringComparer.Ordinal).Select(File.ReadAllBytes).Where(file => file.Length <= LargestOriginal));
+        return files;
+    }
+
+    private static int Setting(string name, int otherwise) => int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : otherwise;
+}

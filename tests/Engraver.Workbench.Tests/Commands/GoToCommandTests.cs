@@ -1,0 +1,223 @@
+using System.Globalization;
+using Engraver.Galil.Jobs;
+using Engraver.Simulator;
+using Engraver.TestKit;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>A run that does not start where the last one of its drawing did says so before it moves, and CNCGOTO brings the machine back. The simulated controller is behind a socket, as a real one would be.</summary>
+public sealed class GoToCommandTests : IAsyncDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-goto-");
+    private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(120));
+    private readonly List<string> _said = [];
+    private SimulatedController _controller = new(new SimulatorOptions { Speed = double.PositiveInfinity });
+    private int _port;
+
+    [Fact]
+    public async Task A_run_from_another_place_than_the_last_says_both_places_before_it_moves()
+    {
+        await using var session = await ConnectedAsync();
+        await RunAsync(session);
+        Assert.DoesNotContain(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
+        var rowsBefore = _controller.Record.Snapshot().Count;
+        var rowsWhenSaid = -1;
+        session.Said += (_, message) => { if (message.Text.Contains("JOB0006", StringComparison.Ordinal)) rowsWhenSaid = Moves(_controller.Record.Snapshot().Skip(rowsBefore)); };
+
+        await RunAsync(session);
+
+        Assert.Equal(0, rowsWhenSaid);
+        var said = Assert.Single(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
+        Assert.Contains("The machine stands at 5, 0 mm", said, StringComparison.Ordinal);
+        Assert.Contains("had the start at 0, 0 mm, so this one is cut 5, 0 mm beside it", said, StringComparison.Ordinal);
+        Assert.Contains("CNCGOTO Start", said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task CNCGOTO_Start_brings_the_next_run_to_the_same_place_without_a_word()
+    {
+        await using var session = await ConnectedAsync();
+        await RunAsync(session);
+        var first = Cut(_controller.Record.Snapshot());
+        Assert.IsType<FeedResult.Done>(await TypeAsync(session, "CNCGOTO", "Start"));
+        Assert.Equal((0.0, 0.0), At(session));
+        var rows = _controller.Record.Snapshot().Count;
+
+        await RunAsync(session);
+
+        Assert.DoesNotContain(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
+        Assert.Equal(first, Cut(_controller.Record.Snapshot().Skip(rows)));
+    }
+
+    [Fact]
+    public async Task Another_program_run_remembers_where_the_controllers_last_one_started()
+    {
+        await using (var session = await ConnectedAsync()) await RunAsync(session);
+        await using var later = await ConnectedAsync();
+
+        await TypeAsync(later, "CNCARM", "Stream");
+        Assert.Contains(_said, text => text.StartsWith("LOOK", StringComparison.Ordinal) && text.Contains("the last run of this drawing on this controller", StringComparison.Ordinal));
+        await TypeAsync(later, "CNCRUN");
+        Assert.Contains(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task A_simulated_machine_is_remembered_as_long_as_it_is_the_same()
+    {
+        await using var session = NewSession();
+        await TypeAsync(session, "CNCCONNECT", "sim:");
+        await RunAsync(session);
+        await TypeAsync(session, "CNCCONNECT", "sim:");
+        await RunAsync(session);
+        Assert.DoesNotContain(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
+
+        await RunAsync(session);
+        Assert.Contains(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task CNCGOTO_goes_to_a_machine_position_with_the_tool_off_and_leaves_the_job_frame_alone()
+    {
+        await using var session = await ConnectedAsync();
+        await RunAsync(session);
+        var rows = _controller.Record.Snapshot().Count;
+
+        Assert.IsType<FeedResult.Done>(await TypeAsync(session, "CNCGOTO", "-3.5,7"));
+
+        Assert.Equal((-3.5, 7.0), At(session));
+        Assert.Equal(-3.5, session.Machine.Status.WorkPosition!.Value.X, precision: 9);
+        var moved = _controller.Record.Snapshot().Skip(rows).ToList();
+        Assert.True(Moves(moved) > 0);
+        Assert.All(moved, sample => Assert.Equal(0, sample.Outputs & 1));
+    }
+
+    [Fact]
+    public async Task What_cannot_move_is_refused_with_what_to_do()
+    {
+        await using var session = NewSession();
+        Assert.Contains("CNCCONNECT", await FailedAsync(session, "CNCGOTO"), StringComparison.Ordinal);
+        await ConnectAsync(session);
+        Assert.Contains("has not been run", await FailedAsync(session, "CNCGOTO", "Start"), StringComparison.Ordinal);
+        Assert.Contains("32 bits", await FailedAsync(session, "CNCGOTO", "3000000,0"), StringComparison.Ordinal);
+        await TypeAsync(session, "CNCMOTORS", "OFF");
+        Assert.Contains("CNCMOTORS ON", await FailedAsync(session, "CNCGOTO", "1,1"), StringComparison.Ordinal);
+        Assert.Equal(0, Moves(_controller.Record.Snapshot()));
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task A_script_moves_a_real_machine_no_more_than_it_starts_one(bool desktop)
+    {
+        await using var session = await ConnectedAsync(desktop);
+        await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "go.scr"), "CNCGOTO 1,1\n");
+        await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "armed.scr"), "CNCARM Stream\nCNCGOTO 1,1\n");
+
+        Assert.IsType<FeedResult.Failed>(await TypeAsync(session, "SCRIPT", "go.scr"));
+        Assert.Equal(0, Moves(_controller.Record.Snapshot()));
+        var armed = await TypeAsync(session, "SCRIPT", "armed.scr");
+        if (desktop) Assert.IsType<FeedResult.Failed>(armed);
+        else Assert.IsType<FeedResult.Done>(armed);
+        Assert.Equal(!desktop, Moves(_controller.Record.Snapshot()) > 0);
+    }
+
+    [Fact]
+    public async Task A_stop_in_mid_move_stops_the_machine_first()
+    {
+        _controller = new SimulatedController(new SimulatorOptions { Speed = 1 });
+        await using var session = await ConnectedAsync();
+        var moving = TypeAsync(session, "CNCGOTO", "100,0");
+        await SeenAsync(session.Machine, status => status is { State: MachineState.Running, MachinePosition.X: > 5 });
+
+        Assert.IsType<FeedResult.NotUnderstood>(await session.FeedAsync("CNCGOTO", CancellationToken.None));
+        Assert.True(session.Machine.Stop());
+
+        Assert.Equal(CommandFailure.Stopped, Assert.IsType<FeedResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
+        Assert.InRange(At(session).X, 5.0, 99.0);
+        Assert.Equal((true, 0), (_controller.Status.IsIdle, (int)_controller.Status.Outputs));
+    }
+
+    [Fact]
+    public async Task When_the_link_is_lost_in_mid_move_the_watchdog_in_the_controller_stops_the_machine()
+    {
+        _controller = new SimulatedController(new SimulatorOptions { Speed = 1 });
+        await using var session = await ConnectedAsync();
+        var moving = TypeAsync(session, "CNCGOTO", "500,0");
+        await SeenAsync(session.Machine, status => status is { State: MachineState.Running, MachinePosition.X: > 5 });
+
+        _controller.DropConnections();
+
+        Assert.Equal(CommandFailure.LinkLost, Assert.IsType<FeedResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
+        await using var later = await ConnectedAsync();
+        await SeenAsync(later.Machine, status => status.State == MachineState.Ready);
+        Assert.InRange(At(later).X, 5.0, 499.0);
+        Assert.Equal(0, (int)_controller.Status.Outputs);
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        await _controller.DisposeAsync();
+        _limit.Dispose();
+        _folder.Delete(recursive: true);
+    }
+
+    private static (double X, double Y) At(CommandSession session) => (session.Machine.Status.MachinePosition!.Value.X, session.Machine.Status.MachinePosition!.Value.Y);
+
+    private static int Moves(IEnumerable<MotionSample> samples) => samples.Zip(samples.Skip(1)).Count(pair => (pair.First.A, pair.First.B) != (pair.Second.A, pair.Second.B));
+
+    private static List<(int, int)> Cut(IEnumerable<MotionSample> samples) => [.. samples.Where(sample => (sample.Outputs & 1) != 0).Select(sample => ((int)sample.A, (int)sample.B)).Distinct()];
+
+    private CommandSession NewSession(bool desktop = false)
+    {
+        var session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName, RunNeedsArming = desktop }, CommandCatalog.Built());
+        session.Said += (_, message) => _said.Add(message.Text);
+        session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });
+        return session;
+    }
+
+    private async Task<CommandSession> ConnectedAsync(bool desktop = false)
+    {
+        var session = NewSession(desktop);
+        await ConnectAsync(session);
+        return session;
+    }
+
+    private async Task ConnectAsync(CommandSession session)
+    {
+        if (_port == 0) _port = (await _controller.ListenTcpAsync(0, _limit.Token)).Port;
+        Assert.IsType<FeedResult.Done>(await TypeAsync(session, "CNCCONNECT", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{_port}")));
+    }
+
+    private static async Task RunAsync(CommandSession session)
+    {
+        await TypeAsync(session, "CNCARM", "Stream");
+        Assert.IsType<FeedResult.Done>(await TypeAsync(session, "CNCRUN"));
+        Assert.Equal(JobOutcome.Complete, session.Machine.LastRun!.Result.Outcome);
+    }
+
+    private static async Task<FeedResult> TypeAsync(CommandSession session, params string[] inputs)
+    {
+        FeedResult result = new FeedResult.Done();
+        foreach (var input in inputs) result = await session.FeedAsync(input, CancellationToken.None);
+        return result;
+    }
+
+    private static async Task<string> FailedAsync(CommandSession session, params string[] inputs) => Assert.IsType<FeedResult.Failed>(await TypeAsync(session, inputs)).Sentence;
+
+    private async Task SeenAsync(MachineSession machine, Func<MachineStatus, bool> wanted)
+    {
+        var seen = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        void OnChanged(object? sender, EventArgs e)
+        {
+            if (wanted(machine.Status)) seen.TrySetResult();
+        }
+
+        machine.Changed += OnChanged;
+        OnChanged(null, EventArgs.Empty);
+        await seen.Task.WaitAsync(_limit.Token);
+        machine.Changed -= OnChanged;
+    }
+}

@@ -1,0 +1,115 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Core.Toolpaths;
+using Engraver.Galil.Programs;
+using Engraver.TestKit;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Tests.Machines;
+
+namespace Engraver.Workbench.Tests.Documents;
+
+/// <summary>A toolpath that is not what is drawn makes no program, so that it can neither be run nor posted nor armed, whoever accepts what; and no good drawing is refused.</summary>
+public class SpoiledToolpathTests
+{
+    private static readonly DrawingSettings s_settings = new();
+
+    public static TheoryData<string> Spoilers => ["moved", "left out", "extra"];
+
+    [Theory]
+    [MemberData(nameof(Spoilers))]
+    public void A_spoiled_toolpath_is_refused_by_name(string how)
+    {
+        foreach (var entity in new[] { 0, 1 })
+        {
+            var job = Spoiled(how, entity);
+
+            Assert.Null(job.Motion.Program);
+            Assert.All(job.Faults, fault => Assert.Equal((Severity.Error, job.Drawing.SourceOf(entity)), (fault.Severity, fault.Source)));
+            Assert.Contains(job.Faults[0], job.Diagnostics);
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Spoilers))]
+    public void It_is_not_posted_and_not_armed_even_when_errors_are_accepted(string how)
+    {
+        var job = Spoiled(how, 0);
+        var posted = PostedProgram.OfJob(job);
+        var ready = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true };
+        var checklist = ArmingChecklist.Of(job, ready, errorsAccepted: true);
+
+        Assert.Null(posted.Text);
+        Assert.Contains(job.Faults[0], posted.Diagnostics);
+        Assert.False(checklist.Passed);
+        Assert.Contains(checklist.Checks, check => !check.Passed && check.Sentence.Contains(job.Faults[0].Id, StringComparison.Ordinal));
+        Assert.True(ArmingChecklist.Of(MachineBench.Job(), ready, errorsAccepted: false).Passed);
+    }
+
+    [Fact]
+    public void A_sequence_that_lost_a_stroke_is_not_written_as_drawing()
+    {
+        var drawing = Drawing();
+        var analysed = JobPreparation.Analyse(drawing, s_settings);
+        var sequence = JobPreparation.Sequence(drawing, analysed, s_settings);
+
+        Assert.NotNull(PostedProgram.OfSequence(drawing, analysed, sequence, s_settings).Text);
+        var lost = PostedProgram.OfSequence(drawing, analysed, sequence with { Strokes = [.. sequence.Strokes.Skip(1)] }, s_settings);
+        Assert.Null(lost.Text);
+        Assert.Contains(lost.Diagnostics, finding => finding.Id == "VER0021");
+    }
+
+    [Fact]
+    public void Every_sample_passes_in_every_setting()
+    {
+        foreach (var file in Directory.GetFiles(RepositoryFolder.Samples, "*.dxf"))
+        {
+            foreach (var settings in new[] { s_settings, s_settings with { RecoverArcs = true, MaxErrorMm = 0.02 }, s_settings with { KeepDuplicates = true }, s_settings with { JoinToleranceMm = 0.5 } }) AssertPasses(file, settings);
+        }
+    }
+
+    [CorpusFact]
+    public void Every_drawing_of_the_corpus_passes()
+    {
+        var files = Directory.GetFiles(Path.Combine(RepositoryFolder.Corpus!, "files"), "*.dxf", SearchOption.AllDirectories).Where(file => new FileInfo(file).Length < 300_000).Order(StringComparer.Ordinal).ToArray();
+        Assert.InRange(files.Length, 100, 400);
+        foreach (var file in files) AssertPasses(file, s_settings);
+    }
+
+    private static void AssertPasses(string file, DrawingSettings settings)
+    {
+        var job = JobPreparation.Prepare(DrawingFile.Open(file, settings, CancellationToken.None), settings, MotionStyle.Continuous);
+        Assert.True(job.Faults.Count == 0, $"{file}: {string.Join(' ', job.Faults.Take(3).Select(fault => fault.Sentence))}");
+    }
+
+    private static PreparedJob Spoiled(string how, int entity)
+    {
+        var drawing = Drawing();
+        var analysed = JobPreparation.Analyse(drawing, s_settings);
+        var sequence = JobPreparation.Sequence(drawing, analysed, s_settings);
+        return JobPreparation.OfPath(drawing, s_settings, analysed, sequence, Spoil(JobPreparation.PathOf(sequence, s_settings), how, entity), MotionStyle.Continuous);
+    }
+
+    private static Toolpath Spoil(Toolpath path, string how, int entity)
+    {
+        var stroke = path.Strokes.Single(stroke => stroke.Moves.Any(move => move.EntityIndex == entity));
+        IReadOnlyList<ToolpathMove> moves = how switch
+        {
+            "moved" => [.. stroke.Moves.Select(move => move with { Segment = Moved(move.Segment) })],
+            "left out" => [.. stroke.Moves.Skip(1)],
+            _ => [.. stroke.Moves, new ToolpathMove(Segment.FromLine(stroke.End, stroke.End + new Vector2D(1, 1)), entity)],
+        };
+        return path with { Strokes = [.. path.Strokes.Select(other => other == stroke ? stroke with { Moves = moves } : other).Where(other => other.Moves.Count > 0)] };
+    }
+
+    private static Segment Moved(Segment segment)
+    {
+        var by = new Vector2D(0.003, 0.004);
+        return segment.Kind == SegmentKind.Line ? Segment.FromLine(segment.Start + by, segment.End + by) : Segment.FromArc(segment.Arc with { Centre = segment.Arc.Centre + by }, segment.Start + by, segment.End + by);
+    }
+
+    private static Drawing Drawing() =>
+        new DrawingBuilder().Line(0, 0, 20, 0).Free(FreeCurves.Spline(3, [new(100, 0), new(110, 20), new(120, -20), new(130, 0)], [1, 1, 1, 1])).Build();
+}

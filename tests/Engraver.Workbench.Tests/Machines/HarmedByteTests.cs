@@ -1,0 +1,137 @@
+using System.Globalization;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
+using Engraver.Simulator;
+using Engraver.TestKit;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Tests.Machines;
+
+/// <summary>A wire that harms one byte: whatever it does to the job, it never ends as complete with something else than the drawing cut, and it ends.</summary>
+/// <remarks>ENGRAVER_HARM_CASES=200 runs as many seeds; ENGRAVER_HARM_FIRST=N begins at another.</remarks>
+public sealed class HarmedByteTests : IDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-test-");
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task A_wire_that_harms_nothing_carries_the_job_to_its_end(JobMode mode)
+    {
+        var run = await RunAsync(mode, new HarmingWire(-1, 0));
+
+        Assert.Equal(("complete", true), (run.Outcome, run.IsCutRight));
+    }
+
+    /// <summary>As found on a proxy: a line ten times as long, a turn cut short, a speed, a tool that is not the tool.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream, "VP ", 3)]
+    [InlineData(JobMode.Stream, "CR ", 1)]
+    [InlineData(JobMode.Stream, "SB ", 1)]
+    [InlineData(JobMode.Stream, "CB ", 2)]
+    [InlineData(JobMode.Calls, "x=", 3)]
+    [InlineData(JobMode.Calls, "r=", 1)]
+    public async Task One_digit_more_is_never_called_complete_when_the_part_is_wrong(JobMode mode, string command, int which)
+    {
+        var wire = new DigitWire(command, which);
+        var run = await RunAsync(mode, wire);
+
+        Assert.True(wire.Harmed is not null, $"no line begins with {command}");
+        Assert.False(run is { Outcome: "complete", IsCutRight: false }, run.ToString());
+    }
+
+    [Fact]
+    public async Task No_harmed_byte_ends_as_complete_with_another_part_and_none_hangs()
+    {
+        var lines = new Dictionary<JobMode, int>();
+        foreach (var mode in Enum.GetValues<JobMode>())
+        {
+            var wire = new HarmingWire(-1, 0);
+            await RunAsync(mode, wire);
+            lines[mode] = wire.Harmable;
+        }
+
+        var (first, cases) = (Setting("ENGRAVER_HARM_FIRST", 1), Setting("ENGRAVER_HARM_CASES", 30));
+        var wrong = new List<string>();
+        var outcomes = new SortedDictionary<string, int>(StringComparer.Ordinal);
+        for (var seed = first; seed < first + cases; seed++)
+        {
+            var mode = (JobMode)(seed % 3);
+            var wire = new HarmingWire(new Random(seed).Next(lines[mode]), seed);
+            var run = await RunAsync(mode, wire);
+            outcomes[run.Outcome] = outcomes.GetValueOrDefault(run.Outcome) + 1;
+            if (wire.IsHung || run is { Outcome: "complete", IsCutRight: false }) wrong.Add(Text($"seed {seed} {mode} '{wire.Harmed?.Was}' -> '{wire.Harmed?.Became}': {run} hung {wire.IsHung}"));
+        }
+
+        Assert.True(wrong.Count == 0, Text($"{wrong.Count} of {cases}:\n") + string.Join('\n', wrong));
+        Assert.True(cases < 20 || outcomes.Count >= 3, string.Join(' ', outcomes)); // a wire that harms nothing would prove nothing
+    }
+
+    private async Task<HarmedRun> RunAsync(JobMode mode, HarmingWire wire)
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
+        await using var connection = MachineConnection.Through("memory", _ => Task.FromResult<IControllerLink>(new HarmingLink(new StreamLink(controller.OpenConnection(), "memory"), wire)));
+        var job = Job(mode);
+        var options = new MachineRunOptions(new TcpAddress("memory", 1), mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
+        try
+        {
+            var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);
+            return new HarmedRun(RunText.Word(report.Result.Outcome), report.Result.Sentence, RunJudge.ByRecord(job, controller.Record.Snapshot(), 0, 0), RunJudge.Tolerances(job).Deviation);
+        }
+        catch (Galil.Protocol.ControllerException unconnected)
+        {
+            return new HarmedRun("unconnected", unconnected.Message, RunJudgement.Unknown, 0.0);
+        }
+    }
+
+    private PreparedJob Job(JobMode mode)
+    {
+        var path = Path.Combine(_folder.FullName, "part.dxf");
+        if (!File.Exists(path)) File.WriteAllBytes(path, Part());
+        return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), MachineRunOptions.StyleOf(mode));
+    }
+
+    /// <summary>A round-ended plate with a hole, a slanting line on the negative side, and a bow of short chords: 70 mm in all.</summary>
+    private static byte[] Part()
+    {
+        var part = new List<(int Code, object Value)>();
+        void Line(double x1, double y1, double x2, double y2) => part.AddRange([(0, "LINE"), (8, "0"), (10, x1), (20, y1), (11, x2), (21, y2)]);
+        Line(5, 5, 17, 5);
+        Line(17, 5, 17, 12);
+        part.AddRange([(0, "ARC"), (8, "0"), (10, 11.0), (20, 12.0), (40, 6.0), (50, 0.0), (51, 180.0)]);
+        Line(5, 12, 5, 5);
+        part.AddRange([(0, "CIRCLE"), (8, "0"), (10, 11.0), (20, 9.0), (40, 1.5)]);
+        Line(-2, -3, -9, -6);
+        for (var i = 0; i < 30; i++) Line(20 + (6 * Math.Cos(i * 0.08)), 6 * Math.Sin(i * 0.08), 20 + (6 * Math.Cos((i + 1) * 0.08)), 6 * Math.Sin((i + 1) * 0.08));
+        return DxfText.WithEntities([.. part]).ToAscii();
+    }
+
+    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    private static int Setting(string name, int otherwise) => int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : otherwise;
+
+    /// <summary>How a run ended by its own account, and what the motors did.</summary>
+    private sealed record HarmedRun(string Outcome, string Sentence, RunJudgement Record, double Tolerance)
+    {
+        public bool IsCutRight => Record is { MaxDeviationMm: { } deviation, MissingLengthMm: { } missing } && deviation <= Tolerance && missing <= Tolerance;
+    }
+
+    /// <summary>Puts a digit behind the first digit of one such command.</summary>
+    private sealed class DigitWire(string command, int which) : HarmingWire(-1, 0)
+    {
+        private int _seen;
+
+        protected override string? Harm(string line)
+        {
+            if (!line.StartsWith(command, StringComparison.Ordinal) || ++_seen != which) return null;
+            var digit = line.IndexOfAny([.. "0123456789"]) + 1;
+            return line.Insert(digit, "0");
+        }
+    }
+}
