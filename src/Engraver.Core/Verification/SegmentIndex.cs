@@ -41,7 +41,7 @@ internal sealed class SegmentIndex
         var bound = _segments.Count == 0 ? double.PositiveInfinity : _segments[_last].DistanceTo(place);
         var piece = _tree.Nearest(place, _measure, bound, out distance);
         if (piece >= 0) _last = _owners[piece];
-        return piece < 0 ? -1 : _last;
+        return _segments.Count == 0 ? -1 : _last; // none found: none is nearer than the last
     }
 
     /// <summary>Adds the segments of which some part's box overlaps a box; each once until <see cref="Forget"/>.</summary>

@@ -103,6 +103,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     public long SteadySamples(VectorSegment segment, long atMost)
     {
         if (Speed <= 0 || Speed != Target || IsStopping || IsEnding) return 0;
+        if (_steadySamples == 0) _steadyFrom = Travelled;
         var way = Speed * Ramp.Sample;
         var samples = Math.Min(atMost, SamplesOver(Math.Min(segment.EndLength - Travelled, WayToChange(segment)), way));
         if (samples < SteadyMotion.Shortest) return 0;
@@ -115,16 +116,18 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     public void PassSteady(long samples)
     {
         var way = Speed * Ramp.Sample;
-        _steadyFrom = _steadySamples == 0 ? Travelled : _steadyFrom;
         _steadySamples += samples;
         Travelled = _steadyFrom + (_steadySamples * way);
     }
 
+    /// <summary>Shows the path length so many samples from now, for what waits for it; <see cref="PassSteady"/> must follow.</summary>
+    public void ShowSteady(long samples) => Travelled = TravelledAfter(samples);
+
     /// <summary>Path length so many samples of constant speed from now.</summary>
-    public double TravelledAfter(long samples) => (_steadySamples == 0 ? Travelled : _steadyFrom) + ((_steadySamples + samples) * (Speed * Ramp.Sample));
+    public double TravelledAfter(long samples) => _steadyFrom + ((_steadySamples + samples) * (Speed * Ramp.Sample));
 
     /// <summary>What <see cref="TravelledAfter"/> is made of: the place that samples are counted from, their number and the way of one.</summary>
-    public (double From, long Samples, double Way) SteadyState => (_steadySamples == 0 ? Travelled : _steadyFrom, _steadySamples, Speed * Ramp.Sample);
+    public (double From, long Samples, double Way) SteadyState => (_steadyFrom, _steadySamples, Speed * Ramp.Sample);
 
     private static long SamplesOver(double length, double way)
     {
@@ -147,6 +150,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     {
         if (isSteady)
         {
+            _steadyFrom = _steadySamples == 0 ? Travelled : _steadyFrom;
             PassSteady(1);
             return;
         }

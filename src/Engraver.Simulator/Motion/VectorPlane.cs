@@ -178,8 +178,12 @@ internal sealed class VectorPlane
         return Math.Min(samples, (long)(oneWay / (Profile.Speed * Ramp.Sample)));
     }
 
-    /// <summary>The axes so many samples of constant speed from now; the profile stays.</summary>
-    public void PlaceSteady(long samples) => PlaceAt(Profile.TravelledAfter(samples));
+    /// <summary>The axes so many samples of constant speed from now.</summary>
+    public void PlaceSteady(long samples)
+    {
+        Profile.ShowSteady(samples);
+        MoveAxes();
+    }
 
     /// <summary>What the axes do at constant speed from now on.</summary>
     public PathCourse Course() => new(Buffer.Current!, Profile, _axes, _origin, _firstScale, _secondScale);
