@@ -66,7 +66,12 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
     private async Task HaltAsync()
     {
         await BrakeAsync().ConfigureAwait(false);
-        foreach (var thread in ownThreads) await SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}")).ConfigureAwait(false);
+        foreach (var thread in ownThreads)
+        {
+            var halt = string.Create(CultureInfo.InvariantCulture, $"HX{thread}");
+            if (await SendAsync(halt).ConfigureAwait(false) is Rejected) await SendAsync(halt).ConfigureAwait(false); // a thread that runs on would begin the next motion
+        }
+
         await BrakeAsync().ConfigureAwait(false);
     }
 
@@ -107,5 +112,5 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
     }
 
     /// <summary>A refusal does not keep the stop from going on: each command is worth trying on its own.</summary>
-    private async Task SendAsync(string command) => await session.StopHandle.SendAsync(command, CancellationToken.None).ConfigureAwait(false);
+    private ValueTask<Reply> SendAsync(string command) => session.StopHandle.SendAsync(command, CancellationToken.None);
 }

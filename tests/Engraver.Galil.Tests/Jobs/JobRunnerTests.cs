@@ -153,7 +153,7 @@ public class JobRunnerTests
         await using var bench = new SimulatedBench();
         var program = MotionPrograms.ShortLines(1600);
         var links = new List<WithheldLink>();
-        await using var session = await bench.OpenAsync(null, links.Add);
+        await using var session = await bench.OpenAsync(opened: links.Add);
         var polls = 0;
         links[0].Sending = line =>
         {

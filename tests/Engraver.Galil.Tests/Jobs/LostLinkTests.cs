@@ -1,7 +1,6 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
-using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -49,13 +48,12 @@ public class LostLinkTests
     public async Task A_controller_that_freezes_is_given_up_after_the_time_out()
     {
         await using var bench = new SimulatedBench(new() { FreezeAfterCommands = 200 });
-        var time = new ManualTimeProvider();
-        await using var session = await bench.OpenAsync(time);
+        await using var session = await bench.OpenAsync();
 
         var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, null, CancellationToken.None);
         while (!running.IsCompleted)
         {
-            time.Advance(TimeSpan.FromSeconds(1));
+            bench.Controller.Advance(TimeSpan.FromSeconds(1));
             await Task.Yield();
         }
 

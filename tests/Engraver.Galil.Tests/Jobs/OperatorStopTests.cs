@@ -2,7 +2,6 @@ using Engraver.Galil.Jobs;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
-using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -91,9 +90,8 @@ public class OperatorStopTests
     public async Task Stop_goes_over_its_own_handle_while_the_feeder_waits_for_a_reply(JobMode mode)
     {
         await using var bench = new SimulatedBench();
-        var time = new ManualTimeProvider();
         var links = new List<WithheldLink>();
-        await using var session = await bench.OpenAsync(time, links.Add);
+        await using var session = await bench.OpenAsync(opened: links.Add);
         using var stop = new CancellationTokenSource();
         var running = JobRunner.RunAsync(
             MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 50000, links[0].Withhold), stop.Token);
@@ -106,8 +104,8 @@ public class OperatorStopTests
         var feederWaits = !running.IsCompleted;
         while (!running.IsCompleted)
         {
-            time.Advance(TimeSpan.FromMilliseconds(2));
-            await bench.SendAsync("MG 1"); // a question of our own for each step of the clock: the stop's answers come as soon, however busy the computer is
+            bench.Controller.Advance(TimeSpan.FromMilliseconds(2));
+            await Task.Yield();
         }
 
         Assert.Equal((0, true, true), (atOnce, rests, feederWaits));

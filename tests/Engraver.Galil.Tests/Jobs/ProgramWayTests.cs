@@ -69,7 +69,7 @@ public class ProgramWayTests
     {
         await using var bench = new SimulatedBench(programLines: 130);
         var links = new List<Links.WithheldLink>();
-        await using var session = await bench.OpenAsync(null, links.Add);
+        await using var session = await bench.OpenAsync(opened: links.Add);
         var states = new List<(bool Moving, int Outputs, int Threads)>();
         links[0].Sending = line =>
         {
@@ -161,9 +161,8 @@ public class ProgramWayTests
     public async Task A_stop_reaches_the_program_even_while_the_host_waits_for_a_reply()
     {
         await using var bench = new SimulatedBench(clock: new ManualTimeProvider());
-        var time = new ManualTimeProvider();
         var links = new List<Links.WithheldLink>();
-        await using var session = await bench.OpenAsync(time, links.Add);
+        await using var session = await bench.OpenAsync(opened: links.Add);
         using var stop = new CancellationTokenSource();
         var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, Job, new CancelWhen(progress => progress.ToolOn, links[0].Withhold), stop.Token);
         await links[0].SomebodyWaits;
@@ -173,7 +172,7 @@ public class ProgramWayTests
         bench.Controller.Advance(TimeSpan.FromSeconds(0.5)); // longer than the tool settles: the program would have begun the cut
         while (!running.IsCompleted)
         {
-            time.Advance(TimeSpan.FromSeconds(1));
+            bench.Controller.Advance(TimeSpan.FromSeconds(1));
             await Task.Yield();
         }
 
@@ -252,7 +251,7 @@ public class ProgramWayTests
     private static async Task<(JobResult Result, int Downloads)> CountedAsync(SimulatedBench bench, MotionProgram program)
     {
         var links = new List<Links.WithheldLink>();
-        await using var session = await bench.OpenAsync(null, links.Add);
+        await using var session = await bench.OpenAsync(opened: links.Add);
         var downloads = 0;
         links[0].Sending = line => downloads += line.StartsWith("DL\r", StringComparison.Ordinal) ? 1 : 0;
         return (await JobRunner.RunAsync(program, session, Job, null, CancellationToken.None), downloads);

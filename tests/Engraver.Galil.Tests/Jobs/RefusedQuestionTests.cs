@@ -18,8 +18,10 @@ public class RefusedQuestionTests
         foreach (var operand in s_operands)
         {
             await using var bench = new SimulatedBench();
-            string Harm(string line) => line.StartsWith("MG ", StringComparison.Ordinal) && line.IndexOf('\r') == line.Length - 1 ? line.Replace(operand, "_ZZ", StringComparison.Ordinal) : line; // no part of a download
-            await using var session = baud == 0 ? await bench.OpenAsync(opened: link => link.Harm = Harm) : await bench.OpenSerialAsync(baud, harm: Harm);
+            var unknown = "_" + new string('Z', operand.Length - 1);
+            string Harm(string line) => line.StartsWith("MG ", StringComparison.Ordinal) && line.IndexOf('\r') == line.Length - 1 ? line.Replace(operand, unknown, StringComparison.Ordinal) : line; // no part of a download
+            string Mend(string heard) => heard.Replace(unknown, operand, StringComparison.Ordinal); // the echo on a serial line
+            await using var session = baud == 0 ? await bench.OpenAsync(opened: link => link.Harm = Harm) : await bench.OpenSerialAsync(baud, harm: Harm, mend: Mend);
 
             var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Mode = mode }, null, CancellationToken.None);
 

@@ -14,8 +14,9 @@ internal static class SerialBench
 
     /// <param name="sending">Told each line before it goes out.</param>
     /// <param name="harm">What arrives instead of a line.</param>
-    public static Task<ControllerSession> OpenSerialAsync(this SimulatedBench bench, int baud, Action<string>? sending = null, Func<string, string>? harm = null) => ControllerSession.OpenAsync(
-        _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(baud)) { Sending = sending, Harm = harm }),
+    /// <param name="mend">What the host sees instead of what comes.</param>
+    public static Task<ControllerSession> OpenSerialAsync(this SimulatedBench bench, int baud, Action<string>? sending = null, Func<string, string>? harm = null, Func<string, string>? mend = null) => ControllerSession.OpenAsync(
+        _ => Task.FromResult<IControllerLink>(new WithheldLink(bench.OpenSerialLink(baud)) { Sending = sending, Harm = harm, Mend = mend }),
         new SessionOptions(), bench.Clock, CancellationToken.None);
 
     public static async Task<JobResult> RunSerialAsync(

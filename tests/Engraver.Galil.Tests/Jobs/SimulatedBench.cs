@@ -36,9 +36,8 @@ internal sealed class SimulatedBench : IAsyncDisposable
         _clock = null;
     }
 
-    /// <param name="time">Null for the controller's clock.</param>
     /// <param name="opened">Told each link as it is opened: the command handle, then the second one.</param>
-    public Task<ControllerSession> OpenAsync(TimeProvider? time = null, Action<WithheldLink>? opened = null) => ControllerSession.OpenAsync(
+    public Task<ControllerSession> OpenAsync(Action<WithheldLink>? opened = null) => ControllerSession.OpenAsync(
         _ =>
         {
             var link = new WithheldLink(new StreamLink(Controller.OpenConnection(), "memory"));
@@ -46,7 +45,7 @@ internal sealed class SimulatedBench : IAsyncDisposable
             return Task.FromResult<IControllerLink>(link);
         },
         new SessionOptions(),
-        time ?? Clock,
+        Clock,
         CancellationToken.None);
 
     public async Task<ControllerSession> OpenTcpAsync()

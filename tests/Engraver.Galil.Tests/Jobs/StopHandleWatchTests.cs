@@ -39,7 +39,7 @@ public class StopHandleWatchTests
                 return Task.FromResult<IControllerLink>(links[^1]);
             },
             new SessionOptions(),
-            TimeProvider.System,
+            bench.Clock,
             CancellationToken.None);
         using var stop = new CancellationTokenSource();
         var cut = new CancelWhen(progress => progress.X > 20000, () => Cut(links[1]));

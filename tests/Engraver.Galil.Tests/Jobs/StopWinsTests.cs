@@ -1,6 +1,5 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Tests.Links;
-using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -55,8 +54,7 @@ public class StopWinsTests
         await using var bench = new SimulatedBench();
         using var stop = new CancellationTokenSource();
         var (links, said) = (new List<WithheldLink>(), new List<string>());
-        var time = new ManualTimeProvider();
-        await using var session = await bench.OpenAsync(time, links.Add);
+        await using var session = await bench.OpenAsync(opened: links.Add);
         (bool Moves, int Outputs) behind = (true, 1);
         var press = new CancelWhen(progress => progress.X > 50000, () =>
         {
@@ -71,7 +69,7 @@ public class StopWinsTests
         await links[1].SomebodyWaits;
         while (!running.IsCompleted)
         {
-            time.Advance(TimeSpan.FromSeconds(1)); // both handles are given up
+            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles are given up
             await Task.Yield();
         }
 

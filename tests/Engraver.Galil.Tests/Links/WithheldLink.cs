@@ -24,6 +24,9 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
     /// <summary>What arrives instead of a line, its CR included; null leaves every line as it is.</summary>
     public Func<string, string>? Harm { get; set; }
 
+    /// <summary>What the host sees instead of what comes; null leaves it as it is.</summary>
+    public Func<string, string>? Mend { get; set; }
+
     public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)
     {
         var line = Encoding.Latin1.GetString(bytes.Span);
@@ -33,12 +36,15 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
 
     public async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation)
     {
-        if (!_withhold) return await inner.ReadAsync(buffer, cancellation);
+        if (!_withhold) return Mended(buffer, await inner.ReadAsync(buffer, cancellation));
         var never = new TaskCompletionSource<int>();
         using var registration = cancellation.Register(() => never.TrySetCanceled(cancellation));
         _waiting.TrySetResult();
         return await never.Task;
     }
+
+    private int Mended(Memory<byte> buffer, int count) =>
+        Mend is { } mend ? Encoding.Latin1.GetBytes(mend(Encoding.Latin1.GetString(buffer.Span[..count])), buffer.Span) : count;
 
     public ValueTask DisposeAsync() => inner.DisposeAsync();
 }
