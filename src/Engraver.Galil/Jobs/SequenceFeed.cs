@@ -20,6 +20,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>While the buffer is full the host rests for this share of what is in it.</summary>
     private const double RestShare = 4.0;
 
+    /// <summary>CR and prompt.</summary>
+    private const int FrameBytes = 2;
+
     /// <summary>Shorter delays between two commands are nothing to look into.</summary>
     private const double HeldUpSeconds = 0.05;
 
@@ -34,6 +37,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private int _sent;
     private int _executed;
     private int _sentAtWatch;
+    private int _bytesSinceWatch;
     private int _skipped;
     private double _countsAhead;
     private bool _begun;
@@ -90,7 +94,10 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     }
 
     /// <summary>Every few segments; and when this computer was held up for long enough that the buffer may have run dry, before the next segment hides it.</summary>
-    private bool IsTimeToWatch => _begun && (_sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds));
+    private bool IsTimeToWatch => _begun && (_sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds + UsualSeconds));
+
+    /// <summary>What was sent since the last look takes so long on a serial line, with a heartbeat for each command at the worst: no hold-up, however long.</summary>
+    private double UsualSeconds => machine.Line is { } line ? 2.0 * line.Time(_bytesSinceWatch).TotalSeconds : 0.0;
 
     private bool IsReadyToBegin =>
         _sent >= _capacity - SpareSegments
@@ -150,6 +157,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         }
 
         _sent++;
+        _bytesSinceWatch += command.Length + FrameBytes;
         ledger.Sent++;
         _countsAhead += segment.Length;
         return JobStep.Done;
@@ -170,7 +178,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     {
         if (await machine.GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         ConfirmUpTo(machine.State.Counter);
-        _sentAtWatch = _sent;
+        (_sentAtWatch, _bytesSinceWatch) = (_sent, 0);
         if (!machine.State.SequenceRunning) return EndedEarly();
         return _throttle.Ratio(_sent - _executed, SecondsAhead, Remaining) is { } ratio ? await ThrottleAsync(ratio).ConfigureAwait(false) : JobStep.Done;
     }
