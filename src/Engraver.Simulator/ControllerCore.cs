@@ -30,7 +30,7 @@ internal sealed class ControllerCore : IDisposable
         _status = new StatusBoard(Machine);
         _recordFile = new RecordFile(Machine.Record);
         _desk = new CommandDesk(Machine, _clock, options);
-        Hosts = new HostDesk(Machine, _clock, options, _gate, Happened, _recordFile.Flush);
+        Hosts = new HostDesk(Machine, _clock, _gate, Happened, _recordFile.Flush);
         _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
     }
 

@@ -6,8 +6,8 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     /// <summary>A wait of a host lets so much time pass before anybody else gets the lock.</summary>
     private const long LongestStep = TimeSpan.TicksPerSecond;
 
-    /// <summary>What the wall may have gone ahead of hosts that were at work, and time then catches up with.</summary>
-    private static readonly TimeSpan MostCredit = TimeSpan.FromMilliseconds(20);
+    /// <summary>By so much of the wall's time a finite speed may be ahead of the wall or behind it: waits are shorter than a timer of the computer is exact.</summary>
+    private static readonly TimeSpan WallLeeway = TimeSpan.FromMilliseconds(20);
 
     /// <summary>A host that has the clock and is silent so long, while it waits for an answer that does not come, waits for its own time-out.</summary>
     private static readonly TimeSpan Unanswered = TimeSpan.FromMilliseconds(500);
@@ -63,15 +63,21 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     }
 
     /// <summary>Lets time pass towards the first timer of a host, while all of them wait.</summary>
-    /// <returns>False when a host is at work.</returns>
+    /// <returns>False when a host is at work, or the wall has to come up first.</returns>
     public bool PassTowardsNext()
     {
         if (!Hosts.AllWait) return false;
-        machine.Advance(TimeSpan.FromTicks(Math.Clamp(Hosts.NextDue - machine.ClockTicks, 0, LongestStep)));
-        return true;
+        var step = Math.Clamp(Hosts.NextDue - machine.ClockTicks, 0, LongestStep);
+        if (!options.IsVirtual) step = Math.Min(step, (_credit + Leeway).Ticks);
+        if (step < 0) return false; // the wall has to come up first
+        machine.Advance(TimeSpan.FromTicks(step));
+        _credit -= TimeSpan.FromTicks(step);
+        return step > 0 || Hosts.NextDue <= machine.ClockTicks;
     }
 
     private TimeSpan _looked;
+
+    private TimeSpan Leeway => WallLeeway * options.Speed;
 
     private TimeSpan SinceLook() => Wall - _looked is var gap && gap < Unanswered ? gap : TimeSpan.Zero;
 
@@ -79,15 +85,8 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     private void PaceHosts(TimeSpan elapsed)
     {
         if (options.IsVirtual) return;
-        var most = MostCredit * options.Speed;
         _credit += elapsed * options.Speed;
-        if (Hosts.AllWait && _credit > TimeSpan.Zero)
-        {
-            var step = TimeSpan.FromTicks(Math.Clamp(Hosts.NextDue - machine.ClockTicks, 0, _credit.Ticks));
-            machine.Advance(step);
-            _credit -= step;
-        }
-
-        if (_credit > most) _credit = most;
+        if (_credit > Leeway) _credit = Leeway;
+        PassTowardsNext();
     }
 }

@@ -4,7 +4,7 @@ namespace Engraver.Simulator.Clocks;
 /// <param name="gate">The controller's lock.</param>
 /// <param name="happened">Called under the lock when time has passed or may pass.</param>
 /// <param name="flush">Called without the lock after time has passed: the record can be written.</param>
-internal sealed class HostDesk(Machine machine, ControllerClock clock, SimulatorOptions options, Lock gate, Action happened, Action flush)
+internal sealed class HostDesk(Machine machine, ControllerClock clock, Lock gate, Action happened, Action flush)
 {
     /// <summary>The controller's time in ticks of 100 ns.</summary>
     public long Now
@@ -59,11 +59,11 @@ internal sealed class HostDesk(Machine machine, ControllerClock clock, Simulator
         }
     }
 
-    /// <summary>At speed max: lets time pass in the thread of the host that waits, to the end of its wait or until another host has something to do. At other speeds the wall lets it pass.</summary>
+    /// <summary>Lets time pass in the thread of the host that waits, to the end of its wait, until another host has something to do or, at a finite speed, until the wall has to come up; then the wall lets the rest pass.</summary>
     /// <param name="own">The wait; it fires in this thread.</param>
     public void PassWhileAllWait(HostTimer own)
     {
-        while (options.IsVirtual)
+        while (true)
         {
             HostTimer? due;
             lock (gate)

@@ -100,10 +100,14 @@ internal sealed class ClockFrontEnd : IAsyncDisposable
     /// <returns>The line to come.</returns>
     private static async Task<Task<string?>> WaitAsync(HostClock clock, long microseconds, Task<string?> next, StreamReader reader, CancellationToken cancellation)
     {
-        using var ended = new CancellationTokenSource();
-        var wait = Task.Delay(TimeSpan.FromMicroseconds(microseconds), clock, ended.Token);
-        if (await Task.WhenAny(wait, next).ConfigureAwait(false) == wait) return next;
-        await ended.CancelAsync().ConfigureAwait(false);
+        var passed = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+
+        // Task.Delay cuts its time off to whole milliseconds, and a wait that passes no time would be asked for again and again.
+        await using (clock.CreateTimer(_ => passed.TrySetResult(), null, TimeSpan.FromMicroseconds(microseconds), Timeout.InfiniteTimeSpan).ConfigureAwait(false))
+        {
+            if (await Task.WhenAny(passed.Task, next).ConfigureAwait(false) == passed.Task) return next;
+        }
+
         return await next.ConfigureAwait(false) is null ? Task.FromResult<string?>(null) : reader.ReadLineAsync(cancellation).AsTask();
     }
 }

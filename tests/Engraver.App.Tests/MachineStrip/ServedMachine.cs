@@ -9,13 +9,16 @@ internal sealed class ServedMachine : IDisposable
     private readonly Operator _here;
     private readonly SimulatedController _controller;
     private readonly WireTap _wire;
+    private readonly string _clock;
 
     public ServedMachine(Operator here, double speed)
     {
         _here = here;
         _controller = new SimulatedController(new SimulatorOptions { Speed = speed });
         var listening = _controller.ListenTcpAsync(0, CancellationToken.None);
-        here.Until(() => listening.IsCompleted);
+        var offering = speed == 1 ? null : _controller.ListenClockAsync(CancellationToken.None);
+        here.Until(() => listening.IsCompleted && offering is null or { IsCompleted: true });
+        _clock = offering is null ? "" : FormattableString.Invariant($"?clock={offering.Result.Port}");
         _wire = new WireTap(listening.Result);
         _wire.Heard += (text, _) => Heard?.Invoke(text);
     }
@@ -23,7 +26,7 @@ internal sealed class ServedMachine : IDisposable
     /// <summary>What is on its way to the controller; on a thread of the pool.</summary>
     public event Action<string>? Heard;
 
-    public string Address => _wire.Address;
+    public string Address => _wire.Address + _clock;
 
     public void Dispose()
     {

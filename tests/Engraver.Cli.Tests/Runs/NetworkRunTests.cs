@@ -31,7 +31,8 @@ public class NetworkRunTests
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
         using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--speed", "max", "--record", folder.PathOf("record.csv"));
-        var address = (await simulate.LineAsync("listening ", patience.Token))["listening ".Length..];
+        var clock = (await simulate.LineAsync("clock 127.0.0.1:", patience.Token))["clock 127.0.0.1:".Length..];
+        var address = (await simulate.LineAsync("listening ", patience.Token))["listening ".Length..] + "?clock=" + clock;
         using var host = EngraverProcess.Start("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
         var report = System.Text.Json.JsonDocument.Parse(await host.Out.ReadToEndAsync(patience.Token)).RootElement;
         await host.WaitAsync(patience.Token);
@@ -53,7 +54,7 @@ public class NetworkRunTests
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
         await using var proxy = new HarmingProxy(place.Port, line => line == "VP 100000,0" ? "VP 1000000,0" : line);
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", proxy.Address, "--json", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", proxy.Address + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal((ExitCode.DrawingError, "deviated"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));
         Assert.Matches("The machine stood at 15[0-9]{4},50000 of the drawing .counts., [0-9]+ counts beside the planned path", run.Error);
@@ -90,7 +91,7 @@ public class NetworkRunTests
     {
         using var folder = new TemporaryFolder();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed });
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
         Assert.Equal(0.0, JsonText.Of(run).GetProperty("missingLength").GetDouble());
@@ -108,7 +109,7 @@ public class NetworkRunTests
         Assert.Equal(":::::::", await AskAsync(controller, "DL\r#OWNER\rMG 1\rEN\r\\VSS=6002;VAS=51200;SPA=1234;VR 0.3;CW 2\r", patience.Token));
         const string Questions = "MG _VSS,_VAS,_SPA,_VRS{$8.4},_CW\rUL\r";
         var before = await AskAsync(controller, Questions, patience.Token);
-        string[] words = ["run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--journal", folder.PathOf("run.jsonl")];
+        string[] words = ["run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--mode", mode, "--journal", folder.PathOf("run.jsonl")];
         using (var host = EngraverProcess.Start(words))
         {
             await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
@@ -139,7 +140,7 @@ public class NetworkRunTests
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         controller.SetLimitSwitch(axis: 0, forward: true, active: true);
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal(ExitCode.Refused, run.ExitCode);
         Assert.Equal("refused", JsonText.Of(run).GetProperty("outcome").GetString());
@@ -159,7 +160,7 @@ public class NetworkRunTests
         }
 
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal(ExitCode.Refused, run.ExitCode);
         Assert.Contains("Thread 3", run.Error, StringComparison.Ordinal);
@@ -239,7 +240,7 @@ public class NetworkRunTests
         using var folder = new TemporaryFolder();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         await using (var other = controller.OpenConnection()) await other.WriteAsync("SB1\r"u8.ToArray());
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.DoesNotContain(controller.Record.Snapshot(), row => (row.Outputs & Tool) != 0 && row.A is > 100 and < 49900);
@@ -257,6 +258,13 @@ public class NetworkRunTests
     {
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
         return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}");
+    }
+
+    /// <summary>A controller that is not at speed 1 is run by its own clock.</summary>
+    private static async Task<string> ClockAsync(SimulatedController controller)
+    {
+        var clock = await controller.ListenClockAsync(CancellationToken.None);
+        return string.Create(CultureInfo.InvariantCulture, $"?clock={clock.Port}");
     }
 
     /// <summary>Everything that comes back until the controller is silent about it: each answer ends with a prompt.</summary>

@@ -27,7 +27,7 @@ public class SerialRunTests
     {
         using var folder = new TemporaryFolder();
         await using var controller = await ServeAsync(folder, double.PositiveInfinity);
-        var run = await RunAsync(folder, SampleDrawing.PathOf(name), "--mode", mode);
+        var run = await RunByItsClockAsync(folder, controller, SampleDrawing.PathOf(name), "--mode", mode);
         var report = JsonText.Of(run);
 
         Assert.Equal(("", ExitCode.Done), (run.Error, run.ExitCode));
@@ -49,7 +49,7 @@ public class SerialRunTests
     {
         using var folder = new TemporaryFolder();
         await using var controller = await ServeAsync(folder, double.PositiveInfinity);
-        var run = await RunAsync(folder, folder.WithFile("arc.dxf", Wave(800, segmentMillimetres)));
+        var run = await RunByItsClockAsync(folder, controller, folder.WithFile("arc.dxf", Wave(800, segmentMillimetres)));
         var report = JsonText.Of(run);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
@@ -154,8 +154,16 @@ public class SerialRunTests
 
     private static Task<CliRun> RunAsync(TemporaryFolder folder, params string[] args) => RunAsync(folder, CancellationToken.None, args);
 
-    private static Task<CliRun> RunAsync(TemporaryFolder folder, CancellationToken stop, params string[] args) =>
-        CliRun.Of(stop, ["run", .. args, "--connect", $"serial://{folder.PathOf("tty")}?baud=19200", "--json", "--journal", folder.PathOf("run.jsonl")]);
+    private static async Task<CliRun> RunByItsClockAsync(TemporaryFolder folder, SimulatedController controller, params string[] args)
+    {
+        var clock = await controller.ListenClockAsync(CancellationToken.None);
+        return await RunAsync(folder, CancellationToken.None, string.Create(CultureInfo.InvariantCulture, $"&clock={clock.Port}"), args);
+    }
+
+    private static Task<CliRun> RunAsync(TemporaryFolder folder, CancellationToken stop, params string[] args) => RunAsync(folder, stop, "", args);
+
+    private static Task<CliRun> RunAsync(TemporaryFolder folder, CancellationToken stop, string clock, string[] args) =>
+        CliRun.Of(stop, ["run", .. args, "--connect", $"serial://{folder.PathOf("tty")}?baud=19200{clock}", "--json", "--journal", folder.PathOf("run.jsonl")]);
 
     /// <summary>An open polyline of many short segments without a sharp corner.</summary>
     private static string Wave(int segments, double step)

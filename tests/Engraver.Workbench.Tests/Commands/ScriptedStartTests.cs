@@ -88,7 +88,8 @@ public sealed class ScriptedStartTests : IAsyncDisposable
     private async Task<CommandSession> SessionAsync(bool desktop, string script)
     {
         var end = await _controller.ListenTcpAsync(0, CancellationToken.None);
-        await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "job.scr"), string.Create(CultureInfo.InvariantCulture, $"CNCCONNECT tcp://127.0.0.1:{end.Port}\n{script}"));
+        var clock = await _controller.ListenClockAsync(CancellationToken.None);
+        await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "job.scr"), string.Create(CultureInfo.InvariantCulture, $"CNCCONNECT tcp://127.0.0.1:{end.Port}?clock={clock.Port}\n{script}"));
         var session = new CommandSession(new CommandEnvironment { Folder = _folder.FullName, RunJournalFolder = _folder.FullName, RunNeedsArming = desktop }, CommandCatalog.Built());
         session.Said += (_, message) => _said.Add(message.Text);
         session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });

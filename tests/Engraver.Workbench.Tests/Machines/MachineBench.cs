@@ -32,7 +32,8 @@ internal sealed class MachineBench : IAsyncDisposable
     {
         var bench = new MachineBench(options ?? new SimulatorOptions { Speed = double.PositiveInfinity });
         var end = await bench.Controller.ListenTcpAsync(0, bench.Limit);
-        bench.Address = FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}");
+        var clock = await bench.Controller.ListenClockAsync(bench.Limit);
+        bench.Address = FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}?clock={clock.Port}");
         await bench.Machine.ConnectAsync(ControllerAddress.Parse(bench.Address), bench.Limit);
         return bench;
     }

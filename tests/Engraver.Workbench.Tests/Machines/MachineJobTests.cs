@@ -110,8 +110,9 @@ public sealed class MachineJobTests : IDisposable
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         var end = await controller.ListenTcpAsync(0, _limit.Token);
+        var clock = await controller.ListenClockAsync(_limit.Token);
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}")), _limit.Token);
+        await machine.ConnectAsync(ControllerAddress.Parse(FormattableString.Invariant($"tcp://127.0.0.1:{end.Port}?clock={clock.Port}")), _limit.Token);
         machine.Changed += (_, _) => { if (machine.Status is { State: MachineState.Running, Progress.SegmentsDone: > 0 }) controller.DropConnections(); };
         var report = await RunAsync(machine, MachineBench.Job());
 

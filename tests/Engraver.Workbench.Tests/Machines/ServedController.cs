@@ -10,7 +10,7 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Tests.Machines;
 
 /// <summary>A simulated controller at full speed behind a socket or a pseudo-terminal, and its record held against a drawing.</summary>
-/// <remarks>All clocks stand: only commands and bytes move the controller's time, so that a busy computer cannot, and the host takes it for one whose time runs ahead.</remarks>
+/// <remarks>The wall stands, and the host takes the controller's clock: no run depends on the computer.</remarks>
 internal sealed class ServedController : IAsyncDisposable
 {
     /// <summary>The fastest rate of the serial port: every byte still takes its time.</summary>
@@ -59,12 +59,14 @@ internal sealed class ServedController : IAsyncDisposable
     private static async Task<string> ListenAsync(SimulatedController controller)
     {
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
-        return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}");
+        var clock = await controller.ListenClockAsync(CancellationToken.None);
+        return string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}?clock={clock.Port}");
     }
 
     private static async Task<string> ServeSerialAsync(SimulatedController controller, string path)
     {
         await controller.ServeSerialAsync(path, Baud, CancellationToken.None);
-        return string.Create(CultureInfo.InvariantCulture, $"serial://{path}?baud={Baud}");
+        var clock = await controller.ListenClockAsync(CancellationToken.None);
+        return string.Create(CultureInfo.InvariantCulture, $"serial://{path}?baud={Baud}&clock={clock.Port}");
     }
 }
