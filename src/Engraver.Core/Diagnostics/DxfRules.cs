@@ -154,6 +154,9 @@ public static class DxfRules
     public static readonly DiagnosticRule MisplacedRecord = new("DXF0057", Severity.Error,
         "{type} at {place} was left out: it stands in the section {section}, outside of what belongs there.", "Compare the place with the original drawing: the record in front of it may be lost or damaged.");
 
+    public static readonly DiagnosticRule NameDamaged = new("DXF0058", Severity.Error,
+        "'{type}' at {place} was left out: the name of this record is damaged, {damage}.", "Repair the name, or export the drawing again.");
+
     /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: those curves are taken.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
@@ -161,6 +164,6 @@ public static class DxfRules
         TiltedCurve, MeshLeftOut, MissingBlock, RecursiveBlock, TooManyCurves, SplineWithoutKnots, PolylineWithoutEnd, PartAlone,
         WidthIgnored, NoExtrusion, NothingInserted, SplineWeights, ForeignText, MoreOfTheSame, VertexCount, CutRecord, SectionWithoutEnd, OutOfRange, SplineUnusable, BlockTwice, UnknownCodePage,
         OddNumber, OutlineUnusable, TextsLeftOut, OtherFormat, SplineFromFitPoints, OutsideOfSections, ModelSpaceBlock, RestUnreadable,
-        RecordMayBeLost, TwoRecords, SectionPassedOver, DamageBesideCurves, ZeroBytes, ZeroScale, WeightsTooUnequal, MisplacedRecord,
+        RecordMayBeLost, TwoRecords, SectionPassedOver, DamageBesideCurves, ZeroBytes, ZeroScale, WeightsTooUnequal, MisplacedRecord, NameDamaged,
     ];
 }

@@ -100,7 +100,8 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
                     target.AddConstruction(_record);
                     return;
                 default:
-                    _record.Refuse(DxfRules.TypeNotRead, _record.Line, "");
+                    if (DamagedName.Fault(_record.Type) is { } damage) _record.Refuse(DxfRules.NameDamaged, _record.Line, damage);
+                    else _record.Refuse(DxfRules.TypeNotRead, _record.Line, "");
                     break;
             }
         }

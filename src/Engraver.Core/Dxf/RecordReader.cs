@@ -85,6 +85,7 @@ internal sealed class RecordReader
     private void Skip(RecordKind kind, string type)
     {
         _cancellation.ThrowIfCancellationRequested();
+        TellNameless();
         var damages = _tags.DamageCount;
         var (variables, foreign) = (false, default(Trouble?));
         while (_tags.Read() && _tags.Code != 0)
@@ -103,11 +104,18 @@ internal sealed class RecordReader
     public void PassOver()
     {
         _cancellation.ThrowIfCancellationRequested();
+        TellNameless();
         while (_tags.Read() && _tags.Code != 0)
         {
         }
 
         Settle();
+    }
+
+    /// <summary>A record without a name is no record of any program: zeros in a binary file read so, and what stood there is lost.</summary>
+    private void TellNameless()
+    {
+        if (_types.Count > 0 && Next == RecordKind.Unknown && NextType.Length == 0) _log.Add(new Trouble(DxfRules.NameDamaged, "", 0, NextLine, DamagedName.Fault("")!, Refused: true));
     }
 
     /// <summary>Goes through the record that has just been read once more: true when the name of a type of record stands where a 0 may have been above it.</summary>

@@ -10,7 +10,7 @@ public static class DuplicateRemoval
 
     /// <summary>Rows that stay, ascending: of every group of duplicates the lowest row.</summary>
     /// <param name="segments">Rows by index.</param>
-    /// <param name="tolerance">Millimetres. Ends and midpoint (circles: centre and left quadrant point) must agree within it, or within a hundredth of the segment's length when
+    /// <param name="tolerance">Millimetres. Ends and midpoint must agree within it (of circles the distance of the centres and the difference of the radii, together), or within a hundredth of the segment's length when
     /// that is less, so that a curve of tiny steps keeps every step. What is left out lies no farther than this from what stays.</param>
     public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance)
     {
@@ -45,7 +45,7 @@ public static class DuplicateRemoval
         if (a.Kind != b.Kind) return false;
         var within = Math.Min(tolerance, 0.01 * a.Length);
         if (middleDistance > within) return false;
-        if (a.Kind == SegmentKind.Circle) return a.Arc.Centre.IsNear(b.Arc.Centre, within);
+        if (a.Kind == SegmentKind.Circle) return a.Arc.Centre.DistanceTo(b.Arc.Centre) + Math.Abs(a.Arc.Radius - b.Arc.Radius) <= within;
         if (a.IsFreeCurve) return RunTogether(a, b, within, backwards: false) || RunTogether(a, b, within, backwards: true);
         return (a.Start.IsNear(b.Start, within) && a.End.IsNear(b.End, within)) || (a.Start.IsNear(b.End, within) && a.End.IsNear(b.Start, within));
     }

@@ -42,7 +42,8 @@ internal sealed class DrawnCoverage
     {
         _index.Forget();
         _candidates.Clear();
-        Gather(path, 0);
+        if (path.Kind == SegmentKind.Line) _index.Along(path.Line, _reach, _candidates);
+        else Gather(path, 0);
         foreach (var candidate in _candidates) Cover(candidate, path);
     }
 
@@ -88,6 +89,13 @@ internal sealed class DrawnCoverage
         _near.Clear();
         _index.Forget();
         _index.Overlapping(_nearBox, _near);
+        _near.RemoveAll(IsElsewhere); // among crowded diagonals nearly every box holds the place, and few segments pass it
+    }
+
+    private bool IsElsewhere(int candidate)
+    {
+        var middle = new Point2D((_nearBox.MinX + _nearBox.MaxX) / 2.0, (_nearBox.MinY + _nearBox.MaxY) / 2.0);
+        return _drawing[candidate].DistanceTo(middle) > Math.Sqrt((_nearBox.Width * _nearBox.Width) + (_nearBox.Height * _nearBox.Height)) / 2.0;
     }
 
     private void Gather(in Segment path, int depth)

@@ -11,13 +11,13 @@ internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyLis
 {
     public static DrawnMatch Of(EntityTable drawn, Toolpath toolpath)
     {
-        var last = new Dictionary<Key, int>(drawn.Count);
+        var last = new Dictionary<PairKey, int>(drawn.Count);
         var before = new int[drawn.Count];
         var rows = new List<ToolpathMove>();
         for (var row = 0; row < drawn.Count; row++)
         {
             before[row] = -1;
-            var key = Key.Of(drawn[row].ToSegment(), drawn.EntityIndexOf(row));
+            var key = PairKey.Of(drawn[row].ToSegment(), drawn.EntityIndexOf(row));
             if (!last.TryAdd(key, row)) (before[row], last[key]) = (last[key], row);
         }
 
@@ -39,9 +39,9 @@ internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyLis
         return new DrawnMatch(rows, moves);
     }
 
-    private static bool Pair(EntityTable drawn, in ToolpathMove move, Dictionary<Key, int> last, int[] before, bool[] paired)
+    private static bool Pair(EntityTable drawn, in ToolpathMove move, Dictionary<PairKey, int> last, int[] before, bool[] paired)
     {
-        if (!last.TryGetValue(Key.Of(move.Segment, move.EntityIndex), out var row)) return false;
+        if (!last.TryGetValue(PairKey.Of(move.Segment, move.EntityIndex), out var row)) return false;
         while (row >= 0 && (paired[row] || !AreSame(drawn, row, move.Segment))) row = before[row];
         if (row >= 0) paired[row] = true;
         return row >= 0;
@@ -75,13 +75,13 @@ internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyLis
     }
 
     /// <summary>Both ends in an order that does not depend on the direction; of a circle its centre and radius.</summary>
-    private readonly record struct Key(int Entity, SegmentKind Kind, double X1, double Y1, double X2, double Y2)
+    private readonly record struct PairKey(int Entity, SegmentKind Kind, double X1, double Y1, double X2, double Y2)
     {
-        public static Key Of(in Segment segment, int entity)
+        public static PairKey Of(in Segment segment, int entity)
         {
-            if (segment.Kind == SegmentKind.Circle) return new Key(entity, segment.Kind, segment.Arc.Centre.X, segment.Arc.Centre.Y, segment.Arc.Radius, 0.0);
+            if (segment.Kind == SegmentKind.Circle) return new PairKey(entity, segment.Kind, segment.Arc.Centre.X, segment.Arc.Centre.Y, segment.Arc.Radius, 0.0);
             var (a, b) = (segment.Start, segment.End);
-            return a.X < b.X || (a.X == b.X && a.Y <= b.Y) ? new Key(entity, segment.Kind, a.X, a.Y, b.X, b.Y) : new Key(entity, segment.Kind, b.X, b.Y, a.X, a.Y);
+            return a.X < b.X || (a.X == b.X && a.Y <= b.Y) ? new PairKey(entity, segment.Kind, a.X, a.Y, b.X, b.Y) : new PairKey(entity, segment.Kind, b.X, b.Y, a.X, a.Y);
         }
     }
 }

@@ -44,18 +44,27 @@ internal sealed class SegmentIndex
         return _segments.Count == 0 ? -1 : _last; // none found: none is nearer than the last
     }
 
+    /// <summary>As <see cref="NearestTo"/>, but the last answer again while it is no farther than <paramref name="enough"/>: the nearest is no farther either. Keeps a path along one of many crowded segments from asking all of them.</summary>
+    public int NearEnoughTo(Point2D place, double enough, out double distance)
+    {
+        distance = _segments.Count == 0 ? double.PositiveInfinity : _segments[_last].DistanceTo(place);
+        return distance <= enough ? _last : NearestTo(place, out distance);
+    }
+
     /// <summary>Adds the segments of which some part's box overlaps a box; each once until <see cref="Forget"/>.</summary>
     public void Overlapping(Bounds2D box, List<int> found)
     {
         _found.Clear();
         _tree.Overlapping(box, _found);
-        foreach (var piece in _found)
-        {
-            var owner = _owners[piece];
-            if (_stamps[owner] == _stamp) continue;
-            _stamps[owner] = _stamp;
-            found.Add(owner);
-        }
+        AddOwners(found);
+    }
+
+    /// <summary>Adds the segments of which some part's box comes within reach of a line; each once until <see cref="Forget"/>.</summary>
+    public void Along(LineSegment line, double reach, List<int> found)
+    {
+        _found.Clear();
+        _tree.Along(line, reach, _found);
+        AddOwners(found);
     }
 
     /// <summary>More than so many parts of segments have boxes that overlap a box.</summary>
@@ -68,6 +77,17 @@ internal sealed class SegmentIndex
 
     /// <summary>What was found is found again.</summary>
     public void Forget() => _stamp++;
+
+    private void AddOwners(List<int> found)
+    {
+        foreach (var piece in _found)
+        {
+            var owner = _owners[piece];
+            if (_stamps[owner] == _stamp) continue;
+            _stamps[owner] = _stamp;
+            found.Add(owner);
+        }
+    }
 
     private void AddPieces(int index, double pieceLength, List<Bounds2D> boxes)
     {

@@ -20,7 +20,7 @@ internal sealed class SpanDeviation(IReadOnlyList<Segment> drawing, SegmentIndex
     public Result Measure(in TraceSpan span, double known)
     {
         _found = new Result(known, 0.0, 0.0);
-        if (index.NearestTo(span.Path.End, out var atEnd) >= 0) Offer(atEnd, 1.0);
+        if (index.NearEnoughTo(span.Path.End, Unremarkable, out var atEnd) >= 0) Offer(atEnd, 1.0);
         Visit(span.Path, 0.0, 1.0, DeepestPart);
         return _found;
     }
@@ -29,7 +29,7 @@ internal sealed class SpanDeviation(IReadOnlyList<Segment> drawing, SegmentIndex
     {
         var middle = (from + to) / 2.0;
         var length = path.Length * (to - from);
-        var nearest = index.NearestTo(path.PointAt(middle), out var distance);
+        var nearest = index.NearEnoughTo(path.PointAt(middle), Unremarkable, out var distance);
         Offer(distance, middle);
         if (nearest < 0)
         {
@@ -60,6 +60,9 @@ internal sealed class SpanDeviation(IReadOnlyList<Segment> drawing, SegmentIndex
     /// <summary>A part that holds no more than this changes nothing worth telling.</summary>
     private double Enough => _found.Largest + Math.Max(_resolution, KnownPart * _found.Largest);
 
+    /// <summary>A place no farther than this is neither beside the drawing nor the farthest yet; which segment is nearest to it does not matter.</summary>
+    private double Unremarkable => Math.Min(_found.Largest, _reach);
+
     private void Offer(double distance, double at)
     {
         if (distance > _found.Largest) _found = _found with { Largest = distance, At = at };
@@ -68,8 +71,8 @@ internal sealed class SpanDeviation(IReadOnlyList<Segment> drawing, SegmentIndex
     private double FarthestOfCurve(in Segment path, double from, double to, double inMiddle)
     {
         if (to - from > ShortPart) return double.PositiveInfinity;
-        var first = index.NearestTo(path.PointAt(from), out var atFirst);
-        var last = index.NearestTo(path.PointAt(to), out var atLast);
+        var first = index.NearEnoughTo(path.PointAt(from), Unremarkable, out var atFirst);
+        var last = index.NearEnoughTo(path.PointAt(to), Unremarkable, out var atLast);
         Offer(atFirst, from);
         Offer(atLast, to);
         if (Math.Abs(first - last) > 1) return double.PositiveInfinity;

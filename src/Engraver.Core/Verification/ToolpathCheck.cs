@@ -24,7 +24,7 @@ public static class ToolpathCheck
     /// <param name="sourceOf">Where an entity stands in the drawing.</param>
     public static IReadOnlyList<Diagnostic> Findings(EntityTable drawn, Toolpath toolpath, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
     {
-        var findings = new Dictionary<(DiagnosticRule Rule, int Entity), Fault>();
+        var findings = new Dictionary<(DiagnosticRule Rule, int Entity), Misfit>();
         var match = DrawnMatch.Of(drawn, toolpath);
         AddJumps(toolpath, tolerances, findings);
         if (match.Moves.Count > 0 || match.Rows.Count > 0) AddRest(match, toolpath, tolerances, findings);
@@ -32,7 +32,7 @@ public static class ToolpathCheck
     }
 
     /// <summary>The tool stays down from the first move of a stroke to the last, so what lies between two moves is cut.</summary>
-    private static void AddJumps(Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Fault> findings)
+    private static void AddJumps(Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         foreach (var stroke in toolpath.Strokes)
         {
@@ -40,13 +40,13 @@ public static class ToolpathCheck
             foreach (var move in stroke.Moves)
             {
                 if (before is { } last && last.Segment.End.DistanceTo(move.Segment.Start) is var gap && gap > tolerances.JoinTolerance + tolerances.For(move.Segment))
-                    Add(findings, VerificationRules.ToolpathExtra, move.EntityIndex, new Fault(gap, last.Segment.End, 0.0));
+                    Add(findings, VerificationRules.ToolpathExtra, move.EntityIndex, new Misfit(gap, last.Segment.End, 0.0));
                 before = move;
             }
         }
     }
 
-    private static void AddRest(DrawnMatch match, Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Fault> findings)
+    private static void AddRest(DrawnMatch match, Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         var drawing = new DrawnRest(match.Rows, tolerances);
         foreach (var move in match.Moves)
@@ -54,8 +54,8 @@ public static class ToolpathCheck
             if (findings.Count >= MostFindings) return;
             var (off, at, allowed) = drawing.Stray(move);
             if (off <= allowed) continue;
-            if (double.IsFinite(off)) Add(findings, VerificationRules.ToolpathBeside, move.EntityIndex, new Fault(off, at, allowed));
-            else Add(findings, VerificationRules.ToolpathExtra, move.EntityIndex, new Fault(move.Segment.Length, at, 0.0));
+            if (double.IsFinite(off)) Add(findings, VerificationRules.ToolpathBeside, move.EntityIndex, new Misfit(off, at, allowed));
+            else Add(findings, VerificationRules.ToolpathExtra, move.EntityIndex, new Misfit(move.Segment.Length, at, 0.0));
         }
 
         AddRepeated(match, tolerances, findings);
@@ -63,7 +63,7 @@ public static class ToolpathCheck
     }
 
     /// <summary>Arcs of a curve that are cut twice lie where they should; their length tells.</summary>
-    private static void AddRepeated(DrawnMatch match, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Fault> findings)
+    private static void AddRepeated(DrawnMatch match, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         var lengths = new Dictionary<int, double>();
         foreach (var row in match.Rows)
@@ -76,12 +76,12 @@ public static class ToolpathCheck
         {
             if (!lengths.TryGetValue(move.EntityIndex, out var left)) continue;
             lengths[move.EntityIndex] = left -= move.Segment.Length;
-            if (left < 0.0) Add(findings, VerificationRules.ToolpathExtra, move.EntityIndex, new Fault(Math.Min(move.Segment.Length, -left), move.Segment.Start, 0.0));
+            if (left < 0.0) Add(findings, VerificationRules.ToolpathExtra, move.EntityIndex, new Misfit(Math.Min(move.Segment.Length, -left), move.Segment.Start, 0.0));
         }
     }
 
     /// <summary>First by what stands for curves and lines, then by everything that is cut: a duplicate is covered by what it doubles.</summary>
-    private static void AddMissing(DrawnMatch match, Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Fault> findings)
+    private static void AddMissing(DrawnMatch match, Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         var standing = new CutCover(match.Moves);
         CutCover? all = null;
@@ -91,23 +91,23 @@ public static class ToolpathCheck
             if (standing.Missing(row.Segment, tolerances.For(row.Segment)).Length == 0.0) continue;
             all ??= new CutCover([.. toolpath.Strokes.SelectMany(stroke => stroke.Moves)]);
             var (length, first) = all.Missing(row.Segment, 2.0 * tolerances.For(row.Segment));
-            if (length > 0.0) Add(findings, VerificationRules.ToolpathMissing, row.EntityIndex, new Fault(length, first, 0.0));
+            if (length > 0.0) Add(findings, VerificationRules.ToolpathMissing, row.EntityIndex, new Misfit(length, first, 0.0));
         }
     }
 
     /// <summary>Lengths add up; of deviations the largest counts.</summary>
-    private static void Add(Dictionary<(DiagnosticRule Rule, int Entity), Fault> findings, DiagnosticRule rule, int entity, Fault fault)
+    private static void Add(Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings, DiagnosticRule rule, int entity, Misfit fault)
     {
         if (!findings.TryGetValue((rule, entity), out var known)) findings[(rule, entity)] = fault;
         else if (rule != VerificationRules.ToolpathBeside) findings[(rule, entity)] = known with { Size = known.Size + fault.Size };
         else if (fault.Size > known.Size) findings[(rule, entity)] = fault;
     }
 
-    private static Diagnostic Diagnostic(DiagnosticRule rule, Fault fault, SourceRef source) => rule == VerificationRules.ToolpathBeside
+    private static Diagnostic Diagnostic(DiagnosticRule rule, Misfit fault, SourceRef source) => rule == VerificationRules.ToolpathBeside
         ? rule.At(source, Text(fault.Size), Text(fault.At.X), Text(fault.At.Y), Text(fault.Allowed))
         : rule.At(source, Text(fault.Size), Text(fault.At.X), Text(fault.At.Y));
 
     private static string Text(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
 
-    private readonly record struct Fault(double Size, Point2D At, double Allowed);
+    private readonly record struct Misfit(double Size, Point2D At, double Allowed);
 }

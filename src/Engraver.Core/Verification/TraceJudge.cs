@@ -52,7 +52,8 @@ public sealed class TraceJudge
             if (found.Largest > _largest) (_largest, _worst) = (found.Largest, span.At(found.At));
             _extra += found.Extra;
             _coverage.Add(span.Path);
-            _wasOff = _index.DistanceFrom(span.Path.End) > _reach;
+            _index.NearEnoughTo(span.Path.End, _reach, out var atEnd);
+            _wasOff = atEnd > _reach;
         }
 
         _last = span.At(1.0);
@@ -67,7 +68,7 @@ public sealed class TraceJudge
 
     private void Judge(in TraceSample sample)
     {
-        var deviation = _index.DistanceFrom(sample.Place);
+        _index.NearEnoughTo(sample.Place, Math.Min(_largest, _reach), out var deviation);
         if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
         var isOff = deviation > _reach;
         if (_last is { Cutting: true } before)

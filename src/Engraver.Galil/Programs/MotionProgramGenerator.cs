@@ -31,6 +31,7 @@ public static class MotionProgramGenerator
         var start = profile.Scale.ToCounts(toolpath.ToolStart);
         SourceRef Source(int entity) => sourceOf?.Invoke(entity) ?? default;
         findings.AddRange(toolpath.Strokes.SelectMany(stroke => stroke.Moves).Select(move => Refusal(move, profile.Scale, start, Source)).OfType<Diagnostic>());
+        if (findings.Count == 0 && ChordBudget.Refusal(toolpath, profile.Scale, maxErrorMm, Source) is { } unbounded) findings.Add(unbounded);
         if (findings.Count > 0) return new MotionGeneration(null, findings);
 
         if (BridgedGaps.Warning(toolpath, profile, maxErrorMm, Source) is { } beside) findings.Add(beside);

@@ -12,9 +12,6 @@ internal sealed class StrokeGenerator
 
     private const double ShortestPiece = 8.0;
 
-    /// <summary>Chords finer than this gain nothing, because their vertices are whole counts.</summary>
-    private const double FinestSagitta = 0.25;
-
     private readonly CountsScale _scale;
     private readonly double _maxErrorMm;
     private readonly ArcAim _aim;
@@ -26,7 +23,7 @@ internal sealed class StrokeGenerator
     private StrokeGenerator(CountsPoint start, MachineProfile profile, double maxErrorMm, MotionStyle style)
     {
         _scale = profile.Scale;
-        _maxErrorMm = Math.Max(maxErrorMm, FinestSagitta / _scale.Largest);
+        _maxErrorMm = ArcChords.ErrorOf(maxErrorMm, _scale);
         _aim = new ArcAim(new AngleQuantum(profile.AngleQuantumDegrees));
         _builder = new SequenceBuilder(start, profile.VectorSpeed, style);
         _corners = new CornerWatch(profile);

@@ -43,6 +43,6 @@ internal sealed class ExportCommand : ICommand
     {
         var posted = PostedProgram.Of(context.Drawing, context.Document.Current.Settings, target);
         Findings.Say(context, context.Drawing.FileName, posted.Diagnostics, Severity.Warning);
-        return posted.Text is { } text ? output => output.Write(text) : throw new CommandException(CommandFailure.Drawing, "There is nothing that this machine can cut.");
+        return posted.Text is { } text ? output => output.Write(text) : throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
     }
 }

@@ -18,7 +18,7 @@ internal sealed class PostCommand : ICommand
         context.Remember("POST", target);
         var posted = PostedProgram.Of(drawing, context.Document.Current.Settings, target.ToLowerInvariant());
         Findings.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
-        if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, "There is nothing that this machine can cut.");
+        if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
         if (await ResultFile.WriteAsync(context, output => output.Write(text)).ConfigureAwait(false) is { } name) context.Remember(VerifyCommand.Name, name);
     }
 }

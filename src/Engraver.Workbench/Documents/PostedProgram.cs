@@ -16,6 +16,9 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
 {
     public const string Galil = "galil";
 
+    /// <summary>Why there is no text, without a full stop.</summary>
+    public string WithoutProgram { get; init; } = PreparedJob.Without([]);
+
     public const string GalilCalls = "galil-calls";
 
     /// <summary>The sequenced, oriented drawing as DXF.</summary>
@@ -43,7 +46,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     {
         ArgumentNullException.ThrowIfNull(job);
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]);
-        if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics);
+        if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { WithoutProgram = job.WithoutProgram };
         var post = program.Style == MotionStyle.Calls
             ? DmcPost.Calls(program, DmcPostOptions.Default, job.Drawing.SourceOf)
             : DmcPost.Sequences(program, DmcPostOptions.Default, job.Drawing.SourceOf);
@@ -59,7 +62,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics];
         if (sequence.Contours == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]);
         var path = new Toolpath(settings.Start, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]);
-        if (JobPreparation.FaultsOf(drawing, settings, analysed, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]);
+        if (JobPreparation.FaultsOf(drawing, settings, analysed, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { WithoutProgram = PreparedJob.Without(faults) };
         using var text = new StringWriter { NewLine = "\n" };
         ClData.Write(sequence, settings.Start, text);
         return new PostedProgram(text.ToString(), found);

@@ -27,7 +27,10 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Findings, .. Sequence.Diagnostics, .. Motion.Diagnostics, .. Faults];
 
     /// <summary>Why there is no motion program, without a full stop.</summary>
-    public string WithoutProgram => Faults.Count > 0
-        ? $"The toolpath is not what is drawn ({string.Join(", ", Faults.Select(fault => fault.Id).Distinct())})"
+    public string WithoutProgram => Without(Faults);
+
+    /// <summary>Why there is no program when the toolpath has these faults, without a full stop.</summary>
+    internal static string Without(IReadOnlyList<Diagnostic> faults) => faults.Count > 0
+        ? $"The toolpath is not what is drawn ({string.Join(", ", faults.Select(fault => fault.Id).Distinct())})"
         : "There is nothing that this machine can cut";
 }

@@ -62,6 +62,7 @@ public class DiagnosticTests
         ["DXF0054"] = Encoding.ASCII.GetBytes("0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\0\0\n20\n0\n11\n1\n21\n0\n0\nENDSEC\n0\nEOF\n"),
         ["DXF0055"] = Inserting(Line, (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (41, 0)),
         ["DXF0056"] = Entities([.. Spline, (40, 0), (40, 0), (40, 0), (40, 0), (40, 1), (40, 1), (40, 1), (40, 1), (41, 1), (41, 1e9), (41, 1), (41, 1)]),
+        ["DXF0058"] = Entities([(0, "LIN3"), .. Line[1..]]),
         ["DXF0057"] = new DxfText().Header("AC1015", 4).Section("BLOCKS", Line).End().ToAscii(),
     };
 

@@ -44,6 +44,7 @@ public class EntityKindTests
     [InlineData("REGION")]
     [InlineData("3DLINE")]
     [InlineData("NOVELTY_OF_2030")]
+    [InlineData("LWPOLYLINES")]
     public void What_is_not_known_is_refused_by_name_and_line(string type)
     {
         var drawing = Reading.Entities([(0, type), (5, "2F"), .. OddDrawings.Arc]);

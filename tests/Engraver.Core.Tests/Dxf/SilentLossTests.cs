@@ -48,6 +48,39 @@ public class SilentLossTests
         Assert.Empty(silent);
     }
 
+    /// <summary>A name that is empty, cut short or one letter off is a lost curve, not a type of another program.</summary>
+    [Theory]
+    [InlineData("")]
+    [InlineData("LIN3")]
+    [InlineData("LI")]
+    [InlineData("L\u0001NE")]
+    [InlineData("CIRCLF")]
+    [InlineData("LWPOLYLIME")]
+    public void A_record_whose_name_is_damaged_is_an_error_that_names_it(string name)
+    {
+        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. Circle, (0, name), .. Line[1..]]).End().ToBinary(oneByteCodes: false));
+
+        var refused = Assert.Single(drawing.Balance.Refused);
+        Assert.Equal((name, "DXF0058"), (refused.Type, refused.DiagnosticId));
+        Assert.True(drawing.HasErrors);
+    }
+
+    /// <summary>A sector of zeros in a binary file reads as records without a name.</summary>
+    [Fact]
+    public void A_sector_of_zeros_in_a_binary_file_is_an_error()
+    {
+        var file = new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. Line, .. Circle, .. Line, .. Circle, .. Line, .. Circle, .. Line]).End().ToBinary(oneByteCodes: false);
+        var silent = new List<int>();
+        for (var at = 22; at + 120 < file.Length - 30; at += 7)
+        {
+            byte[] damaged = [.. file];
+            Array.Clear(damaged, at, 120);
+            if (Reading.Of(damaged) is { HasErrors: false } read && read.Entities.Count != Reading.Of(file).Entities.Count) silent.Add(at);
+        }
+
+        Assert.Empty(silent);
+    }
+
     [Fact]
     public void A_section_whose_name_is_damaged_is_never_dropped_without_an_error()
     {

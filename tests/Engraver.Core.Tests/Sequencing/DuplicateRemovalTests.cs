@@ -41,6 +41,16 @@ public class DuplicateRemovalTests
     public void Concentric_circles_differ_by_radius() =>
         Assert.Equal([0, 2], DuplicateRemoval.Keep([Circle(5), Circle(5), Circle(5.01)], Tolerance));
 
+    /// <summary>Centre one tolerance to the right, radius two larger: the left quadrant points are one tolerance apart, the right ones three.</summary>
+    [Fact]
+    public void A_circle_that_lies_farther_than_the_tolerance_on_one_side_stays()
+    {
+        Assert.Equal([0, 1], DuplicateRemoval.Keep([At(0.0, 5.0), At(0.9 * Tolerance, 5.0 + (1.8 * Tolerance))], Tolerance));
+        Assert.Equal([0], DuplicateRemoval.Keep([At(0.0, 5.0), At(0.4 * Tolerance, 5.0 + (0.5 * Tolerance))], Tolerance));
+
+        static Segment At(double x, double radius) => Segment.FromArc(new ArcSegment(new Point2D(x, 0.0), radius, Angle.Zero, Angle.FullTurn));
+    }
+
     [Fact]
     public void Tiny_steps_of_one_curve_are_no_duplicates() =>
         Assert.Equal(3, DuplicateRemoval.Keep([Line(0, 0, 0.0004, 0), Line(0.0004, 0, 0.0008, 0), Line(0.0008, 0, 0.0012, 0)], Tolerance).Length);

@@ -50,6 +50,29 @@ public class MotionProgramGeneratorTests
         Assert.Equal([command], Commands(Only(Program(Toolpaths.OfStroke(Toolpaths.Arc(0, 0, 10, 30, 90)), profile)).Sequences[0]));
     }
 
+    /// <summary>50 m at 1000 counts per mm is beyond CR (galil-dmc.md F.5): 350 degrees of it are about 24,000 chords.</summary>
+    [Fact]
+    public void Arcs_that_need_more_chords_than_any_job_can_use_are_refused_before_a_chord_is_made()
+    {
+        var arcs = Enumerable.Range(0, 10_000).Select(i => new[] { Toolpaths.Arc(i % 100, i / 100, i == 77 ? 60_000 : 50_000, 0, 350) }).ToArray();
+
+        var made = MotionProgramGenerator.Generate(Toolpaths.OfStrokes(arcs), MachineProfile.Default, MaxError, entity => new SourceRef(entity));
+
+        Assert.Null(made.Program);
+        var finding = Assert.Single(made.Diagnostics);
+        Assert.Equal(("MOT0012", 77), (finding.Id, finding.Source.Line));
+        Assert.Contains("radius 60000 mm", finding.Message, StringComparison.Ordinal);
+        Assert.Contains("up to the radius 6000 mm", finding.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_few_arcs_beyond_the_controllers_radius_are_cut_as_chords()
+    {
+        var arcs = Enumerable.Range(0, 10).Select(i => new[] { Toolpaths.Arc(i, 0, 50_000, 0, 90) }).ToArray();
+
+        Assert.All(Program(Toolpaths.OfStrokes(arcs)).Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments), segment => Assert.Equal(VectorSegmentKind.Line, segment.Kind));
+    }
+
     [Theory]
     [InlineData(9.0, 1)]
     [InlineData(10.0, 1)]

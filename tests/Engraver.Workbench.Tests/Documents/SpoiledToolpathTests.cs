@@ -42,6 +42,7 @@ public class SpoiledToolpathTests
         var checklist = ArmingChecklist.Of(job, ready, errorsAccepted: true);
 
         Assert.Null(posted.Text);
+        Assert.Contains(job.Faults[0].Id, posted.WithoutProgram, StringComparison.Ordinal);
         Assert.Contains(job.Faults[0], posted.Diagnostics);
         Assert.False(checklist.Passed);
         Assert.Contains(checklist.Checks, check => !check.Passed && check.Sentence.Contains(job.Faults[0].Id, StringComparison.Ordinal));
@@ -59,6 +60,7 @@ public class SpoiledToolpathTests
         var lost = PostedProgram.OfSequence(drawing, analysed, sequence with { Strokes = [.. sequence.Strokes.Skip(1)] }, s_settings);
         Assert.Null(lost.Text);
         Assert.Contains(lost.Diagnostics, finding => finding.Id == "VER0021");
+        Assert.Equal("The toolpath is not what is drawn (VER0021)", lost.WithoutProgram);
     }
 
     [Fact]

@@ -5,6 +5,7 @@ using Engraver.Galil.Programs;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Tests.Machines;
 using Engraver.Workbench.Verification;
 
 namespace Engraver.Workbench.Tests.Verification;
@@ -39,6 +40,40 @@ public class ProgramVerificationTests
         Assert.True(report.Ok);
         Assert.InRange(report.MaxDeviationMm!.Value, 0.0, 0.0035);
         Assert.Equal((0.0035, 0.0, 0.0), (report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm));
+    }
+
+    /// <summary>A sample of the real drawings, posted and verified; tests/verify-corpus does it for all of them, with limits of time and memory.</summary>
+    [CorpusFact]
+    public async Task Every_thirtieth_small_drawing_of_the_corpus_is_cut_as_drawn_or_refused_with_a_reason()
+    {
+        var files = Directory.GetFiles(Path.Combine(RepositoryFolder.Corpus!, "files"), "*.dxf", SearchOption.AllDirectories).Where(file => new FileInfo(file).Length < 60_000).Order(StringComparer.Ordinal).Where((_, number) => number % 30 == 0).ToList();
+        Assert.True(files.Count >= 5);
+        foreach (var file in files)
+        {
+            var drawing = DrawingFile.Open(file, new DrawingSettings(), CancellationToken.None);
+            var posted = PostedProgram.Of(drawing, new DrawingSettings(), PostedProgram.Galil);
+            if (posted.Text is not { } text)
+            {
+                Assert.NotEmpty(posted.Diagnostics);
+                continue;
+            }
+
+            var report = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), drawing, new DrawingSettings(), progress: null, CancellationToken.None);
+            Assert.True(report.Ok || drawing.HasErrors, $"{file}: {string.Join(' ', report.Diagnostics.Select(finding => finding.Sentence))}");
+            Assert.InRange(report.MaxDeviationMm ?? 0.0, 0.0, report.ToleranceMm);
+        }
+    }
+
+    /// <summary>What Ctrl-C does: the stop is asked for when the program is already being run.</summary>
+    [Fact]
+    public async Task A_verification_under_way_is_stopped()
+    {
+        using var stop = new CancellationTokenSource();
+        var progress = new StopsAtOnce(stop);
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() =>
+            ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Post("nameplate", MotionStyle.Continuous)), Open("nameplate"), new DrawingSettings(), progress, stop.Token));
+        Assert.Equal(1, progress.Reports);
     }
 
     [Theory]
@@ -224,4 +259,15 @@ public class ProgramVerificationTests
     private static PreparedJob Prepare(string sample, MotionStyle style, DrawingSettings settings) => JobPreparation.Prepare(Open(sample), settings, style);
 
     private static Drawing Open(string sample) => DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
+
+    private sealed class StopsAtOnce(CancellationTokenSource stop) : IProgress<ReplayProgress>
+    {
+        public int Reports { get; private set; }
+
+        public void Report(ReplayProgress value)
+        {
+            Reports++;
+            stop.Cancel();
+        }
+    }
 }
