@@ -44,16 +44,16 @@ internal sealed class RowStore
     }
 
     /// <summary>Everything, spans unopened.</summary>
-    public IEnumerable<Part> Parts()
+    public IEnumerable<RecordPart> Parts()
     {
         var single = 0L;
         foreach (var (_, singlesBefore, span) in _spans)
         {
-            for (; single < singlesBefore; single++) yield return new Part(Single(single), null);
-            yield return new Part(span.Last, span);
+            for (; single < singlesBefore; single++) yield return new RecordPart(Single(single), null);
+            yield return new RecordPart(span.Last, span);
         }
 
-        for (; single < _singles; single++) yield return new Part(Single(single), null);
+        for (; single < _singles; single++) yield return new RecordPart(Single(single), null);
     }
 
     private MotionSample Single(long index) => _chunks[(int)(index / ChunkSize)][index % ChunkSize];
@@ -73,5 +73,5 @@ internal sealed class RowStore
     }
 
     /// <summary>A row, or a span in place of it.</summary>
-    public readonly record struct Part(MotionSample Row, MotionSpan? Span);
+    public readonly record struct RecordPart(MotionSample Row, MotionSpan? Span);
 }
