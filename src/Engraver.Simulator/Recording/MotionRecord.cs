@@ -92,7 +92,7 @@ public sealed class MotionRecord
         lock (_csvGate)
         {
             RecordCsv csv;
-            List<RowStore.Part> waiting;
+            List<RowStore.RecordPart> waiting;
             lock (_gate)
             {
                 if (_csv is not { HasWaiting: true } attached) return;

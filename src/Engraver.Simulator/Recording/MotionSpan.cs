@@ -63,3 +63,13 @@ public sealed class MotionSpan
         }
     }
 }
+
+/// <summary>Is told everything that goes into a record, in order of time, while the controller computes.</summary>
+public interface IMotionListener
+{
+    /// <summary>A sample of motion, the place where a motion begins, or a change of an output.</summary>
+    void Add(in MotionSample sample);
+
+    /// <summary>Many samples of constant speed.</summary>
+    void Add(MotionSpan span);
+}

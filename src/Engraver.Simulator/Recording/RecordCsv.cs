@@ -3,9 +3,9 @@ using System.Globalization;
 namespace Engraver.Simulator;
 
 /// <summary>The file of a record: rows wait here until they are written, spans unopened. Not thread safe by itself.</summary>
-internal sealed class RecordCsv(TextWriter writer, List<RowStore.Part> waiting)
+internal sealed class RecordCsv(TextWriter writer, List<RowStore.RecordPart> waiting)
 {
-    private List<RowStore.Part> _waiting = waiting;
+    private List<RowStore.RecordPart> _waiting = waiting;
 
     public bool HasWaiting => _waiting.Count > 0;
 
@@ -16,11 +16,11 @@ internal sealed class RecordCsv(TextWriter writer, List<RowStore.Part> waiting)
         foreach (var row in rows) WriteRow(writer, row);
     }
 
-    public void Add(in MotionSample row) => _waiting.Add(new RowStore.Part(row, null));
+    public void Add(in MotionSample row) => _waiting.Add(new RowStore.RecordPart(row, null));
 
-    public void Add(MotionSpan span) => _waiting.Add(new RowStore.Part(span.Last, span));
+    public void Add(MotionSpan span) => _waiting.Add(new RowStore.RecordPart(span.Last, span));
 
-    public List<RowStore.Part> TakeWaiting()
+    public List<RowStore.RecordPart> TakeWaiting()
     {
         var taken = _waiting;
         _waiting = [];
@@ -28,7 +28,7 @@ internal sealed class RecordCsv(TextWriter writer, List<RowStore.Part> waiting)
     }
 
     /// <summary>Through to the operating system.</summary>
-    public void Write(List<RowStore.Part> parts)
+    public void Write(List<RowStore.RecordPart> parts)
     {
         foreach (var (row, span) in parts)
         {
