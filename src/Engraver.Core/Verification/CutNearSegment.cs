@@ -106,8 +106,8 @@ internal static class CutNearSegment
         var arc = drawn.Arc;
         var spoke = centre - arc.Centre;
         var distance = spoke.Length;
-        var cosine = ((distance * distance) + ((arc.Radius - radius) * (arc.Radius + radius))) / (2.0 * distance * arc.Radius);
-        if (distance > 0.0 && Math.Abs(cosine) <= 1.0) MarkAngles(arc, Math.Atan2(spoke.Y, spoke.X), Math.Acos(cosine), marks, ref count);
+        var (gap, sum) = (distance - arc.Radius, distance + arc.Radius);
+        MarkAngles(arc, Math.Atan2(spoke.Y, spoke.X), (radius - gap) * (radius + gap), (sum - radius) * (sum + radius), marks, ref count);
     }
 
     /// <summary>Marks where the drawn segment crosses the line beside a cut, to its left for a positive offset.</summary>
@@ -125,12 +125,16 @@ internal static class CutNearSegment
 
         // The height of the arc above the cut is that of its centre plus radius times the cosine from the normal.
         var arc = drawn.Arc;
-        var cosine = (offset - way.Cross(arc.Centre - cut.Start)) / arc.Radius;
-        if (Math.Abs(cosine) <= 1.0) MarkAngles(arc, Math.Atan2(way.X, -way.Y), Math.Acos(cosine), marks, ref count);
+        var height = offset - way.Cross(arc.Centre - cut.Start);
+        MarkAngles(arc, Math.Atan2(way.X, -way.Y), arc.Radius - height, arc.Radius + height, marks, ref count);
     }
 
-    private static void MarkAngles(ArcSegment arc, double direction, double half, Span<double> marks, ref int count)
+    /// <summary>Marks the two places at equal angles from a direction. The angle is given by the squares of the sine and the cosine of its half, in any common measure: by its own cosine an arc of
+    /// kilometres would be told to a tenth of a millimetre only.</summary>
+    private static void MarkAngles(ArcSegment arc, double direction, double sineSquared, double cosineSquared, Span<double> marks, ref int count)
     {
+        if (!(sineSquared >= 0.0 && cosineSquared >= 0.0) || sineSquared + cosineSquared == 0.0) return;
+        var half = 2.0 * Math.Atan2(Math.Sqrt(sineSquared), Math.Sqrt(cosineSquared));
         MarkAngle(arc, direction - half, marks, ref count);
         MarkAngle(arc, direction + half, marks, ref count);
     }

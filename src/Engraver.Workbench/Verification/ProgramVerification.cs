@@ -53,11 +53,12 @@ public static class ProgramVerification
         return new VerificationReport(deviation, allowed, found.MissingLength, judged.ExtraLength, ok, findings);
     }
 
+    /// <remarks>What is missing and shorter than what a cut may be beside the drawing is no fault: a stroke shorter than a count (MOT0004) cannot be cut.</remarks>
     private static IEnumerable<Diagnostic> Differences(TraceVerdict found, double tolerance)
     {
         if (found.MaxDeviation > tolerance && found.DeviationAt is { } worst)
             yield return VerificationRules.CutBesideDrawing.At(default, Text(found.MaxDeviation), Text(worst.XMm), Text(worst.YMm), Text(tolerance));
-        if (found.MissingAt is { } missing) yield return VerificationRules.NotCut.At(default, Text(found.MissingLength), Text(missing.X), Text(missing.Y));
+        if (found.MissingLength > tolerance && found.MissingAt is { } missing) yield return VerificationRules.NotCut.At(default, Text(found.MissingLength), Text(missing.X), Text(missing.Y));
     }
 
     private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);

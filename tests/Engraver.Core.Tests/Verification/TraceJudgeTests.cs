@@ -29,6 +29,22 @@ public class TraceJudgeTests
         }
     }
 
+    /// <summary>An arc of ten kilometres looks like a line, and its angles are as small as rounding: the ramps of its cut are samples a hundredth of a millimetre apart.</summary>
+    [Theory]
+    [InlineData(1e5)]
+    [InlineData(1e7)]
+    [InlineData(1e8)]
+    public void An_arc_of_huge_radius_is_whole_where_it_was_cut_in_short_steps(double radius)
+    {
+        var half = Math.Asin(10.0 / radius) * 180.0 / Math.PI;
+        var drawn = Segment.FromArc(new ArcSegment(new Point2D(0, -radius), radius, Angle.FromDegrees(90 - half), Angle.FromDegrees(2 * half)));
+        TraceSample[] trace = [.. Enumerable.Range(0, 2001).Select(i => drawn.PointAt(i / 2000.0)).Select((place, i) => new TraceSample(i / 1000.0, Math.Round(place.X, 3), Math.Round(place.Y, 3), true))];
+
+        var verdict = TraceComparison.Compare([drawn], trace, Tolerances);
+
+        Assert.Equal((0.0, null), (verdict.MissingLength, verdict.MissingAt));
+    }
+
     [Theory]
     [MemberData(nameof(Long))]
     public void A_gap_of_a_millimetre_in_a_hundred_metres_is_found(Segment segment)
