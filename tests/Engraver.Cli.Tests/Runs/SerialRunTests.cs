@@ -157,12 +157,12 @@ public class SerialRunTests
     private static async Task<CliRun> RunByItsClockAsync(TemporaryFolder folder, SimulatedController controller, params string[] args)
     {
         var clock = await controller.ListenClockAsync(CancellationToken.None);
-        return await RunAsync(folder, CancellationToken.None, string.Create(CultureInfo.InvariantCulture, $"&clock={clock.Port}"), args);
+        return await RunAsync(folder, string.Create(CultureInfo.InvariantCulture, $"&clock={clock.Port}"), args, CancellationToken.None);
     }
 
-    private static Task<CliRun> RunAsync(TemporaryFolder folder, CancellationToken stop, params string[] args) => RunAsync(folder, stop, "", args);
+    private static Task<CliRun> RunAsync(TemporaryFolder folder, CancellationToken stop, params string[] args) => RunAsync(folder, "", args, stop);
 
-    private static Task<CliRun> RunAsync(TemporaryFolder folder, CancellationToken stop, string clock, string[] args) =>
+    private static Task<CliRun> RunAsync(TemporaryFolder folder, string clock, string[] args, CancellationToken stop) =>
         CliRun.Of(stop, ["run", .. args, "--connect", $"serial://{folder.PathOf("tty")}?baud=19200{clock}", "--json", "--journal", folder.PathOf("run.jsonl")]);
 
     /// <summary>An open polyline of many short segments without a sharp corner.</summary>
