@@ -18,9 +18,9 @@ public class HostClockTests
 
         rig.Time.Advance(TimeSpan.FromSeconds(9));
         Assert.Equal(begun, rig.Controller.Status.Sample);
-        await Task.Delay(TimeSpan.FromMilliseconds(250), clock);
+        await WaitAsync(clock, TimeSpan.FromMilliseconds(250));
         Assert.Equal(begun + 250, rig.Controller.Status.Sample);
-        await Task.Delay(TimeSpan.FromHours(10), clock);
+        await WaitAsync(clock, TimeSpan.FromHours(10));
         Assert.Equal(begun + 250 + 36_000_000, rig.Controller.Status.Sample);
         Assert.Equal(5000, rig.Value("_RPA"));
     }
@@ -72,12 +72,12 @@ public class HostClockTests
         using var first = rig.Controller.JoinClock();
         using var second = rig.Controller.JoinClock();
 
-        var early = Task.Delay(TimeSpan.FromMilliseconds(30), first);
+        var early = WaitAsync(first, TimeSpan.FromMilliseconds(30));
         Assert.Equal((false, 0), (early.IsCompleted, rig.Controller.Status.Sample));
-        var late = Task.Delay(TimeSpan.FromMilliseconds(50), second);
+        var late = WaitAsync(second, TimeSpan.FromMilliseconds(50));
         await early;
         Assert.Equal((false, 30), (late.IsCompleted, rig.Controller.Status.Sample)); // the first is at work again
-        var again = Task.Delay(TimeSpan.FromMilliseconds(100), first);
+        var again = WaitAsync(first, TimeSpan.FromMilliseconds(100));
         await late;
         Assert.Equal((false, 50), (again.IsCompleted, rig.Controller.Status.Sample));
         second.Dispose();
@@ -90,10 +90,10 @@ public class HostClockTests
         using var first = rig.Controller.JoinClock();
         using var second = rig.Controller.JoinClock();
         using var stop = new CancellationTokenSource();
-        var given = Task.Delay(TimeSpan.FromMilliseconds(30), first, stop.Token);
+        var given = WaitAsync(first, TimeSpan.FromMilliseconds(30), stop.Token);
         await stop.CancelAsync();
 
-        var other = Task.Delay(TimeSpan.FromMilliseconds(50), second);
+        var other = WaitAsync(second, TimeSpan.FromMilliseconds(50));
 
         Assert.True(given.IsCanceled);
         Assert.Equal((false, 0), (other.IsCompleted, rig.Controller.Status.Sample));
@@ -109,9 +109,9 @@ public class HostClockTests
 
         deadline.Change(TimeSpan.FromMilliseconds(20), Timeout.InfiniteTimeSpan);
         Assert.Equal(0, rig.Controller.Status.Sample);
-        await Task.Delay(TimeSpan.FromMilliseconds(19), clock);
+        await WaitAsync(clock, TimeSpan.FromMilliseconds(19));
         Assert.False(fired.Task.IsCompleted);
-        await Task.Delay(TimeSpan.FromMilliseconds(1), clock);
+        await WaitAsync(clock, TimeSpan.FromMilliseconds(1));
         await fired.Task;
     }
 
@@ -126,7 +126,7 @@ public class HostClockTests
         wall.Advance(TimeSpan.FromSeconds(5)); // at work
         Assert.Equal(0, controller.Status.Sample);
 
-        var wait = Task.Delay(TimeSpan.FromSeconds(0.2 * speed), clock);
+        var wait = WaitAsync(clock, TimeSpan.FromSeconds(0.2 * speed));
         wall.Advance(TimeSpan.FromSeconds(0.1));
         Assert.InRange(controller.Status.Sample, 99 * speed, 161 * speed); // twice the leeway of 20 ms: the host was at work, and waits are run ahead of
         Assert.False(wait.IsCompleted);
@@ -204,7 +204,7 @@ public class HostClockTests
         for (var look = 0; look < 40; look++)
         {
             await StallAsync();
-            await Task.Delay(TimeSpan.FromMilliseconds(37), clock);
+            await WaitAsync(clock, TimeSpan.FromMilliseconds(37));
             await StallAsync();
             rig.Ask("MG _RPA,_RPB");
             await StallAsync();
@@ -212,6 +212,15 @@ public class HostClockTests
         }
 
         return [.. rig.Controller.Record.Snapshot()];
+    }
+
+    /// <summary>A wait of the host: a timer that is created with its time.</summary>
+    private static async Task WaitAsync(TimeProvider clock, TimeSpan time, CancellationToken stop = default)
+    {
+        var passed = new TaskCompletionSource();
+        await using var wait = clock.CreateTimer(_ => passed.TrySetResult(), null, time, Timeout.InfiniteTimeSpan);
+        await using var ended = stop.Register(() => passed.TrySetCanceled(stop));
+        await passed.Task;
     }
 
     private static MotionSample FirstWithToolOff(Rig rig, long from) => rig.Controller.Record.Snapshot().First(sample => sample.Sample > from && sample.Outputs == 0);
