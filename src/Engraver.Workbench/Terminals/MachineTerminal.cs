@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Globalization;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -66,10 +67,10 @@ public sealed class MachineTerminal : IAsyncDisposable
         return [.. TakeMessages()];
     }
 
-    /// <summary>The operator ends the program: every axis and plane brakes first, tool off, and the machine is waited for.</summary>
+    /// <summary>The operator ends the program: the tool goes off, every axis and plane brakes, and the machine is waited for (ADR 4: in this order, in one line).</summary>
     public async Task StopAsync(int toolOutput, TimeSpan pollInterval)
     {
-        await Session.StopHandle.SendAsync($"ST {Session.Identity.Letters}", CancellationToken.None).ConfigureAwait(false);
+        await Session.StopHandle.SendAsync(string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput};STS;ST {Session.Identity.Letters}"), CancellationToken.None).ConfigureAwait(false);
         await new OperatorStop(Session, toolOutput, []).FinishAsync(pollInterval, CancellationToken.None).ConfigureAwait(false);
     }
 

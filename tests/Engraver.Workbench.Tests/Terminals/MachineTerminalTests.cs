@@ -58,5 +58,23 @@ public class MachineTerminalTests
         Assert.Equal(0.0, (await terminal.Session.Commands.ReadAsync("_BGC", CancellationToken.None)).OrNothing);
     }
 
+    /// <summary>ADR 4: the tool goes off before anything brakes.</summary>
+    [Fact]
+    public async Task The_operators_stop_switches_the_tool_off_before_an_axis_brakes()
+    {
+        await using var connection = MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System, keepsRecord: true);
+        using var clock = connection.TakeClock(); // no time passes but by commands
+        await using var terminal = await MachineTerminal.OpenAsync(connection, clock.Time, CancellationToken.None);
+        foreach (var line in new[] { "SB 1", "SHC", "JGC=20000", "BGC" }) Assert.Equal(":", (await terminal.AnswerAsync(line, CancellationToken.None)).Single().Text);
+        connection.Simulator!.Advance(TimeSpan.FromSeconds(1));
+        var pressedAt = connection.Simulator.Status.Sample;
+
+        await terminal.StopAsync(toolOutput: 1, TimeSpan.Zero);
+
+        var after = connection.Simulator.Record.Snapshot().Where(row => row.Sample > pressedAt).ToList();
+        Assert.NotEmpty(after);
+        Assert.All(after, row => Assert.Equal(0, row.Outputs));
+    }
+
     private static MachineConnection Simulated() => MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System);
 }
