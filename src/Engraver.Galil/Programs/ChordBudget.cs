@@ -8,7 +8,7 @@ namespace Engraver.Galil.Programs;
 /// <summary>Counts the chords that arcs will need before any is made: arcs of huge radius need so many that time and memory would not end.</summary>
 internal static class ChordBudget
 {
-    /// <summary>Chords for the whole drawing; a program of so many lines is beyond what is ever posted or sent, and takes about 300 MB to make.</summary>
+    /// <summary>Chords for the whole drawing; a program of so many lines is beyond what is ever posted or sent.</summary>
     public const int Most = 1_000_000;
 
     /// <summary>The error that names the arc with the most chords, or null while the drawing needs no more than <see cref="Most"/>.</summary>

@@ -67,7 +67,7 @@ public class SilentLossTests
 
     /// <summary>A sector of zeros in a binary file reads as records without a name.</summary>
     [Fact]
-    public void A_sector_of_zeros_in_a_binary_file_is_an_error()
+    public void A_sector_of_zeros_in_a_binary_file_of_entities_alone_is_an_error()
     {
         var file = new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. Line, .. Circle, .. Line, .. Circle, .. Line, .. Circle, .. Line]).End().ToBinary(oneByteCodes: false);
         var silent = new List<int>();
