@@ -217,7 +217,7 @@ public sealed class BoxTree
         }
     }
 
-    private struct Best(int item, double distance)
+    internal struct Best(int item, double distance)
     {
         public int Item { get; private set; } = item;
 

@@ -6,15 +6,13 @@ namespace Engraver.Core.Verification;
 internal sealed class DrawnCoverage
 {
     private const int FewCandidates = 8;
-    private const int ManyCandidates = 32;
-    private const int DeepestHalving = 6;
 
     private readonly IReadOnlyList<Segment> _drawing;
     private readonly SegmentIndex _index;
     private readonly TraceTolerances _tolerances;
     private readonly double _reach;
     private readonly CoveredParts[] _covered;
-    private readonly List<int> _near = [];
+    private readonly NearSegments _near;
     private readonly List<int> _candidates = [];
     private Bounds2D _nearBox = Bounds2D.Empty;
     private double _margin = 1.0;
@@ -25,6 +23,7 @@ internal sealed class DrawnCoverage
         (_drawing, _index, _tolerances, _reach) = (drawing, index, tolerances, tolerances.Coverage);
         _covered = new CoveredParts[drawing.Count];
         for (var i = 0; i < _covered.Length; i++) _covered[i] = new CoveredParts(LongestIgnored(drawing[i].Length) / 2.0 / Math.Max(drawing[i].Length, double.Epsilon));
+        _near = new NearSegments(drawing, _reach, _covered, Cover);
     }
 
     /// <summary>A straight cut between two samples, or a dot. Quick when cuts follow one another: what lies around is looked up once for many.</summary>
@@ -32,24 +31,20 @@ internal sealed class DrawnCoverage
     {
         var box = Bounds2D.Of(from, to).Grown(_reach);
         if (!_nearBox.Contains(box)) LookAround(box);
-        if (_near.Count == 0) return;
-        var chord = Segment.FromLine(from, to);
-        foreach (var candidate in _near) Cover(candidate, chord);
+        if (_near.Count > 0) _near.Add(Segment.FromLine(from, to));
     }
 
     /// <summary>A cut along a line, or an arc of at most half a turn, of any length.</summary>
     public void Add(in Segment path)
     {
-        _index.Forget();
-        _candidates.Clear();
-        if (path.Kind == SegmentKind.Line) _index.Along(path.Line, _reach, _candidates);
-        else Gather(path, 0);
+        _index.Along(path, _reach, _candidates);
         foreach (var candidate in _candidates) Cover(candidate, path);
     }
 
     /// <summary>Length of the drawing that no cut came near, and where the first of it is. Gaps shorter than a step of the drawing are none: chords between samples cut corners.</summary>
     public (double Length, Point2D? At) Missing()
     {
+        _near.Close();
         var missing = 0.0;
         Point2D? first = null;
         for (var i = 0; i < _covered.Length; i++)
@@ -86,29 +81,11 @@ internal sealed class DrawnCoverage
         else if (_near.Count < 2) _margin *= 2.0;
         _margin = Math.Clamp(_margin, 2.0 * _reach, 100.0);
         _nearBox = box.Grown(_margin);
-        _near.Clear();
-        _index.Forget();
-        _index.Overlapping(_nearBox, _near);
-        _near.RemoveAll(IsElsewhere); // among crowded diagonals nearly every box holds the place, and few segments pass it
-    }
-
-    private bool IsElsewhere(int candidate)
-    {
         var middle = new Point2D((_nearBox.MinX + _nearBox.MaxX) / 2.0, (_nearBox.MinY + _nearBox.MaxY) / 2.0);
-        return _drawing[candidate].DistanceTo(middle) > Math.Sqrt((_nearBox.Width * _nearBox.Width) + (_nearBox.Height * _nearBox.Height)) / 2.0;
-    }
-
-    private void Gather(in Segment path, int depth)
-    {
-        var box = path.Bounds.Grown(_reach);
-        if (depth < DeepestHalving && Math.Min(box.Width, box.Height) > 4.0 * _reach && _index.IsCrowded(box, ManyCandidates))
-        {
-            Gather(SpanDeviation.Part(path, 0.0, 0.5), depth + 1);
-            Gather(SpanDeviation.Part(path, 0.5, 1.0), depth + 1);
-            return;
-        }
-
-        _index.Overlapping(box, _candidates);
+        var radius = Math.Sqrt((_nearBox.Width * _nearBox.Width) + (_nearBox.Height * _nearBox.Height)) / 2.0;
+        _index.Around(middle, radius, _candidates);
+        _candidates.RemoveAll(candidate => _drawing[candidate].DistanceTo(middle) > radius);
+        _near.Set(_candidates);
     }
 
     private void Cover(int drawn, in Segment cut)
