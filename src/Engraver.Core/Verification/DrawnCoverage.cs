@@ -7,7 +7,11 @@ internal sealed class DrawnCoverage
 {
     private const int FewCandidates = 8;
 
-    private readonly IReadOnlyList<Segment> _drawing;
+    /// <summary>Of the reach: a shorter cut may be a step of many that follow a segment across it.</summary>
+    private const double LongPath = 100.0;
+
+
+    private readonly Segment[] _drawing;
     private readonly SegmentIndex _index;
     private readonly TraceTolerances _tolerances;
     private readonly double _reach;
@@ -18,12 +22,19 @@ internal sealed class DrawnCoverage
     private double _margin = 1.0;
 
     /// <param name="drawing">Ellipses and splines as their pieces.</param>
-    public DrawnCoverage(IReadOnlyList<Segment> drawing, SegmentIndex index, TraceTolerances tolerances)
+    public DrawnCoverage(Segment[] drawing, SegmentIndex index, TraceTolerances tolerances)
     {
         (_drawing, _index, _tolerances, _reach) = (drawing, index, tolerances, tolerances.Coverage);
-        _covered = new CoveredParts[drawing.Count];
+        _covered = new CoveredParts[drawing.Length];
         for (var i = 0; i < _covered.Length; i++) _covered[i] = new CoveredParts(LongestIgnored(drawing[i].Length) / 2.0 / Math.Max(drawing[i].Length, double.Epsilon));
         _near = new NearSegments(drawing, _reach, _covered, Cover);
+    }
+
+    /// <summary>Sine of the angle from which on a line that crosses a segment covers less of it than is kept (see <see cref="CoveredParts"/>): every line of a hatch crosses thousands.</summary>
+    public static double Crossed(in Segment segment, TraceTolerances tolerances)
+    {
+        var length = segment.Length;
+        return length > 0.0 ? Math.Min(1.0, 4.0 * tolerances.Coverage * tolerances.StepsFor(length) / length) : 1.0;
     }
 
     /// <summary>A straight cut between two samples, or a dot. Quick when cuts follow one another: what lies around is looked up once for many.</summary>
@@ -37,7 +48,8 @@ internal sealed class DrawnCoverage
     /// <summary>A cut along a line, or an arc of at most half a turn, of any length.</summary>
     public void Add(in Segment path)
     {
-        _index.Along(path, _reach, _candidates);
+        if (path.Kind == SegmentKind.Line && path.Length > LongPath * _reach) _index.AlongNotAcross(path.Line, _reach, _candidates);
+        else _index.Along(path, _reach, _candidates);
         foreach (var candidate in _candidates) Cover(candidate, path);
     }
 
@@ -90,7 +102,7 @@ internal sealed class DrawnCoverage
 
     private void Cover(int drawn, in Segment cut)
     {
-        var segment = _drawing[drawn];
+        ref readonly var segment = ref _drawing[drawn];
         var covered = _covered[drawn];
         if (segment.IsFreeCurve) CutNearCurve.Cover(segment, cut, _reach, covered);
         else if (segment.Kind == SegmentKind.Line && cut.Kind == SegmentKind.Line) CutNearSegment.CoverLine(segment.Line, cut.Line, _reach, covered);

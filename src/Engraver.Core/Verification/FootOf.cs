@@ -9,11 +9,12 @@ internal static class FootOf
     private const double ParameterKnown = 1e-12;
 
     /// <param name="segment">A line, an arc, a circle or a nearly straight piece of a curve.</param>
-    public static (double Foot, double Distance) Place(in Segment segment, Point2D place)
+    /// <param name="guess">Where on a curve the search begins; NaN when nothing is known.</param>
+    public static (double Foot, double Distance) Place(in Segment segment, Point2D place, double guess)
     {
         if (segment.IsFreeCurve)
         {
-            var foot = Place(segment.Curve.Spans[0], place);
+            var foot = Place(segment.Curve.Spans[0], place, guess);
             return (foot, segment.Curve.Spans[0].PointAt(foot).DistanceTo(place));
         }
 
@@ -21,11 +22,10 @@ internal static class FootOf
     }
 
     /// <summary>Newton's steps, kept between two parameters on either side of it.</summary>
-    public static double Place(BezierSpan span, Point2D place)
+    public static double Place(BezierSpan span, Point2D place, double guess = double.NaN)
     {
         var (low, high) = (0.0, 1.0);
-        var chord = span.End - span.Start;
-        var parameter = chord.LengthSquared == 0.0 ? 0.5 : Math.Clamp((place - span.Start).Dot(chord) / chord.LengthSquared, 0.0, 1.0);
+        var parameter = guess is > 0.0 and < 1.0 ? guess : OfChord(span, place); // at an end the curve may stand still, and a step from there leads nowhere
         for (var step = 0; step < MostSteps && high - low > ParameterKnown; step++)
         {
             var point = span.Evaluate(parameter, out var derivative);
@@ -39,6 +39,12 @@ internal static class FootOf
         }
 
         return parameter;
+    }
+
+    private static double OfChord(BezierSpan span, Point2D place)
+    {
+        var chord = span.End - span.Start;
+        return chord.LengthSquared == 0.0 ? 0.5 : Math.Clamp((place - span.Start).Dot(chord) / chord.LengthSquared, 0.0, 1.0);
     }
 
     private static (double Foot, double Distance) Place(LineSegment line, Point2D place)

@@ -6,7 +6,7 @@ namespace Engraver.Core.Verification;
 /// <param name="drawing">Ellipses and splines as their pieces.</param>
 /// <param name="reach">How near a cut covers, millimetres.</param>
 /// <param name="cover">Exact: covers what of a drawn segment lies within reach of a cut.</param>
-internal sealed class NearSegments(IReadOnlyList<Segment> drawing, double reach, CoveredParts[] covered, NearSegments.Exactly cover)
+internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts[] covered, NearSegments.Exactly cover)
 {
     /// <summary>In segments shorter than so many times the reach every bit counts.</summary>
     private const double Short = 200.0;
@@ -24,16 +24,17 @@ internal sealed class NearSegments(IReadOnlyList<Segment> drawing, double reach,
     {
         Close();
         _runs.Clear();
-        foreach (var drawn in near) _runs.Add(new Run(drawn));
+        foreach (var drawn in near) _runs.Add(new Run(drawn, drawing[drawn].Length < Short * reach));
     }
 
     public void Add(in Segment chord)
     {
         if (!_hasLast || _last.End != chord.Start) Break();
+        var length = Math.Sqrt((chord.End - chord.Start).LengthSquared);
         for (var i = 0; i < _runs.Count; i++)
         {
             var run = _runs[i];
-            Follow(ref run, chord);
+            Follow(ref run, chord, length);
             _runs[i] = run;
         }
 
@@ -54,20 +55,20 @@ internal sealed class NearSegments(IReadOnlyList<Segment> drawing, double reach,
     private void Break()
     {
         Close();
-        for (var i = 0; i < _runs.Count; i++) _runs[i] = new Run(_runs[i].Drawn);
+        for (var i = 0; i < _runs.Count; i++) _runs[i] = new Run(_runs[i].Drawn, _runs[i].IsShort);
     }
 
-    private void Follow(ref Run run, in Segment chord)
+    private void Follow(ref Run run, in Segment chord, double length)
     {
-        var segment = drawing[run.Drawn];
-        var (foot, distance) = FootOf.Place(segment, chord.End);
-        var length = Math.Sqrt((chord.End - chord.Start).LengthSquared);
-        var sense = double.IsInfinity(run.Distance) ? 0 : Math.Sign(foot - run.Foot);
+        ref readonly var segment = ref drawing[run.Drawn];
+        var isFirst = double.IsInfinity(run.Distance);
+        var (foot, distance) = FootOf.Place(segment, chord.End, isFirst ? double.NaN : run.Foot);
+        var sense = isFirst ? 0 : Math.Sign(foot - run.Foot);
         if (distance - length > reach)
         {
             Close(ref run);
         }
-        else if (IsAlong(segment, run, foot, distance, length) && (sense == run.Sense || run.Sense == 0))
+        else if ((sense == run.Sense || run.Sense == 0) && IsAlong(segment, run, foot, distance, chord, length))
         {
             covered[run.Drawn].Add(Math.Min(run.Foot, foot), Math.Max(run.Foot, foot));
             run.IsOpen = true;
@@ -81,21 +82,14 @@ internal sealed class NearSegments(IReadOnlyList<Segment> drawing, double reach,
         (run.Foot, run.Distance, run.Sense) = (foot, distance, sense == 0 ? run.Sense : sense);
     }
 
-    /// <summary>All between the feet of the two ends of a chord is within reach of it.</summary>
-    private bool IsAlong(in Segment segment, in Run run, double foot, double distance, double length)
+    /// <summary>All between the feet of the two ends of a chord is within reach of it. The distance from a curve is smooth there, and is asked in the middle.</summary>
+    private bool IsAlong(in Segment segment, in Run run, double foot, double distance, in Segment chord, double length)
     {
         var farthest = Math.Max(run.Distance, distance);
-        if (!(farthest <= reach) || segment.Length < Short * reach) return false;
+        if (!(farthest <= reach) || run.IsShort) return false;
         if (segment.Kind == SegmentKind.Line) return true;
-        if (segment.IsFreeCurve) return farthest + Sag(segment, run.Foot, foot) <= reach;
+        if (segment.IsFreeCurve) return chord.Line.DistanceTo(segment.PointAt((run.Foot + foot) / 2.0)) <= reach;
         return farthest + (length * length / (8.0 * segment.Arc.Radius)) <= reach && Math.Abs(foot - run.Foot) < 0.5; // round a circle the foot jumps
-    }
-
-    /// <summary>How far a nearly straight curve strays from its chord between two parameters: a little more than in its middle.</summary>
-    private static double Sag(in Segment segment, double from, double to)
-    {
-        var (start, middle, end) = (segment.PointAt(from), segment.PointAt((from + to) / 2.0), segment.PointAt(to));
-        return 1.5 * new LineSegment(start, end).DistanceTo(middle);
     }
 
     private void Close(ref Run run)
@@ -105,9 +99,12 @@ internal sealed class NearSegments(IReadOnlyList<Segment> drawing, double reach,
     }
 
     /// <summary>A segment that the tool may be running along.</summary>
-    private struct Run(int drawn)
+    private struct Run(int drawn, bool isShort)
     {
         public readonly int Drawn = drawn;
+
+        /// <summary>Every bit of it counts.</summary>
+        public readonly bool IsShort = isShort;
 
         /// <summary>Parameter of the place nearest to the end of the last chord.</summary>
         public double Foot;

@@ -5,15 +5,18 @@ namespace Engraver.Core.Verification;
 /// <summary>Oriented boxes round segments. Where curved ones lie closer together than their boxes are wide they are cut into pieces until the boxes are that narrow, and long ones into pieces of like length.</summary>
 /// <remarks>The number of boxes is bounded: a few for each segment, and some hundred thousand in all that crowded rings may have more.</remarks>
 /// <param name="Boxes">Of all pieces, segment by segment.</param>
+/// <param name="Turns">Sine of the largest angle between each box and the piece in it.</param>
 /// <param name="Owners">The segment of each.</param>
-internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners)
+internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] Owners)
 {
     private const double PiecesPerSegment = 24.0;
     private const double MostPieces = 200_000.0;
     private const double FewPieces = 4096.0;
     private const int MostPiecesOfOne = 4096;
 
-    /// <param name="segments">Ellipses and splines as their pieces (see <see cref="CurvePieces"/>).</param>
+    /// <summary>Of what would lie between neighbours if all were spread evenly over the drawing: so wide a box may be. Most of a drawing is empty.</summary>
+    private const double Narrow = 1.0 / 16.0;
+
     public static SegmentBoxes Of(IReadOnlyList<Segment> segments)
     {
         var (extents, total) = (Bounds2D.Empty, 0.0);
@@ -27,12 +30,19 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners)
 
         var budget = FewPieces + Math.Min(MostPieces, PiecesPerSegment * sags.Length);
         var length = total / budget;
-        var width = Math.Max(extents.Width * extents.Height / Math.Max(total, double.Epsilon), double.Epsilon); // what lies between neighbours, if all were spread evenly
+        var width = Math.Max(Narrow * extents.Width * extents.Height / Math.Max(total, double.Epsilon), double.Epsilon);
         var roots = sags.Sum(sag => Math.Sqrt(sag / width));
         if (roots > budget) width *= roots / budget * (roots / budget);
-        var (boxes, owners) = (new List<OrientedBox>(sags.Length), new List<int>(sags.Length));
-        for (var i = 0; i < sags.Length; i++) AddPieces(segments[i], i, PiecesOf(segments[i], sags[i], width, length), boxes, owners);
-        return new SegmentBoxes([.. boxes], [.. owners]);
+        var (boxes, turns, owners) = (new List<OrientedBox>(sags.Length), new List<double>(sags.Length), new List<int>(sags.Length));
+        for (var i = 0; i < sags.Length; i++)
+        {
+            var pieces = PiecesOf(segments[i], sags[i], width, length);
+            AddPieces(segments[i], pieces, boxes);
+            while (owners.Count < boxes.Count) owners.Add(i);
+            while (turns.Count < boxes.Count) turns.Add(TurnOf(segments[i], pieces));
+        }
+
+        return new SegmentBoxes([.. boxes], [.. turns], [.. owners]);
     }
 
     /// <summary>The width of a box falls with the square of the number of pieces.</summary>
@@ -43,27 +53,34 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners)
         return (int)Math.Max(least, Math.Min(MostPiecesOfOne, Math.Ceiling(wanted)));
     }
 
-    /// <summary>Width of the one box round the segment, or round a circle what would shrink like one.</summary>
+    /// <summary>Width of the box round the segment (of a curve, round its widest span), or round a circle what would shrink like one.</summary>
     private static double SagOf(in Segment segment)
     {
         if (segment.Kind == SegmentKind.Line) return 0.0;
-        if (segment.IsFreeCurve) return 2.0 * BoxOf(segment.Curve.Spans[0]).HalfWidth;
+        if (segment.IsFreeCurve) return segment.Curve.Spans.ToArray().Max(span => 2.0 * BoxOf(span).HalfWidth);
         var half = segment.Arc.Sweep.Radians / 2.0;
         return segment.Arc.Radius * half * half / 2.0;
     }
 
-    private static void AddPieces(in Segment segment, int index, int pieces, List<OrientedBox> boxes, List<int> owners)
+    private static double TurnOf(in Segment segment, int pieces)
     {
-        for (var piece = 0; piece < pieces; piece++)
-        {
-            boxes.Add(BoxOf(segment, (double)piece / pieces, (piece + 1.0) / pieces));
-            owners.Add(index);
-        }
+        if (segment.Kind == SegmentKind.Line) return 0.0;
+        var half = segment.IsFreeCurve ? Math.PI : Math.Abs(segment.Arc.Sweep.Radians) / (2.0 * pieces);
+        return half < Math.PI / 2.0 ? Math.Sin(half) : 1.0;
     }
 
-    private static OrientedBox BoxOf(in Segment segment, double from, double to) => segment.IsFreeCurve
-        ? BoxOf(segment.Curve.Spans[0].Part(from, to))
-        : OrientedBox.Of(SpanDeviation.Part(segment, from, to));
+    private static void AddPieces(in Segment segment, int pieces, List<OrientedBox> boxes)
+    {
+        var spans = segment.IsFreeCurve ? segment.Curve.Spans : [];
+        for (var span = 0; span < Math.Max(1, spans.Length); span++)
+        {
+            for (var piece = 0; piece < pieces; piece++)
+            {
+                var (from, to) = ((double)piece / pieces, (piece + 1.0) / pieces);
+                boxes.Add(spans.Length > 0 ? BoxOf(spans[span].Part(from, to)) : OrientedBox.Of(SpanDeviation.Part(segment, from, to)));
+            }
+        }
+    }
 
     private static OrientedBox BoxOf(BezierSpan span)
     {
