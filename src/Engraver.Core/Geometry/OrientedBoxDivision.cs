@@ -91,7 +91,13 @@ internal sealed class OrientedBoxDivision
             division.Count++;
         }
 
-        if (division.Count == 0 || division.Count == count) return division;
+        if (division.Count > 0 && division.Count < count) Enclose(first, count, ref division);
+        return division;
+    }
+
+    /// <summary>Fits a box round each half.</summary>
+    private void Enclose(int first, int count, ref Division division)
+    {
         var (own, ownPlaces) = division.Common.Extents();
         var (other, otherPlaces) = division.OtherCommon.Extents();
         for (var slot = first; slot < first + count; slot++)
@@ -111,7 +117,6 @@ internal sealed class OrientedBoxDivision
 
         division.Extent = Smaller(own, ownPlaces);
         division.OtherExtent = Smaller(other, otherPlaces);
-        return division;
     }
 
     /// <summary>Brings the items of the first half to the front.</summary>
