@@ -178,7 +178,7 @@ public class ContourChainerTests
         Assert.InRange(many.Looks, 4 * Few, 4 * Few * 600L);
     }
 
-    /// <summary>Fifty copies of one line: all equally straight, the lowest row first.</summary>
+    /// <summary>Thousands of copies of one line: all equally straight, the lowest row first.</summary>
     [Fact]
     public void Copies_of_a_line_are_gone_to_and_fro_in_the_order_of_their_rows()
     {
