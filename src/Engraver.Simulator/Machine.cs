@@ -271,7 +271,7 @@ internal sealed class Machine
     {
         var samples = Motion.Steady.Samples(Math.Min(lastSample, NextSnapshot) - Sample - 1);
         if (samples == 0) return false;
-        samples = Math.Min(samples, Threads.QuietUntil(Sample) - Sample - 1);
+        samples = Math.Min(samples, Threads.QuietWhileSteady(Sample) - Sample - 1);
         if (samples < SteadyMotion.Shortest) return false;
         var courses = Motion.Steady.Courses();
         samples = SamplesWithoutEvent(samples);

@@ -46,6 +46,32 @@ public class SteadyMotionTests
         foreach (var operand in (string[])["t0", "t1", "t2", "t3", "t4", "ua", "ub", "_ED", "_ED1"]) Assert.Equal(stepping.Ask("MG " + operand), jumping.Ask("MG " + operand));
     }
 
+    /// <summary>A program that waits for room in the buffer asks for it every sample, and is taken round without being run.</summary>
+    [Theory]
+    [MemberData(nameof(Seeds))]
+    public async Task A_program_that_waits_for_room_goes_on_in_the_same_sample(int seed)
+    {
+        var (random, counter) = (new Random(seed), new Counter());
+        await using var jumping = new Rig();
+        await using var stepping = new Rig(new SimulatorOptions { JumpsSteadyMotion = false });
+        using var heard = jumping.Controller.Record.Subscribe(counter);
+        string[] program =
+        [
+            "#JOB", "n=0", "m=0", $"VMAB;VS {random.Next(2000, 30_000)};VA 1000000;VD 1000000", "#MORE", "n=n+1", $"VP n*{random.Next(100, 20_000)},n*{random.Next(0, 400)}",
+            "JP#GOES,n>1", "BGS", "#GOES", "JS#ROOM", "JP#MORE,n<60", "VE", "AMS", "EN",
+            "#ROOM", .. random.Next(2) == 0 ? (string[])["JP#GONE,m=1"] : [], .. random.Next(2) == 0 ? (string[])["JP#GONE,(_BGA=5)|(@OUT[1]=1)"] : [], $"JP#ROOM,_LMS<{random.Next(500, 511)}", "t=TIME", "EN", "#GONE", "EN",
+        ];
+        foreach (var rig in (Rig[])[jumping, stepping]) rig.Download(string.Join('\n', program)).Do("XQ#JOB");
+
+        while (!stepping.Controller.Status.IsIdle && stepping.Controller.Status.Sample < 400_000) stepping.Pass(50_000);
+        while (!jumping.Controller.Status.IsIdle && jumping.Controller.Status.Sample < 400_000) jumping.Pass(50_000);
+
+        Assert.Equal(stepping.Controller.Record.Snapshot(), jumping.Controller.Record.Snapshot());
+        foreach (var operand in (string[])["t", "n", "m", "_ED", "_ED1", "_NO"]) Assert.Equal(stepping.Ask("MG " + operand), jumping.Ask("MG " + operand));
+        Assert.Equal(60.0, jumping.Value("n"));
+        if (counter.Rows > 100_000) Assert.True(counter.Singles < counter.Rows / 2);
+    }
+
     [Fact]
     public async Task A_long_line_is_a_few_spans_and_single_samples()
     {

@@ -9,6 +9,7 @@ internal sealed class Scheduler
     private readonly Machine _machine;
     private readonly ProgramThread[] _threads = [.. Enumerable.Range(0, ThreadCount).Select(n => new ProgramThread(n))];
     private TimeSpan _budget;
+    private (ProgramThread Thread, WaitLoop Loop)? _waiting;
     private int _turn;
 
     public Scheduler(Machine machine) => _machine = machine;
@@ -50,6 +51,26 @@ internal sealed class Scheduler
         return first;
     }
 
+    /// <summary>The same while motion is steady: a thread that goes round in a <see cref="WaitLoop"/> is quiet as well, when it is the only one that can run. <see cref="Pass"/> takes it round.</summary>
+    public long QuietWhileSteady(long sample)
+    {
+        _waiting = null;
+        var (first, running) = (long.MaxValue, 0);
+        ProgramThread? ready = null;
+        foreach (var thread in _threads)
+        {
+            if (!thread.IsRunning) continue;
+            var at = ReadyAt(thread, sample);
+            if (at > sample) first = Math.Min(first, at);
+            else (ready, running) = (thread, running + 1);
+        }
+
+        if (ready is null) return first;
+        if (running > 1 || IsTracing || _machine.Options.LineCost == TimeSpan.Zero || ready.Trippoint is not null || WaitLoop.Find(_machine, ready) is not { } loop) return sample;
+        _waiting = (ready, loop);
+        return first;
+    }
+
     /// <summary>A thread waits for something that has come about.</summary>
     public bool IsAnyReleased()
     {
@@ -61,8 +82,21 @@ internal sealed class Scheduler
         return false;
     }
 
-    /// <summary>Samples passed in which no thread could run; what was spent too much before is paid back.</summary>
-    public void Pass(long samples) => _budget = TimeSpan.FromTicks(Math.Min(0, _budget.Ticks + (samples * TimeSpan.TicksPerMillisecond)));
+    /// <summary>Samples passed in which no thread could run but the one that <see cref="QuietWhileSteady"/> found waiting; what was spent too much before is paid back.</summary>
+    public void Pass(long samples)
+    {
+        var time = _budget.Ticks + (samples * TimeSpan.TicksPerMillisecond);
+        if (_waiting is var (thread, loop) && time > 0)
+        {
+            var cost = _machine.Options.LineCost.Ticks;
+            var questions = (time + cost - 1) / cost;
+            time -= questions * cost;
+            thread.JumpTo(loop.LineAfter(questions), 0);
+        }
+
+        _waiting = null;
+        _budget = TimeSpan.FromTicks(Math.Min(0, time));
+    }
 
     public void ForgetUnusedTime() => _budget = TimeSpan.Zero;
 

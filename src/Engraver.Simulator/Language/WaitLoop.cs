@@ -1,0 +1,61 @@
+using System.Text.RegularExpressions;
+
+namespace Engraver.Simulator.Language;
+
+/// <summary>A few program lines in which a thread only asks, again and again, for what steady motion does not change: <c>#ROOM</c>, <c>JP#ROOM,_LMS&lt;50</c>. While it does, no sample of it need be run.</summary>
+/// <param name="Label">The line that the last jump goes back to.</param>
+/// <param name="Jumps">The lines of its conditional jumps, in order; all but the last are not taken now.</param>
+/// <param name="Next">Which of the jumps comes next.</param>
+internal sealed partial record WaitLoop(int Label, IReadOnlyList<int> Jumps, int Next)
+{
+    private const int MostLines = 6;
+
+    /// <summary>The loop that a thread goes round in; null when it does anything else, or would leave the loop now.</summary>
+    public static WaitLoop? Find(Machine machine, ProgramThread thread)
+    {
+        if (thread.Part != 0) return null;
+        for (var line = thread.Line; line < Math.Min(machine.Program.Count, thread.Line + MostLines); line++)
+        {
+            if (machine.Program[line].Parts.Length == 0) continue;
+            if (Read(machine, line) is not { } jump) return null;
+            if (Holds(machine, thread, jump.Condition)) return jump.Target <= thread.Line && thread.Line - jump.Target < MostLines ? Between(machine, thread, jump.Target, line) : null;
+        }
+
+        return null;
+    }
+
+    /// <summary>Where the thread stands after so many more questions.</summary>
+    public int LineAfter(long questions) => (Next + questions) % Jumps.Count is > 0 and var jump ? Jumps[(int)jump] : Label;
+
+    private static WaitLoop? Between(Machine machine, ProgramThread thread, int label, int last)
+    {
+        var jumps = new List<int>();
+        for (var line = label; line < last; line++)
+        {
+            if (machine.Program[line].Parts.Length == 0) continue;
+            if (Read(machine, line) is not { } jump || Holds(machine, thread, jump.Condition)) return null;
+            jumps.Add(line);
+        }
+
+        jumps.Add(last);
+        return new WaitLoop(label, jumps, jumps.FindIndex(line => line >= thread.Line));
+    }
+
+    /// <summary>A line that is one JP to a label, on a condition that steady motion does not change; null for any other.</summary>
+    private static (int Target, string Condition)? Read(Machine machine, int line)
+    {
+        if (machine.Program[line].Parts is not [{ Command.Mnemonic: "JP", Text: var text }]) return null;
+        var jump = Jump().Match(text);
+        return jump.Success && machine.Program.TryFind(jump.Groups["label"].Value, out var target) ? (target, jump.Groups["condition"].Value) : null;
+    }
+
+    private static bool Holds(Machine machine, ProgramThread thread, string condition)
+    {
+        var reader = new StatementReader(machine).On(condition, thread.Context);
+        return reader.TakeExpression().IsTrue && reader.IsAtEnd;
+    }
+
+    /// <summary>Room in the buffer, segments begun, motion begun, outputs, variables (those of the controller are in capitals) and numbers: within a segment at constant speed they stay.</summary>
+    [GeneratedRegex(@"^JP ?#(?<label>\w+),(?<condition>(?:_(?:LM|CS)[ST]?|_BG[A-HST]?|@OUT\[\d\]|[a-z]\w*|\d+|[-+<>=&|()])+)$", RegexOptions.CultureInvariant)]
+    private static partial Regex Jump();
+}
