@@ -22,7 +22,7 @@ internal static class VerifyProgressBar
     {
         public void Report(ReplayProgress value)
         {
-            task.Value = (value.Chunk - 1.0) / value.Chunks;
+            task.Value = value.Fraction;
             task.Description = string.Create(CultureInfo.InvariantCulture, $"program {value.Chunk} of {value.Chunks}, {value.MachineTime.TotalSeconds:0} s of machine time");
         }
     }

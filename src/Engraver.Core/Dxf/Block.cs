@@ -24,7 +24,7 @@ internal sealed class Block(string name, Vector3D basePoint, int firstCurve)
 
     public List<NestedInsert> Inserts { get; } = [];
 
-    /// <summary>Findings about its records; they concern the operator only when the block is used.</summary>
+    /// <summary>Findings about its records; most concern the operator only when the block is used (<see cref="Trouble.ConcernsMore"/>).</summary>
     public List<Trouble> Troubles { get; } = [];
 
     /// <summary>Texts and points directly in it, by type.</summary>

@@ -3,7 +3,7 @@ using Engraver.Core.Drawings;
 namespace Engraver.Core.Dxf;
 
 /// <summary>Fills a block definition.</summary>
-internal sealed class BlockContent(Block block, CurveColumns columns) : IContentTarget
+internal sealed class BlockContent(Block block, CurveColumns columns, BalanceSheet balance) : IContentTarget
 {
     public bool Takes(EntityRecord record) => true;
 
@@ -38,7 +38,11 @@ internal sealed class BlockContent(Block block, CurveColumns columns) : IContent
         block.Construction[(record.Type, record.Layer)] = (known.Item1 + 1, known.Item2);
     }
 
-    public void Refuse(EntityRecord record, in Trouble trouble) => block.Troubles.Add(trouble);
+    public void Refuse(EntityRecord record, in Trouble trouble)
+    {
+        block.Troubles.Add(trouble);
+        if (trouble.ConcernsMore) balance.AddInBlock(trouble);
+    }
 
     private void Count(string type, int count) => block.Annotations[type] = block.Annotations.GetValueOrDefault(type) + count;
 }

@@ -50,7 +50,7 @@ internal sealed class BlockExpander(
         while (open.TryPop(out var block))
         {
             if (!_reported.Add(block)) continue;
-            foreach (var trouble in block.Troubles) balance.AddInBlock(trouble);
+            foreach (var trouble in block.Troubles.Where(trouble => !trouble.ConcernsMore)) balance.AddInBlock(trouble); // the others have been told
             foreach (var nested in block.Inserts)
             {
                 if (nested.Obstacle is null) open.Push(blocks[nested.Insert.Block]);

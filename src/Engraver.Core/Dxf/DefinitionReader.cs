@@ -62,7 +62,7 @@ internal sealed class DefinitionReader(
 
         var basePoint = new Vector3D(_record.Number(10, 0.0), _record.Number(20, 0.0), _record.Number(30, 0.0));
         var block = new Block(_record.Name < 0 ? "" : records.Blocks[_record.Name], basePoint, curves.Count);
-        var target = new BlockContent(block, curves);
+        var target = new BlockContent(block, curves, balance);
         while (!EndsBlock()) content.ReadEntity(target);
         Unfinished = records.Next == RecordKind.SectionEnd ? target : null;
         if (records.Next == RecordKind.BlockEnd) records.Skip();

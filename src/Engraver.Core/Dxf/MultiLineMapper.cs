@@ -18,7 +18,8 @@ internal static class MultiLineMapper
         var flags = record.Flags(71);
         var closed = (flags & ClosedFlag) != 0;
         for (var element = 0; element < elements; element++) Add(shapes, shape => VertexRun.Connect([.. rows.Select(row => row[element])], closed, shape));
-        if (elements < 2) return;
+        if (elements < 2 || rows.Count < 2) return;
+        foreach (var row in rows) row.RemoveRange(elements, row.Count - elements); // a damaged vertex may have more of them than another
         var style = styles[record.TextOf(2)];
         if (style.HasFlag(MultiLineStyleFlags.Joints))
         {
@@ -26,8 +27,8 @@ internal static class MultiLineMapper
         }
 
         if (closed) return;
-        if ((flags & NoStartCap) == 0) Cap(shapes, rows[0], rows[Math.Min(1, rows.Count - 1)], (int)style / (int)MultiLineStyleFlags.StartLine);
-        if ((flags & NoEndCap) == 0) Cap(shapes, rows[^1], rows[Math.Max(0, rows.Count - 2)], (int)style / (int)MultiLineStyleFlags.EndLine);
+        if ((flags & NoStartCap) == 0) Cap(shapes, rows[0], rows[1], (int)style / (int)MultiLineStyleFlags.StartLine);
+        if ((flags & NoEndCap) == 0) Cap(shapes, rows[^1], rows[^2], (int)style / (int)MultiLineStyleFlags.EndLine);
     }
 
     /// <summary>For each vertex where its elements cross it.</summary>

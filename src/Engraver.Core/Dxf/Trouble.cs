@@ -9,4 +9,8 @@ namespace Engraver.Core.Dxf;
 /// <param name="Line">Line (binary: byte offset) at which the record, or what is wrong with it, stands.</param>
 /// <param name="Detail">What the sentence needs besides; may be empty.</param>
 /// <param name="Refused">True when the record is left out, false when it is taken all the same.</param>
-internal readonly record struct Trouble(DiagnosticRule Rule, string Type, ulong Handle, int Line, string Detail, bool Refused);
+internal readonly record struct Trouble(DiagnosticRule Rule, string Type, ulong Handle, int Line, string Detail, bool Refused)
+{
+    /// <summary>True when the damage need not be of this record alone, so that it is told even in a block that nothing uses: what has no name may have been the block's end, and all that follows is lost in it.</summary>
+    public bool ConcernsMore => Rule == DxfRules.NameDamaged;
+}

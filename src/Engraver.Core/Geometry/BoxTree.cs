@@ -5,10 +5,13 @@ namespace Engraver.Core.Geometry;
 public sealed class BoxTree
 {
     private const int Fanout = 4;
+    private const int Nobody = int.MaxValue;
     private readonly int[] _items;
     private readonly int[] _slotOfItem;
     private readonly Bounds2D[][] _boxes;
-    private readonly int[][] _shown;
+
+    /// <summary>The lowest number of an item that is shown in each box, <see cref="Nobody"/> without one.</summary>
+    private readonly int[][] _lowest;
 
     private BoxTree(int[] items, Bounds2D[] leaves)
     {
@@ -16,10 +19,10 @@ public sealed class BoxTree
         _slotOfItem = new int[items.Length];
         for (var slot = 0; slot < items.Length; slot++) _slotOfItem[items[slot]] = slot;
         var boxes = new List<Bounds2D[]> { leaves };
-        var shown = new List<int[]> { Ones(leaves.Length) };
-        while (boxes[^1].Length > 1) AddLevel(boxes, shown);
+        List<int[]> lowest = [[.. items]];
+        while (boxes[^1].Length > 1) AddLevel(boxes, lowest);
         _boxes = [.. boxes];
-        _shown = [.. shown];
+        _lowest = [.. lowest];
     }
 
     /// <summary>Distance of item <paramref name="item"/> from <paramref name="place"/>. Several items may be pieces of one thing and measure the whole: then each piece's box must hold its piece.</summary>
@@ -45,9 +48,9 @@ public sealed class BoxTree
     }
 
     /// <summary>Leaves an item out of every answer until it is shown again. Hiding twice is hiding once.</summary>
-    public void Hide(int item) => SetShown(item, 0);
+    public void Hide(int item) => Set(item, Nobody);
 
-    public void Show(int item) => SetShown(item, 1);
+    public void Show(int item) => Set(item, item);
 
     /// <summary>The nearest shown item by <paramref name="measure"/>, ties to the lower number; -1 when none is nearer than or as near as <paramref name="within"/>.</summary>
     /// <param name="place">Seen from here.</param>
@@ -57,7 +60,7 @@ public sealed class BoxTree
     public int Nearest(Point2D place, Measure measure, double within, out double distance)
     {
         var best = new Best(-1, within);
-        if (_items.Length > 0 && _shown[^1][0] > 0) Descend(_boxes.Length - 1, 0, place, measure, ref best);
+        if (_items.Length > 0 && _lowest[^1][0] != Nobody) Descend(_boxes.Length - 1, 0, place, measure, ref best);
         distance = best.Distance;
         return best.Item;
     }
@@ -80,49 +83,49 @@ public sealed class BoxTree
         if (_items.Length > 0) CollectAround(_boxes.Length - 1, 0, box, found);
     }
 
-    private static int[] Ones(int count)
+    private static void AddLevel(List<Bounds2D[]> boxes, List<int[]> lowest)
     {
-        var ones = new int[count];
-        Array.Fill(ones, 1);
-        return ones;
-    }
-
-    private static void AddLevel(List<Bounds2D[]> boxes, List<int[]> shown)
-    {
-        var (below, counts) = (boxes[^1], shown[^1]);
+        var (below, numbers) = (boxes[^1], lowest[^1]);
         var size = (below.Length + Fanout - 1) / Fanout;
         var unions = new Bounds2D[size];
-        var sums = new int[size];
+        var minima = new int[size];
         Array.Fill(unions, Bounds2D.Empty);
+        Array.Fill(minima, Nobody);
         for (var i = 0; i < below.Length; i++)
         {
             unions[i / Fanout] = unions[i / Fanout].Union(below[i]);
-            sums[i / Fanout] += counts[i];
+            minima[i / Fanout] = Math.Min(minima[i / Fanout], numbers[i]);
         }
 
         boxes.Add(unions);
-        shown.Add(sums);
+        lowest.Add(minima);
     }
 
     private static double Distance(in Bounds2D box, Point2D place)
     {
         var x = Math.Max(0.0, Math.Max(box.MinX - place.X, place.X - box.MaxX));
         var y = Math.Max(0.0, Math.Max(box.MinY - place.Y, place.Y - box.MaxY));
-        return x == 0.0 ? y : y == 0.0 ? x : Math.Sqrt((x * x) + (y * y));
+        return x == 0.0 ? y : y == 0.0 ? x : double.Hypot(x, y); // rounded as Point2D.DistanceTo: the box of a place is as far as the place
     }
 
     private static bool Overlap(in Bounds2D a, in Bounds2D b) => a.MinX <= b.MaxX && b.MinX <= a.MaxX && a.MinY <= b.MaxY && b.MinY <= a.MaxY;
 
-    private void SetShown(int item, int value)
+    private void Set(int item, int number)
     {
         var index = _slotOfItem[item];
-        var change = value - _shown[0][index];
-        if (change == 0) return;
-        foreach (var level in _shown)
+        for (var level = 0; level < _lowest.Length && _lowest[level][index] != number; level++)
         {
-            level[index] += change;
+            _lowest[level][index] = number;
             index /= Fanout;
+            number = Lowest(_lowest[level].AsSpan(index * Fanout, Math.Min(Fanout, _lowest[level].Length - (index * Fanout))));
         }
+    }
+
+    private static int Lowest(ReadOnlySpan<int> numbers)
+    {
+        var lowest = Nobody;
+        foreach (var number in numbers) lowest = Math.Min(lowest, number);
+        return lowest;
     }
 
     private void Descend(int level, int index, Point2D place, Measure measure, ref Best best)
@@ -138,24 +141,25 @@ public sealed class BoxTree
         Span<double> distances = stackalloc double[Fanout];
         for (var i = 0; i < count; i++)
         {
-            distances[i] = _shown[level - 1][first + i] == 0 ? double.PositiveInfinity : Distance(_boxes[level - 1][first + i], place);
+            distances[i] = _lowest[level - 1][first + i] == Nobody ? double.PositiveInfinity : Distance(_boxes[level - 1][first + i], place);
         }
 
         for (var visit = 0; visit < count; visit++)
         {
-            var nearest = IndexOfSmallest(distances[..count]);
-            if (double.IsPositiveInfinity(distances[nearest]) || distances[nearest] > best.Distance) return;
+            var nearest = IndexOfSmallest(distances[..count], _lowest[level - 1].AsSpan(first, count));
+            if (double.IsPositiveInfinity(distances[nearest]) || best.Beats(distances[nearest], _lowest[level - 1][first + nearest])) return;
             distances[nearest] = double.PositiveInfinity;
             Descend(level - 1, first + nearest, place, measure, ref best);
         }
     }
 
-    private static int IndexOfSmallest(ReadOnlySpan<double> values)
+    /// <summary>Of the nearest the one with the lowest number: then no other box at that distance need be looked into.</summary>
+    private static int IndexOfSmallest(ReadOnlySpan<double> values, ReadOnlySpan<int> numbers)
     {
         var smallest = 0;
         for (var i = 1; i < values.Length; i++)
         {
-            if (values[i] < values[smallest]) smallest = i;
+            if (values[i] < values[smallest] || (values[i] == values[smallest] && numbers[i] < numbers[smallest])) smallest = i;
         }
 
         return smallest;
@@ -163,7 +167,7 @@ public sealed class BoxTree
 
     private void Collect(int level, int index, in Bounds2D box, List<int> found)
     {
-        if (_shown[level][index] == 0 || !Overlap(_boxes[level][index], box)) return;
+        if (_lowest[level][index] == Nobody || !Overlap(_boxes[level][index], box)) return;
         if (level == 0)
         {
             found.Add(_items[index]);
@@ -176,7 +180,7 @@ public sealed class BoxTree
 
     private void CollectAlong(int level, int index, in Strip strip, List<int> found)
     {
-        if (_shown[level][index] == 0 || !strip.Overlaps(_boxes[level][index])) return;
+        if (_lowest[level][index] == Nobody || !strip.Overlaps(_boxes[level][index])) return;
         if (level == 0)
         {
             found.Add(_items[index]);
@@ -189,7 +193,7 @@ public sealed class BoxTree
 
     private void CollectAround(int level, int index, in Bounds2D box, List<int> found)
     {
-        if (_shown[level][index] == 0 || !_boxes[level][index].Contains(box)) return;
+        if (_lowest[level][index] == Nobody || !_boxes[level][index].Contains(box)) return;
         if (level == 0)
         {
             found.Add(_items[index]);
@@ -217,15 +221,18 @@ public sealed class BoxTree
         }
     }
 
-    private struct Best(int item, double distance)
+    internal struct Best(int item, double distance)
     {
         public int Item { get; private set; } = item;
 
         public double Distance { get; private set; } = distance;
 
+        /// <summary>True when an item so far away, with no lower number, is no better.</summary>
+        public readonly bool Beats(double distance, int item) => distance > Distance || (distance == Distance && Item >= 0 && item >= Item);
+
         public void Offer(int item, double distance)
         {
-            if (distance > Distance || (distance == Distance && Item >= 0 && item >= Item)) return;
+            if (Beats(distance, item)) return;
             Item = item;
             Distance = distance;
         }

@@ -62,6 +62,7 @@ internal sealed class SecondDamage(SecondFile file)
         if (_type == "BLOCK") _inBlock = true;
         else if (_type == "ENDBLK") _inBlock = false;
         if (_type is "ENDSEC" or "SECTION") _section = "";
+        if (_type.Length == 0) Add(tag, "a record without a name");
         if (IsMisplaced()) Add(tag, $"{_type} where it does not belong");
         return _type != "EOF";
     }

@@ -19,6 +19,6 @@ public static class ContourChainer
         ArgumentOutOfRangeException.ThrowIfNegative(joinTolerance);
         var walker = new ContourWalker(segments.ToArray(), joinTolerance, heights);
         var contours = walker.WalkAll();
-        return new ChainResult(contours, OpenEnds.Find(contours, segments, heights), walker.Branches);
+        return new ChainResult(contours, OpenEnds.Find(contours, segments, heights), walker.Branches) { Looks = walker.Looks };
     }
 }

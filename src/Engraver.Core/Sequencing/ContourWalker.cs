@@ -17,9 +17,11 @@ internal sealed class ContourWalker
     private readonly EndHeights _heights;
     private readonly EndGrid _ends;
     private readonly bool[] _used;
-    private readonly CrowdedJunctions _crowded = new();
+    private readonly CrowdedJunctions _crowded;
     private readonly List<int> _near = [];
-    private int _firstRow;
+    private readonly Predicate<int> _counts;
+    private int _closingRow;
+    private int _level;
 
     public ContourWalker(Segment[] segments, double joinTolerance, EndHeights heights)
     {
@@ -30,6 +32,8 @@ internal sealed class ContourWalker
         var places = new Point2D[2 * segments.Length];
         for (var row = 0; row < segments.Length; row++) (places[2 * row], places[(2 * row) + 1]) = (segments[row].Start, segments[row].End);
         _ends = new EndGrid(places, joinTolerance);
+        _crowded = new CrowdedJunctions(_ends, places, joinTolerance);
+        _counts = end => (!_used[end / 2] || end / 2 == _closingRow) && (_heights.AreFlat || _heights.LevelOf(end) == _level);
         for (var row = 0; row < segments.Length; row++)
         {
             if (segments[row].IsClosed) TakeEnds(row);
@@ -38,6 +42,9 @@ internal sealed class ContourWalker
 
     /// <summary>Times a continuation had to be chosen from several.</summary>
     public int Branches { get; private set; }
+
+    /// <summary>How many ends and boxes of ends were looked at.</summary>
+    public long Looks => _ends.Looks + _crowded.Looks;
 
     public List<Contour> WalkAll()
     {
@@ -60,7 +67,6 @@ internal sealed class ContourWalker
     private Contour WalkFrom(int row)
     {
         var first = new ContourPiece(row, Reversed: false);
-        _firstRow = row;
         _used[row] = true;
         _ends.Take((2 * row) + 1); // the start stays in the grid: coming back to it closes the contour
         var ahead = new List<ContourPiece> { first };
@@ -106,33 +112,46 @@ internal sealed class ContourWalker
     private ContourPiece? Next(ContourPiece last, int closingRow)
     {
         var here = last.EndIn(_segments);
-        FindNear(here, _heights.LevelOf(last.EndNumber), TravelAtEnd(last));
-        _near.RemoveAll(end => _used[end / 2] && end / 2 != closingRow);
+        (_closingRow, _level) = (closingRow, _heights.LevelOf(last.EndNumber));
+        if (!_ends.TryNear(here, _counts, CrowdedJunctions.Crowd, _near)) return NextInCrowd(here, TravelAtEnd(last));
         if (_near.Count == 0) return null;
         var isBranch = _near.Exists(end => end / 2 != _near[0] / 2);
         if (isBranch) Branches++;
-        var chosen = ShortestDetour(here) ?? (isBranch ? Straightest(here, TravelAtEnd(last)) : NearerEnd(here));
-        return new ContourPiece(chosen / 2, Reversed: (chosen & 1) == 1);
+        return PieceFrom(ShortestDetour(here) ?? (isBranch ? Straightest(here, TravelAtEnd(last)) : NearerEnd(here)));
     }
 
-    /// <summary>Every end within the tolerance at the same height; at a place known to be crowded only those that lead straight on.</summary>
-    private void FindNear(Point2D here, int level, Vector2D travel)
+    private static ContourPiece PieceFrom(int end) => new(end / 2, Reversed: (end & 1) == 1);
+
+    /// <summary>The same choice where too many ends are about to look at each.</summary>
+    private ContourPiece? NextInCrowd(Point2D here, Vector2D travel)
     {
-        if (_crowded.TryFind(here, level, travel, SameTurnCosine, IsGone, _near)) return;
-        _ends.Near(here, _near);
-        if (!_heights.AreFlat) _near.RemoveAll(end => _heights.LevelOf(end) != level);
-        if (_near.Count >= CrowdedJunctions.Crowd && !_near.Exists(end => _segments[end / 2].Length <= _tolerance)) _crowded.Remember(here, level, _near, TravelInto);
+        var junctions = _crowded.Near(here, _level, IsAtLevel, IsShort, TravelInto);
+        var detour = _crowded.NearestShort(junctions, here, _counts);
+        var straightest = detour is null ? _crowded.Straightest(junctions, here, travel, SameTurnCosine, _counts) : null;
+        if ((detour ?? straightest?.End) is not { } end) return null;
+        var isBranch = _crowded.IsAny(junctions, here, other => other / 2 != end / 2 && _counts(other));
+        if (isBranch) Branches++;
+        return PieceFrom(detour ?? NearerOf(end, here, travel, isBranch ? straightest!.Value.Cosine - SameTurnCosine : double.NegativeInfinity));
     }
 
-    /// <summary>Used; but the first segment of the walk stays a goal: to come back to it is to close the contour.</summary>
-    private bool IsGone(int end) => _used[end / 2] && end / 2 != _firstRow;
+    /// <summary>An end, or the other one of its segment where that can be chosen as well, is nearer and no less straight than demanded.</summary>
+    private int NearerOf(int end, Point2D here, Vector2D travel, double leastCosine)
+    {
+        var other = end ^ 1;
+        var canBe = _counts(other) && !_ends.IsTaken(other) && PlaceOf(other).IsNear(here, _tolerance) && travel.Dot(TravelInto(other)) >= leastCosine;
+        return canBe && IsNearer(other, end, here) ? other : end;
+    }
+
+    private bool IsAtLevel(int end) => _heights.LevelOf(end) == _level;
+
+    private bool IsShort(int end) => _segments[end / 2].Length <= _tolerance;
 
     private int? ShortestDetour(Point2D here)
     {
         int? best = null;
         foreach (var end in _near)
         {
-            if (_segments[end / 2].Length <= _tolerance && (best is not { } other || IsNearer(end, other, here))) best = end;
+            if (IsShort(end) && (best is not { } other || IsNearer(end, other, here))) best = end;
         }
 
         return best;

@@ -30,26 +30,63 @@ internal sealed class EndGrid
         for (var i = places.Length - 1; i >= 0; i--) Link(i);
     }
 
+    /// <summary>How many places were looked at.</summary>
+    public long Looks { get; private set; }
+
     public void Take(int place) => _taken[place] = true;
 
+    public bool IsTaken(int place) => _taken[place];
+
     /// <summary>Replaces the content of <paramref name="found"/> by every place within the tolerance that is not taken.</summary>
-    public void Near(Point2D here, List<int> found)
+    public void Near(Point2D here, List<int> found) => TryNear(here, _ => true, int.MaxValue, found);
+
+    /// <summary>The same of the places that count; false when more than <paramref name="most"/> would have to be looked at: then <paramref name="found"/> is of no use.</summary>
+    public bool TryNear(Point2D here, Predicate<int> counts, int most, List<int> found)
     {
         found.Clear();
+        foreach (var (x, y) in CellsNear(here))
+        {
+            if (!TryNearInCell(x, y, here, counts, ref most, found)) return false;
+        }
+
+        return true;
+    }
+
+    /// <summary>The one, two or four cells in which places within the tolerance may lie.</summary>
+    public IEnumerable<(long X, long Y)> CellsNear(Point2D here)
+    {
         var (left, right) = (CellOf(here.X - _tolerance), CellOf(here.X + _tolerance));
         var (lower, upper) = (CellOf(here.Y - _tolerance), CellOf(here.Y + _tolerance));
         for (var x = left; x <= right; x++)
         {
-            for (var y = lower; y <= upper; y++) NearInCell(x, y, here, found);
+            for (var y = lower; y <= upper; y++) yield return (x, y);
         }
     }
 
-    private void NearInCell(long x, long y, Point2D here, List<int> found)
+    public (long X, long Y) CellAt(Point2D here) => (CellOf(here.X), CellOf(here.Y));
+
+    /// <summary>The places of a cell that are not taken, in ascending order.</summary>
+    public int[] PlacesIn((long X, long Y) cell)
+    {
+        var found = new List<int>();
+        for (var i = _heads[Bucket(cell.X, cell.Y)]; i != None; i = _next[i])
+        {
+            Looks++;
+            if (!_taken[i] && IsIn(i, cell.X, cell.Y)) found.Add(i);
+        }
+
+        return [.. found];
+    }
+
+    private bool IsIn(int place, long x, long y) => CellOf(_places[place].X) == x && CellOf(_places[place].Y) == y;
+
+    private bool TryNearInCell(long x, long y, Point2D here, Predicate<int> counts, ref int most, List<int> found)
     {
         var previous = None;
         var head = Bucket(x, y);
         for (var i = _heads[head]; i != None; i = _next[i])
         {
+            Looks++;
             if (_taken[i])
             {
                 if (previous == None) _heads[head] = _next[i];
@@ -58,9 +95,11 @@ internal sealed class EndGrid
             }
 
             previous = i;
-            var place = _places[i];
-            if (CellOf(place.X) == x && CellOf(place.Y) == y && place.IsNear(here, _tolerance)) found.Add(i);
+            if (most-- == 0) return false;
+            if (IsIn(i, x, y) && _places[i].IsNear(here, _tolerance) && counts(i)) found.Add(i);
         }
+
+        return true;
     }
 
     private void Link(int i)

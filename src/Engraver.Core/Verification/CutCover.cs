@@ -10,14 +10,14 @@ internal sealed class CutCover
     private const int MostHalvings = 40;
 
     private readonly IReadOnlyList<ToolpathMove> _moves;
-    private readonly BoxTree _tree;
+    private readonly SegmentIndex _index;
     private readonly BoxTree.Measure _measure;
     private int _last;
 
     public CutCover(IReadOnlyList<ToolpathMove> moves)
     {
         _moves = moves;
-        _tree = BoxTree.Of([.. moves.Select(move => move.Segment.Bounds)]);
+        _index = new SegmentIndex([.. moves.Select(move => move.Segment)]);
         _measure = (move, place) => Distance(move, place);
     }
 
@@ -81,7 +81,7 @@ internal sealed class CutCover
             if (IsBeside(move, place, within)) return _last = move;
         }
 
-        var found = _tree.Nearest(place, _measure, within, out _);
+        var found = _index.NearestBy(_measure, place, within, out _);
         return found < 0 ? -1 : _last = found;
     }
 

@@ -8,13 +8,11 @@ internal static class CutNearCurve
 {
     private const int Places = 8;
     private const int Halvings = 30;
-    private const int MostSteps = 60;
-    private const double ParameterKnown = 1e-12;
 
     public static void Cover(in Segment piece, in Segment cut, double reach, CoveredParts covered)
     {
         var span = piece.Curve.Spans[0];
-        var (first, last) = (Foot(span, cut.Start), Foot(span, cut.End));
+        var (first, last) = (FootOf.Place(span, cut.Start), FootOf.Place(span, cut.End));
         var (from, to) = (Math.Min(first, last), Math.Max(first, last));
         Widen(span, reach, ref from, ref to);
         var isShort = cut.Kind == SegmentKind.Line && cut.Length < 4.0 * reach;
@@ -55,26 +53,5 @@ internal static class CutNearCurve
         }
 
         return near;
-    }
-
-    /// <summary>The parameter of the nearest place: Newton's steps, kept between two parameters on either side of it.</summary>
-    private static double Foot(BezierSpan span, Point2D place)
-    {
-        var (low, high) = (0.0, 1.0);
-        var chord = span.End - span.Start;
-        var parameter = chord.LengthSquared == 0.0 ? 0.5 : Math.Clamp((place - span.Start).Dot(chord) / chord.LengthSquared, 0.0, 1.0);
-        for (var step = 0; step < MostSteps && high - low > ParameterKnown; step++)
-        {
-            var point = span.Evaluate(parameter, out var derivative);
-            var ahead = (place - point).Dot(derivative);
-            if (ahead > 0.0) low = parameter;
-            else high = parameter;
-            var next = parameter + (ahead / derivative.LengthSquared);
-            if (!(next > low && next < high)) next = (low + high) / 2.0;
-            if (Math.Abs(next - parameter) <= ParameterKnown) return next;
-            parameter = next;
-        }
-
-        return parameter;
     }
 }

@@ -11,13 +11,13 @@ internal static class CutNearSegment
     /// <summary>A line by a line: one interval, since both the line and what is within reach of the cut are convex.</summary>
     public static void CoverLine(LineSegment drawn, LineSegment cut, double reach, CoveredParts covered)
     {
-        var length = drawn.Length;
+        var length = Math.Sqrt((drawn.End - drawn.Start).LengthSquared);
         if (length == 0.0) return;
         var along = (drawn.End - drawn.Start) * (1.0 / length);
         var (from, to) = (double.PositiveInfinity, double.NegativeInfinity);
         IncludeDisc(drawn.Start, along, cut.Start, reach, ref from, ref to);
         IncludeDisc(drawn.Start, along, cut.End, reach, ref from, ref to);
-        if (cut.Length is > 0.0 and var cutLength) IncludeStrip(drawn.Start, along, cut.Start, (cut.End - cut.Start) * (1.0 / cutLength), cutLength, reach, ref from, ref to);
+        if (Math.Sqrt((cut.End - cut.Start).LengthSquared) is > 0.0 and var cutLength) IncludeStrip(drawn.Start, along, cut.Start, (cut.End - cut.Start) * (1.0 / cutLength), cutLength, reach, ref from, ref to);
         if (from <= to && from <= length && to >= 0.0) covered.Add(from / length, to / length);
     }
 

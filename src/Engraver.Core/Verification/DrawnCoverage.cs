@@ -6,25 +6,35 @@ namespace Engraver.Core.Verification;
 internal sealed class DrawnCoverage
 {
     private const int FewCandidates = 8;
-    private const int ManyCandidates = 32;
-    private const int DeepestHalving = 6;
 
-    private readonly IReadOnlyList<Segment> _drawing;
+    /// <summary>Of the reach: a shorter cut may be a step of many that follow a segment across it.</summary>
+    private const double LongPath = 100.0;
+
+
+    private readonly Segment[] _drawing;
     private readonly SegmentIndex _index;
     private readonly TraceTolerances _tolerances;
     private readonly double _reach;
     private readonly CoveredParts[] _covered;
-    private readonly List<int> _near = [];
+    private readonly NearSegments _near;
     private readonly List<int> _candidates = [];
     private Bounds2D _nearBox = Bounds2D.Empty;
     private double _margin = 1.0;
 
     /// <param name="drawing">Ellipses and splines as their pieces.</param>
-    public DrawnCoverage(IReadOnlyList<Segment> drawing, SegmentIndex index, TraceTolerances tolerances)
+    public DrawnCoverage(Segment[] drawing, SegmentIndex index, TraceTolerances tolerances)
     {
         (_drawing, _index, _tolerances, _reach) = (drawing, index, tolerances, tolerances.Coverage);
-        _covered = new CoveredParts[drawing.Count];
+        _covered = new CoveredParts[drawing.Length];
         for (var i = 0; i < _covered.Length; i++) _covered[i] = new CoveredParts(LongestIgnored(drawing[i].Length) / 2.0 / Math.Max(drawing[i].Length, double.Epsilon));
+        _near = new NearSegments(drawing, _reach, _covered, Cover);
+    }
+
+    /// <summary>Sine of the angle from which on a line that crosses a segment covers less of it than is kept (see <see cref="CoveredParts"/>): every line of a hatch crosses thousands.</summary>
+    public static double Crossed(in Segment segment, TraceTolerances tolerances)
+    {
+        var length = segment.Length;
+        return length > 0.0 ? Math.Min(1.0, 4.0 * tolerances.Coverage * tolerances.StepsFor(length) / length) : 1.0;
     }
 
     /// <summary>A straight cut between two samples, or a dot. Quick when cuts follow one another: what lies around is looked up once for many.</summary>
@@ -32,24 +42,21 @@ internal sealed class DrawnCoverage
     {
         var box = Bounds2D.Of(from, to).Grown(_reach);
         if (!_nearBox.Contains(box)) LookAround(box);
-        if (_near.Count == 0) return;
-        var chord = Segment.FromLine(from, to);
-        foreach (var candidate in _near) Cover(candidate, chord);
+        if (_near.Count > 0) _near.Add(Segment.FromLine(from, to));
     }
 
     /// <summary>A cut along a line, or an arc of at most half a turn, of any length.</summary>
     public void Add(in Segment path)
     {
-        _index.Forget();
-        _candidates.Clear();
-        if (path.Kind == SegmentKind.Line) _index.Along(path.Line, _reach, _candidates);
-        else Gather(path, 0);
+        if (path.Kind == SegmentKind.Line && path.Length > LongPath * _reach) _index.AlongNotAcross(path.Line, _reach, _candidates);
+        else _index.Along(path, _reach, _candidates);
         foreach (var candidate in _candidates) Cover(candidate, path);
     }
 
     /// <summary>Length of the drawing that no cut came near, and where the first of it is. Gaps shorter than a step of the drawing are none: chords between samples cut corners.</summary>
     public (double Length, Point2D? At) Missing()
     {
+        _near.Close();
         var missing = 0.0;
         Point2D? first = null;
         for (var i = 0; i < _covered.Length; i++)
@@ -86,34 +93,16 @@ internal sealed class DrawnCoverage
         else if (_near.Count < 2) _margin *= 2.0;
         _margin = Math.Clamp(_margin, 2.0 * _reach, 100.0);
         _nearBox = box.Grown(_margin);
-        _near.Clear();
-        _index.Forget();
-        _index.Overlapping(_nearBox, _near);
-        _near.RemoveAll(IsElsewhere); // among crowded diagonals nearly every box holds the place, and few segments pass it
-    }
-
-    private bool IsElsewhere(int candidate)
-    {
         var middle = new Point2D((_nearBox.MinX + _nearBox.MaxX) / 2.0, (_nearBox.MinY + _nearBox.MaxY) / 2.0);
-        return _drawing[candidate].DistanceTo(middle) > Math.Sqrt((_nearBox.Width * _nearBox.Width) + (_nearBox.Height * _nearBox.Height)) / 2.0;
-    }
-
-    private void Gather(in Segment path, int depth)
-    {
-        var box = path.Bounds.Grown(_reach);
-        if (depth < DeepestHalving && Math.Min(box.Width, box.Height) > 4.0 * _reach && _index.IsCrowded(box, ManyCandidates))
-        {
-            Gather(SpanDeviation.Part(path, 0.0, 0.5), depth + 1);
-            Gather(SpanDeviation.Part(path, 0.5, 1.0), depth + 1);
-            return;
-        }
-
-        _index.Overlapping(box, _candidates);
+        var radius = Math.Sqrt((_nearBox.Width * _nearBox.Width) + (_nearBox.Height * _nearBox.Height)) / 2.0;
+        _index.Around(middle, radius, _candidates);
+        _candidates.RemoveAll(candidate => _drawing[candidate].DistanceTo(middle) > radius);
+        _near.Set(_candidates);
     }
 
     private void Cover(int drawn, in Segment cut)
     {
-        var segment = _drawing[drawn];
+        ref readonly var segment = ref _drawing[drawn];
         var covered = _covered[drawn];
         if (segment.IsFreeCurve) CutNearCurve.Cover(segment, cut, _reach, covered);
         else if (segment.Kind == SegmentKind.Line && cut.Kind == SegmentKind.Line) CutNearSegment.CoverLine(segment.Line, cut.Line, _reach, covered);

@@ -13,7 +13,7 @@ internal sealed class DrawnRest
     private readonly List<double> _allowed = [];
     private readonly HashSet<int> _entities;
     private readonly bool _arcsRecovered;
-    private readonly BoxTree _tree;
+    private readonly SegmentIndex _index;
     private readonly BoxTree.Measure _measure;
     private ToolpathMove _move;
     private int _last;
@@ -33,7 +33,7 @@ internal sealed class DrawnRest
 
         _entities = [.. rows.Select(row => row.EntityIndex)];
         _arcsRecovered = tolerances.ArcsRecovered;
-        _tree = BoxTree.Of([.. _pieces.Select(piece => piece.Segment.Bounds)]);
+        _index = new SegmentIndex([.. _pieces.Select(piece => piece.Segment)]);
         _measure = (piece, place) => MayStandFor(_pieces[piece]) ? _pieces[piece].Segment.DistanceTo(place) : double.PositiveInfinity;
     }
 
@@ -60,7 +60,7 @@ internal sealed class DrawnRest
     private (double Distance, int Piece) From(Point2D place)
     {
         var bound = _last < _pieces.Count ? _measure(_last, place) : double.PositiveInfinity;
-        var piece = _tree.Nearest(place, _measure, bound, out var distance);
+        var piece = _index.NearestBy(_measure, place, bound, out var distance);
         if (piece >= 0 && double.IsFinite(distance)) _last = piece;
         return double.IsFinite(distance) ? (distance, _last) : (distance, -1);
     }

@@ -2,84 +2,99 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Answers how far a place is from the nearest of many segments. Long segments stand in the tree as several pieces, so that a diagonal does not fill the whole drawing with its box.</summary>
+/// <summary>Answers how far a place is from the nearest of many segments, and which segments a cut runs near. However crowded they are, few are looked at: their boxes lie along them.</summary>
 internal sealed class SegmentIndex
 {
-    private const int PiecesPerSegment = 8;
-    private const int PiecesAtLeast = 4096;
-    private readonly IReadOnlyList<Segment> _segments;
-    private readonly List<int> _owners = [];
-    private readonly BoxTree _tree;
-    private readonly BoxTree.Measure _measure;
+    private readonly Segment[] _segments;
+    private readonly int[] _owners;
+    private readonly OrientedBoxTree _tree;
+    private readonly BoxTree.Measure _distance;
+    private readonly BoxTree.Measure _measureOnce;
     private readonly List<int> _found = [];
     private readonly int[] _stamps;
-    private int _stamp = 1;
+    private int _stamp;
+    private long _measured;
+    private BoxTree.Measure _measure;
     private int _last;
 
     /// <param name="segments">Ellipses and splines as their pieces (see <see cref="CurvePieces"/>).</param>
-    public SegmentIndex(IReadOnlyList<Segment> segments)
+    /// <param name="crossed">Sine of the angle from which on a line across a segment is nothing to it; without it none is.</param>
+    public SegmentIndex(Segment[] segments, Func<Segment, double>? crossed = null)
     {
         _segments = segments;
-        _stamps = new int[segments.Count];
-        var pieceLength = segments.Sum(segment => segment.Length) / ((PiecesPerSegment * (double)segments.Count) + PiecesAtLeast);
-        var boxes = new List<Bounds2D>();
-        for (var i = 0; i < segments.Count; i++) AddPieces(i, pieceLength, boxes);
-        _tree = BoxTree.Of([.. boxes]);
-        _measure = (piece, place) => _segments[_owners[piece]].DistanceTo(place);
+        _stamps = new int[segments.Length];
+        var pieces = SegmentBoxes.Of(segments);
+        _owners = pieces.Owners;
+        _tree = OrientedBoxTree.Of(pieces.Boxes, [.. pieces.Turns.Select((turn, piece) => new Slant(turn, crossed?.Invoke(segments[pieces.Owners[piece]]) ?? 1.0))]);
+        _measure = _distance = Distance;
+        _measureOnce = MeasureOnce;
     }
 
-    /// <summary>Distance to the nearest segment; infinite when there is none. Quick when questions follow a path: the last answer bounds the next search.</summary>
-    public double DistanceFrom(Point2D place)
-    {
-        NearestTo(place, out var distance);
-        return distance;
-    }
+    /// <summary>Distances of segments that were computed and boxes that were looked at so far.</summary>
+    public long Steps => _tree.Steps + _measured;
 
-    /// <summary>Number and distance of the nearest segment; -1 and infinite when there is none.</summary>
+    /// <summary>Number and distance of the nearest segment; -1 and infinite when there is none. Quick when questions follow a path: the last answer bounds the next search.</summary>
     public int NearestTo(Point2D place, out double distance)
     {
-        var bound = _segments.Count == 0 ? double.PositiveInfinity : _segments[_last].DistanceTo(place);
-        var piece = _tree.Nearest(place, _measure, bound, out distance);
-        if (piece >= 0) _last = _owners[piece];
-        return _segments.Count == 0 ? -1 : _last; // none found: none is nearer than the last
+        distance = double.PositiveInfinity;
+        if (_segments.Length == 0) return -1;
+        var nearest = NearestBy(_distance, place, Distance(_last, place), out distance);
+        return nearest >= 0 ? _last = nearest : _last; // none found: none is nearer than the last
+    }
+
+    /// <summary>The nearest segment by a measure of one's own; -1 when none is as near as <paramref name="within"/>.</summary>
+    /// <param name="measure">By number of the segment; nowhere less than its distance.</param>
+    public int NearestBy(BoxTree.Measure measure, Point2D place, double within, out double distance)
+    {
+        _stamp++;
+        _measure = measure;
+        var piece = _tree.Nearest(place, _measureOnce, within, out distance);
+        return piece >= 0 ? _owners[piece] : -1;
     }
 
     /// <summary>As <see cref="NearestTo"/>, but the last answer again while it is no farther than <paramref name="enough"/>: the nearest is no farther either. Keeps a path along one of many crowded segments from asking all of them.</summary>
     public int NearEnoughTo(Point2D place, double enough, out double distance)
     {
-        distance = _segments.Count == 0 ? double.PositiveInfinity : _segments[_last].DistanceTo(place);
+        distance = _segments.Length == 0 ? double.PositiveInfinity : Distance(_last, place);
         return distance <= enough ? _last : NearestTo(place, out distance);
     }
 
-    /// <summary>Adds the segments of which some part's box overlaps a box; each once until <see cref="Forget"/>.</summary>
-    public void Overlapping(Bounds2D box, List<int> found)
+    /// <summary>The segments of which some part's box comes within a radius of a place, each once.</summary>
+    public void Around(Point2D place, double radius, List<int> found)
     {
         _found.Clear();
-        _tree.Overlapping(box, _found);
-        AddOwners(found);
+        _tree.Around(place, radius, _found);
+        TellOwners(found);
     }
 
-    /// <summary>Adds the segments of which some part's box comes within reach of a line; each once until <see cref="Forget"/>.</summary>
-    public void Along(LineSegment line, double reach, List<int> found)
+    /// <summary>The segments of which some part's box comes within reach of a line or an arc (or nearly), each once.</summary>
+    public void Along(in Segment path, double reach, List<int> found)
     {
         _found.Clear();
-        _tree.Along(line, reach, _found);
-        AddOwners(found);
+        _tree.Along(path, reach, _found);
+        TellOwners(found);
     }
 
-    /// <summary>More than so many parts of segments have boxes that overlap a box.</summary>
-    public bool IsCrowded(Bounds2D box, int many)
+    /// <summary>As <see cref="Along"/> a line, without the segments that it only crosses.</summary>
+    public void AlongNotAcross(LineSegment line, double reach, List<int> found)
     {
         _found.Clear();
-        _tree.Overlapping(box, _found);
-        return _found.Count > many;
+        _tree.AlongNotAcross(line, reach, _found);
+        TellOwners(found);
     }
 
-    /// <summary>What was found is found again.</summary>
-    public void Forget() => _stamp++;
-
-    private void AddOwners(List<int> found)
+    /// <summary>False when no segment comes within reach of a line or an arc; true when one does, or may.</summary>
+    public bool ComesNear(in Segment path, double reach)
     {
+        _found.Clear();
+        _tree.Along(path, reach, _found);
+        return _found.Count > 0;
+    }
+
+    private void TellOwners(List<int> found)
+    {
+        _stamp++;
+        found.Clear();
         foreach (var piece in _found)
         {
             var owner = _owners[piece];
@@ -89,22 +104,18 @@ internal sealed class SegmentIndex
         }
     }
 
-    private void AddPieces(int index, double pieceLength, List<Bounds2D> boxes)
+    /// <summary>Pieces of a segment measure the whole of it, so that one is enough.</summary>
+    private double MeasureOnce(int piece, Point2D place)
     {
-        var segment = _segments[index];
-        var pieces = pieceLength > 0.0 && !segment.IsFreeCurve ? Math.Max(1, (int)Math.Ceiling(segment.Length / pieceLength)) : 1;
-        for (var piece = 0; piece < pieces; piece++)
-        {
-            boxes.Add(PieceBounds(segment, (double)piece / pieces, (piece + 1.0) / pieces));
-            _owners.Add(index);
-        }
+        var segment = _owners[piece];
+        if (_stamps[segment] == _stamp) return double.PositiveInfinity;
+        _stamps[segment] = _stamp;
+        return _measure(segment, place);
     }
 
-    private static Bounds2D PieceBounds(Segment segment, double from, double to)
+    private double Distance(int segment, Point2D place)
     {
-        if (segment.Kind == SegmentKind.Line) return Bounds2D.Of(segment.PointAt(from), segment.PointAt(to));
-        if (segment.IsFreeCurve) return segment.Bounds;
-        var arc = segment.Arc;
-        return new ArcSegment(arc.Centre, arc.Radius, arc.Start + (arc.Sweep * from), arc.Sweep * (to - from)).Bounds;
+        _measured++;
+        return _segments[segment].DistanceTo(place);
     }
 }

@@ -5,7 +5,7 @@ namespace Engraver.Core.Verification;
 /// <summary>Largest distance of a span from the drawing, and how much of it lies beside it, without walking along it: a part is done when it can hold nothing worse than what is known.</summary>
 /// <remarks>Lines and arcs against lines and arcs have exact bounds (<see cref="FarthestOf"/>), so that the work follows the number of joints under a span and not its length.
 /// Against curves a part is judged by three places once it is short and lies over one piece or two neighbours, on which the distance is smooth.</remarks>
-internal sealed class SpanDeviation(IReadOnlyList<Segment> drawing, SegmentIndex index, TraceTolerances tolerances)
+internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, TraceTolerances tolerances)
 {
     private const double KnownPart = 0.002;
     private const double ShortPart = 1.0 / 8.0;
@@ -40,7 +40,7 @@ internal sealed class SpanDeviation(IReadOnlyList<Segment> drawing, SegmentIndex
         var most = distance + (length / 2.0);
         var isWorthBounding = most > Enough || most > _reach;
         if (isWorthBounding) most = Math.Min(most, drawing[nearest].IsFreeCurve ? FarthestOfCurve(path, from, to, distance) : FarthestOf.Drawn(drawing[nearest], Part(path, from, to)));
-        var isBeside = distance - (length / 2.0) > _reach;
+        var isBeside = distance > _reach && (distance - (length / 2.0) > _reach || !index.ComesNear(Part(path, from, to), _reach));
         if (most <= Enough && (most <= _reach || isBeside))
         {
             if (isBeside) _found = _found with { Extra = _found.Extra + length };

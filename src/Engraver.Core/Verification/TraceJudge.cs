@@ -22,9 +22,9 @@ public sealed class TraceJudge
     public TraceJudge(IReadOnlyList<Segment> drawing, TraceTolerances tolerances)
     {
         ArgumentNullException.ThrowIfNull(tolerances);
-        var pieces = CurvePieces.Of(drawing);
+        Segment[] pieces = [.. CurvePieces.Of(drawing)];
         _reach = tolerances.Coverage;
-        _index = new SegmentIndex(pieces);
+        _index = new SegmentIndex(pieces, segment => DrawnCoverage.Crossed(segment, tolerances));
         _spans = new SpanDeviation(pieces, _index, tolerances);
         _coverage = new DrawnCoverage(pieces, _index, tolerances);
     }

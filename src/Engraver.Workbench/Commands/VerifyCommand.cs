@@ -19,10 +19,27 @@ internal sealed class VerifyCommand : ICommand
         var name = await context.ValueAsync(new TextPrompt("Enter name of program to verify") { Default = context.Remembered(Name) }).ConfigureAwait(false);
         context.Remember(Name, name);
         var program = ReadBackFile.Open(context.FileToRead(name));
-        var report = await Task.Run(() => ProgramVerification.VerifyAsync(program, drawing, settings, progress: null, cancellation), cancellation).ConfigureAwait(false);
+        var report = await VerifyAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, drawing, settings, progress, cancellation), cancellation).ConfigureAwait(false);
         Findings.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
         Findings.Say(context, name, report.Diagnostics, Severity.Warning);
         context.Say(VerificationText.Sentence(report), MessageKind.Result);
         if (!report.Ok) throw new CommandException(CommandFailure.Drawing, $"{name} does not cut the open drawing with the settings of now.");
+    }
+
+    private static async Task<VerificationReport> VerifyAsync(CommandProgress shown, Func<IProgress<ReplayProgress>, Task<VerificationReport>> verify, CancellationToken cancellation)
+    {
+        try
+        {
+            return await Task.Run(() => verify(new Fractions(shown)), cancellation).ConfigureAwait(false);
+        }
+        finally
+        {
+            shown.End();
+        }
+    }
+
+    private sealed class Fractions(CommandProgress shown) : IProgress<ReplayProgress>
+    {
+        public void Report(ReplayProgress value) => shown.Report(value.Fraction);
     }
 }

@@ -21,10 +21,11 @@ public static class ProgramReplayer
 
     /// <summary>Loads each chunk, starts it at #JOB and waits for its end; stops at the first that fails.</summary>
     /// <param name="program">Without diagnostics.</param>
+    /// <param name="expected">How much controller time it probably takes, for the progress.</param>
     /// <param name="longest">How much controller time the whole program may take.</param>
     /// <param name="listener">Told what the motors and outputs do, from 0,0 on; nothing is kept here.</param>
     /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
-    public static async Task<ProgramReplay> RunAsync(ReadBackProgram program, TimeSpan longest, IMotionListener listener, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public static async Task<ProgramReplay> RunAsync(ReadBackProgram program, TimeSpan expected, TimeSpan longest, IMotionListener listener, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false });
         using var listening = controller.Record.Subscribe(listener);
@@ -32,7 +33,7 @@ public static class ProgramReplayer
         for (var i = 0; i < program.Chunks.Count; i++)
         {
             var number = i + 1;
-            void Report() => progress?.Report(new ReplayProgress(number, program.Chunks.Count, TimeSpan.FromMilliseconds(controller.Status.Sample)));
+            void Report() => progress?.Report(new ReplayProgress(number, program.Chunks.Count, TimeSpan.FromMilliseconds(controller.Status.Sample), expected));
             if (await RunAsync(program.Chunks[i], controller, channel, longest, Report, cancellation).ConfigureAwait(false) is { } failure) return new ProgramReplay([failure]);
         }
 

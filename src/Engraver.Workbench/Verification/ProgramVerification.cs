@@ -29,14 +29,12 @@ public static class ProgramVerification
         var listener = new RecordListener(job.Settings.Machine, judges);
         var start = job.Settings.Machine.Scale.ToCounts(job.Settings.Start);
         listener.Start(-(double)start.X, -(double)start.Y);
+        var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? MotionTime.Estimate(motion) : 0.0);
         var replay = program.Diagnostics.Count > 0
             ? new ProgramReplay(program.Diagnostics)
-            : await ProgramReplayer.RunAsync(program, Longest(job), listener, progress, cancellation).ConfigureAwait(false);
+            : await ProgramReplayer.RunAsync(program, expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * expected), listener, progress, cancellation).ConfigureAwait(false);
         return Report(job, replay, listener.Verdicts(), bridges);
     }
-
-    private static TimeSpan Longest(PreparedJob job) =>
-        TimeSpan.FromSeconds(PatienceSeconds + (job.Motion.Program is { } motion ? Patience * MotionTime.Estimate(motion) : 0.0));
 
     /// <summary>The largest deviation is always the one from the drawing. Where the join tolerance bridges gaps, what may be cut is the drawing with its bridges.</summary>
     /// <param name="verdicts">On the drawing, and where there are bridges on the drawing with them.</param>

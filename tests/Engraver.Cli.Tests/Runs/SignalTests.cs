@@ -12,6 +12,9 @@ public class SignalTests
     private const byte Tool = 1;
     private static readonly TimeSpan s_patience = TimeSpan.FromMinutes(2);
 
+    /// <summary>A line of two kilometres: what is held against it is given days of machine time.</summary>
+    private const string LongDrawing = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0.0\n20\n0.0\n11\n2000000.0\n21\n0.0\n0\nENDSEC\n0\nEOF\n";
+
     [Theory]
     [InlineData(PosixSignal.SIGINT, "info")]
     [InlineData(PosixSignal.SIGTERM, "sequence")]
@@ -26,6 +29,29 @@ public class SignalTests
         using var program = EngraverProcess.Start(verb, drawing, "--json");
         await using var silentWriter = await opening.WaitAsync(patience.Token); // from here on the program waits for the rest of the drawing
         program.Signal(signal);
+        var (said, why) = (await program.Out.ReadToEndAsync(patience.Token), await program.Error.ReadToEndAsync(patience.Token));
+        await program.WaitAsync(patience.Token);
+
+        Assert.Equal((ExitCode.StoppedByOperator, "", "engraver: Stopped by the operator."), (program.ExitCode, said, why.Trim()));
+    }
+
+    /// <summary>The axes of the program move for ever: its replay has no end of its own before the patience of the test.</summary>
+    [Fact]
+    public async Task Ctrl_C_ends_a_verification_that_replays()
+    {
+        if (OperatingSystem.IsWindows()) return; // no signals
+        using var folder = new TemporaryFolder();
+        using var patience = new CancellationTokenSource(s_patience);
+        var drawing = folder.WithFile("drawing.dxf", LongDrawing);
+        var posted = NamedPipe.Make(folder.PathOf("job.dmc"));
+        var opening = NamedPipe.WriterAsync(posted);
+        using var program = EngraverProcess.Start("verify", posted, "--against", drawing, "--json");
+        await using (var writer = await opening.WaitAsync(patience.Token)) // the drawing has been read
+        {
+            await writer.WriteAsync("#JOB\n#LOOP\nPRA=2;BGA;AMA\nPRA=-2;BGA;AMA\nJP#LOOP\n"u8.ToArray(), patience.Token);
+        }
+
+        program.Signal(PosixSignal.SIGINT);
         var (said, why) = (await program.Out.ReadToEndAsync(patience.Token), await program.Error.ReadToEndAsync(patience.Token));
         await program.WaitAsync(patience.Token);
 

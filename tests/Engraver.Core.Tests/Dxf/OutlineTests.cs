@@ -74,6 +74,22 @@ public class OutlineTests
         Assert.Equal((12.0, 1), (DrawingSummary.Of(inserted).Length.Total, inserted.Balance.Cut));
     }
 
+    /// <summary>One vertex has no joint between others; a vertex with more elements than its neighbour (damage) has them for nothing.</summary>
+    [Theory]
+    [InlineData(1, 2, 2, 0)]
+    [InlineData(2, 7, 2, 2)]
+    [InlineData(2, 2, 7, 2)]
+    public void A_multiline_that_lacks_vertices_or_elements_is_cut_as_far_as_it_goes(int vertices, int first, int last, int arcs)
+    {
+        (int, object)[] Vertex(int number, int elements) =>
+            [(11, 10.0 * number), (21, 0.0), (12, 1.0), (22, 0.0), (13, 0.0), (23, 1.0), .. Enumerable.Range(0, elements).SelectMany(element => ((int, object)[])[(74, 1), (41, element), (75, 0)])];
+        (int, object)[] line = [(0, "MLINE"), (2, "Standard"), (40, 1.0), (70, 0), (71, 0), (72, vertices), (73, 2), .. Vertex(0, first), .. (vertices > 1 ? Vertex(1, last) : [])];
+
+        var drawing = Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", line).Section("OBJECTS", (0, "MLINESTYLE"), (2, "Standard"), (70, 2 + 64 + 1024 + 32 + 512)).End().ToAscii(), new DxfReadOptions(Cut: CutChoice.MLine));
+
+        Assert.Equal(arcs, Reading.Parts(drawing).Count(part => part.Kind == SegmentKind.Arc));
+    }
+
     [Fact]
     public void A_multiline_gives_each_element_and_the_caps_of_its_style()
     {

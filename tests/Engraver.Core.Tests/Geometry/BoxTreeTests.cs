@@ -21,6 +21,31 @@ public class BoxTreeTests
             return found == expected && distance == places[expected].DistanceTo(here);
         }).QuickCheckThrowOnFailure();
 
+    /// <summary>The lower number counts among equals; to look at all of them each time would make a star of lines quadratic.</summary>
+    [Fact]
+    public void Of_many_items_in_one_place_few_are_looked_at()
+    {
+        const int Items = 4_000;
+        var random = new Random(7);
+        var places = Enumerable.Range(0, Items).Select(_ => random.Next(2) == 0 ? new Point2D(1, 2) : new Point2D(1, 3)).ToArray();
+        var tree = BoxTree.Of(places);
+        var (looks, order) = (0, new List<int>());
+        while (tree.Nearest(new Point2D(1, 1), Counted, double.PositiveInfinity, out _) is >= 0 and var item)
+        {
+            order.Add(item);
+            tree.Hide(item);
+        }
+
+        Assert.Equal(Enumerable.Range(0, Items).OrderBy(item => places[item].Y).ThenBy(item => item), order);
+        Assert.InRange(looks, Items, 4 * Items);
+
+        double Counted(int item, Point2D place)
+        {
+            looks++;
+            return places[item].DistanceTo(place);
+        }
+    }
+
     [Fact]
     public void The_boxes_around_a_box_are_those_that_looking_at_all_would_find() =>
         Prop.ForAll(Seeds, seed =>

@@ -161,6 +161,53 @@ public class ContourChainerTests
         Assert.False(contour.Closed);
     }
 
+    /// <summary>Rays whose outer ends lie within the tolerance of each other (0.02), or whose every end lies within it of every other: what each step looks at does not grow with their number.</summary>
+    [Theory]
+    [InlineData(100.0)]
+    [InlineData(0.03)]
+    [InlineData(0.02)]
+    [InlineData(0.005)]
+    [InlineData(0.0009)]
+    public void A_star_costs_so_much_for_each_ray_however_many_it_has(double radius)
+    {
+        const int Few = 2_000;
+        var (few, many) = (ContourChainer.Chain(Star(Few, radius), Tolerance), ContourChainer.Chain(Star(4 * Few, radius), Tolerance));
+
+        Assert.Equal(4 * Few, many.Contours.Sum(contour => contour.Pieces.Length));
+        Assert.InRange(many.Looks, 4 * Few, 8 * few.Looks);
+        Assert.InRange(many.Looks, 4 * Few, 4 * Few * 600L);
+    }
+
+    /// <summary>Thousands of copies of one line: all equally straight, the lowest row first.</summary>
+    [Fact]
+    public void Copies_of_a_line_are_gone_to_and_fro_in_the_order_of_their_rows()
+    {
+        const int Copies = 4_000;
+        var result = ContourChainer.Chain([.. Enumerable.Repeat(Line(0, 0, 10, 0), Copies)], Tolerance);
+
+        Assert.Equal(Copies / 2, result.Contours.Count);
+        Assert.All(result.Contours, contour => Assert.Equal(contour.Pieces.Span[0].Row + 1, contour.Pieces.Span[1].Row));
+        Assert.InRange(result.Looks, Copies, 600L * Copies);
+    }
+
+    /// <summary>Hundreds of ends within a few tolerances of each other, against the rule read plainly: every end is looked at.</summary>
+    [Fact]
+    public void In_a_crowd_the_same_continuation_is_chosen_as_by_looking_at_every_end() =>
+        Prop.ForAll(Gen.Choose(0, int.MaxValue).ToArbitrary(), seed =>
+        {
+            var random = new Random(seed);
+            var (count, spread, longest) = (random.Next(150, 400), Tolerance * Math.Pow(10.0, random.NextDouble() - 0.5), random.Next(3) == 0 ? 2.0 * Tolerance : 10.0);
+            var grid = random.Next(2) == 0 ? Tolerance / 4.0 : 0.0; // many exactly equal places and directions
+            var segments = Enumerable.Range(0, count).Select(_ => Line(Near(), Near(), Near() + Far(), Near() + Far())).Where(line => line.Length > 0.0).ToArray();
+            var result = ContourChainer.Chain(segments, Tolerance);
+
+            return PlainChains.Of(segments, Tolerance).SequenceEqual(result.Contours.Select(contour => string.Join(' ', contour.Pieces.ToArray())));
+
+            double Near() => Snapped((random.NextDouble() - 0.5) * spread);
+            double Far() => Snapped(random.Next(3) * longest * random.NextDouble());
+            double Snapped(double value) => grid > 0.0 ? Math.Round(value / grid) * grid : value;
+        }).QuickCheckThrowOnFailure();
+
     [Fact]
     public void A_lone_segment_without_length_is_an_open_contour() =>
         Assert.False(Assert.Single(ContourChainer.Chain([Line(3, 3, 3, 3)], Tolerance).Contours).Closed);
@@ -184,6 +231,9 @@ public class ContourChainerTests
     /// <summary>Each a little longer than the one before, so that they meet in the middle and nowhere else.</summary>
     private static Segment[] Rays(IEnumerable<double> degrees) =>
         [.. degrees.Select((angle, i) => Segment.FromLine(Point2D.Origin, Point2D.Origin + Vector2D.FromPolar(50 + i, Angle.FromDegrees(angle))))];
+
+    private static Segment[] Star(int rays, double radius) =>
+        [.. Enumerable.Range(0, rays).Select(ray => Segment.FromLine(Point2D.Origin, Point2D.Origin + Vector2D.FromPolar(radius, Angle.FromDegrees(360.0 * ray / rays))))];
 
     private static bool IsJoined(Contour contour, Segment[] segments)
     {

@@ -12,7 +12,7 @@ namespace Engraver.Galil.Tests.Programs;
 
 /// <summary>
 /// Damaged drawings all the way to the motion program. More of them: ENGRAVER_FUZZ_CASES=1000000 dotnet test tests/Engraver.Galil.Tests -c Release --filter WholeWayFuzzTests;
-/// ENGRAVER_FUZZ_FIRST names the first seed.
+/// ENGRAVER_FUZZ_FIRST names the first seed, ENGRAVER_FUZZ_LOG a file that is told after every thousand how many are done.
 /// </summary>
 public class WholeWayFuzzTests
 {
@@ -22,6 +22,8 @@ public class WholeWayFuzzTests
     private const int LargestOriginal = 6_000;
 
     private const int MostCurves = 500;
+
+    private const int LoggedCases = 1_000;
 
     /// <summary>No drawing of this size needs so many; beyond it a stage does not come to its end.</summary>
     private const int MostSegments = 2_000_000;
@@ -34,6 +36,7 @@ public class WholeWayFuzzTests
     {
         var fuzzer = new DrawingFuzzer(Originals());
         var first = Setting("ENGRAVER_FUZZ_FIRST", 1);
+        var log = Environment.GetEnvironmentVariable("ENGRAVER_FUZZ_LOG");
         for (var seed = first; seed < first + Setting("ENGRAVER_FUZZ_CASES", 20_000); seed++)
         {
             var file = fuzzer.Case(seed);
@@ -47,6 +50,9 @@ public class WholeWayFuzzTests
                 await File.WriteAllBytesAsync(path, file);
                 throw new InvalidOperationException($"seed {seed}, written to {path}: {wrong.GetType().Name}: {wrong.Message}", wrong);
             }
+
+            var done = seed - first + 1;
+            if (log is not null && done % LoggedCases == 0) await File.AppendAllTextAsync(log, string.Create(CultureInfo.InvariantCulture, $"{done} cases from {first} on are done, none failed\n"));
         }
     }
 

@@ -43,4 +43,35 @@ public class VerifyCommandTests
         Assert.Contains("note.txt(1): error VER0002", talk.Said, StringComparison.Ordinal);
         Assert.Contains("nowhere.dmc: error DOC0001", talk.Said, StringComparison.Ordinal);
     }
+
+    [Fact]
+    public async Task How_far_it_is_is_shown_and_nothing_is_left_of_it()
+    {
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "POST", "Galil", "job.dmc");
+        var seen = new List<double?>();
+        talk.Session.Progress.Changed += (_, _) => seen.Add(talk.Session.Progress.Fraction);
+
+        await talk.TypeAsync("VERIFY", "job.dmc");
+
+        Assert.Equal([.. seen.SkipLast(1).Order()], seen.SkipLast(1));
+        Assert.NotNull(seen[0]);
+        Assert.Null(seen[^1]);
+    }
+
+    [Fact]
+    public async Task A_stop_while_it_replays_ends_it_and_the_progress()
+    {
+        await using var talk = new CommandTalk();
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "POST", "Galil", "job.dmc");
+        var stopping = Task.CompletedTask;
+        talk.Session.Progress.Changed += (_, _) => stopping = stopping.IsCompleted && talk.Session.Progress.Fraction is not null ? talk.Session.CancelAsync() : stopping;
+
+        var ended = await talk.TypeAsync("VERIFY", "job.dmc");
+        await stopping;
+
+        Assert.IsType<FeedResult.Cancelled>(ended);
+        Assert.DoesNotContain("ok: at worst", talk.Said, StringComparison.Ordinal);
+        Assert.Null(talk.Session.Progress.Fraction);
+    }
 }

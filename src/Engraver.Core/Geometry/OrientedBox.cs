@@ -1,0 +1,111 @@
+namespace Engraver.Core.Geometry;
+
+/// <summary>A box that lies along a direction: round a line it has no width at all, whichever way the line runs.</summary>
+/// <param name="Centre">Its middle, millimetres.</param>
+/// <param name="Along">Direction of its length, of length 1.</param>
+/// <param name="HalfLength">From the middle along <paramref name="Along"/>, to either side.</param>
+/// <param name="HalfWidth">From the middle across it, to either side.</param>
+public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double HalfLength, double HalfWidth)
+{
+    /// <summary>Of the coordinates: what the computed ends of a box may be off by.</summary>
+    private const double Rounding = 2e-15;
+
+    private static readonly Vector2D s_east = new(1.0, 0.0);
+
+    /// <summary>The smallest box in the direction of the chord round the hull of some places.</summary>
+    public static OrientedBox Of(Point2D start, Point2D end, params ReadOnlySpan<Point2D> others)
+    {
+        var extent = new OrientedExtent(start, DirectionOf(end - start));
+        extent.Include(start);
+        extent.Include(end);
+        foreach (var place in others) extent.Include(place);
+        return extent.Box();
+    }
+
+    /// <summary>A box round a line, or round an arc of any sweep.</summary>
+    public static OrientedBox Of(in Segment path)
+    {
+        if (path.Kind == SegmentKind.Line) return Of(path.Start, path.End);
+        var arc = path.Arc;
+        if (Math.Abs(arc.Sweep.Degrees) > 180.0) return new OrientedBox(arc.Centre, s_east, arc.Radius, arc.Radius).Grown(0.0);
+        var (start, end, top) = (arc.StartPoint, arc.EndPoint, arc.PointAt(0.5));
+        var chord = new Point2D(start.X + ((end.X - start.X) / 2.0), start.Y + ((end.Y - start.Y) / 2.0));
+        return Of(start, end, start + (top - chord), end + (top - chord)); // the chord and the line through the top of the arc
+    }
+
+    /// <summary>Larger on every side, and by what rounding may hide.</summary>
+    public OrientedBox Grown(double by)
+    {
+        var margin = by + (Rounding * (Math.Abs(Centre.X) + Math.Abs(Centre.Y) + HalfLength + HalfWidth));
+        return this with { HalfLength = HalfLength + margin, HalfWidth = HalfWidth + margin };
+    }
+
+    /// <summary>0 inside.</summary>
+    public double DistanceTo(Point2D place)
+    {
+        var spoke = place - Centre;
+        var along = Math.Abs(spoke.Dot(Along)) - HalfLength;
+        var across = Math.Abs(Along.Cross(spoke)) - HalfWidth;
+        if (along <= 0.0) return Math.Max(0.0, across);
+        return across <= 0.0 ? along : Math.Sqrt((along * along) + (across * across));
+    }
+
+    /// <summary>Distance of the farthest corner.</summary>
+    public double FarthestFrom(Point2D place)
+    {
+        var spoke = place - Centre;
+        var along = Math.Abs(spoke.Dot(Along)) + HalfLength;
+        var across = Math.Abs(Along.Cross(spoke)) + HalfWidth;
+        return Math.Sqrt((along * along) + (across * across));
+    }
+
+    /// <summary>True when they have a place in common: no side of either parts them.</summary>
+    public bool Overlaps(in OrientedBox other)
+    {
+        var way = other.Centre - Centre;
+        var (cos, sin) = (Math.Abs(Along.Dot(other.Along)), Math.Abs(Along.Cross(other.Along)));
+        return Math.Abs(way.Dot(Along)) <= HalfLength + (other.HalfLength * cos) + (other.HalfWidth * sin)
+            && Math.Abs(way.Cross(Along)) <= HalfWidth + (other.HalfLength * sin) + (other.HalfWidth * cos)
+            && Math.Abs(way.Dot(other.Along)) <= other.HalfLength + (HalfLength * cos) + (HalfWidth * sin)
+            && Math.Abs(way.Cross(other.Along)) <= other.HalfWidth + (HalfLength * sin) + (HalfWidth * cos);
+    }
+
+    internal static Vector2D DirectionOf(Vector2D way)
+    {
+        var length = way.Length;
+        return length > 0.0 ? way * (1.0 / length) : s_east;
+    }
+}
+
+/// <summary>How far things reach along a direction and across it, seen from a place near them.</summary>
+internal struct OrientedExtent(Point2D origin, Vector2D along)
+{
+    private double _minAlong = double.PositiveInfinity;
+    private double _maxAlong = double.NegativeInfinity;
+    private double _minAcross = double.PositiveInfinity;
+    private double _maxAcross = double.NegativeInfinity;
+
+    public readonly double Area(double margin) => (_maxAlong - _minAlong + margin) * (_maxAcross - _minAcross + margin);
+
+    public void Include(Point2D place) => Include(place - origin, 0.0, 0.0);
+
+    public void Include(in OrientedBox box)
+    {
+        var (cos, sin) = (Math.Abs(along.Dot(box.Along)), Math.Abs(along.Cross(box.Along)));
+        Include(box.Centre - origin, (box.HalfLength * cos) + (box.HalfWidth * sin), (box.HalfLength * sin) + (box.HalfWidth * cos));
+    }
+
+    public readonly OrientedBox Box()
+    {
+        var across = new Vector2D(-along.Y, along.X);
+        var centre = origin + (along * ((_minAlong + _maxAlong) / 2.0)) + (across * ((_minAcross + _maxAcross) / 2.0));
+        return new OrientedBox(centre, along, (_maxAlong - _minAlong) / 2.0, (_maxAcross - _minAcross) / 2.0).Grown(0.0);
+    }
+
+    private void Include(Vector2D spoke, double halfAlong, double halfAcross)
+    {
+        var (ahead, left) = (spoke.Dot(along), along.Cross(spoke));
+        (_minAlong, _maxAlong) = (Math.Min(_minAlong, ahead - halfAlong), Math.Max(_maxAlong, ahead + halfAlong));
+        (_minAcross, _maxAcross) = (Math.Min(_minAcross, left - halfAcross), Math.Max(_maxAcross, left + halfAcross));
+    }
+}

@@ -1,0 +1,134 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing;
+
+/// <summary>Segment ends sorted by small squares, and in each by the direction that leads into their segments, under a tree of boxes four to a node: which of those near to a place leads straightest on.</summary>
+internal sealed class DirectionTree
+{
+    private const int Fanout = 4;
+    private const int Nobody = int.MaxValue;
+    private const double SmallestSquare = 1e-9;
+    private readonly int[] _ends;
+
+    /// <summary>By level, the leaves first: the box of the directions, the box of the places, the lowest end that is not gone.</summary>
+    private readonly Node[][] _levels;
+
+    private DirectionTree(int[] ends, Node[] leaves)
+    {
+        _ends = ends;
+        var levels = new List<Node[]> { leaves };
+        while (levels[^1].Length > 1) levels.Add([.. levels[^1].Chunk(Fanout).Select(children => children.Aggregate((a, b) => a.With(b)))]);
+        _levels = [.. levels];
+    }
+
+    /// <summary>How many nodes were looked at.</summary>
+    public long Looks { get; private set; }
+
+    /// <param name="ends">Numbers of ends.</param>
+    /// <param name="places">Where each end lies, by its number.</param>
+    /// <param name="reach">How far from here an end may be asked for, mm: what lies out of it must not share boxes with what lies within.</param>
+    /// <param name="travelInto">Direction into its segment, length 1.</param>
+    public static DirectionTree Of(int[] ends, Point2D[] places, double reach, Func<int, Vector2D> travelInto)
+    {
+        var square = Math.Max(reach / 2.0, SmallestSquare);
+        var sorted = ends.Select(end => (End: end, Way: travelInto(end)))
+            .OrderBy(item => Math.Floor(places[item.End].X / square)).ThenBy(item => Math.Floor(places[item.End].Y / square))
+            .ThenBy(item => Math.Atan2(item.Way.Y, item.Way.X)).ThenBy(item => item.End).ToArray();
+        return new DirectionTree([.. sorted.Select(item => item.End)], [.. sorted.Select(item => new Node(PointBox(Point2D.Origin + item.Way), PointBox(places[item.End]), item.End))]);
+    }
+
+    /// <summary>The largest cosine between the direction of travel and that of an end that counts and is near; <paramref name="best"/> when none is larger.</summary>
+    public double Straightest(in Query query, double best)
+    {
+        if (_ends.Length > 0) Straightest(_levels.Length - 1, 0, query, ref best);
+        return best;
+    }
+
+    /// <summary>The lowest end that counts, is near and leads on with this cosine or a larger one; <paramref name="best"/> when none is lower.</summary>
+    public int Lowest(in Query query, double leastCosine, int best)
+    {
+        if (_ends.Length > 0) Lowest(_levels.Length - 1, 0, query, leastCosine, ref best);
+        return best;
+    }
+
+    private void Straightest(int level, int index, in Query query, ref double best)
+    {
+        Looks++;
+        var node = _levels[level][index];
+        if (node.Lowest == Nobody || node.LargestCosine(query.Travel) <= best || !node.Reaches(query)) return;
+        if (level == 0)
+        {
+            if (Counts(index, query)) best = node.LargestCosine(query.Travel);
+            return;
+        }
+
+        foreach (var child in Children(level, index, query, (child, travel) => -child.LargestCosine(travel))) Straightest(level - 1, child, query, ref best);
+    }
+
+    private void Lowest(int level, int index, in Query query, double leastCosine, ref int best)
+    {
+        Looks++;
+        var node = _levels[level][index];
+        if (node.Lowest >= best || node.LargestCosine(query.Travel) < leastCosine || !node.Reaches(query)) return;
+        if (level == 0)
+        {
+            if (Counts(index, query)) best = node.Lowest;
+            return;
+        }
+
+        foreach (var child in Children(level, index, query, (child, _) => child.Lowest)) Lowest(level - 1, child, query, leastCosine, ref best);
+    }
+
+    /// <summary>The leaf's end may be chosen. One that is gone for good is taken out of the tree.</summary>
+    private bool Counts(int leaf, in Query query)
+    {
+        if (query.Counts(_ends[leaf])) return _levels[0][leaf].Reaches(query);
+        if (query.IsGone(_ends[leaf])) Remove(leaf);
+        return false;
+    }
+
+    private void Remove(int index)
+    {
+        _levels[0][index] = _levels[0][index] with { Lowest = Nobody };
+        for (var level = 1; level < _levels.Length; level++)
+        {
+            index /= Fanout;
+            var below = _levels[level - 1];
+            var lowest = Nobody;
+            for (var child = index * Fanout; child < Math.Min((index + 1) * Fanout, below.Length); child++) lowest = Math.Min(lowest, below[child].Lowest);
+            _levels[level][index] = _levels[level][index] with { Lowest = lowest };
+        }
+    }
+
+    private int[] Children(int level, int index, in Query query, Func<Node, Vector2D, double> key)
+    {
+        var below = _levels[level - 1];
+        var travel = query.Travel;
+        return [.. Enumerable.Range(index * Fanout, Math.Min(Fanout, below.Length - (index * Fanout))).OrderBy(child => key(below[child], travel))];
+    }
+
+    private static Bounds2D PointBox(Point2D place) => Bounds2D.Of(place, place);
+
+    /// <param name="Here">Where the walk stands.</param>
+    /// <param name="Reach">How far an end may lie from there, mm.</param>
+    /// <param name="Travel">Direction of travel, length 1.</param>
+    /// <param name="Counts">True for ends that may be chosen.</param>
+    /// <param name="IsGone">True for ends that can never be chosen again.</param>
+    internal readonly record struct Query(Point2D Here, double Reach, Vector2D Travel, Predicate<int> Counts, Predicate<int> IsGone);
+
+    private readonly record struct Node(Bounds2D Directions, Bounds2D Places, int Lowest)
+    {
+        public Node With(Node other) => new(Directions.Union(other.Directions), Places.Union(other.Places), Math.Min(Lowest, other.Lowest));
+
+        /// <summary>No direction in the box has a larger cosine; of a leaf its own. Rounding keeps the order, for it is monotonic.</summary>
+        public double LargestCosine(Vector2D travel) =>
+            (travel.X * (travel.X > 0.0 ? Directions.MaxX : Directions.MinX)) + (travel.Y * (travel.Y > 0.0 ? Directions.MaxY : Directions.MinY));
+
+        /// <summary>False when every place is out of reach; of a leaf as <see cref="Point2D.IsNear"/> has it.</summary>
+        public bool Reaches(in Query query)
+        {
+            var nearest = new Point2D(Math.Clamp(query.Here.X, Places.MinX, Places.MaxX), Math.Clamp(query.Here.Y, Places.MinY, Places.MaxY));
+            return nearest.IsNear(query.Here, query.Reach);
+        }
+    }
+}

@@ -1,0 +1,98 @@
+using Engraver.Core.Geometry;
+using FsCheck;
+using FsCheck.Fluent;
+
+namespace Engraver.Core.Tests.Geometry;
+
+public class OrientedBoxTreeTests
+{
+    private static readonly Arbitrary<int> Seeds = Gen.Choose(0, int.MaxValue).ToArbitrary();
+
+    [Fact]
+    public void The_nearest_line_is_the_one_that_looking_at_all_would_find() =>
+        Prop.ForAll(Seeds, seed =>
+        {
+            var (lines, here) = Lines(seed);
+
+            var found = Tree(lines).Nearest(here, (item, place) => lines[item].DistanceTo(place), double.PositiveInfinity, out var distance);
+
+            var expected = Enumerable.Range(0, lines.Length).MinBy(i => lines[i].DistanceTo(here));
+            return found == expected && distance == lines[expected].DistanceTo(here);
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void Around_a_place_are_all_lines_whose_distance_is_no_more() =>
+        Prop.ForAll(Seeds, seed =>
+        {
+            var (lines, here) = Lines(seed);
+            var found = new List<int>();
+
+            Tree(lines).Around(here, 9.0, found);
+
+            return found.Count == found.Distinct().Count() && Enumerable.Range(0, lines.Length).All(i => found.Contains(i) == lines[i].DistanceTo(here) <= 9.0);
+        }).QuickCheckThrowOnFailure();
+
+    /// <summary>Places of the path stand for the path: a line that one of them is near must be found. What is found besides does no harm.</summary>
+    [Fact]
+    public void Along_a_line_and_along_an_arc_is_every_line_that_comes_near() =>
+        Prop.ForAll(Seeds, seed =>
+        {
+            var (lines, here) = Lines(seed);
+            var random = new Random(seed);
+            var tree = Tree(lines);
+            Segment[] paths =
+            [
+                Segment.FromLine(here, here + new Vector2D(random.Next(-50, 50), random.Next(-50, 50))),
+                Segment.FromArc(new ArcSegment(here, 1 + random.Next(60), Angle.FromDegrees(random.Next(360)), Angle.FromDegrees(random.Next(2) == 0 ? 1 + random.Next(360) : -1 - random.Next(360)))),
+            ];
+            return paths.All(path => Near(lines, path, 1.5).IsSubsetOf(Along(tree, path, 1.5)));
+        }).QuickCheckThrowOnFailure();
+
+    [Fact]
+    public void An_empty_tree_answers_none()
+    {
+        var tree = OrientedBoxTree.Of([]);
+        var found = new List<int>();
+
+        tree.Around(default, 1e9, found);
+        tree.Along(Segment.FromLine(default, new Point2D(1, 0)), 1e9, found);
+
+        Assert.Empty(found);
+        Assert.Equal(-1, tree.Nearest(default, (_, _) => 0.0, double.PositiveInfinity, out _));
+    }
+
+    /// <summary>Equal boxes cannot be told apart by place or direction, and one far away must not make a chain of the tree.</summary>
+    [Fact]
+    public void Boxes_on_one_another_and_boxes_ever_farther_away_are_divided_in_number()
+    {
+        OrientedBox[] boxes = [.. Enumerable.Range(0, 5000).Select(i => OrientedBox.Of(default, new Point2D(1, 1))), .. Enumerable.Range(0, 300).Select(i => OrientedBox.Of(new Point2D(Math.Pow(2.0, i), 0), new Point2D(Math.Pow(2.0, i), 1)))];
+        var found = new List<int>();
+
+        OrientedBoxTree.Of(boxes).Around(new Point2D(0.5, 0.5), 0.1, found);
+
+        Assert.Equal(5000, found.Count);
+    }
+
+    private static OrientedBoxTree Tree(LineSegment[] lines) => OrientedBoxTree.Of([.. lines.Select(line => OrientedBox.Of(line.Start, line.End))]);
+
+    private static HashSet<int> Along(OrientedBoxTree tree, Segment path, double reach)
+    {
+        var found = new List<int>();
+        tree.Along(path, reach, found);
+        return [.. found];
+    }
+
+    private static HashSet<int> Near(LineSegment[] lines, Segment path, double reach) =>
+        [.. Enumerable.Range(0, lines.Length).Where(i => Enumerable.Range(0, 101).Any(step => lines[i].DistanceTo(path.PointAt(step / 100.0)) <= reach))];
+
+    /// <summary>Whole coordinates, so that ties happen; points, lines on one another, and one far away.</summary>
+    private static (LineSegment[] Lines, Point2D Here) Lines(int seed)
+    {
+        var random = new Random(seed);
+        Point2D Place(int size) => new(random.Next(size), random.Next(size));
+        var size = 1 + random.Next(100);
+        var lines = Enumerable.Range(0, random.Next(1, 200)).Select(_ => Place(size)).Select(start => new LineSegment(start, start + (Place(size) - Place(size)))).ToArray();
+        if (random.Next(2) == 0) lines[^1] = new LineSegment(new Point2D(1e7, -1e7), new Point2D(1e7, 3));
+        return (lines, Place(120));
+    }
+}
