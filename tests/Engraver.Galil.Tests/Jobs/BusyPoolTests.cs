@@ -124,10 +124,10 @@ public class BusyPoolTests
 internal sealed class BusyPool : IDisposable
 {
     private const int Blockers = 256;
-    private static readonly TimeSpan s_settled = TimeSpan.FromMilliseconds(500);
+    private static readonly TimeSpan s_longest = TimeSpan.FromMilliseconds(500);
     private readonly ManualResetEventSlim _released = new();
     private readonly (int Workers, int Ports) _most;
-    private int _held;
+    private readonly CountdownEvent _settled;
     private volatile bool _wasFree;
 
     public BusyPool()
@@ -135,9 +135,10 @@ internal sealed class BusyPool : IDisposable
         ThreadPool.GetMaxThreads(out _most.Workers, out _most.Ports);
         ThreadPool.GetMinThreads(out var fewest, out _);
         Assert.True(ThreadPool.SetMaxThreads(fewest, _most.Ports));
+        _settled = new CountdownEvent(fewest);
         for (var i = 0; i < Blockers; i++) ThreadPool.UnsafeQueueUserWorkItem(_ => Hold(), null);
         ThreadPool.UnsafeQueueUserWorkItem(_ => _wasFree = true, null);
-        SpinWait.SpinUntil(() => Volatile.Read(ref _held) >= fewest, s_settled); // some threads may be held up by others
+        _settled.Wait(s_longest); // some threads may be held up by others
     }
 
     /// <summary>Something that was queued behind has run.</summary>
@@ -151,7 +152,11 @@ internal sealed class BusyPool : IDisposable
 
     private void Hold()
     {
-        Interlocked.Increment(ref _held);
+        lock (_settled)
+        {
+            if (!_settled.IsSet) _settled.Signal();
+        }
+
         _released.Wait();
     }
 }
