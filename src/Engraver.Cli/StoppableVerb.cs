@@ -9,7 +9,7 @@ internal static class StoppableVerb
 {
     /// <summary>Computes something that the operator's stop need not wait for.</summary>
     /// <exception cref="OperationCanceledException">The operator stopped it; what computes is left behind.</exception>
-    public static Task<T> ComputeAsync<T>(Func<T> compute, CancellationToken stop) => OnItsOwnThread(() => Task.FromResult(compute())).WaitAsync(stop);
+    public static Task<T> ComputeAsync<T>(Func<T> compute, CancellationToken stop) => UntilStoppedAsync(OnItsOwnThread(() => Task.FromResult(compute())), stop);
 
     /// <returns>The exit code of the verb.</returns>
     /// <exception cref="OperationCanceledException">The operator stopped it. When the verb was left behind, <paramref name="streams"/> take nothing more.</exception>
@@ -18,7 +18,7 @@ internal static class StoppableVerb
         var running = OnItsOwnThread(verb);
         try
         {
-            return await running.WaitAsync(stop).ConfigureAwait(false);
+            return await UntilStoppedAsync(running, stop).ConfigureAwait(false);
         }
         catch (OperationCanceledException)
         {
@@ -27,6 +27,15 @@ internal static class StoppableVerb
             streams.Abandon();
             throw;
         }
+    }
+
+    /// <summary>As <see cref="Task{T}.WaitAsync(CancellationToken)"/>, which however goes on inside the thread that cancels, before anybody who registered earlier: there the machine has to be stopped first.</summary>
+    private static async Task<T> UntilStoppedAsync<T>(Task<T> running, CancellationToken stop)
+    {
+        var stopped = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        await using var hearing = stop.UnsafeRegister(static heard => ((TaskCompletionSource)heard!).TrySetResult(), stopped).ConfigureAwait(false);
+        await Task.WhenAny(running, stopped.Task).ConfigureAwait(false);
+        return running.IsCompleted ? await running.ConfigureAwait(false) : throw new OperationCanceledException(stop);
     }
 
     /// <summary>A verb computes at once and for long, and the pool may be busy.</summary>

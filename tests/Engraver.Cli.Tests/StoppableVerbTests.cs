@@ -101,6 +101,25 @@ public class StoppableVerbTests
         }
     }
 
+    /// <summary>The token calls whoever registered last first, and the verb registered before: whatever the program does at its end must not come between the signal and the stop of the machine.</summary>
+    [Fact]
+    public async Task The_thread_of_the_signal_goes_on_to_the_machine_and_ends_no_program_before()
+    {
+        using var verb = new LongVerb();
+        using var streams = new ConsoleStreams(Stream.Null, TextWriter.Null);
+        var endedOn = 0;
+        var running = StoppableVerb.RunAsync(() => verb.Run(streams.Out), streams, new MachineInHand(), verb.Stop.Token);
+        var ended = running.ContinueWith(_ => endedOn = Environment.CurrentManagedThreadId, CancellationToken.None, TaskContinuationOptions.ExecuteSynchronously, TaskScheduler.Default);
+        await verb.Begun;
+        var signal = new Thread(verb.Stop.Cancel);
+        signal.Start();
+        signal.Join();
+        await ended;
+
+        Assert.NotEqual(signal.ManagedThreadId, endedOn);
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => running);
+    }
+
     /// <summary>A verb that hears nothing while it computes, and computes until it is released.</summary>
     private sealed class LongVerb : IDisposable
     {

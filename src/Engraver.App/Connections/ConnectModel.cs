@@ -18,7 +18,7 @@ public sealed class ConnectModel : Observable
     private string _device = "";
     private int _baud = ControllerAddress.DefaultBaud;
     private FlowChoice _flow;
-    private bool _atOnce = true;
+    private bool _atOnce;
 
     public ConnectModel(WorkDesk desk)
     {
@@ -104,7 +104,7 @@ public sealed class ConnectModel : Observable
     {
         LinkKind.Network => $"tcp://{Host.Trim()}:{Port.Trim()}",
         LinkKind.Serial => string.Create(CultureInfo.InvariantCulture, $"serial://{Device.Trim()}?baud={Baud}&flow={Flow.Word}"),
-        _ => AtOnce ? "sim:" : "sim:?speed=1",
+        _ => AtOnce ? "sim:?speed=max" : "sim:?speed=1",
     };
 
     /// <summary>What would be typed, or what is missing.</summary>
@@ -132,7 +132,7 @@ public sealed class ConnectModel : Observable
                 (_kind, _device, _baud, _flow) = (LinkKind.Serial, serial.Device, serial.Baud, Flows.First(choice => choice.Flow == serial.Flow));
                 break;
             case SimulatedAddress simulated:
-                (_kind, _atOnce) = (LinkKind.Simulated, simulated.Speed > PlainSpeed);
+                (_kind, _atOnce) = (LinkKind.Simulated, simulated.SaysSpeed && simulated.Speed > PlainSpeed);
                 break;
         }
     }

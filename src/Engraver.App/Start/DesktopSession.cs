@@ -39,7 +39,7 @@ public sealed class DesktopSession : IAsyncDisposable
     public WorkDesk Desk => _desk ??= new WorkDesk(_session, Time);
 
     /// <summary>The operator's own files.</summary>
-    public static CommandEnvironment OfUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettings, RunNeedsArming = true };
+    public static CommandEnvironment OfUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettings, RunNeedsArming = true, SimulatorSpeed = 1.0 };
 
     /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
     public static CommandEnvironment OfNobody() => OfUser() with { SettingsFile = null };

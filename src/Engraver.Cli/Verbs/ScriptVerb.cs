@@ -30,7 +30,7 @@ internal sealed class ScriptVerb
         await using var session = NewSession();
         session.Said += telling.Say;
         session.Machine.Changed += (_, _) => Follow(session.Machine, stop);
-        await using var letGo = stop.Register(() => _ = Task.Run(() => LetGoAsync(session.Machine), CancellationToken.None)).ConfigureAwait(false);
+        await using var letGo = stop.Register(() => StopAndLetGo(session.Machine)).ConfigureAwait(false);
         var result = await session.FeedAsync("SCRIPT", stop).ConfigureAwait(false);
         stop.ThrowIfCancellationRequested();
         if (result is FeedResult.Asking) result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
@@ -50,6 +50,13 @@ internal sealed class ScriptVerb
     {
         var isConnected = machine.Description is not null;
         if (isConnected || !stop.IsCancellationRequested) _host.Machine.Follow(isConnected);
+    }
+
+    /// <summary>The stop itself waits for no thread of the pool, which a stage that computes may have filled.</summary>
+    private void StopAndLetGo(MachineSession machine)
+    {
+        machine.Stop();
+        _ = Task.Run(() => LetGoAsync(machine), CancellationToken.None);
     }
 
     /// <summary>A job under way brakes and ends its command. Otherwise a stage may compute, which is left behind as soon as the machine has been stopped and let go.</summary>

@@ -198,6 +198,7 @@ internal sealed class Job
         Rejected = _ledger.Rejected,
         FinalPosition = standstill is { } rest ? new CountsPoint(rest.X, rest.Y) : _machine.Known?.Position,
         FrameOrigin = _machine.FrameTaken,
+        IsEndKnown = standstill is not null || !_touched,
         Refusal = step.Refusal,
         PolledTrace = _ledger.Trace,
         ExecutedEntityIndices = _ledger.Entities,

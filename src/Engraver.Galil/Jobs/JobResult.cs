@@ -38,6 +38,9 @@ public sealed record JobResult
     /// <summary>Controller counts at the drawing's zero: what was added to the job frame. Null when the job ended before the frame was taken.</summary>
     public required CountsPoint? FrameOrigin { get; init; }
 
+    /// <summary>False when the link was lost before the controller said where it came to rest: it went on with what it had until its watchdog tripped, and may have cut more than is counted here.</summary>
+    public bool IsEndKnown { get; init; } = true;
+
     /// <summary>The refused command that ended the job, when one did.</summary>
     public Rejected? Refusal { get; init; }
 

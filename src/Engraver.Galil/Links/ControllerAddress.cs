@@ -77,7 +77,7 @@ public abstract record ControllerAddress
 
     private static SimulatedAddress? Simulated(string query)
     {
-        if (query.Length == 0 || query == "speed=max") return new SimulatedAddress(double.PositiveInfinity);
+        if (query.Length == 0 || query == "speed=max") return new SimulatedAddress(double.PositiveInfinity) { SaysSpeed = query.Length > 0 };
         return query.StartsWith("speed=", StringComparison.Ordinal)
             && double.TryParse(query.AsSpan(6), NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0
             ? new SimulatedAddress(speed)

@@ -1,4 +1,6 @@
+using System.Globalization;
 using System.Text;
+using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
@@ -6,6 +8,13 @@ namespace Engraver.Galil.Sessions;
 /// <summary>Borrows the controller's program memory: what stands in it is uploaded and kept, and written back at the end (galil-dmc.md A.6).</summary>
 public sealed class ProgramMemory(ControllerSession session)
 {
+    private const string OwnThreads = "_XQ0,_XQ1";
+
+    /// <summary>A controller with fewer threads refuses it.</summary>
+    private const string AllThreads = OwnThreads + ",_XQ2,_XQ3,_XQ4,_XQ5,_XQ6,_XQ7";
+
+    private const int MostHalts = 4;
+
     private string? _found;
 
     /// <summary>One character is one byte of the memory, whatever language its comments are in.</summary>
@@ -43,9 +52,32 @@ public sealed class ProgramMemory(ControllerSession session)
 
     private async Task<Rejected?> ReplaceAsync(string program, CancellationToken cancellation)
     {
+        if (await HaltAsync(cancellation).ConfigureAwait(false) is { } running) return running;
         if (await session.Commands.DownloadAsync(program, cancellation).ConfigureAwait(false) is Rejected refused) return refused;
         var check = await session.Commands.UploadAsync(cancellation).ConfigureAwait(false);
         if (check is not Accepted { Data: var stored }) return check as Rejected;
         return ProgramText.AreSame(program, stored) ? null : throw new ProtocolViolationException("The program memory does not hold what was downloaded; the upload differs.");
+    }
+
+    /// <summary>While a thread runs DL is refused with TC 17, and the program behind it would be taken for commands (galil-dmc.md A.6): a thread of ours that did not hear its halt is halted again.</summary>
+    /// <returns>The refusal that a download would get; null when no thread runs.</returns>
+    private async Task<Rejected?> HaltAsync(CancellationToken cancellation)
+    {
+        if (session.Line is not null) return null; // there each halt was compared with its echo, and the question would take as long as a segment
+        for (var tries = 0; await RunningThreadAsync(cancellation).ConfigureAwait(false) is { } thread; tries++)
+        {
+            if (tries == MostHalts || thread is not (ResidentProgram.MainThread or ResidentProgram.WatchdogThread))
+                return new Rejected(TcCode.DownloadWhileProgramRunning, string.Create(CultureInfo.InvariantCulture, $"thread {thread} runs; halt it by HX{thread}"), "DL");
+            await session.Commands.SendAsync(string.Create(CultureInfo.InvariantCulture, $"HX{thread}"), cancellation).ConfigureAwait(false);
+        }
+
+        return null;
+    }
+
+    private async Task<int?> RunningThreadAsync(CancellationToken cancellation)
+    {
+        var lines = await session.Commands.ReadAsync(AllThreads, cancellation).ConfigureAwait(false);
+        if (lines.Refusal is not null) lines = await session.Commands.ReadAsync(OwnThreads, cancellation).ConfigureAwait(false);
+        return lines.Values.ToList().FindIndex(line => line >= 0) is >= 0 and var thread ? thread : null;
     }
 }

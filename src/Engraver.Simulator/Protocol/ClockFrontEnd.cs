@@ -14,63 +14,17 @@ namespace Engraver.Simulator.Protocol;
 internal sealed class ClockFrontEnd : IAsyncDisposable
 {
     private readonly ControllerCore _core;
-    private readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
-    private readonly CancellationTokenSource _stopping = new();
-    private readonly Lock _gate = new();
-    private readonly HashSet<Task> _clients = [];
-    private readonly Task _accepting;
+    private readonly LoopbackListener _listener;
 
     public ClockFrontEnd(ControllerCore core)
     {
         _core = core;
-        _listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
-        _listener.Listen();
-        EndPoint = (IPEndPoint)_listener.LocalEndPoint!;
-        _accepting = AcceptAsync(_stopping.Token);
+        _listener = new LoopbackListener(core, 0, (socket, cancellation) => Task.Run(() => ServeAsync(socket, cancellation), CancellationToken.None));
     }
 
-    public IPEndPoint EndPoint { get; }
+    public IPEndPoint EndPoint => _listener.EndPoint;
 
-    public async ValueTask DisposeAsync()
-    {
-        await _stopping.CancelAsync().ConfigureAwait(false);
-        _listener.Dispose();
-        await _accepting.ConfigureAwait(false);
-        Task[] open;
-        lock (_gate)
-        {
-            open = [.. _clients];
-        }
-
-        await Task.WhenAll(open).ConfigureAwait(false);
-        _stopping.Dispose();
-    }
-
-    private async Task AcceptAsync(CancellationToken cancellation)
-    {
-        while (!cancellation.IsCancellationRequested)
-        {
-            try
-            {
-                var socket = await _listener.AcceptAsync(cancellation).ConfigureAwait(false);
-                socket.NoDelay = true;
-                var serving = _core.WatchAsync(Task.Run(() => ServeAsync(socket, cancellation), CancellationToken.None));
-                lock (_gate)
-                {
-                    _clients.RemoveWhere(client => client.IsCompleted);
-                    _clients.Add(serving);
-                }
-            }
-            catch (OperationCanceledException)
-            {
-                return;
-            }
-            catch (SocketException)
-            {
-                // A host that left before it was accepted is no reason to stop listening.
-            }
-        }
-    }
+    public ValueTask DisposeAsync() => _listener.DisposeAsync();
 
     private async Task ServeAsync(Socket socket, CancellationToken cancellation)
     {

@@ -7,74 +7,26 @@ namespace Engraver.Simulator.Protocol;
 internal sealed class TcpFrontEnd : IAsyncDisposable
 {
     private readonly ControllerCore _core;
-    private readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
-    private readonly CancellationTokenSource _stopping = new();
-    private readonly Lock _gate = new();
-    private readonly HashSet<Task> _clients = [];
-    private readonly Task _accepting;
+    private readonly LoopbackListener _listener;
 
+    /// <param name="port">0 lets the system pick.</param>
     public TcpFrontEnd(ControllerCore core, int port)
     {
         _core = core;
-        _listener.Bind(new IPEndPoint(IPAddress.Loopback, port));
-        _listener.Listen();
-        EndPoint = (IPEndPoint)_listener.LocalEndPoint!;
-        _accepting = core.WatchAsync(AcceptAsync(_stopping.Token));
+        _listener = new LoopbackListener(core, port, Admit);
     }
 
-    public IPEndPoint EndPoint { get; }
+    public IPEndPoint EndPoint => _listener.EndPoint;
 
-    public async ValueTask DisposeAsync()
+    public ValueTask DisposeAsync() => _listener.DisposeAsync();
+
+    /// <summary>Called on the listener's thread, which may be at work before the constructor has returned.</summary>
+    private Task? Admit(Socket socket, CancellationToken cancellation)
     {
-        await _stopping.CancelAsync().ConfigureAwait(false);
-        _listener.Dispose();
-        await _accepting.ConfigureAwait(false);
-        Task[] open;
-        lock (_gate)
-        {
-            open = [.. _clients];
-        }
-
-        await Task.WhenAll(open).ConfigureAwait(false);
-        _stopping.Dispose();
-    }
-
-    private async Task AcceptAsync(CancellationToken cancellation)
-    {
-        while (!cancellation.IsCancellationRequested)
-        {
-            try
-            {
-                var socket = await _listener.AcceptAsync(cancellation).ConfigureAwait(false);
-                Admit(socket, cancellation);
-            }
-            catch (OperationCanceledException)
-            {
-                return;
-            }
-            catch (SocketException)
-            {
-                // A client that left before it was accepted is no reason to stop listening.
-            }
-        }
-    }
-
-    private void Admit(Socket socket, CancellationToken cancellation)
-    {
-        socket.NoDelay = true;
         var remotePort = ((IPEndPoint)socket.RemoteEndPoint!).Port;
-        if (_core.Open(EndPoint.Port, remotePort, () => Reset(socket)) is not { } handle)
-        {
-            Reset(socket);
-            return;
-        }
-
-        var serving = _core.WatchAsync(ServeAsync(socket, handle, cancellation));
-        lock (_gate)
-        {
-            _clients.RemoveWhere(c => c.IsCompleted);
-            _clients.Add(serving);
-        }
+        if (_core.Open(((IPEndPoint)socket.LocalEndPoint!).Port, remotePort, () => Reset(socket)) is { } handle) return ServeAsync(socket, handle, cancellation);
+        Reset(socket);
+        return null;
     }
 
     private static void Reset(Socket socket)

@@ -14,7 +14,7 @@ internal sealed class CncConnectCommand : ICommand
         if (!ControllerAddress.TryParse(typed, out var address)) throw new CommandException(CommandFailure.Usage, $"'{typed}' is no controller address; write tcp://HOST:PORT or sim:.");
         try
         {
-            var identity = await context.Machine.ConnectAsync(address, cancellation).ConfigureAwait(false);
+            var identity = await context.Machine.ConnectAsync(address is SimulatedAddress { SaysSpeed: false } ? new SimulatedAddress(context.SimulatorSpeed) : address, cancellation).ConfigureAwait(false);
             context.Settings.Change(settings => settings with { LastAddress = typed });
             context.Say($"Connected to {identity.Model} at {context.Machine.Description}.");
         }

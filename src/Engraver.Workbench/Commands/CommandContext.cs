@@ -96,6 +96,8 @@ public sealed class CommandContext
     /// <exception cref="CommandException">Scripts call each other too deep.</exception>
     public void QueueScript(string path, string text) => _session.QueueScript(path, text);
 
+    internal double SimulatorSpeed => _session.Environment.SimulatorSpeed;
+
     internal bool RunNeedsArming => _session.RunNeedsArming;
 
     internal bool StartIsForHands => _session.StartIsForHands;

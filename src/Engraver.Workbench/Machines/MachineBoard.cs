@@ -118,9 +118,14 @@ internal sealed class MachineBoard : IDisposable
     /// <summary>A typed line was refused: the operator sees it where it was typed, it is no alarm.</summary>
     public void NoteRefusal(string text) => Change(facts => facts with { LastRefusal = text });
 
-    public void JobBegins()
+    public void JobBegins() => Begins(facts => facts with { Progress = null });
+
+    /// <summary>A move by hand begins: how far the last job came stays known.</summary>
+    public void MoveBegins() => Begins(facts => facts);
+
+    private void Begins(Func<MachineFacts, MachineFacts> also)
     {
-        Change(facts => facts with { JobRuns = true, PollIsOld = true, Stopping = false, Progress = null });
+        Change(facts => also(facts) with { JobRuns = true, PollIsOld = true, Stopping = false, Told = null });
         MachineAlarms.Begun(Alarms);
         DisarmOrTell();
     }
@@ -130,7 +135,9 @@ internal sealed class MachineBoard : IDisposable
     public void JobStartsFrom(CountsPoint start) =>
         Change(facts => facts.Poll is { } at ? facts with { Frame = new CountsPoint(at.X - start.X, at.Y - start.Y) } : facts);
 
-    public void JobTells(JobProgress progress) => Change(facts => facts with { Progress = progress, SeenAt = _time.GetUtcNow() });
+    public void JobTells(JobProgress progress) => Change(facts => facts with { Progress = progress, Told = progress, SeenAt = _time.GetUtcNow() });
+
+    public void MoveTells(JobProgress progress) => Change(facts => facts with { Told = progress, SeenAt = _time.GetUtcNow() });
 
     public void JobEnds(JobResult result)
     {

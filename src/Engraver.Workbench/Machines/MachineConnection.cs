@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Globalization;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Simulator;
@@ -61,7 +62,7 @@ public sealed class MachineConnection : IAsyncDisposable
     {
         var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord });
         return new MachineConnection(
-            "sim:",
+            double.IsPositiveInfinity(address.Speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={address.Speed}"),
             controller,
             _ => Task.FromResult<IControllerLink>(new StreamLink(controller.OpenConnection(), "sim:")),
             () => address.Speed == 1.0 ? MachineClock.FromWall(time) : MachineClock.FromSimulator(controller.JoinClock()));

@@ -30,8 +30,11 @@ internal sealed record MachineFacts
 
     public bool Stopping { get; init; }
 
-    /// <summary>The last word of the job on this machine.</summary>
+    /// <summary>The last word of the job on this machine; a move by hand leaves it as it is.</summary>
     public JobProgress? Progress { get; init; }
+
+    /// <summary>The last word of the job or the move by hand, whichever came last.</summary>
+    public JobProgress? Told { get; init; }
 
     /// <summary>Controller counts at the drawing's zero, by the job that runs or ran last.</summary>
     public CountsPoint? Frame { get; init; }
@@ -67,8 +70,8 @@ internal sealed record MachineFacts
             FollowingError = Now is not { } look ? null : new Vector2D(look.ErrorX / profile.CountsPerMillimetreX, look.ErrorY / profile.CountsPerMillimetreY),
             Speed = Now is { Moves: false } ? 0.0 : Now?.Speed / profile.Scale.Largest,
             Inputs = Now?.Inputs,
-            Outputs = JobRuns ? Progress?.Outputs : Now?.Outputs,
-            ToolCommanded = JobRuns ? Progress?.ToolOn : Now?.Outputs is { } outputs ? (outputs & (1 << (profile.ToolOutput - 1))) != 0 : null,
+            Outputs = JobRuns ? Told?.Outputs : Now?.Outputs,
+            ToolCommanded = JobRuns ? Told?.ToolOn : Now?.Outputs is { } outputs ? (outputs & (1 << (profile.ToolOutput - 1))) != 0 : null,
             MotorsOn = JobRuns ? true : Now is { } poll ? poll.MotorsOff.Length == 0 : null,
             Limit = Now?.Limit ?? "",
             LastRefusal = LastRefusal,
@@ -95,7 +98,7 @@ internal sealed record MachineFacts
     };
 
     /// <summary>Controller's counts; the last that is known, also when the link is lost.</summary>
-    private CountsPoint? PlaceCounts() => (JobRuns || PollIsOld) && Progress is { } told
+    private CountsPoint? PlaceCounts() => (JobRuns || PollIsOld) && Told is { } told
         ? new CountsPoint(told.X + (Frame?.X ?? 0), told.Y + (Frame?.Y ?? 0)) // without a frame only a move by hand tells, by the controller's zero
         : Poll is { } look ? new CountsPoint(look.X, look.Y) : null;
 

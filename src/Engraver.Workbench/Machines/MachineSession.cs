@@ -229,11 +229,11 @@ public sealed class MachineSession : IAsyncDisposable
 
     private async Task<JobResult> GoToWatchedAsync(MachineConnection connection, CountsPoint goal, string journal, CancellationToken stop)
     {
-        _board.JobBegins();
+        _board.MoveBegins();
         await _watched.GiveWayAsync().ConfigureAwait(false);
         try
         {
-            var result = await MachineMove.ToAsync(connection, Profile, _board.Here, goal, journal, Listener(_board), stop).ConfigureAwait(false);
+            var result = await MachineMove.ToAsync(connection, Profile, _board.Here, goal, journal, new JobListener(TellMove), stop).ConfigureAwait(false);
             _board.MoveEnds(result);
             return result;
         }
@@ -266,6 +266,12 @@ public sealed class MachineSession : IAsyncDisposable
         board?.JobTells(value);
         RaiseChanged();
     });
+
+    private void TellMove(JobProgress value)
+    {
+        _board.MoveTells(value);
+        RaiseChanged();
+    }
 
     private void RaiseChanged() => Changed?.Invoke(this, EventArgs.Empty);
 }

@@ -41,7 +41,7 @@ public static class RunJudge
         var tolerances = Tolerances(job);
         var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
         var missing = Math.Max(0.0, planned - cut) / Math.Max(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
-        return new RunJudgement(found.MaxDeviation, missing, "polled") { DeviationAt = found.DeviationAt?.Place };
+        return new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place };
     }
 
     /// <summary>What a faithful run of the job may differ by.</summary>

@@ -78,21 +78,35 @@ internal sealed class WatchedConnection(TimeProvider time, Action<MachinePoll> s
     {
         try
         {
-            var watch = Watch;
-            if (watch is null or { IsBroken: true })
-            {
-                if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
-                watch = await MachineWatch.OpenAsync(connection, time, CancellationToken.None).ConfigureAwait(false);
-                lock (_guard) _watch = watch;
-            }
-
-            seen(await watch.LookAsync(CancellationToken.None).ConfigureAwait(false));
-            watch.Resume(seen, lost);
+            seen(await LookAgainAsync().ConfigureAwait(false) ?? await LookAnewAsync(connection).ConfigureAwait(false));
+            Resume();
         }
         catch (ControllerException failure)
         {
             lost(failure);
         }
+    }
+
+    /// <summary>A watch that rested does not know that its link was cut until it asks.</summary>
+    /// <returns>Null when it is lost.</returns>
+    private async Task<MachinePoll?> LookAgainAsync()
+    {
+        try
+        {
+            return Watch is { IsBroken: false } watch ? await watch.LookAsync(CancellationToken.None).ConfigureAwait(false) : null;
+        }
+        catch (ControllerException)
+        {
+            return null;
+        }
+    }
+
+    private async Task<MachinePoll> LookAnewAsync(MachineConnection connection)
+    {
+        if (Watch is { } broken) await broken.DisposeAsync().ConfigureAwait(false);
+        var watch = await MachineWatch.OpenAsync(connection, time, CancellationToken.None).ConfigureAwait(false);
+        lock (_guard) _watch = watch;
+        return await watch.LookAsync(CancellationToken.None).ConfigureAwait(false);
     }
 
     /// <summary>An act over the watch that nobody waits for; its failure is told while that watch is still the one in use.</summary>

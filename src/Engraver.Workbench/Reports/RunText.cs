@@ -26,9 +26,13 @@ public static class RunText
         var unseen = notCut.Counts.Count == 0 ? "" : $"; {notCut.Subject} visible and NOT CUT";
         if (judgement.MaxDeviationMm is not { } deviation) return "nothing is known about the cut" + unseen;
         var who = judgement.Source == "record" ? "the simulated motors were" : "the polled positions were";
-        var missing = judgement.MissingLengthMm is > 0.0 and var length
-            ? string.Create(CultureInfo.InvariantCulture, $"{length:0.###} mm of the drawing are MISSING")
-            : leftOut > 0 ? "nothing of what could be read is missing" : unseen.Length > 0 ? "nothing of its curves is missing" : "nothing of it is missing";
+        var missing = judgement.MissingLengthMm switch
+        {
+            null => "how much of it is missing is not known",
+            > 0.0 and var length => string.Create(CultureInfo.InvariantCulture, $"{length:0.###} mm of the drawing are MISSING"),
+            _ when leftOut > 0 => "nothing of what could be read is missing",
+            _ => unseen.Length > 0 ? "nothing of its curves is missing" : "nothing of it is missing",
+        };
         if (leftOut > 0) missing += string.Create(CultureInfo.InvariantCulture, $", but {leftOut} of its entities could not be read and {(leftOut == 1 ? "is" : "are")} LEFT OUT");
         return string.Create(CultureInfo.InvariantCulture, $"{who} at worst {deviation:0.0000} mm from the drawing and {missing}{unseen}");
     }

@@ -22,7 +22,7 @@ public sealed class ConnectTests(DesktopFixture fixture)
 
         Assert.False(here.Window.Model.Connect.IsOpen);
         Assert.Equal(MachineState.Ready, here.Commands.Machine.Status.State);
-        Assert.Contains("Enter address of the controller <sim:>: sim:", here.History.Select(line => line.Trim()));
+        Assert.Contains("Enter address of the controller <sim:>: sim:?speed=1", here.History.Select(line => line.Trim()));
     });
 
     [Fact]
@@ -70,7 +70,7 @@ public sealed class ConnectTests(DesktopFixture fixture)
     [InlineData("serial:///dev/ttyS0?baud=19200&flow=rtscts")]
     [InlineData("tcp://10.0.0.5:5002")]
     [InlineData("sim:?speed=1")]
-    [InlineData("sim:")]
+    [InlineData("sim:?speed=max")]
     public Task The_sheet_opens_as_it_was_used_last(string address) => fixture.WithOperator(here =>
     {
         here.Commands.Settings.Change(settings => settings with { LastAddress = address });

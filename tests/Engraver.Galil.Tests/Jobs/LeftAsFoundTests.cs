@@ -1,5 +1,6 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -32,6 +33,44 @@ public class LeftAsFoundTests
         Assert.Equal(end, result.Outcome.ToString().ToLowerInvariant());
         Assert.Empty(result.NotRestored);
         Assert.Equal(before, await bench.FingerprintAsync());
+    }
+
+    /// <summary>DL beside a running thread is refused, and what follows it is taken for commands.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Program)]
+    public async Task A_watchdog_that_did_not_hear_its_halt_is_halted_before_the_memory_is_given_back(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        await bench.DownloadAsync(OwnersProgram);
+        var before = await bench.FingerprintAsync();
+        var halts = 0;
+        await using (var session = await bench.OpenAsync(opened: link => link.Harm = line => line == "HX1\r" && ++halts <= 2 ? "HX6\r" : line))
+        {
+            var result = await JobRunner.RunAsync(MotionPrograms.Paper, session, SimulatedBench.Job with { Mode = mode }, null, CancellationToken.None);
+
+            Assert.Equal(JobOutcome.Complete, result.Outcome);
+            Assert.Empty(result.NotRestored);
+        }
+
+        Assert.True(halts > 2);
+
+        Assert.Equal(before, await bench.FingerprintAsync());
+    }
+
+    [Fact]
+    public async Task Beside_a_thread_of_somebody_else_the_memory_is_left_alone()
+    {
+        const string Loop = "#LOOP\nWT 50\nJP #LOOP";
+        await using var bench = new SimulatedBench();
+        await bench.DownloadAsync(Loop);
+        await bench.SendAsync("XQ #LOOP,5");
+        await using var session = await bench.OpenAsync();
+
+        var refused = await new ProgramMemory(session).SwapAsync("BGA", CancellationToken.None);
+
+        Assert.Equal((TcCode.DownloadWhileProgramRunning, "thread 5 runs; halt it by HX5"), (refused?.Code, refused?.Text));
+        Assert.Contains("WT 50", Assert.IsType<Accepted>(await session.Commands.UploadAsync(CancellationToken.None)).Data, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -84,11 +84,13 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await using var session = await ConnectedAsync();
         await RunAsync(session);
         var rows = _controller.Record.Snapshot().Count;
+        var done = session.Machine.Progress;
 
         Assert.IsType<FeedResult.Done>(await TypeAsync(session, "CNCGOTO", "-3.5,7"));
 
         Assert.Equal((-3.5, 7.0), At(session));
         Assert.Equal(-3.5, session.Machine.Status.WorkPosition!.Value.X, precision: 9);
+        Assert.Equal((done, 1), (session.Machine.Progress, session.Machine.Status.Progress?.SegmentsDone)); // of the job, not of the move
         var moved = _controller.Record.Snapshot().Skip(rows).ToList();
         Assert.True(Moves(moved) > 0);
         Assert.All(moved, sample => Assert.Equal(0, sample.Outputs & 1));
@@ -151,6 +153,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         _controller.DropConnections();
 
         Assert.Equal(CommandFailure.LinkLost, Assert.IsType<FeedResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
+        await SeenAsync(session.Machine, status => status.State == MachineState.Ready); // the watch, whose links were cut too, is opened anew
         await using var later = await ConnectedAsync();
         await SeenAsync(later.Machine, status => status.State == MachineState.Ready);
         Assert.InRange(At(later).X, 5.0, 499.0);

@@ -10,6 +10,7 @@ namespace Engraver.Workbench.Tests.Machines;
 
 public class MachineFactsTests
 {
+    private static readonly JobProgress s_told = new(2, 9, 7, 20, 3000, 4000, true, 1.5, Outputs: 5);
     private static readonly MachinePoll s_rest = new(0, 0, 0, 0, Moves: false, MotorsOff: "");
 
     private static readonly MachineFacts s_idle = new() { Link = "tcp://a", Poll = s_rest };
@@ -57,7 +58,7 @@ public class MachineFactsTests
     [Fact]
     public void While_a_job_runs_the_place_is_what_the_job_says()
     {
-        var facts = s_idle with { JobRuns = true, Frame = new CountsPoint(10_000, 0), Progress = new JobProgress(2, 9, 7, 20, 3000, 4000, true, 1.5, Outputs: 5) };
+        var facts = s_idle with { JobRuns = true, Frame = new CountsPoint(10_000, 0), Progress = s_told, Told = s_told };
         var status = facts.ToStatus(MachineProfile.Default, null);
 
         Assert.Equal((13.0, 3.0, 4.0), (status.MachinePosition!.Value.X, status.WorkPosition!.Value.X, status.WorkPosition.Value.Y));
@@ -70,7 +71,7 @@ public class MachineFactsTests
     public void Once_the_link_is_lost_only_the_last_place_is_known()
     {
         var watched = With(s_rest with { X = 7000, Outputs = 0, Inputs = 255, Speed = 0.0 }) with { Lost = "gone" };
-        var told = watched with { PollIsOld = true, Frame = new CountsPoint(10_000, 0), Progress = new JobProgress(2, 9, 7, 20, 3000, 4000, true, 1.5, Outputs: 5) };
+        var told = watched with { PollIsOld = true, Frame = new CountsPoint(10_000, 0), Progress = s_told, Told = s_told };
         foreach (var (facts, x) in new[] { (watched, 7.0), (told, 13.0) })
         {
             var status = facts.ToStatus(MachineProfile.Default, null);

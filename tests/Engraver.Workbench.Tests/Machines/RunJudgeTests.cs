@@ -5,6 +5,7 @@ using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
@@ -42,6 +43,41 @@ public class RunJudgeTests
         var spoiled = record.Select(row => box.Contains(new Engraver.Core.Geometry.Point2D(row.A / 1000.0, row.B / 1000.0)) ? row with { Outputs = 0 } : row).ToArray();
 
         Assert.InRange(RunJudge.ByRecord(job, spoiled, 0, 0).MissingLengthMm!.Value, 0.95 * stroke.Length, 1.05 * stroke.Length);
+    }
+
+    /// <summary>The controller goes on with what it has until its watchdog trips: what it cuts then is not missing, and nobody knows how much that is.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task After_a_lost_link_nobody_says_how_much_is_missing(JobMode mode)
+    {
+        var journal = Path.GetTempFileName();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
+        var isCut = false;
+        await using var connection = MachineConnection.Through("memory", _ => Task.FromResult<IControllerLink>(new CutLink(new StreamLink(controller.OpenConnection(), "memory"), () => isCut)), () => MachineClock.FromSimulator(controller.JoinClock()));
+        var job = JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 100, 0).Build(), new DrawingSettings(), MachineRunOptions.StyleOf(mode));
+        var options = new MachineRunOptions(new TcpAddress("memory", 1), mode) { JournalPath = journal };
+
+        var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, new JobListener(progress => isCut |= progress.X > 20000), CancellationToken.None);
+        File.Delete(journal);
+
+        Assert.Equal((JobOutcome.LinkLost, null), (report.Result.Outcome, report.Judgement.MissingLengthMm));
+        Assert.NotNull(report.Judgement.MaxDeviationMm);
+        Assert.Contains("how much of it is missing is not known", RunText.Sentence(job, report), StringComparison.Ordinal);
+    }
+
+    private sealed class CutLink(IControllerLink inner, Func<bool> isCut) : IControllerLink
+    {
+        public string Description => inner.Description;
+
+        public SerialLine? Line => inner.Line;
+
+        public ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation) => isCut() ? throw new IOException("cut") : inner.WriteAsync(bytes, cancellation);
+
+        public ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation) => inner.ReadAsync(buffer, cancellation);
+
+        public ValueTask DisposeAsync() => inner.DisposeAsync();
     }
 
     [Fact]
