@@ -6,9 +6,9 @@ using Avalonia.Markup.Xaml;
 using Avalonia.Styling;
 using Avalonia.Threading;
 using Engraver.App.Safety;
+using Engraver.App.Sessions;
 using Engraver.App.Shell;
-using Engraver.App.Start;
-using Engraver.Workbench.Views;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.App;
 

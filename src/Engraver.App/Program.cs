@@ -1,3 +1,4 @@
+using Engraver.App.Sessions;
 using Engraver.App.Start;
 
 namespace Engraver.App;

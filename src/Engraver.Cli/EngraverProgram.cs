@@ -3,7 +3,7 @@ using System.Globalization;
 using System.Runtime.InteropServices;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
-using Engraver.Galil.Protocol;
+using Engraver.Galil.Links;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli;

@@ -4,7 +4,7 @@ namespace Engraver.Cli;
 /// <remarks>The stages are pure and hold nothing but memory, so they are not asked: the verb is left behind on its thread, which ends with the process. That is as quick in the
 /// middle of the longest loop, and of a read from a pipe that nobody writes, as between two stages, and no loop pays for it. Two things may not be left behind. A machine:
 /// while one is in hand the verb is waited for, for it brakes first. And a file under its temporary name: the file itself takes care of that
-/// (<see cref="Workbench.Documents.OutputFile"/>).</remarks>
+/// (<see cref="Engraver.Workbench.Files.OutputFile"/>).</remarks>
 internal static class StoppableVerb
 {
     /// <summary>Computes something that the operator's stop need not wait for.</summary>

@@ -1,6 +1,8 @@
 using Engraver.Simulator.Clocks;
 using Engraver.Simulator.Language;
 using Engraver.Simulator.Protocol;
+using Engraver.Simulator.Values;
+using System.Runtime.CompilerServices;
 
 namespace Engraver.Simulator;
 
@@ -8,6 +10,9 @@ namespace Engraver.Simulator;
 internal sealed class CommandDesk(Machine machine, ControllerClock clock, SimulatorOptions options) : ICommandSink
 {
     private readonly DelayedReplies _replies = new(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
+
+    /// <summary>What the commands of each handle print into; gone with the handle.</summary>
+    private readonly ConditionalWeakTable<Handle, CommandContext> _contexts = [];
     private long _commands;
 
     /// <summary>Replies wait for their time.</summary>
@@ -110,7 +115,7 @@ internal sealed class CommandDesk(Machine machine, ControllerClock clock, Simula
 
     private ReadOnlySpan<char> Executed(Handle handle, ReadOnlySpan<char> text)
     {
-        var context = handle.Context.Restart();
+        var context = _contexts.GetValue(handle, CommandContext.From).Restart();
         try
         {
             machine.Interpreter.Execute(text, context);

@@ -17,7 +17,7 @@ internal sealed class ControllerCore : IDisposable
     private readonly ITimer _timer;
     private readonly ControllerClock _clock;
     private readonly CommandDesk _desk;
-    private readonly StatusBoard _status;
+    private readonly StatusModel _status;
     private readonly RecordFile _recordFile;
     private readonly TaskCompletionSource _broken = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private TimeSpan _nextTick = TimeSpan.MaxValue;
@@ -27,7 +27,7 @@ internal sealed class ControllerCore : IDisposable
         _options = options;
         Machine = new Machine(options);
         _clock = new ControllerClock(Machine, options);
-        _status = new StatusBoard(Machine);
+        _status = new StatusModel(Machine);
         _recordFile = new RecordFile(Machine.Record);
         _desk = new CommandDesk(Machine, _clock, options);
         Hosts = new HostDesk(Machine, _clock, _gate, Happened, _recordFile.Flush);

@@ -1,5 +1,5 @@
 using System.Text;
-using Engraver.Simulator.Commands;
+using Engraver.Simulator.Language.Commands;
 
 namespace Engraver.Simulator;
 

@@ -43,3 +43,9 @@ public sealed record FaultPlan
         return null;
     }
 }
+
+/// <summary>The n-th command received (from 1) is answered "?" with the given TC code (galil-dmc.md A.8) and not executed.</summary>
+public readonly record struct CommandRefusal(long Command, int TcCode);
+
+/// <summary>The link of a handle (0 = A) is cut after this many commands on it; the controller lives on.</summary>
+public readonly record struct HandleDrop(int Handle, long AfterCommands);

@@ -1,6 +1,7 @@
 using Engraver.Simulator.Language;
 using Engraver.Simulator.Motion;
 using Engraver.Simulator.Protocol;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator;
 

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Simulator.Language;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator;
 

@@ -4,7 +4,6 @@ using Engraver.SoftwarePlatform.Drawing;
 using Engraver.SoftwarePlatform.Headless;
 using Engraver.SoftwarePlatform.Input;
 using Engraver.SoftwarePlatform.Text;
-using Engraver.SoftwarePlatform.Windows;
 using Engraver.SoftwarePlatform.X11;
 
 namespace Engraver.SoftwarePlatform;

@@ -1,6 +1,6 @@
 using System.Text.RegularExpressions;
-using Engraver.Simulator.Commands;
 using Engraver.Simulator.Language;
+using Engraver.Simulator.Language.Commands;
 
 namespace Engraver.Simulator.Tests;
 

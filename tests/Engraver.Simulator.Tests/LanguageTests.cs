@@ -1,5 +1,5 @@
 using System.Globalization;
-using Engraver.Simulator.Language;
+using Engraver.Simulator.Values;
 using FsCheck;
 using FsCheck.Fluent;
 

@@ -1,7 +1,7 @@
 using System.Globalization;
 using Engraver.App.Binding;
 using Engraver.App.Texts;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.App.Alarms;
 
@@ -12,9 +12,9 @@ public sealed class AlarmRow(Alarm alarm, Act acknowledge)
 
     public string Time => alarm.Time.ToLocalTime().ToString("HH:mm:ss", CultureInfo.InvariantCulture);
 
-    public string State => Text.Of("AlarmState." + alarm.State);
+    public string State => Text.Get("AlarmState." + alarm.State);
 
-    public string What => alarm.Count > 1 ? Text.Of("Alarms.Again", alarm.What, alarm.Count) : alarm.What;
+    public string What => alarm.Count > 1 ? Text.Get("Alarms.Again", alarm.What, alarm.Count) : alarm.What;
 
     public string Where => alarm.Where;
 

@@ -1,6 +1,6 @@
 using Engraver.App.Binding;
 using Engraver.App.Desk;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.App.Alarms;
 

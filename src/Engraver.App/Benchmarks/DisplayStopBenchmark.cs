@@ -25,7 +25,7 @@ internal sealed class DisplayStopBenchmark(WorkDesk desk, ShellWindow window, Te
         await desk.RunAsync("CNCCONNECT", wire.Address);
         await output.WriteLineAsync(StopEar.Head);
         await MeasureAsync(StopPresses.Idle, ear, keyboard);
-        window.Canvas.Scene = CanvasScene.Of(BenchmarkDrawing.Of(StopPresses.Segments));
+        window.Canvas.Scene = CanvasScene.From(BenchmarkDrawing.Create(StopPresses.Segments));
         var redraw = new DispatcherTimer(TimeSpan.FromMilliseconds(1), DispatcherPriority.Render, (_, _) => window.Canvas.RefineAgain());
         redraw.Start();
         await MeasureAsync(StopPresses.Redraws, ear, keyboard);

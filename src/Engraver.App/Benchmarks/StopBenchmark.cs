@@ -2,8 +2,8 @@ using System.Diagnostics;
 using Avalonia.Input;
 using Engraver.App.Canvas.Benchmarks;
 using Engraver.App.Canvas.Scenes;
+using Engraver.App.Sessions;
 using Engraver.App.Shell;
-using Engraver.App.Start;
 using Engraver.Simulator;
 using Engraver.SoftwarePlatform.Headless;
 using Engraver.Workbench.Machines;
@@ -25,7 +25,7 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         Await(session.Desk.RunAsync("CNCCONNECT", wire.Address));
         output.WriteLine(StopEar.Head);
         Measure(StopPresses.Idle, ear, hand => desktop.StepUntil(() => hand.IsCompleted, TimeSpan.FromHours(1)));
-        window.Canvas.Scene = CanvasScene.Of(BenchmarkDrawing.Of(StopPresses.Segments));
+        window.Canvas.Scene = CanvasScene.From(BenchmarkDrawing.Create(StopPresses.Segments));
         Measure(StopPresses.Redraws, ear, Redraw);
         Measure("its thread is held up", ear, hand => hand.GetAwaiter().GetResult());
         if (drawing is not null) MeasureJobs(drawing, ear);

@@ -2,8 +2,8 @@ using System.Diagnostics;
 using System.Globalization;
 using Avalonia;
 using Avalonia.Media;
+using Engraver.App.Sessions;
 using Engraver.App.Shell;
-using Engraver.App.Start;
 using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.App.Benchmarks;

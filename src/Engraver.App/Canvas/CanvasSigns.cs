@@ -78,7 +78,7 @@ internal sealed class CanvasSigns : Control
     {
         if (Selection.Count == 0 || Selection.Count > MostGripEntities) return;
         var (window, taken) = (View.Window, new HashSet<(int, int)>());
-        foreach (var place in Selection.Where(entity => entity < scene.Drawing.Entities.Count).SelectMany(entity => GripPlaces.Of(scene.Drawing, entity)).Take(MostOutlinedParts))
+        foreach (var place in Selection.Where(entity => entity < scene.Drawing.Entities.Count).SelectMany(entity => GripPlaces.Find(scene.Drawing, entity)).Take(MostOutlinedParts))
         {
             var at = ToControl(place);
             if (!window.Contains(place) || !taken.Add(((int)(at.X / GripCell), (int)(at.Y / GripCell)))) continue;
@@ -135,4 +135,13 @@ internal sealed class CanvasSigns : Control
             (_end, _begun) = (to, true);
         }
     }
+}
+
+/// <summary>Pens and brushes from the colours of the canvas.</summary>
+internal static class CanvasBrushes
+{
+    public static IBrush Brush(uint colour, double opacity = 1.0) => new Avalonia.Media.Immutable.ImmutableSolidColorBrush(Color.FromUInt32(colour), opacity);
+
+    public static IPen Pen(uint colour, double thickness = 1.0, bool dashed = false) =>
+        new Pen(Brush(colour), thickness, dashed ? new DashStyle([4.0, 3.0], 0.0) : null).ToImmutable();
 }

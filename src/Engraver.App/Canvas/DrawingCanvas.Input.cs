@@ -1,7 +1,6 @@
 using Avalonia;
 using Avalonia.Input;
 using Engraver.App.Canvas.Interaction;
-using Engraver.App.Canvas.Picking;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Views;
 

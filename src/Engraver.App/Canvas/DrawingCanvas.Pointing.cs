@@ -77,7 +77,7 @@ public sealed partial class DrawingCanvas
         var from = _aim?.From is { } known ? ToControl(known) : default(Point?);
         _cursor.Box = _pointer.Box ?? (_aim is { Use: PointUse.Corner } && from is { } corner && at is { } opposite ? new SelectionBox(new Point2D(corner.X, corner.Y), opposite) : null);
         _cursor.Line = _aim is { Use: PointUse.Place } && from is { } start && at is { } end ? (start, ToControl(Aimed(end))) : null;
-        _cursor.Tip = _aim is { } aim && at is { } place && View?.Current is { DynamicInput: true } ? CursorTip.Of(Commands?.Asked ?? "", aim, Aimed(place)) : "";
+        _cursor.Tip = _aim is { } aim && at is { } place && View?.Current is { DynamicInput: true } ? CursorTip.Format(Commands?.Asked ?? "", aim, Aimed(place)) : "";
         (_cursor.AsksForPoint, _cursor.PickBox) = (AsksForPlace, PickBox);
         _cursor.InvalidateVisual();
     }

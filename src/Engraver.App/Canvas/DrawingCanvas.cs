@@ -4,13 +4,12 @@ using Avalonia.Input;
 using Avalonia.Media;
 using Avalonia.Threading;
 using Engraver.App.Canvas.Colours;
-using Engraver.App.Canvas.Interaction;
 using Engraver.App.Canvas.Overlays;
-using Engraver.App.Canvas.Picking;
 using Engraver.App.Canvas.Pictures;
 using Engraver.App.Canvas.Scenes;
 using Engraver.App.Canvas.Views;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas;

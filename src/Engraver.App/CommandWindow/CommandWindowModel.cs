@@ -32,7 +32,7 @@ public sealed class CommandWindowModel : Observable
     public Act Choose { get; }
 
     /// <summary>Instruction and default without the options, which stand beside it to be clicked.</summary>
-    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Of("Command.Working") : PromptLine.WithoutOptions(_desk.Prompt.Text);
+    public string Instruction => _desk.IsBusy && _desk.Prompt.Command is null ? Texts.Text.Get("Command.Working") : PromptLine.WithoutOptions(_desk.Prompt.Text);
 
     public IReadOnlyList<Keyword> Options => _desk.Prompt.Options;
 
@@ -139,7 +139,7 @@ public sealed class CommandWindowModel : Observable
     {
         foreach (var message in messages)
         {
-            foreach (var line in HistoryLine.Of(message)) History.Add(line);
+            foreach (var line in HistoryLine.From(message)) History.Add(line);
         }
 
         while (History.Count > MostLines) History.RemoveAt(0);

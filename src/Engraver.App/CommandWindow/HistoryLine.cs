@@ -14,10 +14,10 @@ public sealed record HistoryLine(MessageKind Kind, string Text)
 
     public bool IsNote => Kind == MessageKind.Note;
 
-    public static IEnumerable<HistoryLine> Of(CommandMessage message)
+    public static IEnumerable<HistoryLine> From(CommandMessage message)
     {
         var lines = message.Text.Split('\n', MostLinesOfOneMessage + 1);
         for (var at = 0; at < Math.Min(lines.Length, MostLinesOfOneMessage); at++) yield return new HistoryLine(message.Kind, lines[at]);
-        if (lines.Length > MostLinesOfOneMessage) yield return new HistoryLine(MessageKind.Note, Texts.Text.Of("Command.MoreLines", Texts.Text.Count("Count.Line", lines[^1].AsSpan().Count('\n') + 1)));
+        if (lines.Length > MostLinesOfOneMessage) yield return new HistoryLine(MessageKind.Note, Texts.Text.Get("Command.MoreLines", Texts.Text.Count("Count.Line", lines[^1].AsSpan().Count('\n') + 1)));
     }
 }

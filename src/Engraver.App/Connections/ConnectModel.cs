@@ -108,7 +108,7 @@ public sealed class ConnectModel : Observable
     };
 
     /// <summary>What would be typed, or what is missing.</summary>
-    public string Typed => IsAddress ? Text.Of("Connect.Typed", Address) : Text.Of("Connect.Missing");
+    public string Typed => IsAddress ? Text.Get("Connect.Typed", Address) : Text.Get("Connect.Missing");
 
     private bool IsAddress => ControllerAddress.TryParse(Address, out _);
 
@@ -154,4 +154,26 @@ public sealed class ConnectModel : Observable
         Tell(null);
         Connect.Reconsider();
     }
+}
+
+/// <summary>A way of flow control to choose.</summary>
+/// <param name="Word">As it stands in an address.</param>
+public sealed record FlowChoice(SerialFlow Flow, string Word)
+{
+    public string Name => Text.Get("Flow." + Flow);
+
+    public override string ToString() => Name;
+}
+
+/// <summary>The ways to a controller that the sheet offers.</summary>
+public enum LinkKind
+{
+    /// <summary>The controller that lives in this program.</summary>
+    Simulated,
+
+    /// <summary>TCP.</summary>
+    Network,
+
+    /// <summary>RS-232.</summary>
+    Serial,
 }

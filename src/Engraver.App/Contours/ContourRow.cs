@@ -11,7 +11,7 @@ public sealed class ContourRow(SequencedStroke stroke) : IEquatable<ContourRow>
 
     public string Number => (stroke.Index + 1).ToString(CultureInfo.InvariantCulture);
 
-    public string Kind => Text.Of(stroke.Closed ? "Contours.Closed" : "Contours.Open");
+    public string Kind => Text.Get(stroke.Closed ? "Contours.Closed" : "Contours.Open");
 
     public bool IsOpen => !stroke.Closed;
 

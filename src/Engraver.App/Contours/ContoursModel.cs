@@ -18,7 +18,7 @@ public sealed class ContoursModel : FollowedRows<ContourRow>
     {
         if (ReferenceEquals(Desk.Derived.Sequence, _shown)) return;
         _shown = Desk.Derived.Sequence;
-        Summary = _shown is null ? "" : Text.Of("Contours.Summary", Text.Count("Count.Contour", _shown.Contours), _shown.Closed, _shown.Open, _shown.PathLength, _shown.Travel);
+        Summary = _shown is null ? "" : Text.Get("Contours.Summary", Text.Count("Count.Contour", _shown.Contours), _shown.Closed, _shown.Open, _shown.PathLength, _shown.Travel);
         Tell(nameof(Summary));
         var strokes = _shown?.Strokes ?? [];
         Show(strokes.Count, index => new ContourRow(strokes[index]));

@@ -1,6 +1,5 @@
 using System.Globalization;
 using Engraver.App.Canvas;
-using Engraver.App.CommandWindow;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
@@ -26,7 +25,7 @@ public sealed class CanvasDesk(WorkDesk desk, Action cancel, Action<Point2D> poi
 
     public void SelectBox(Point2D from, Point2D to, bool crossing, bool remove)
     {
-        var box = Bounds2D.Of(from, to);
+        var box = Bounds2D.FromCorners(from, to);
         _ = desk.SelectAsync(drawing => [.. crossing ? DrawingPick.Touching(drawing, box) : DrawingPick.Inside(drawing, box)], remove);
     }
 
@@ -45,5 +44,19 @@ public sealed class CanvasDesk(WorkDesk desk, Action cancel, Action<Point2D> poi
     public void CursorAt(Point2D? place)
     {
         if (place is { } at) pointed(at);
+    }
+}
+
+/// <summary>The line of a prompt as the desktop shows it.</summary>
+internal static class PromptLine
+{
+    /// <summary>Instruction and default without the options, which stand beside it to be clicked.</summary>
+    public static string WithoutOptions(string prompt)
+    {
+        var open = prompt.IndexOf(" [", StringComparison.Ordinal);
+        var close = open < 0 ? -1 : prompt.IndexOf(']', open);
+        if (close < 0) return prompt;
+        var before = prompt[..open];
+        return (before.EndsWith(" or", StringComparison.Ordinal) ? before[..^3] : before) + prompt[(close + 1)..];
     }
 }

@@ -15,7 +15,7 @@ internal static class CanvasInputs
     /// <summary>Handles are searched for one by one; more marks than this cover each other anyway.</summary>
     private const int MostFindings = 300;
 
-    public static OverlayInputs Of(DerivedDocument derived) => new()
+    public static OverlayInputs From(DerivedDocument derived) => new()
     {
         MoveSpeeds = derived is { Motion: { } motion, Sequence: { } sequence } && sequence.Table.Count <= MostSpeeds ? SpeedsOf(motion, sequence.Table.Count) : [],
         Findings = derived.State.Drawing is { } drawing ? PlacesOf(derived, drawing) : [],

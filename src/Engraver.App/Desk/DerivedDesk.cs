@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Sequencing;
+using Engraver.Galil.Programs.Posting;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
@@ -105,5 +106,17 @@ public sealed class DerivedDesk(CommandSession session)
         _segmentsDone = told.SegmentsDone;
         session.Playback.Scrub(told.SegmentsDone < motion.SegmentCount ? motion.TimeOfSegment(told.SegmentsDone) : motion.DurationSeconds);
         return runs;
+    }
+}
+
+/// <summary>A posted program cut into lines once.</summary>
+internal sealed record DmcLines(DmcPostText? Program, IReadOnlyList<string> Lines)
+{
+    public static DmcLines None { get; } = new(null, []);
+
+    public DmcLines Of(DmcPostText? program)
+    {
+        if (ReferenceEquals(program, Program)) return this;
+        return program is null ? None : new DmcLines(program, program.Text.TrimEnd('\n').Split('\n'));
     }
 }

@@ -90,37 +90,37 @@ public sealed class WorkDesk : IAsyncDisposable
     }
 
     /// <summary>Takes one input as typed. While a command is at work it is heard beside it, where the command is one of those; otherwise inputs wait for each other.</summary>
-    public Task<FeedResult> FeedAsync(string input)
+    public Task<InputResult> FeedAsync(string input)
     {
         if (IsBusy && Session.IsBusy) return Watched(Task.Run(() => Session.FeedAsync(input, _closing.Token)));
         return Enqueue(() => Session.FeedAsync(input, _closing.Token));
     }
 
     /// <summary>Takes pasted lines.</summary>
-    public Task<FeedResult> FeedLinesAsync(string lines) =>
+    public Task<InputResult> FeedLinesAsync(string lines) =>
         IsBusy && Session.IsBusy ? Watched(Task.Run(() => Session.FeedLinesAsync(lines, _closing.Token))) : Enqueue(() => Session.FeedLinesAsync(lines, _closing.Token));
 
     /// <summary>A line of the window itself in the history.</summary>
     public void Tell(MessageKind kind, string text) => Said?.Invoke([new CommandMessage(kind, text)]);
 
     /// <summary>Runs a command with its first answers, as a menu or a switch does: what asks is ended first, unless the command may run inside it.</summary>
-    public Task<FeedResult> RunAsync(params string[] inputs)
+    public Task<InputResult> RunAsync(params string[] inputs)
     {
         if (IsBusy && Session.IsBusy) return FeedAsync(inputs[0]);
         return Enqueue(() => RunNowAsync(inputs));
     }
 
     /// <summary>START: runs what is armed.</summary>
-    public Task<FeedResult> StartArmedAsync() => RunAsync("CNCRUN");
+    public Task<InputResult> StartArmedAsync() => RunAsync("CNCRUN");
 
     /// <summary>Selects without a command, as a click on the canvas does: what is found is added, or taken out.</summary>
-    public Task SelectAsync(Func<Drawing, IReadOnlyList<int>> find, bool remove) => Enqueue(() => Task.FromResult<FeedResult>(SelectNow(find, remove)));
+    public Task SelectAsync(Func<Drawing, IReadOnlyList<int>> find, bool remove) => Enqueue(() => Task.FromResult<InputResult>(SelectNow(find, remove)));
 
     /// <summary>Brings the place of a finding into the middle of the canvas, near enough to see it.</summary>
     public void ShowPlaceOf(Diagnostic finding)
     {
         if (Session.Document.Current.Drawing is not { } drawing || finding.Source.Handle is not { } handle || drawing.IndexOfHandle(handle) is not { } entity) return;
-        var box = DrawingExtents.Of(drawing, [entity]);
+        var box = DrawingExtents.Measure(drawing, [entity]);
         if (box.IsEmpty) return;
         var everything = Session.View.ExtentsOf(drawing);
         var height = Math.Max(RoomAround * Math.Max(box.Width, box.Height), LeastPart * Math.Max(everything.Width, everything.Height));
@@ -144,38 +144,38 @@ public sealed class WorkDesk : IAsyncDisposable
         await Session.DisposeAsync().ConfigureAwait(false);
     }
 
-    private async Task<FeedResult> RunNowAsync(string[] inputs)
+    private async Task<InputResult> RunNowAsync(string[] inputs)
     {
         var transparent = Session.Catalog.Find(inputs[0]) is { Info.Transparent: true };
         var inside = transparent && Session.Prompt.Command is not null;
         if (!inside && Session.Prompt.Command is not null) await Session.CancelAsync().ConfigureAwait(false);
-        FeedResult result = new FeedResult.Asking();
-        for (var at = 0; at < inputs.Length && result is FeedResult.Asking; at++)
+        InputResult result = new InputResult.Asking();
+        for (var at = 0; at < inputs.Length && result is InputResult.Asking; at++)
         {
             result = at == 0 && inside ? await Session.FeedInsideAsync(inputs[0], _closing.Token).ConfigureAwait(false) : await Session.FeedAsync(inputs[at], _closing.Token).ConfigureAwait(false);
         }
 
-        if (result is FeedResult.NotUnderstood && inputs.Length > 1) await Session.CancelAsync().ConfigureAwait(false);
+        if (result is InputResult.NotUnderstood && inputs.Length > 1) await Session.CancelAsync().ConfigureAwait(false);
         return result;
     }
 
-    private async Task<FeedResult> CancelNowAsync()
+    private async Task<InputResult> CancelNowAsync()
     {
         await Session.CancelAsync().ConfigureAwait(false);
-        return new FeedResult.Cancelled();
+        return new InputResult.Cancelled();
     }
 
-    private FeedResult.Done SelectNow(Func<Drawing, IReadOnlyList<int>> find, bool remove)
+    private InputResult.Done SelectNow(Func<Drawing, IReadOnlyList<int>> find, bool remove)
     {
         var state = Session.Document.Current;
-        if (state.Drawing is not { } drawing || Session.Prompt.Command is not null) return new FeedResult.Done();
+        if (state.Drawing is not { } drawing || Session.Prompt.Command is not null) return new InputResult.Done();
         var found = find(drawing);
         var known = (remove ? found : state.Selection).ToHashSet();
         Session.Document.Select(remove ? [.. state.Selection.Where(entity => !known.Contains(entity))] : [.. state.Selection, .. found.Where(entity => !known.Contains(entity))], state.Previous);
-        return new FeedResult.Done();
+        return new InputResult.Done();
     }
 
-    private Task<FeedResult> Enqueue(Func<Task<FeedResult>> work)
+    private Task<InputResult> Enqueue(Func<Task<InputResult>> work)
     {
         var after = AfterAsync(_feeding, work);
         _feeding = after;
@@ -183,7 +183,7 @@ public sealed class WorkDesk : IAsyncDisposable
     }
 
     /// <summary>Most callers do not wait for what they ask: a failure must be heard all the same.</summary>
-    private Task<FeedResult> Watched(Task<FeedResult> work)
+    private Task<InputResult> Watched(Task<InputResult> work)
     {
         _ = WatchAsync(work);
         return work;
@@ -195,7 +195,7 @@ public sealed class WorkDesk : IAsyncDisposable
         if (work.Exception is { } failure) Failed?.Invoke(failure.InnerException ?? failure);
     }
 
-    private async Task<FeedResult> AfterAsync(Task before, Func<Task<FeedResult>> work)
+    private async Task<InputResult> AfterAsync(Task before, Func<Task<InputResult>> work)
     {
         await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
         IsBusy = true;

@@ -39,8 +39,28 @@ public sealed class FindingsModel : Observable
         if (ReferenceEquals(findings, _shown)) return;
         _shown = findings;
         Rows = [.. findings.OrderByDescending(found => found.Severity).Select(found => new FindingRow(found))];
-        Summary = Rows.Count == 0 ? Text.Of("Findings.None") : Text.Of("Findings.Summary", Text.Count("Count.Error", Rows.Count(row => row.IsError)), Text.Count("Count.Warning", Rows.Count(row => row.IsWarning)), Text.Count("Count.Finding", Rows.Count));
+        Summary = Rows.Count == 0 ? Text.Get("Findings.None") : Text.Get("Findings.Summary", Text.Count("Count.Error", Rows.Count(row => row.IsError)), Text.Count("Count.Warning", Rows.Count(row => row.IsWarning)), Text.Count("Count.Finding", Rows.Count));
         Tell(nameof(Rows));
         Tell(nameof(Summary));
     }
+}
+
+/// <summary>A finding of the drawing doctor.</summary>
+public sealed class FindingRow(Diagnostic diagnostic)
+{
+    public Diagnostic Diagnostic => diagnostic;
+
+    public string Severity => Text.Get("Severity." + diagnostic.Severity);
+
+    public string Id => diagnostic.Id;
+
+    public string Place => diagnostic.Source.Line == 0 ? "" : FormattableString.Invariant($"{diagnostic.Source.Line}");
+
+    public string Handle => diagnostic.Source.Handle ?? "";
+
+    public string Message => diagnostic.Message;
+
+    public bool IsError => diagnostic.Severity == Core.Diagnostics.Severity.Error;
+
+    public bool IsWarning => diagnostic.Severity == Core.Diagnostics.Severity.Warning;
 }

@@ -3,7 +3,7 @@ using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Properties;
 using Engraver.App.Texts;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.App.Jobs;
 
@@ -41,7 +41,7 @@ public sealed class JobModel : Observable
 
     /// <summary>Warnings are for the next start: while a job runs, the machine is away from its start as it should be.</summary>
     private IReadOnlyList<CheckLine> ChecksNow() => _desk.Derived.Job is { } job
-        ? [.. ArmingChecklist.Of(job, _desk.Session.Machine.Status, errorsAccepted: false).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
+        ? [.. ArmingChecklist.Create(job, _desk.Session.Machine.Status, errorsAccepted: false).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
         : [];
 
     private List<PropertyLine> FiguresNow()
@@ -49,20 +49,33 @@ public sealed class JobModel : Observable
         var settings = _desk.Session.Document.Current.Settings;
         var figures = new List<PropertyLine>
         {
-            new(Text.Of("Job.Start"), string.Create(CultureInfo.InvariantCulture, $"{settings.Start.X:0.###}, {settings.Start.Y:0.###}")),
-            new(Text.Of("Job.Order"), settings.Order.ToString()),
-            new(Text.Of("Job.Feed"), Text.Of("Job.MillimetresPerMinute", settings.Machine.FeedMmPerMinute)),
-            new(Text.Of("Job.Rapid"), Text.Of("Job.MillimetresPerMinute", settings.Machine.RapidMmPerMinute)),
+            new(Text.Get("Job.Start"), string.Create(CultureInfo.InvariantCulture, $"{settings.Start.X:0.###}, {settings.Start.Y:0.###}")),
+            new(Text.Get("Job.Order"), settings.Order.ToString()),
+            new(Text.Get("Job.Feed"), Text.Get("Job.MillimetresPerMinute", settings.Machine.FeedMmPerMinute)),
+            new(Text.Get("Job.Rapid"), Text.Get("Job.MillimetresPerMinute", settings.Machine.RapidMmPerMinute)),
         };
         if (_desk.Derived.Sequence is { } sequence)
         {
-            figures.Add(new(Text.Of("Job.Contours"), Text.Of("Job.ContourCount", sequence.Contours, sequence.Closed, sequence.Open)));
-            figures.Add(new(Text.Of("Job.Segments"), sequence.Segments.ToString(CultureInfo.InvariantCulture)));
-            figures.Add(new(Text.Of("Job.CutLength"), Text.Of("Job.Millimetres", sequence.PathLength)));
-            figures.Add(new(Text.Of("Job.Travel"), Text.Of("Job.Millimetres", sequence.Travel)));
+            figures.Add(new(Text.Get("Job.Contours"), Text.Get("Job.ContourCount", sequence.Contours, sequence.Closed, sequence.Open)));
+            figures.Add(new(Text.Get("Job.Segments"), sequence.Segments.ToString(CultureInfo.InvariantCulture)));
+            figures.Add(new(Text.Get("Job.CutLength"), Text.Get("Job.Millimetres", sequence.PathLength)));
+            figures.Add(new(Text.Get("Job.Travel"), Text.Get("Job.Millimetres", sequence.Travel)));
         }
 
-        if (_desk.Derived.PlannedSeconds is > 0.0 and var seconds) figures.Insert(0, new(Text.Of("Job.Time"), ClockText.Of(seconds)));
+        if (_desk.Derived.PlannedSeconds is > 0.0 and var seconds) figures.Insert(0, new(Text.Get("Job.Time"), ClockText.Format(seconds)));
         return figures;
     }
+}
+
+/// <summary>One thing that must be so before a job may start, or that the operator must have read.</summary>
+public sealed record CheckLine(ArmingCheck Check)
+{
+    /// <summary>Shape besides colour.</summary>
+    public string Mark => Check switch { { Passed: false } => "✗", { IsWarning: true } => "▲", _ => "✓" };
+
+    /// <summary>A warning says by a word, too, that it is one.</summary>
+    public string Sentence => Check.IsWarning ? Text.Get("Job.Look", Check.Sentence) : Check.Sentence;
+
+    /// <summary>It is not so, or it wants to be read.</summary>
+    public bool IsUnusual => !Check.Passed || Check.IsWarning;
 }

@@ -2,7 +2,7 @@ using Avalonia.Media;
 using Engraver.App.Binding;
 using Engraver.App.Canvas.Colours;
 using Engraver.Core.Drawings;
-using Engraver.Workbench.Commands;
+using Engraver.Workbench.Commands.Editing;
 
 namespace Engraver.App.Layers;
 
@@ -15,11 +15,11 @@ public sealed class ColourChoice(DrawingColour colour, Action<string> take)
     private const uint White = 0xFFFFFFFF;
 
     /// <summary>As LAYER takes it.</summary>
-    public string Name { get; } = ColourName.Of(colour);
+    public string Name { get; } = ColourName.Format(colour);
 
     public IBrush Brush { get; } = BrushOf(colour);
 
-    public Act Take { get; } = new(() => take(ColourName.Of(colour)));
+    public Act Take { get; } = new(() => take(ColourName.Format(colour)));
 
     public static IBrush BrushOf(DrawingColour colour) =>
         new SolidColorBrush(Color.FromUInt32(colour.Rgb is { } rgb ? 0xFF000000 | rgb : AciPalette.ColourOf(colour.OrForeground().Index!.Value, White)));

@@ -2,7 +2,7 @@ using Avalonia.Media;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.Core.Drawings;
-using Engraver.Workbench.Commands;
+using Engraver.Workbench.Commands.Editing;
 
 namespace Engraver.App.Layers;
 
@@ -33,7 +33,7 @@ public sealed class LayerRow(Layer layer, int curves, WorkDesk desk)
 
     public IBrush Colour { get; } = ColourChoice.BrushOf(layer.Colour);
 
-    public string ColourText { get; } = ColourName.Of(layer.Colour);
+    public string ColourText { get; } = ColourName.Format(layer.Colour);
 
     public IReadOnlyList<ColourChoice> Choices { get; } =
         [.. Enumerable.Range(1, StandardColours).Select(index => new ColourChoice(DrawingColour.FromCode62(index), name => _ = desk.RunAsync("LAYER", "Color", name, layer.Name, "")))];

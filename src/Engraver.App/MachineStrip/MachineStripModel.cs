@@ -31,7 +31,7 @@ public sealed class MachineStripModel : Observable
 
     public Act Stop { get; }
 
-    public string State => Text.Of("State." + _status.State);
+    public string State => Text.Get("State." + _status.State);
 
     /// <summary>Name of the geometry that stands before the state.</summary>
     public string ShapeKey => "Shape." + _status.State;
@@ -48,8 +48,8 @@ public sealed class MachineStripModel : Observable
 
     /// <summary>Why the state is what it is, or until when it lasts.</summary>
     public string Reason => _status.State == MachineState.Armed && _status.ArmedUntil is { } until
-        ? Text.Of("Machine.ArmedFor", Math.Max(0, Math.Ceiling((until - _desk.Time.GetUtcNow()).TotalSeconds)))
-        : _status.Reason.Length > 0 ? _status.Reason : _status.Controller ?? Text.Of("Machine.NoController");
+        ? Text.Get("Machine.ArmedFor", Math.Max(0, Math.Ceiling((until - _desk.Time.GetUtcNow()).TotalSeconds)))
+        : _status.Reason.Length > 0 ? _status.Reason : _status.Controller ?? Text.Get("Machine.NoController");
 
     public bool IsSimulation => _status.IsSimulation;
 
@@ -57,12 +57,12 @@ public sealed class MachineStripModel : Observable
 
     public string Y => Figure(_status.WorkPosition?.Y ?? _status.MachinePosition?.Y);
 
-    public string MachinePlace => _status.MachinePosition is { } place ? Text.Of("Machine.Place", Figure(place.X), Figure(place.Y)) : "";
+    public string MachinePlace => _status.MachinePosition is { } place ? Text.Get("Machine.Place", Figure(place.X), Figure(place.Y)) : "";
 
     /// <summary>While a job runs, what the places say that the controller tells of; else what it says itself.</summary>
     public string Feed => (_status.Speed ?? _told.Current) is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;
 
-    public string Tool => _status.ToolCommanded switch { true => Text.Of("Machine.ToolOn"), false => Text.Of("Machine.ToolOff"), null => Unknown };
+    public string Tool => _status.ToolCommanded switch { true => Text.Get("Machine.ToolOn"), false => Text.Get("Machine.ToolOff"), null => Unknown };
 
     /// <summary>Bit 0 is input 1; null is not known.</summary>
     public int? Inputs => _status.Inputs;
@@ -73,14 +73,14 @@ public sealed class MachineStripModel : Observable
     public double Progress => _status.Progress?.Fraction ?? 0.0;
 
     public string ProgressText => _status.Progress is { } at
-        ? Text.Of("Machine.ProgressText", at.Fraction * 100.0, ClockText.Of(at.Seconds))
+        ? Text.Get("Machine.ProgressText", at.Fraction * 100.0, ClockText.Format(at.Seconds))
         : Unknown;
 
     /// <summary>How many segments of how many are cut; empty while no job has a progress.</summary>
-    public string SegmentsText => _status.Progress is { } at ? Text.Of("Machine.SegmentsText", at.SegmentsDone, at.SegmentCount) : "";
+    public string SegmentsText => _status.Progress is { } at ? Text.Get("Machine.SegmentsText", at.SegmentsDone, at.SegmentCount) : "";
 
     /// <summary>Empty while no job has a progress.</summary>
-    public string TimeLeft => _status.Progress is { } at ? Text.Of("Machine.TimeLeft", ClockText.Of(_desk.Derived.SecondsLeft(at.SegmentsDone, at.SegmentCount))) : "";
+    public string TimeLeft => _status.Progress is { } at ? Text.Get("Machine.TimeLeft", ClockText.Format(_desk.Derived.SecondsLeft(at.SegmentsDone, at.SegmentCount))) : "";
 
     private void Look()
     {

@@ -1,7 +1,8 @@
-using System.Windows.Input;
 using Avalonia.Controls;
 using Avalonia.Layout;
 using Engraver.App.Texts;
+using Engraver.Workbench.Commands;
+using ICommand = System.Windows.Input.ICommand;
 
 namespace Engraver.App.Menus;
 
@@ -14,7 +15,7 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
 
     private MenuItem Top(MenuSection section)
     {
-        var item = new MenuItem { Header = Text.Of("Menu." + section.Key), Name = section.Key + "Menu" };
+        var item = new MenuItem { Header = Text.Get("Menu." + section.Key), Name = section.Key + "Menu" };
         item.Items.Add(new MenuItem());
         item.SubmenuOpened += Fill;
         return item;
@@ -34,7 +35,7 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
     {
         var isCommand = !name.Contains('.', StringComparison.Ordinal);
         var row = new Grid { ColumnDefinitions = new ColumnDefinitions("*,Auto"), MinWidth = 210 };
-        row.Children.Add(new TextBlock { Text = isCommand ? MenuTitle.Of(name) : Text.Of(name), VerticalAlignment = VerticalAlignment.Center });
+        row.Children.Add(new TextBlock { Text = isCommand ? MenuTitle.Find(name) : Text.Get(name), VerticalAlignment = VerticalAlignment.Center });
         if (isCommand) row.Children.Add(Hint(typed(name)));
         return new MenuItem { Header = row, Command = act(name), Tag = name };
     }
@@ -45,4 +46,15 @@ public sealed class MenuBuilder(Func<string, string> typed, Func<string, IComman
         Grid.SetColumn(hint, 1);
         return hint;
     }
+}
+
+/// <summary>What a command is called in menus and tips.</summary>
+public static class MenuTitle
+{
+    /// <summary>The text <c>Command.NAME</c>; a command without one is shown by its name.</summary>
+    public static string Find(string name) => Text.Find("Command." + name) ?? name;
+
+    /// <summary>The way to type it: the shortest alias, else the name.</summary>
+    public static string Typed(CommandSession session, string name) =>
+        session.Aliases.Commands.Where(pair => pair.Value == name).Select(pair => pair.Key).OrderBy(alias => alias.Length).ThenBy(alias => alias, StringComparer.Ordinal).FirstOrDefault() ?? name;
 }

@@ -1,8 +1,7 @@
 using Avalonia;
 using Avalonia.Dialogs;
-using Engraver.App.Benchmarks;
+using Engraver.App.Sessions;
 using Engraver.App.Shell;
-using Engraver.App.Start;
 using Engraver.SoftwarePlatform;
 using Engraver.SoftwarePlatform.Headless;
 
@@ -30,17 +29,18 @@ internal static class DesktopPlatform
     }
 
     /// <summary>Opens, runs the script, takes the picture, ends.</summary>
+    /// <param name="onFirstFrame">Called when the first frame is there, and then nothing else is done; null for the whole.</param>
     /// <returns>The sentence of what failed; null when all went well.</returns>
-    public static string? RunHeadless(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open)
+    public static string? RunHeadless(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, Action? onFirstFrame)
     {
         var desktop = new HeadlessDesktop();
         var builder = InMemory(AppBuilder.Configure<App>(), session, desktop, options.Scale ?? 1.0).WithInterFont().SetupWithoutStarting();
         var window = open(builder);
         window.Show();
         desktop.Step();
-        if (options.Benchmark is not null)
+        if (onFirstFrame is not null)
         {
-            DesktopBenchmark.TellFirstFrame();
+            onFirstFrame();
             return null;
         }
 
@@ -52,19 +52,6 @@ internal static class DesktopPlatform
         if (options.Screenshot is { } path) desktop.Windows[0].CaptureToFile(path);
         window.Close();
         return opening.GetAwaiter().GetResult();
-    }
-
-    /// <summary>Measures a window in memory: how soon a stop is on the wire, how long painting and opening take.</summary>
-    /// <returns>The sentence of what failed; null when all went well.</returns>
-    public static string? Benchmark(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, TextWriter output)
-    {
-        var desktop = new HeadlessDesktop();
-        var window = open(InMemory(AppBuilder.Configure<App>(), session, desktop, options.Scale ?? 1.0).WithInterFont().SetupWithoutStarting());
-        window.Show();
-        desktop.Step();
-        MemoryBenchmark.Run(session, window, desktop, options, output);
-        window.Close();
-        return null;
     }
 
     /// <summary>Null when it was no display that failed.</summary>

@@ -17,10 +17,8 @@ internal static class DesktopPlatform
     }
 
     /// <returns>The sentence of what failed.</returns>
-    public static string? RunHeadless(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open) => Texts.Text.Of("Start.NoHeadless");
+    public static string? RunHeadless(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, Action? onFirstFrame) => Texts.Text.Of("Start.NoHeadless");
 
-    /// <returns>The sentence of what failed.</returns>
-    public static string? Benchmark(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, TextWriter output) => Texts.Text.Of("Start.NoHeadless");
 
     /// <summary>Null when it was no display that failed.</summary>
     public static string? NoDisplay(Exception failure) => null;

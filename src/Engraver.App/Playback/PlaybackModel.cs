@@ -18,7 +18,7 @@ public sealed class PlaybackModel : Observable
         _desk = desk;
         _timer = new DispatcherTimer(TimeSpan.FromSeconds(1.0 / FramesASecond), DispatcherPriority.Render, (_, _) => Tick());
         _timer.Stop();
-        Speeds = [new(Text.Of("Playback.Slow"), 1.0, this), new(Text.Of("Playback.Fast"), 10.0, this), new(Text.Of("Playback.Max"), double.PositiveInfinity, this)];
+        Speeds = [new(Text.Get("Playback.Slow"), 1.0, this), new(Text.Get("Playback.Fast"), 10.0, this), new(Text.Get("Playback.Max"), double.PositiveInfinity, this)];
         ToStart = new Act(() => At = 0.0);
         ToEnd = new Act(() => At = Total);
         StepBack = new Act(() => StepStroke(-1));
@@ -61,7 +61,7 @@ public sealed class PlaybackModel : Observable
         }
     }
 
-    public string Time => Text.Of("Playback.Time", ClockText.Of(At), ClockText.Of(Total));
+    public string Time => Text.Get("Playback.Time", ClockText.Format(At), ClockText.Format(Total));
 
     public double Speed
     {
@@ -101,4 +101,19 @@ public sealed class PlaybackModel : Observable
         if (_timer.IsEnabled != IsPlaying) _timer.IsEnabled = IsPlaying;
         Tell(null);
     }
+}
+
+/// <summary>A speed of the playback to choose.</summary>
+public sealed class PlaybackSpeed(string name, double factor, PlaybackModel playback) : Observable
+{
+    public string Name => name;
+
+    /// <summary>Times the machine's own; infinite is to the end at once.</summary>
+    public double Factor => factor;
+
+    public bool IsChosen => playback.Speed == factor;
+
+    public Act Choose { get; } = new(() => playback.Speed = factor);
+
+    public void Look() => Tell(nameof(IsChosen));
 }

@@ -33,7 +33,7 @@ public sealed class PlotModel : Observable
     {
         if (ReferenceEquals(_desk.Derived.Current.Motion, _shown)) return;
         _shown = _desk.Derived.Current.Motion;
-        Curve = _shown is null ? null : SpeedCurve.Of(_shown);
+        Curve = _shown is null ? null : SpeedCurve.From(_shown);
         Tell(null);
     }
 }

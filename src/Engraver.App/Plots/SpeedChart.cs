@@ -5,6 +5,7 @@ using Avalonia.Controls.Documents;
 using Avalonia.Input;
 using Avalonia.Media;
 using Engraver.App.Texts;
+using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Plots;
 
@@ -113,12 +114,12 @@ public sealed class SpeedChart : Control
             context.DrawText(label, new Point(field.X - 6 - label.Width, y - (label.Height / 2)));
         }
 
-        context.DrawText(LabelOf(Text.Of("Plot.Axis")), new Point(6, 2));
+        context.DrawText(LabelOf(Text.Get("Plot.Axis")), new Point(6, 2));
         foreach (var seconds in ChartMarks.Seconds(totalSeconds, field.Width))
         {
             var x = field.X + (field.Width * seconds / totalSeconds);
             context.DrawLine(pen, new Point(x, field.Y), new Point(x, field.Bottom));
-            var label = LabelOf(ClockText.Of(seconds));
+            var label = LabelOf(ClockText.Format(seconds));
             context.DrawText(label, new Point(Math.Min(x - (label.Width / 2), Bounds.Width - label.Width - 2), field.Bottom + 4));
         }
     }
@@ -130,4 +131,16 @@ public sealed class SpeedChart : Control
     {
         if (Curve is { } curve) At = curve.TotalSeconds * Math.Clamp((place.X - Field.X) / Field.Width, 0.0, 1.0);
     }
+}
+
+/// <summary>Planned speed over time, as many samples as a window can show.</summary>
+/// <param name="TotalSeconds">Time of the end; the first sample is at 0.</param>
+public sealed record SpeedCurve(double TotalSeconds, IReadOnlyList<SpeedSample> Samples)
+{
+    private const int MostSamples = 4000;
+
+    /// <summary>mm/s.</summary>
+    public double Peak { get; } = Samples.Count == 0 ? 0.0 : Samples.Max(sample => sample.Speed);
+
+    public static SpeedCurve From(PlannedMotion motion) => new(motion.DurationSeconds, Workbench.Playback.SpeedPlot.Sample(motion, MostSamples));
 }

@@ -32,7 +32,7 @@ public sealed class PropertiesModel : Observable
         var (state, table) = (_desk.Session.Document.Current, _desk.Derived.Sequence?.Table);
         if (ReferenceEquals(state.Selection, _shown.Selection) && ReferenceEquals(table, _shown.Table)) return;
         _shown = (state.Selection, table);
-        Summary = state.Selection.Count == 0 ? Text.Of("Properties.Nothing") : Text.Of("Properties.Selected", state.Selection.Count);
+        Summary = state.Selection.Count == 0 ? Text.Get("Properties.Nothing") : Text.Get("Properties.Selected", state.Selection.Count);
         Lines = state.Drawing is { } drawing && state.Selection.Count > 0 ? LinesOf(drawing, table, state.Selection) : [];
         Tell(null);
     }
@@ -49,7 +49,7 @@ public sealed class PropertiesModel : Observable
             foreach (var row in RowsOf(table, entity).Take(MostRows)) lines.AddRange(Slots(new TableRow(table, row)));
         }
 
-        if (selection.Count > MostRows) lines.Add(new PropertyLine(Text.Of("Properties.More", Text.Count("Count.Object", selection.Count - MostRows)), "", IsHead: true));
+        if (selection.Count > MostRows) lines.Add(new PropertyLine(Text.Get("Properties.More", Text.Count("Count.Object", selection.Count - MostRows)), "", IsHead: true));
         return lines;
     }
 
@@ -57,15 +57,19 @@ public sealed class PropertiesModel : Observable
     {
         var entity = drawing.Entities[index];
         yield return new PropertyLine(entity.Type.ToDxfName(), drawing.SourceOf(index).Handle ?? "", IsHead: true);
-        yield return new PropertyLine(Text.Of("Properties.Layer"), drawing.Layers[entity.Layer].Name);
-        yield return new PropertyLine(Text.Of("Properties.Line"), entity.SourceLine.ToString(CultureInfo.InvariantCulture));
+        yield return new PropertyLine(Text.Get("Properties.Layer"), drawing.Layers[entity.Layer].Name);
+        yield return new PropertyLine(Text.Get("Properties.Line"), entity.SourceLine.ToString(CultureInfo.InvariantCulture));
     }
 
     private static IEnumerable<PropertyLine> Slots(TableRow row)
     {
-        yield return new PropertyLine(Text.Of("Properties.Row", row.Index + 1), "", IsHead: true);
+        yield return new PropertyLine(Text.Get("Properties.Row", row.Index + 1), "", IsHead: true);
         for (var slot = 0; slot < EntitySlot.Count; slot++) yield return new PropertyLine($"{SlotNames.All[slot]} {SlotNames.Units[slot]}".TrimEnd(), row.Figure(slot));
     }
 
     private static IEnumerable<int> RowsOf(EntityTable table, int entity) => Enumerable.Range(0, table.Count).Where(row => table.EntityIndexOf(row) == entity);
 }
+
+/// <summary>A name and its value.</summary>
+/// <param name="IsHead">True: the beginning of an object.</param>
+public sealed record PropertyLine(string Name, string Value, bool IsHead = false);

@@ -1,5 +1,5 @@
 using Engraver.App.Texts;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Safety;
@@ -15,7 +15,7 @@ public sealed class FailureGuard(Action stop, AlarmLog alarms, FailureReports re
         ArgumentNullException.ThrowIfNull(failure);
         stop();
         var file = reports.Write(failure);
-        alarms.Raise(AlarmCause.InternalError, Text.Of("Failure.What", failure.Message.TrimEnd('.')), Text.Of("Failure.Where"), file is null ? Text.Of("Failure.ToDo") : Text.Of("Failure.ToDoWithReport", file));
+        alarms.Raise(AlarmCause.InternalError, Text.Get("Failure.What", failure.Message.TrimEnd('.')), Text.Get("Failure.Where"), file is null ? Text.Get("Failure.ToDo") : Text.Get("Failure.ToDoWithReport", file));
         return file;
     }
 }

@@ -27,8 +27,8 @@ internal sealed class ClosingGuard
         var state = _desk.Session.Document.Current;
         var warnsOfJob = _desk.IsMoving && !_warnedOfJob;
         var warnsOfEdits = _desk.Session.Document.IsEdited && !ReferenceEquals(state.Edition, _warnedOf);
-        if (warnsOfJob) _desk.Tell(MessageKind.Warning, Text.Of("Window.JobRuns"));
-        if (warnsOfEdits) _desk.Tell(MessageKind.Warning, Text.Of("Window.NotSaved", Path.GetFileName(state.Drawing!.FileName)));
+        if (warnsOfJob) _desk.Tell(MessageKind.Warning, Text.Get("Window.JobRuns"));
+        if (warnsOfEdits) _desk.Tell(MessageKind.Warning, Text.Get("Window.NotSaved", Path.GetFileName(state.Drawing!.FileName)));
         (_warnedOfJob, _warnedOf) = (_desk.IsMoving, state.Edition);
         return warnsOfJob || warnsOfEdits;
     }

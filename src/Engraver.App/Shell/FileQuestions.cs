@@ -43,14 +43,14 @@ public sealed class FileQuestions(WorkDesk desk, Func<IStorageProvider> dialogs)
 
     private async Task<IStorageItem?> ToReadAsync(string command, string[] patterns)
     {
-        var files = await dialogs().OpenFilePickerAsync(new FilePickerOpenOptions { Title = Text.Of("Command." + command), FileTypeFilter = TypesOf(patterns) });
+        var files = await dialogs().OpenFilePickerAsync(new FilePickerOpenOptions { Title = Text.Get("Command." + command), FileTypeFilter = TypesOf(patterns) });
         return files is [var file, ..] ? file : null;
     }
 
     /// <summary>Whether a file is replaced is asked by the command itself.</summary>
     private async Task<IStorageItem?> ToWriteAsync(string command, string[] patterns) => await dialogs().SaveFilePickerAsync(new FilePickerSaveOptions
     {
-        Title = Text.Of("Command." + command),
+        Title = Text.Get("Command." + command),
         FileTypeChoices = TypesOf(patterns),
         DefaultExtension = patterns[0][2..],
         SuggestedFileName = Path.GetFileNameWithoutExtension(desk.Session.Document.Current.Drawing?.FileName),
@@ -58,5 +58,5 @@ public sealed class FileQuestions(WorkDesk desk, Func<IStorageProvider> dialogs)
     });
 
     private static IReadOnlyList<FilePickerFileType> TypesOf(string[] patterns) =>
-        [.. patterns.Select(pattern => new FilePickerFileType(pattern) { Patterns = [pattern] }), new FilePickerFileType(Text.Of("Files.All")) { Patterns = ["*"] }];
+        [.. patterns.Select(pattern => new FilePickerFileType(pattern) { Patterns = [pattern] }), new FilePickerFileType(Text.Get("Files.All")) { Patterns = ["*"] }];
 }

@@ -62,8 +62,8 @@ public sealed class ShellModel : Observable
         get
         {
             var file = Desk.Session.Document.Current.Drawing is { } drawing ? Path.GetFileName(drawing.FileName) : null;
-            if (Desk.Session.Machine.Status.State is not MachineState.Offline and var state) return Text.Of("Window.TitleWithMachine", file ?? Text.Of("Window.NoDrawing"), Text.Of("State." + state));
-            return file is null ? Text.Of("Window.Title") : Text.Of("Window.TitleOf", file);
+            if (Desk.Session.Machine.Status.State is not MachineState.Offline and var state) return Text.Get("Window.TitleWithMachine", file ?? Text.Get("Window.NoDrawing"), Text.Get("State." + state));
+            return file is null ? Text.Get("Window.Title") : Text.Get("Window.TitleOf", file);
         }
     }
 

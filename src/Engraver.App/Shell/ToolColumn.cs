@@ -1,3 +1,4 @@
+using System.Windows.Input;
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Media;
@@ -33,8 +34,13 @@ public static class ToolColumn
     private static ToolButton Make(string command, string[] answers, string icon, bool endsGroup, WorkDesk desk, Func<string, System.Windows.Input.ICommand> act)
     {
         var name = answers.Length == 0 ? command : $"{command}.{answers[0]}";
-        var tip = Text.Of("Tool.Tip", MenuTitle.Of(name), MenuTitle.Typed(desk.Session, command));
+        var tip = Text.Get("Tool.Tip", MenuTitle.Find(name), MenuTitle.Typed(desk.Session, command));
         var does = answers.Length == 0 ? act(command) : new Act(() => _ = desk.RunAsync([command, .. answers]));
         return new ToolButton(command, (Geometry)Application.Current!.FindResource(icon)!, tip, does, endsGroup);
     }
 }
+
+/// <summary>A key of the tool column.</summary>
+/// <param name="Command">The command it runs.</param>
+/// <param name="EndsGroup">True: a line follows.</param>
+public sealed record ToolButton(string Command, Geometry Icon, string Tip, ICommand Act, bool EndsGroup);

@@ -4,6 +4,7 @@ using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
 using Engraver.App.Benchmarks;
 using Engraver.App.Platforms;
+using Engraver.App.Sessions;
 using Engraver.App.Shell;
 using Engraver.App.Texts;
 
@@ -23,7 +24,7 @@ public static class DesktopProgram
     /// <returns>The exit code of the runner's contract.</returns>
     public static int Run(DesktopOptions options, TextWriter error)
     {
-        if (options.Benchmark is not (null or DesktopBenchmark.Start or DesktopBenchmark.Idle or DesktopBenchmark.StopOnDisplay)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
+        if (options.Benchmark is not (null or BenchmarkName.Start or BenchmarkName.Idle or BenchmarkName.StopOnDisplay)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
         var session = new DesktopSession(options.Headless ? DesktopSession.OfNobody() : DesktopSession.OfUser());
         AppDomain.CurrentDomain.UnhandledException += EndWithMachineStopped;
         try
@@ -32,7 +33,7 @@ public static class DesktopProgram
         }
         catch (Exception none) when (DesktopPlatform.NoDisplay(none) is not null)
         {
-            error.WriteLine(Text.Of("Start.NoDisplay", DesktopPlatform.NoDisplay(none)));
+            error.WriteLine(Text.Get("Start.NoDisplay", DesktopPlatform.NoDisplay(none)));
             return NoDisplay;
         }
         finally
@@ -44,7 +45,7 @@ public static class DesktopProgram
         // A thread of the program has failed and .NET is about to end the process: the machine first.
         void EndWithMachineStopped(object sender, UnhandledExceptionEventArgs e)
         {
-            if (e.ExceptionObject is Exception failure) error.WriteLine(Text.Of("Start.Failed", session.Failures.Take(failure) ?? failure.Message));
+            if (e.ExceptionObject is Exception failure) error.WriteLine(Text.Get("Start.Failed", session.Failures.Take(failure) ?? failure.Message));
             session.DisposeAsync().AsTask().Wait(s_longestEnd);
         }
     }
@@ -52,7 +53,7 @@ public static class DesktopProgram
     private static int RunHeadless(DesktopSession session, DesktopOptions options, TextWriter error)
     {
         using var signals = new EndSignals(() => session.StopKeys.PressStop(), Cancel);
-        var failure = DesktopPlatform.RunHeadless(session, options, builder => Open(builder, session, options));
+        var failure = DesktopPlatform.RunHeadless(session, options, builder => Open(builder, session, options), options.Benchmark is null ? null : DesktopBenchmark.TellFirstFrame);
         return signals.Came ? Stopped : Said(failure, error);
 
         void Cancel()
@@ -65,7 +66,7 @@ public static class DesktopProgram
     private static int Said(string? failure, TextWriter error)
     {
         if (failure is not { } failed) return Done;
-        error.WriteLine(Text.Of("Start.Failed", failed));
+        error.WriteLine(Text.Get("Start.Failed", failed));
         return Failed;
     }
 
@@ -75,19 +76,19 @@ public static class DesktopProgram
         var builder = DesktopPlatform.OnDisplay(AppBuilder.Configure<App>(), session, options).WithInterFont().SetupWithLifetime(lifetime);
         var window = Open(builder, session, options);
         lifetime.MainWindow = window;
-        if (options.Benchmark == DesktopBenchmark.Start) DesktopBenchmark.EndAfterFirstFrame(window);
+        if (options.Benchmark == BenchmarkName.Start) DesktopBenchmark.EndAfterFirstFrame(window);
         window.Opened += async (_, _) =>
         {
-            if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Of("Start.Failed", failed));
+            if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Get("Start.Failed", failed));
             while (!window.CanvasFeed.IsCurrent) await Dispatcher.UIThread.InvokeAsync(() => window.CanvasFeed.Shown, DispatcherPriority.Background);
             window.Canvas.RefineNow();
-            if (options.Benchmark == DesktopBenchmark.StopOnDisplay)
+            if (options.Benchmark == BenchmarkName.StopOnDisplay)
             {
                 await new DisplayStopBenchmark(session.Desk, window, Console.Out).RunAsync(options.File);
                 window.Close();
             }
 
-            if (options.Benchmark == DesktopBenchmark.Idle) IdleBenchmark.Watch(window, Console.Out);
+            if (options.Benchmark == BenchmarkName.Idle) IdleBenchmark.Watch(window, Console.Out);
             if (options.Screenshot is { } path) Dispatcher.UIThread.Post(() => DesktopStart.Picture(window, window.RenderScaling, path), DispatcherPriority.Background);
         };
         using var signals = new EndSignals(() => session.StopKeys.PressStop(), () => Dispatcher.UIThread.Post(() => lifetime.Shutdown(Stopped)));

@@ -29,22 +29,22 @@ public sealed class StatusBarModel : Observable
     }
 
     /// <summary>How far a long command is; empty while none is at work.</summary>
-    public string Progress => _desk.Session.Progress.Fraction is { } fraction ? Text.Of("Status.Progress", fraction * 100.0) : "";
+    public string Progress => _desk.Session.Progress.Fraction is { } fraction ? Text.Get("Status.Progress", fraction * 100.0) : "";
 
     public bool IsWorking => _desk.Session.Progress.Fraction is not null;
 
     public double Fraction => _desk.Session.Progress.Fraction ?? 0.0;
 
     /// <summary>Of the drawing, and so of the coordinates; tolerances are millimetres whatever it is.</summary>
-    public string Unit => Text.Of("Status.Unit", _desk.Session.Document.Current.Drawing?.Unit.Name ?? Text.Of("Status.Millimetres"));
+    public string Unit => Text.Get("Status.Unit", _desk.Session.Document.Current.Drawing?.Unit.Name ?? Text.Get("Status.Millimetres"));
 
-    public string JoinTolerance => Text.Of("Status.Join", _desk.Session.Document.Current.Settings.JoinToleranceMm);
+    public string JoinTolerance => Text.Get("Status.Join", _desk.Session.Document.Current.Settings.JoinToleranceMm);
 
-    public string MaxError => Text.Of("Status.MaxError", _desk.Session.Document.Current.Settings.MaxErrorMm);
+    public string MaxError => Text.Get("Status.MaxError", _desk.Session.Document.Current.Settings.MaxErrorMm);
 
-    public string Profile => _desk.Session.Settings.Current.LastProfile is { } file ? Path.GetFileNameWithoutExtension(file) : Text.Of("Status.DefaultProfile");
+    public string Profile => _desk.Session.Settings.Current.LastProfile is { } file ? Path.GetFileNameWithoutExtension(file) : Text.Get("Status.DefaultProfile");
 
-    public string Link => _desk.Session.Machine.Description ?? Text.Of("Status.NoLink");
+    public string Link => _desk.Session.Machine.Description ?? Text.Get("Status.NoLink");
 
     /// <summary>The cursor stands at a place of the drawing.</summary>
     public void Point(Point2D place) => Coordinates = string.Create(CultureInfo.InvariantCulture, $"{place.X:0.0000}, {place.Y:0.0000}");

@@ -15,7 +15,7 @@ public sealed class StatusSwitch(string name, string command, Func<ViewState, bo
     public string Command => command;
 
     /// <summary>What it does, with its key.</summary>
-    public string Tip => Text.Of("Switch." + name);
+    public string Tip => Text.Get("Switch." + name);
 
     public bool IsOn => isOn(desk.Session.View.Current);
 

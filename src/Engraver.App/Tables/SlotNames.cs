@@ -7,15 +7,15 @@ namespace Engraver.App.Tables;
 /// <summary>What the 16 slots are called, and in which unit they are.</summary>
 public static class SlotNames
 {
-    public static IReadOnlyList<string> All { get; } = [.. Enumerable.Range(0, EntitySlot.Count).Select(slot => Text.Of("Slot." + slot.ToString(CultureInfo.InvariantCulture)))];
+    public static IReadOnlyList<string> All { get; } = [.. Enumerable.Range(0, EntitySlot.Count).Select(slot => Text.Get("Slot." + slot.ToString(CultureInfo.InvariantCulture)))];
 
     /// <summary>Empty for a slot that is a count or a kind.</summary>
     public static IReadOnlyList<string> Units { get; } = [.. Enumerable.Range(0, EntitySlot.Count).Select(UnitOf)];
 
     private static string UnitOf(int slot) => slot switch
     {
-        >= EntitySlot.StartX and <= EntitySlot.Radius => Text.Of("SlotUnit.Length"),
-        EntitySlot.StartAngle or EntitySlot.EndAngle or EntitySlot.Sweep => Text.Of("SlotUnit.Angle"),
+        >= EntitySlot.StartX and <= EntitySlot.Radius => Text.Get("SlotUnit.Length"),
+        EntitySlot.StartAngle or EntitySlot.EndAngle or EntitySlot.Sweep => Text.Get("SlotUnit.Angle"),
         _ => "",
     };
 }

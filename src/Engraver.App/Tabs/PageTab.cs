@@ -12,7 +12,7 @@ public sealed class PageTab(string key, Func<Control> make) : Observable
     /// <summary>Name of the page; its title is the text <c>Page.KEY</c>.</summary>
     public string Key => key;
 
-    public string Title { get; } = Texts.Text.Of("Page." + key);
+    public string Title { get; } = Texts.Text.Get("Page." + key);
 
     public bool IsMade => _page is not null;
 

@@ -1,8 +1,9 @@
+using System.Globalization;
 using Avalonia.Threading;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
-using Engraver.Galil.Protocol;
-using Engraver.Workbench.Terminals;
+using Engraver.Galil.Links;
+using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.App.Terminals;
 
@@ -54,7 +55,20 @@ public sealed class TerminalModel : Observable
     private void Look()
     {
         Volatile.Write(ref _waiting, 0);
-        Rows = [.. Terminal.Lines.SelectMany(TerminalRow.Of)];
+        Rows = [.. Terminal.Lines.SelectMany(TerminalRow.From)];
         Tell(nameof(Rows));
+    }
+}
+
+/// <summary>A line of the conversation with the controller.</summary>
+public sealed record TerminalRow(string Time, string Text, bool IsTyped, bool IsRefusal, bool IsQuiet)
+{
+    public static IEnumerable<TerminalRow> From(TerminalEntry entry)
+    {
+        var time = entry.Time.ToLocalTime().ToString("HH:mm:ss.fff", CultureInfo.InvariantCulture);
+        foreach (var line in entry.Text.Split('\n'))
+        {
+            yield return new TerminalRow(time, entry.Kind is null ? "> " + line : line, entry.Kind is null, entry.Kind is TerminalAnswerKind.Refusal or TerminalAnswerKind.Withheld, entry.Kind is TerminalAnswerKind.Help or TerminalAnswerKind.Message);
+        }
     }
 }

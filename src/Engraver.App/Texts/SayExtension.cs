@@ -7,5 +7,5 @@ public sealed class SayExtension(string name) : MarkupExtension
 {
     public string Name { get; } = name;
 
-    public override object ProvideValue(IServiceProvider serviceProvider) => Text.Of(Name);
+    public override object ProvideValue(IServiceProvider serviceProvider) => Text.Get(Name);
 }

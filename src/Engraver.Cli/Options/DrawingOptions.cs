@@ -2,9 +2,9 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
-using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Ordering;
 using Engraver.Galil.Profiles;
 using Engraver.Workbench.Settings;
 

@@ -1,6 +1,6 @@
 using System.CommandLine.Parsing;
 using System.Globalization;
-using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Cli.Options;

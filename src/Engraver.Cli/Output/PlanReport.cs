@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Timing;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Output;
@@ -13,7 +14,7 @@ internal static class PlanReport
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);
         if (program is null) return new PlanJson(null, length, travel, null, null, null);
-        var peaks = MotionPeaks.Of(program);
+        var peaks = MotionPeaks.From(program);
         return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, null);
     }
 

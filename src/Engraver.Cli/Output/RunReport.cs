@@ -1,6 +1,6 @@
 using Engraver.Galil.Jobs;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
@@ -10,7 +10,7 @@ namespace Engraver.Cli.Output;
 internal static class RunReport
 {
     public static RunJson Json(PreparedJob job, MachineRunReport report, string journal) => new(
-        RunText.Word(report.Result.Outcome),
+        OutcomeText.Word(report.Result.Outcome),
         report.Result.SegmentsSent,
         report.Result.SegmentsExecuted,
         report.Result.Seconds,
@@ -30,7 +30,7 @@ internal static class RunReport
     /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
     /// <param name="job">Null when it was stopped before it was prepared.</param>
     public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome) =>
-        new(RunText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts);
+        new(OutcomeText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts);
 
     /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);

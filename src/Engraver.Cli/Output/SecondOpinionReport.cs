@@ -12,12 +12,12 @@ internal static class SecondOpinionReport
     {
         try
         {
-            var differences = SecondOpinion.Of(File.ReadAllBytes(read.FileName)).DifferencesFrom(summary);
+            var differences = CrossCheck.Read(File.ReadAllBytes(read.FileName)).DifferencesFrom(summary);
             foreach (var difference in differences) error.WriteLine($"{read.FileName}: second reading differs: {difference}");
             if (differences.Count == 0) error.WriteLine($"{read.FileName}: the second reading agrees (curves by type, length, extents).");
             return differences.Count == 0;
         }
-        catch (SecondOpinionException beyond)
+        catch (CrossCheckException beyond)
         {
             error.WriteLine($"{read.FileName}: no second reading: the drawing has {beyond.Message}.");
         }

@@ -1,4 +1,4 @@
-using Engraver.Workbench.Terminals;
+using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.Cli.Terminals;
 

@@ -1,5 +1,5 @@
 using System.Globalization;
-using Engraver.Workbench.Terminals;
+using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.Cli.Terminals;
 

@@ -3,7 +3,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
 
@@ -26,12 +26,12 @@ internal static class InfoVerb
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             JobPreparation.CheckLayers(read, settings);
-            var summary = DrawingSummary.Of(read);
+            var summary = DrawingSummary.From(read);
             IReadOnlyList<Diagnostic> found = [.. read.Diagnostics, .. JobPreparation.Findings(read, settings)];
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, InfoReport.Json(read, summary, found), ContractJson.Default.InfoJson);
             else DrawingText.Write(host.Out, read, summary);
             // The second reading knows curves only, not the outlines of --cut.
-            var curves = settings.Cut == CutChoice.None ? summary : DrawingSummary.Of(DrawingFile.Open(read.FileName, settings with { Cut = CutChoice.None }, stop));
+            var curves = settings.Cut == CutChoice.None ? summary : DrawingSummary.From(DrawingFile.Open(read.FileName, settings with { Cut = CutChoice.None }, stop));
             var agrees = !parsed.GetValue(twice) || SecondOpinionReport.Write(host.Error, read, curves);
             var code = host.Report(parsed, read.FileName, found);
             return Task.FromResult(agrees ? code : ExitCode.DrawingError);

@@ -67,7 +67,7 @@ internal static class MinimiseVerb
     {
         try
         {
-            DrawingSummary.Of(DxfReader.Read(candidate, "candidate.dxf", DxfReadOptions.Default, stop));
+            DrawingSummary.From(DxfReader.Read(candidate, "candidate.dxf", DxfReadOptions.Default, stop));
             _ = Diagnostics(candidate, Crash, stop);
             return false;
         }

@@ -5,7 +5,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Cli.Verbs;
 
@@ -26,7 +26,7 @@ internal static class PlanVerb
             var settings = drawing.Settings(parsed);
             var way = ModeOption.Mode(parsed.GetValue(mode));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var job = JobPreparation.Prepare(read, settings, MachineRunOptions.StyleOf(way));
+            var job = JobPreparation.Prepare(read, settings, JobPlan.StyleOf(way));
             var (plan, findings) = Planned(job, parsed.GetValue(connect), way);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);
             else PlanReport.Text(host.Out, plan);
@@ -38,7 +38,7 @@ internal static class PlanVerb
     private static (PlanJson Plan, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, JobMode mode)
     {
         if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default), []);
-        var fit = MachineRun.FitToLink(program, address, mode, job.Drawing);
-        return (PlanReport.Json(job, fit.Program, MachineRun.PlannedTimes(fit.Program, address, mode)), fit.Diagnostics);
+        var fit = JobPlan.FitToLink(program, address, mode, job.Drawing);
+        return (PlanReport.Json(job, fit.Program, JobPlan.PlannedTimes(fit.Program, address, mode)), fit.Diagnostics);
     }
 }

@@ -22,7 +22,7 @@ internal static class PlotVerb
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var plot = DrawingPlot.Of(read, settings, parsed.GetValue(what) == "drawing");
+            var plot = DrawingPlot.Create(read, settings, parsed.GetValue(what) == "drawing");
             if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => SvgPlotWriter.Write(plot, writer));
             return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
         });

@@ -21,7 +21,7 @@ internal static class PostVerb
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var posted = PostedProgram.Of(read, settings, parsed.GetRequiredValue(target));
+            var posted = PostedProgram.Create(read, settings, parsed.GetRequiredValue(target));
             if (posted.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
             return Task.FromResult(host.Report(parsed, read.FileName, posted.Diagnostics));
         });

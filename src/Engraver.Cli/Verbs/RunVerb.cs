@@ -3,10 +3,10 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
-using Engraver.Galil.Protocol;
+using Engraver.Galil.Programs.Timing;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Files;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
@@ -57,7 +57,7 @@ internal sealed class RunVerb
 
     /// <summary>Everything up to the machine, which a stop does not wait for; the one object is printed all the same.</summary>
     /// <returns>The program as the link can carry it; null when there is none.</returns>
-    private async Task<(PreparedJob Job, WireFit? Fit)> PrepareAsync(ParseResult parsed, DrawingSettings settings, JobMode mode, CancellationToken stop)
+    private async Task<(PreparedJob Job, LinkFeedFit? Fit)> PrepareAsync(ParseResult parsed, DrawingSettings settings, JobMode mode, CancellationToken stop)
     {
         var (file, address) = (_drawing.File(parsed), parsed.GetRequiredValue(_connect)!);
         try
@@ -65,8 +65,8 @@ internal sealed class RunVerb
             return await StoppableVerb.ComputeAsync(
                 () =>
                 {
-                    var job = JobPreparation.Prepare(DrawingFile.Open(file, settings, stop), settings, MachineRunOptions.StyleOf(mode));
-                    return (job, job.Motion.Program is { } program ? MachineRun.FitToLink(program, address, mode, job.Drawing) : null);
+                    var job = JobPreparation.Prepare(DrawingFile.Open(file, settings, stop), settings, JobPlan.StyleOf(mode));
+                    return (job, job.Motion.Program is { } program ? JobPlan.FitToLink(program, address, mode, job.Drawing) : null);
                 },
                 stop).ConfigureAwait(false);
         }
@@ -83,7 +83,7 @@ internal sealed class RunVerb
         await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
     }
 
-    private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, WireFit fit, JobMode mode, CancellationToken stop)
+    private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, LinkFeedFit fit, JobMode mode, CancellationToken stop)
     {
         var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, mode)
         {

@@ -2,8 +2,8 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using Engraver.Cli.Output;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Machines;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -33,14 +33,14 @@ internal sealed class ScriptVerb
         await using var letGo = stop.Register(() => StopAndLetGo(session.Machine)).ConfigureAwait(false);
         var result = await session.FeedAsync("SCRIPT", stop).ConfigureAwait(false);
         stop.ThrowIfCancellationRequested();
-        if (result is FeedResult.Asking) result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
+        if (result is InputResult.Asking) result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
         return result switch
         {
-            FeedResult.Done => telling.SawError ? ExitCode.DrawingError : ExitCode.Done,
-            FeedResult.Asking => Unfinished(session, parsed.GetRequiredValue(_file)),
-            FeedResult.Failed { Bug: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // a crash report tells where
-            FeedResult.Failed failed => Code(failed.Why),
-            FeedResult.Cancelled => throw new OperationCanceledException(stop),
+            InputResult.Done => telling.SawError ? ExitCode.DrawingError : ExitCode.Done,
+            InputResult.Asking => Unfinished(session, parsed.GetRequiredValue(_file)),
+            InputResult.Failed { Bug: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // a crash report tells where
+            InputResult.Failed failed => Code(failed.Why),
+            InputResult.Cancelled => throw new OperationCanceledException(stop),
             _ => ExitCode.Usage,
         };
     }

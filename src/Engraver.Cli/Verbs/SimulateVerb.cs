@@ -5,7 +5,6 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
 using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
 using Engraver.Simulator;
 using Engraver.Workbench.Settings;
 

@@ -4,7 +4,7 @@ using Engraver.Cli.Terminals;
 using Engraver.Galil.Links;
 using Engraver.Galil.Profiles;
 using Engraver.Workbench.Machines;
-using Engraver.Workbench.Terminals;
+using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.Cli.Verbs;
 

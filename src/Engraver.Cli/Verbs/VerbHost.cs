@@ -2,7 +2,7 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
-using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
 
 namespace Engraver.Cli.Verbs;
 

@@ -38,3 +38,27 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
         return text.ToString();
     }
 }
+
+/// <summary>One row of the table that code, documentation and tests share.</summary>
+/// <param name="Id">Permanent: never reused, never renumbered (DXF0007, SEQ0003).</param>
+/// <param name="Severity">How bad it is.</param>
+/// <param name="Sentence">What and where, with {names} for the facts of the case.</param>
+/// <param name="Advice">What the operator can do.</param>
+public sealed record DiagnosticRule(string Id, Severity Severity, string Sentence, string Advice)
+{
+    /// <summary>The finding for one case. <paramref name="facts"/> fill the {names} of the sentence in the order in which they first appear.</summary>
+    public Diagnostic At(SourceRef source, params ReadOnlySpan<string> facts) => new(this, source, facts.ToArray());
+}
+
+/// <summary>How bad a finding is. <see cref="Error"/>: the file is unusable or truncated, or a curve is lost (exit code 1).</summary>
+public enum Severity
+{
+    Info,
+    Warning,
+    Error,
+}
+
+/// <summary>Where in the drawing a finding stands. <c>default</c> means the drawing as a whole.</summary>
+/// <param name="Line">Line of an ASCII DXF (1 is the first), byte offset of a binary one; 0 when there is none.</param>
+/// <param name="Handle">The entity's handle in the DXF's own hexadecimal spelling; null when it has none.</param>
+public readonly record struct SourceRef(long Line, string? Handle = null);

@@ -1,5 +1,4 @@
 using System.Text;
-using Engraver.Core.Dxf;
 
 namespace Engraver.Core.Diagnostics;
 
@@ -9,8 +8,10 @@ public static class DiagnosticTable
     public static IReadOnlyList<DiagnosticRule> All { get; } = [.. DocumentRules.All, .. DxfRules.All, .. PreparationRules.All, .. SequencingRules.All, .. MotionRules.All, .. VerificationRules.All];
 
     /// <summary>docs/diagnostics.md.</summary>
-    public static string ToMarkdown()
+    /// <param name="fates">What becomes of each entity type, as the reader of drawings says it (DxfReader.TypeFates).</param>
+    public static string ToMarkdown(IEnumerable<(string Fate, IEnumerable<string> Types)> fates)
     {
+        ArgumentNullException.ThrowIfNull(fates);
         var page = new StringBuilder();
         page.Append("# Diagnostics\n\nWritten from the program's own table; `./test --update-golden` writes it anew. Ids are permanent. An *error* means that the file is unusable or truncated, or that a curve is lost (exit code 1).\n\n");
         page.Append("| Id | Severity | What it says | What to do |\n|---|---|---|---|\n");
@@ -20,7 +21,7 @@ public static class DiagnosticTable
         }
 
         page.Append("\n## What becomes of each entity type\n\nA mesh among the polylines and every type that is not here is refused with its own line (DXF0016, DXF0012).\n\n");
-        foreach (var (fate, types) in RecordKinds.Fates()) page.Append("* ").Append(fate).Append(": ").AppendJoin(", ", types).Append('\n');
+        foreach (var (fate, types) in fates) page.Append("* ").Append(fate).Append(": ").AppendJoin(", ", types).Append('\n');
         return page.ToString();
     }
 

@@ -17,6 +17,9 @@ public sealed record Drawing(
     DrawingBalance Balance,
     IReadOnlyList<Diagnostic> Diagnostics)
 {
+    /// <summary>The largest coordinate, drawing units: beyond it a square overflows somewhere on the way; nothing that is engraved comes near it.</summary>
+    public const double LargestCoordinate = 1e100;
+
     /// <summary>Side column of the parts that are ellipses or splines: the exact curves, drawing units.</summary>
     public IReadOnlyList<RationalCurve> Curves { get; init; } = [];
 
@@ -68,3 +71,9 @@ public sealed record Drawing(
         return null;
     }
 }
+
+/// <summary>How often one type of construction other than text stands on one layer, blocks expanded. What is invisible itself or by its insert does not count.</summary>
+/// <param name="Type">As DXF spells it (HATCH, DIMENSION, POINT).</param>
+/// <param name="Layer">Index into <see cref="Drawing.Layers"/>: the layer that counts.</param>
+/// <param name="First">Where the first one stands in the file, in a block: there.</param>
+public readonly record struct ConstructionCount(string Type, int Layer, int Count, SourceRef First);

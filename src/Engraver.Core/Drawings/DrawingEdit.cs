@@ -1,4 +1,3 @@
-using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
@@ -91,5 +90,5 @@ public static class DrawingEdit
     private static bool InRange(in DrawingPart part) =>
         part.IsFreeCurve || (Fits(part.A) && Fits(part.B) && Fits(part.C) && Fits(part.D) && Fits(part.E) && Fits(part.F) && (part.Kind == SegmentKind.Line || part.D > 0.0));
 
-    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= DxfNumber.Largest;
+    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= Drawing.LargestCoordinate;
 }

@@ -9,7 +9,7 @@ namespace Engraver.Core.Drawings;
 /// <param name="Bounds">Tight box in plan (true extremes of every curve), null when no curve has an extent.</param>
 public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, PrimitiveCounts Primitives, CurveLengths Length, Bounds2D? Bounds)
 {
-    public static DrawingSummary Of(Drawing drawing)
+    public static DrawingSummary From(Drawing drawing)
     {
         var tally = new Tally();
         for (var i = 0; i < drawing.Entities.Count; i++) tally.Add(ref drawing.Entities[i], drawing);
@@ -85,3 +85,14 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
         private double Length(CurveType type) => _lengths[(int)type];
     }
 }
+
+/// <summary>Lengths by kind, along the curves in space, drawing units. The straight parts of polylines count as lines, their bulge parts as arcs.</summary>
+/// <param name="PlanTotal">All curves as seen from above.</param>
+public sealed record CurveLengths(double Line, double Arc, double Circle, double Ellipse, double Spline, double PlanTotal)
+{
+    public double Total => Line + Arc + Circle + Ellipse + Spline;
+}
+
+/// <summary>What the curves consist of: polylines taken apart into lines and arcs, and counted themselves.</summary>
+/// <param name="Point">POINT entities; they are no curves.</param>
+public sealed record PrimitiveCounts(int Line, int Arc, int Circle, int Ellipse, int Spline, int Polyline, int Point);

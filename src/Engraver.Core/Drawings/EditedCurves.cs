@@ -1,4 +1,3 @@
-using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
@@ -17,7 +16,7 @@ internal sealed class EditedCurves(Drawing drawing)
 
     public IReadOnlyList<RationalCurve> ToColumn() => _added.Count == 0 ? drawing.Curves : [.. drawing.Curves, .. _added];
 
-    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= DxfNumber.Largest;
+    private static bool Fits(double coordinate) => Math.Abs(coordinate) <= Drawing.LargestCoordinate;
 
     private DrawingPart Added(in DrawingPart part, RationalCurve curve)
     {

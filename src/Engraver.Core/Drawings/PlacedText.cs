@@ -56,3 +56,29 @@ public sealed record PlacedText
     /// <summary>Invisible itself or by the insert that brought it.</summary>
     public bool Hidden { get; init; }
 }
+
+/// <summary>Where the reference point of a text lies along its line (group 72 of TEXT).</summary>
+public enum TextColumnAlignment
+{
+    Left,
+    Centre,
+    Right,
+
+    /// <summary>From the position to the end point; the height follows from the width.</summary>
+    Aligned,
+
+    /// <summary>In the middle of the text, along and across.</summary>
+    Middle,
+
+    /// <summary>From the position to the end point at the given height; the width factor follows.</summary>
+    Fit,
+}
+
+/// <summary>Where the reference point of a text lies across its line (group 73 of TEXT).</summary>
+public enum TextRowAlignment
+{
+    Baseline,
+    Bottom,
+    Middle,
+    Top,
+}

@@ -1,4 +1,6 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Blocks;
+using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf;
 
@@ -30,7 +32,7 @@ internal sealed class BalanceSheet(ImportLog log)
         _construction++;
     }
 
-    public void AddRefused(EntityRecord record, in Trouble trouble)
+    public void AddRefused(EntityRecord record, in RecordIssue trouble)
     {
         AddRecord(record);
         _refused.Add(log.Refusal(trouble));
@@ -38,7 +40,7 @@ internal sealed class BalanceSheet(ImportLog log)
     }
 
     /// <summary>A finding inside a block: listed among the refusals only when the entity was left out.</summary>
-    public void AddInBlock(in Trouble trouble)
+    public void AddInBlock(in RecordIssue trouble)
     {
         if (trouble.Refused) _refusedInBlocks.Add(log.Refusal(trouble));
         log.Add(trouble);

@@ -1,11 +1,14 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Dxf.Blocks;
+using Engraver.Core.Dxf.Mapping;
+using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf;
 
 /// <summary>Reads what entities refer to: the layers and text styles of TABLES, the blocks of BLOCKS.</summary>
 internal sealed class DefinitionReader(
-    RecordReader records, ContentReader content, StyleTable styles, LayerTable layers, Dictionary<int, Block> blocks, CurveColumns curves, BalanceSheet balance, ImportLog log)
+    RecordReader records, ContentReader content, StyleTable styles, LayerTable layers, Dictionary<int, BlockDefinition> blocks, CurveColumns curves, BalanceSheet balance, ImportLog log)
 {
     /// <summary>The block is an external reference or laid over as one: its drawing is another file.</summary>
     private const int ExternalFlags = 4 | 8;
@@ -35,7 +38,7 @@ internal sealed class DefinitionReader(
             "HEADER" or "BLOCKS" => RecordKinds.IsOfDrawing(records.Next) && records.Next != RecordKind.BlockEnd,
             _ => false,
         };
-        if (misplaced) log.Add(new Trouble(DxfRules.MisplacedRecord, records.NextType, 0, records.NextLine, section, Refused: true));
+        if (misplaced) log.Add(new RecordIssue(DxfRules.MisplacedRecord, records.NextType, 0, records.NextLine, section, Refused: true));
         records.Skip();
     }
 
@@ -61,7 +64,7 @@ internal sealed class DefinitionReader(
         }
 
         var basePoint = new Vector3D(_record.Number(10, 0.0), _record.Number(20, 0.0), _record.Number(30, 0.0));
-        var block = new Block(_record.Name < 0 ? "" : records.Blocks[_record.Name], basePoint, curves.Count);
+        var block = new BlockDefinition(_record.Name < 0 ? "" : records.Blocks[_record.Name], basePoint, curves.Count);
         var target = new BlockContent(block, curves, balance);
         while (!EndsBlock()) content.ReadEntity(target);
         Unfinished = records.Next == RecordKind.SectionEnd ? target : null;
@@ -83,7 +86,7 @@ internal sealed class DefinitionReader(
     private bool EndsBlock() => records.Next is RecordKind.Block or RecordKind.BlockEnd or RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;
 
     /// <summary>An external reference without content is not in the file, so that its inserts are refused instead of drawing nothing.</summary>
-    private void Define(Block block)
+    private void Define(BlockDefinition block)
     {
         if (_record.Fault is { } fault) balance.AddInBlock(fault);
         else if (_record.Name < 0 || ((_record.Flags(70) & ExternalFlags) != 0 && block.IsEmpty)) return;

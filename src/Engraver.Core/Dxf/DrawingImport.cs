@@ -1,6 +1,11 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Blocks;
+using Engraver.Core.Dxf.Mapping;
+using Engraver.Core.Dxf.Records;
+using Engraver.Core.Dxf.Tags;
+using Engraver.Core.Dxf.Text;
 
 namespace Engraver.Core.Dxf;
 
@@ -20,7 +25,7 @@ internal sealed class DrawingImport
     private readonly ConstructionTally _construction;
     private readonly CurveColumns _curves = new();
     private readonly BalanceSheet _balance;
-    private readonly ModelSpace _modelSpace;
+    private readonly ModelSpaceContent _modelSpace;
     private readonly List<(int Position, int Line)> _postponed = [];
     private int _sections;
     private bool _passing;
@@ -34,18 +39,18 @@ internal sealed class DrawingImport
         _options = options;
         _log = new ImportLog(tags.IsBinary ? "byte" : "line");
         if (tags.IsUtf8) _text.UseUtf8();
-        var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Of(tags, cancellation) : new MultiLineStyles();
+        var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Read(tags, cancellation) : new MultiLineStyles();
         _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, _log, cancellation) { Progress = options.Progress };
         var styles = new StyleTable();
         _content = new ContentReader(_records, new TextMapper(styles), new OutlineMapper(multiLines), options.Cut);
         _layers = new LayerTable(_records.Layers);
         _balance = new BalanceSheet(_log);
-        var (blocks, blockCurves) = (new Dictionary<int, Block>(), new CurveColumns());
+        var (blocks, blockCurves) = (new Dictionary<int, BlockDefinition>(), new CurveColumns());
         _definitions = new DefinitionReader(_records, _content, styles, _layers, blocks, blockCurves, _balance, _log);
         var expander = new BlockExpander(blocks, _records.Blocks, blockCurves, _curves, _layers, _balance, options.MaxExpandedCurves, cancellation);
         _texts = new TextExpander(blocks, _layers, cancellation);
         _construction = new ConstructionTally(blocks, _layers, cancellation);
-        _modelSpace = new ModelSpace(_curves, expander, _texts, _construction, _balance, _log);
+        _modelSpace = new ModelSpaceContent(_curves, expander, _texts, _construction, _balance, _log);
     }
 
     /// <summary>Reads everything; false when not one section was found, so that the file is no DXF.</summary>
@@ -216,4 +221,18 @@ internal sealed class DrawingImport
     }
 
     private static string Shown(double? variable) => variable?.ToString(CultureInfo.InvariantCulture) ?? "missing";
+}
+
+/// <summary>
+/// What follows the place where reading a binary file stopped. AutoCAD's vertical products (Map, Civil) have objects of their own whose values are not as long as their group codes say,
+/// so that nothing behind such a value can be found again; AutoCAD reads it, for it calls the object's own code.
+/// </summary>
+internal static class UnreadRest
+{
+    /// <summary>True when damage stopped the reading of a file that is whole (EOF stands in it) and all its sections of entities and definitions lie ahead of the damage.</summary>
+    public static bool IsHarmless(DxfTagSource tags)
+    {
+        if (!tags.IsBinary || tags.DamageCount == 0 || tags.LastWord("EOF"u8) < tags.DamageLine) return false;
+        return Math.Max(tags.LastWord("ENTITIES"u8), Math.Max(tags.LastWord("BLOCKS"u8), tags.LastWord("TABLES"u8))) < tags.DamageLine;
+    }
 }

@@ -2,12 +2,17 @@ using System.Buffers;
 using System.Text;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Records;
+using Engraver.Core.Dxf.Tags;
 
 namespace Engraver.Core.Dxf;
 
 /// <summary>Reads a DXF of any version, ASCII or binary.</summary>
 public static class DxfReader
 {
+    /// <summary>The entity types that are known, with what becomes of each: for the page of diagnostics.</summary>
+    public static IEnumerable<(string Fate, IEnumerable<string> Types)> TypeFates => RecordKinds.Fates();
+
     private const int ShownStart = 24;
     private static readonly SearchValues<byte> VersionBytes = SearchValues.Create("0123456789."u8);
 
@@ -52,4 +57,16 @@ public static class DxfReader
     }
 
     private static Drawing Unreadable(string fileName, long bytes, Diagnostic why) => Drawing.Unusable(fileName, bytes, why);
+}
+
+/// <summary>What the operator decides before a drawing is read.</summary>
+/// <param name="UnitOverride">The unit to use whatever the file says (its <see cref="LengthUnit.Source"/> is "option"); null takes the file's word.</param>
+/// <param name="MaxExpandedCurves">How many curves and nested inserts the expansion of blocks may visit in one drawing; an INSERT beyond that is refused by name.</param>
+/// <param name="Cut">Construction that counts as curves.</param>
+public sealed record DxfReadOptions(LengthUnit? UnitOverride = null, int MaxExpandedCurves = 10_000_000, CutChoice Cut = CutChoice.None)
+{
+    public static DxfReadOptions Default { get; } = new();
+
+    /// <summary>Is told how much of the file has been read, 0 to 1, about a hundred times; on the reading thread. Null: nobody.</summary>
+    public IProgress<double>? Progress { get; init; }
 }

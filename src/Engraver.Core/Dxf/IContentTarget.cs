@@ -1,4 +1,7 @@
 using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Blocks;
+using Engraver.Core.Dxf.Mapping;
+using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf;
 
@@ -22,8 +25,8 @@ internal interface IContentTarget
     void AddText(PlacedText text);
 
     /// <summary>What is odd about a record though it was taken.</summary>
-    void Note(in Trouble oddity);
+    void Note(in RecordIssue oddity);
 
     /// <summary>A record that gives no curve though it should have.</summary>
-    void Refuse(EntityRecord record, in Trouble trouble);
+    void Refuse(EntityRecord record, in RecordIssue trouble);
 }

@@ -12,7 +12,7 @@ namespace Engraver.Core.EntityTables;
 /// <param name="Tolerance">Heights that differ by no more are one.</param>
 internal sealed record CutExtent(Bounds2D Bounds, double Low, double High, int Levels, CutExtent.Slant Slanted, double Tolerance)
 {
-    public static CutExtent Of(Drawing drawing, LayerSelection selection, double tolerance)
+    public static CutExtent From(Drawing drawing, LayerSelection selection, double tolerance)
     {
         var survey = new Survey(drawing, tolerance);
         var taken = selection.Taken(drawing.Layers);
@@ -73,7 +73,7 @@ internal sealed record CutExtent(Bounds2D Bounds, double Low, double High, int L
             }
 
             var box = drawing.SegmentOf(part).Bounds;
-            _bounds = _bounds.Union(Bounds2D.Of(new Point2D(box.MinX * _scale, box.MinY * _scale), new Point2D(box.MaxX * _scale, box.MaxY * _scale)));
+            _bounds = _bounds.Union(Bounds2D.FromCorners(new Point2D(box.MinX * _scale, box.MinY * _scale), new Point2D(box.MaxX * _scale, box.MaxY * _scale)));
         }
 
         /// <summary>Lowest and highest; of a curve that of its control points, which hold it.</summary>

@@ -17,12 +17,12 @@ public static class CutFindings
     /// <param name="selection">The layers that are cut.</param>
     /// <param name="toolStart">The drawing point where the tool stands, mm.</param>
     /// <param name="joinTolerance">As sequencing has it: it also says which heights are one.</param>
-    public static IReadOnlyList<Diagnostic> Of(Drawing drawing, LayerSelection selection, Point2D toolStart, double joinTolerance)
+    public static IReadOnlyList<Diagnostic> Find(Drawing drawing, LayerSelection selection, Point2D toolStart, double joinTolerance)
     {
         ArgumentNullException.ThrowIfNull(drawing);
         var findings = new List<Diagnostic>();
-        if (NotCut.Of(drawing, selection).Finding is { } notCut) findings.Add(notCut);
-        var extent = CutExtent.Of(drawing, selection, EndHeights.ToleranceFor(joinTolerance));
+        if (NotCutFindings.From(drawing, selection).Finding is { } notCut) findings.Add(notCut);
+        var extent = CutExtent.From(drawing, selection, EndHeights.ToleranceFor(joinTolerance));
         if (!extent.Bounds.IsEmpty) AddHeights(findings, drawing, extent);
         if (!extent.Bounds.IsEmpty) AddSize(findings, drawing, extent.Bounds, toolStart);
         return findings;

@@ -19,7 +19,7 @@ public sealed class EndHeights
     public static double ToleranceFor(double joinTolerance) => Math.Max(joinTolerance, 0.01);
 
     /// <summary>The heights of a table's rows.</summary>
-    public static EndHeights Of(EntityTable table, double joinTolerance)
+    public static EndHeights From(EntityTable table, double joinTolerance)
     {
         ArgumentNullException.ThrowIfNull(table);
         var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);

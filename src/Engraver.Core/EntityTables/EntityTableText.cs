@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Engraver.Core.EntityTables;
 
 /// <summary>The table for people: columns s0 to s15 under their headings, numbers right-aligned, each column as wide as its longest number.</summary>
@@ -38,4 +40,10 @@ public static class EntityTableText
 
         output.Write('\n');
     }
+}
+
+/// <summary>How a cell is spelled: whole numbers without a decimal point, everything else so that it reads back to the same double; never "-0".</summary>
+internal static class EntityNumber
+{
+    public static string Format(double value) => value == 0.0 ? "0" : value.ToString("R", CultureInfo.InvariantCulture);
 }

@@ -17,7 +17,7 @@ public static class ArcLength
     private static readonly double[] Weights = [0.29552422471475287, 0.26926671930999636, 0.21908636251598204, 0.14945134915058059, 0.06667134430868814];
 
     /// <summary>Along the curve in space, or as seen from above.</summary>
-    public static double Of(BezierSpan span, bool inPlan)
+    public static double Measure(BezierSpan span, bool inPlan)
     {
         var local = FromItsStart(span);
         var whole = Gauss(local, inPlan, 0.0, 1.0);

@@ -17,7 +17,7 @@ public readonly record struct ArcSegment(Point2D Centre, double Radius, Angle St
     {
         get
         {
-            var box = Bounds2D.Of(StartPoint, EndPoint);
+            var box = Bounds2D.FromCorners(StartPoint, EndPoint);
             for (var quadrant = 0; quadrant < 4; quadrant++)
             {
                 var direction = Angle.FromDegrees(90.0 * quadrant);

@@ -11,7 +11,7 @@ public readonly record struct Bounds2D(double MinX, double MinY, double MaxX, do
 
     public double Height => IsEmpty ? 0.0 : MaxY - MinY;
 
-    public static Bounds2D Of(Point2D a, Point2D b) => new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Max(a.X, b.X), Math.Max(a.Y, b.Y));
+    public static Bounds2D FromCorners(Point2D a, Point2D b) => new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Max(a.X, b.X), Math.Max(a.Y, b.Y));
 
     public Bounds2D Including(Point2D point) =>
         new(Math.Min(MinX, point.X), Math.Min(MinY, point.Y), Math.Max(MaxX, point.X), Math.Max(MaxY, point.Y));

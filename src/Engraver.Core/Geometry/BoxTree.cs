@@ -29,7 +29,7 @@ public sealed class BoxTree
     public delegate double Measure(int item, Point2D place);
 
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>.</summary>
-    public static BoxTree Of(ReadOnlySpan<Bounds2D> boxes)
+    public static BoxTree Build(ReadOnlySpan<Bounds2D> boxes)
     {
         var keys = HilbertCurve.KeysOf(boxes);
         var items = new int[boxes.Length];
@@ -40,11 +40,11 @@ public sealed class BoxTree
         return new BoxTree(items, leaves);
     }
 
-    public static BoxTree Of(ReadOnlySpan<Point2D> places)
+    public static BoxTree Build(ReadOnlySpan<Point2D> places)
     {
         var boxes = new Bounds2D[places.Length];
-        for (var i = 0; i < boxes.Length; i++) boxes[i] = Bounds2D.Of(places[i], places[i]);
-        return Of(boxes);
+        for (var i = 0; i < boxes.Length; i++) boxes[i] = Bounds2D.FromCorners(places[i], places[i]);
+        return Build(boxes);
     }
 
     /// <summary>Leaves an item out of every answer until it is shown again. Hiding twice is hiding once.</summary>
@@ -207,7 +207,7 @@ public sealed class BoxTree
     /// <summary>What is within reach of a line. A box misses it when it misses the line's box, or lies on one side of the line farther than the reach.</summary>
     private readonly struct Strip(LineSegment line, double reach)
     {
-        private readonly Bounds2D _box = Bounds2D.Of(line.Start, line.End).Grown(reach);
+        private readonly Bounds2D _box = Bounds2D.FromCorners(line.Start, line.End).Grown(reach);
         private readonly Point2D _start = line.Start;
         private readonly Vector2D _way = line.End - line.Start;
         private readonly double _reach = reach * (line.End - line.Start).Length;

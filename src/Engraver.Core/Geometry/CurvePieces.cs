@@ -18,7 +18,7 @@ public static class CurvePieces
     private const double Speck = 1e-12;
 
     /// <summary>Lines, arcs and circles as they are, every curve as its pieces.</summary>
-    public static IReadOnlyList<Segment> Of(IReadOnlyList<Segment> segments)
+    public static IReadOnlyList<Segment> Split(IReadOnlyList<Segment> segments)
     {
         if (!segments.Any(segment => segment.IsFreeCurve)) return segments;
         var pieces = new List<Segment>(segments.Count);
@@ -31,7 +31,7 @@ public static class CurvePieces
         return pieces;
     }
 
-    internal static RationalCurve[] Of(RationalCurve curve)
+    internal static RationalCurve[] Split(RationalCurve curve)
     {
         var pieces = new List<RationalCurve>();
         foreach (var span in curve.Spans) Divide(curve.Kind, span, MostHalvings, pieces);

@@ -5,7 +5,7 @@ public readonly record struct LineSegment(Point2D Start, Point2D End)
 {
     public double Length => Start.DistanceTo(End);
 
-    public Bounds2D Bounds => Bounds2D.Of(Start, End);
+    public Bounds2D Bounds => Bounds2D.FromCorners(Start, End);
 
     public LineSegment Reversed() => new(End, Start);
 

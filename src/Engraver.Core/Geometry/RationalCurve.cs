@@ -88,13 +88,13 @@ public sealed class RationalCurve
     }
 
     /// <summary>The curve in pieces that are nearly straight and nearly even in speed.</summary>
-    public IReadOnlyList<RationalCurve> Pieces() => _pieces ??= CurvePieces.Of(this);
+    public IReadOnlyList<RationalCurve> Pieces() => _pieces ??= CurvePieces.Split(this);
 
     /// <summary>Shortest distance from a place to the curve in plan, its ends included.</summary>
     public double DistanceTo(Point2D place)
     {
         var nearest = double.PositiveInfinity;
-        foreach (var span in _spans) nearest = SpanDistance.Of(span, place, nearest);
+        foreach (var span in _spans) nearest = SpanDistance.Measure(span, place, nearest);
         return nearest;
     }
 
@@ -113,7 +113,7 @@ public sealed class RationalCurve
     private double Length(bool inPlan)
     {
         var sum = 0.0;
-        foreach (var span in _spans) sum += ArcLength.Of(span, inPlan);
+        foreach (var span in _spans) sum += ArcLength.Measure(span, inPlan);
         return sum;
     }
 

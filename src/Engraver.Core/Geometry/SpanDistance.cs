@@ -24,7 +24,7 @@ internal static class SpanDistance
     private const double Rounding = 4e-16;
 
     /// <summary>The distance, exact to rounding, or <paramref name="bound"/> when nothing of the span is nearer than that.</summary>
-    public static double Of(BezierSpan span, Point2D place, double bound = double.PositiveInfinity)
+    public static double Measure(BezierSpan span, Point2D place, double bound = double.PositiveInfinity)
     {
         var count = span.Degree + 1;
         Span<double> x = stackalloc double[count];

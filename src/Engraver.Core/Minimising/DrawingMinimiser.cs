@@ -33,7 +33,7 @@ public static class DrawingMinimiser
     private static byte[]? AsText(byte[] file)
     {
         if (!IsBinary(file)) return null;
-        var binary = new SecondFile(file);
+        var binary = new CrossCheckFile(file);
         return Encoding.Latin1.GetBytes(string.Concat(binary.Tags.Select(tag => $"{tag.Code}\n{binary.Line(tag)}\n")));
     }
 

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Biarcs;
 
 namespace Engraver.Core.Plots;
 
@@ -11,7 +12,7 @@ internal static class SvgPath
     private const double CurveNearness = 0.05;
 
     /// <summary>Segments that join become one pen stroke; a jump starts a new one.</summary>
-    public static string Of(IReadOnlyList<Segment> segments, PlotFrame frame)
+    public static string Format(IReadOnlyList<Segment> segments, PlotFrame frame)
     {
         var path = new StringBuilder();
         string? pen = null;

@@ -39,14 +39,14 @@ public static class SvgPlotWriter
     private static void WriteRapids(PlotModel plot, PlotFrame frame, TextWriter output)
     {
         if (plot.Rapids.Count == 0) return;
-        Line(output, $"<path class=\"rapid\" d=\"{Of([.. plot.Rapids.Select(Segment.FromLine)], frame)}\"/>");
+        Line(output, $"<path class=\"rapid\" d=\"{Format([.. plot.Rapids.Select(Segment.FromLine)], frame)}\"/>");
     }
 
     private static void WriteStrokes(PlotModel plot, PlotFrame frame, TextWriter output)
     {
         var width = Number(Math.Clamp(2.2 - (plot.Strokes.Count / 1000.0), 0.8, 2.0));
         Line(output, $"<g stroke-width=\"{width}\">");
-        foreach (var stroke in plot.Strokes) Line(output, $"<path class=\"cut {Colour(stroke)}\" d=\"{Of(stroke.Segments, frame)}\"/>");
+        foreach (var stroke in plot.Strokes) Line(output, $"<path class=\"cut {Colour(stroke)}\" d=\"{Format(stroke.Segments, frame)}\"/>");
         Line(output, "</g>");
     }
 

@@ -1,4 +1,4 @@
-using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;

@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Sequencing;
 
@@ -9,7 +8,7 @@ internal sealed class CurveCount(Drawing? drawing)
 {
     private readonly HashSet<int> _counted = [];
 
-    public int Add(IReadOnlyList<ToolpathMove> moves)
+    public int Add(IReadOnlyList<StrokeMove> moves)
     {
         if (drawing is null) return moves.Count;
         var count = 0;

@@ -107,7 +107,7 @@ internal sealed class DirectionTree
         return [.. Enumerable.Range(index * Fanout, Math.Min(Fanout, below.Length - (index * Fanout))).OrderBy(child => key(below[child], travel))];
     }
 
-    private static Bounds2D PointBox(Point2D place) => Bounds2D.Of(place, place);
+    private static Bounds2D PointBox(Point2D place) => Bounds2D.FromCorners(place, place);
 
     /// <param name="Here">Where the walk stands.</param>
     /// <param name="Reach">How far an end may lie from there, mm.</param>

@@ -1,7 +1,9 @@
-using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.ArcRecovery;
+using Engraver.Core.Sequencing.Chaining;
+using Engraver.Core.Sequencing.Nesting;
+using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Core.Sequencing;
 
@@ -33,14 +35,14 @@ public static class Sequencer
         }
 
         var duplicates = analysed.Count - kept.Count;
-        if (options.ArcTolerance is { } arcTolerance && ArcRecovery.Recover(kept, segments, arcTolerance) is { Arcs.Count: > 0 } recovered)
+        if (options.ArcTolerance is { } arcTolerance && ArcRecoverer.Recover(kept, segments, arcTolerance) is { Arcs.Count: > 0 } recovered)
         {
             findings.AddArcs(recovered);
             kept = recovered.Table;
             segments = kept.ToSegments();
         }
 
-        var chain = ContourChainer.Chain(segments, options.JoinTolerance, EndHeights.Of(kept, options.JoinTolerance));
+        var chain = ContourChainer.Chain(segments, options.JoinTolerance, EndHeights.From(kept, options.JoinTolerance));
         var inside = ContourNesting.Find(chain.Contours, segments, options.JoinTolerance);
         findings.AddChain(chain, kept, segments);
         findings.SumUp();
@@ -79,7 +81,7 @@ public static class Sequencer
         var first = default(StrokeEntry?);
         if (options.Enter is { } wish)
         {
-            var enter = EntryStandIn.Resolve(wish, chained);
+            var enter = EntrySubstitute.Resolve(wish, chained);
             first = EntrySearch.Find(enter, chained, options.ToolStart);
             findings.AddEntry(wish, enter, first, inside);
         }

@@ -3,6 +3,9 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.ArcRecovery;
+using Engraver.Core.Sequencing.Chaining;
+using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Core.Sequencing;
 
@@ -117,3 +120,12 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
     private string? HandleOf(int entity) => drawing?.SourceOf(entity).Handle;
 }
+
+/// <summary>A discontinuity in the operator's terms: where, which entity, how far to the nearest other open end, and under which diagnostic it is reported.</summary>
+/// <param name="Place">Millimetres.</param>
+/// <param name="EntityIndex">The drawing entity that ends here.</param>
+/// <param name="Gap">Distance to the nearest other open end; null without one.</param>
+/// <param name="NearestEntityIndex">The entity of that other end; -1 without one.</param>
+/// <param name="NearestHandle">Its handle; null without one or when the drawing has none.</param>
+/// <param name="DiagnosticId">SEQ0003 when the gap is suspiciously small, SEQ0002 otherwise.</param>
+public sealed record OpenEnd(Point2D Place, int EntityIndex, double? Gap, int NearestEntityIndex, string? NearestHandle, string DiagnosticId);

@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Core.Sequencing;
 

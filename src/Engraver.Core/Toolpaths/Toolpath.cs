@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Toolpaths;
 
@@ -6,3 +7,16 @@ namespace Engraver.Core.Toolpaths;
 /// <param name="ToolStart">Where the tool stands when the job starts (drawing point, millimetres).</param>
 /// <param name="Strokes">In the order of cutting; may be empty.</param>
 public sealed record Toolpath(Point2D ToolStart, IReadOnlyList<ToolpathStroke> Strokes);
+
+/// <summary>One contour as it will be cut: moves that follow each other, tool down from the first to the last.</summary>
+/// <param name="Index">Place in the order of cutting, 0 is first.</param>
+/// <param name="Closed">True when the stroke ends where it starts.</param>
+/// <param name="Moves">At least one move; each starts within the join tolerance of the end of the one before.</param>
+public sealed record ToolpathStroke(int Index, bool Closed, IReadOnlyList<StrokeMove> Moves)
+{
+    public Point2D Start => Moves[0].Segment.Start;
+
+    public Point2D End => Moves[^1].Segment.End;
+
+    public double Length => Moves.Sum(move => move.Segment.Length);
+}

@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Biarcs;
 using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Toolpaths;
@@ -17,14 +18,14 @@ public static class ToolpathPlanner
         return new Toolpath(toolStart, [.. sequenced.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, hasCurves ? Cuttable(stroke.Moves, maxErrorMm) : stroke.Moves))]);
     }
 
-    private static IReadOnlyList<ToolpathMove> Cuttable(IReadOnlyList<ToolpathMove> moves, double maxErrorMm)
+    private static IReadOnlyList<StrokeMove> Cuttable(IReadOnlyList<StrokeMove> moves, double maxErrorMm)
     {
         if (!moves.Any(move => move.Segment.IsFreeCurve)) return moves;
-        var cuttable = new List<ToolpathMove>();
+        var cuttable = new List<StrokeMove>();
         foreach (var move in moves)
         {
             if (!move.Segment.IsFreeCurve) cuttable.Add(move);
-            else cuttable.AddRange(BiarcFit.Fit(move.Segment.Curve, maxErrorMm).Select(piece => new ToolpathMove(piece, move.EntityIndex)));
+            else cuttable.AddRange(BiarcFit.Fit(move.Segment.Curve, maxErrorMm).Select(piece => new StrokeMove(piece, move.EntityIndex)));
         }
 
         return cuttable;

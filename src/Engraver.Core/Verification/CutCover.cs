@@ -1,5 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Toolpaths;
+using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Verification;
 
@@ -9,12 +9,12 @@ internal sealed class CutCover
     private const int StepsOfPiece = 8;
     private const int MostHalvings = 40;
 
-    private readonly IReadOnlyList<ToolpathMove> _moves;
+    private readonly IReadOnlyList<StrokeMove> _moves;
     private readonly SegmentIndex _index;
     private readonly BoxTree.Measure _measure;
     private int _last;
 
-    public CutCover(IReadOnlyList<ToolpathMove> moves)
+    public CutCover(IReadOnlyList<StrokeMove> moves)
     {
         _moves = moves;
         _index = new SegmentIndex([.. moves.Select(move => move.Segment)]);

@@ -40,7 +40,7 @@ internal sealed class DrawnCoverage
     /// <summary>A straight cut between two samples, or a dot. Quick when cuts follow one another: what lies around is looked up once for many.</summary>
     public void AddChord(Point2D from, Point2D to)
     {
-        var box = Bounds2D.Of(from, to).Grown(_reach);
+        var box = Bounds2D.FromCorners(from, to).Grown(_reach);
         if (!_nearBox.Contains(box)) LookAround(box);
         if (_near.Count > 0) _near.Add(Segment.FromLine(from, to));
     }

@@ -1,5 +1,6 @@
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Verification;
@@ -7,13 +8,13 @@ namespace Engraver.Core.Verification;
 /// <summary>Pairs the moves of a toolpath that are unchanged (lines, arcs, circles; in CL data curves too) with the rows they are, by entity and exact ends; each row once. In linear time.</summary>
 /// <param name="Rows">Drawn and not paired: ellipses and splines that became arcs, duplicates, lines that an arc stands for, and what is missing.</param>
 /// <param name="Moves">Cut and not paired: what stands for those rows, and what is too much.</param>
-internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyList<ToolpathMove> Moves)
+internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<StrokeMove> Moves)
 {
-    public static DrawnMatch Of(EntityTable drawn, Toolpath toolpath)
+    public static DrawnMatch From(EntityTable drawn, Toolpath toolpath)
     {
         var last = new Dictionary<PairKey, int>(drawn.Count);
         var before = new int[drawn.Count];
-        var rows = new List<ToolpathMove>();
+        var rows = new List<StrokeMove>();
         for (var row = 0; row < drawn.Count; row++)
         {
             before[row] = -1;
@@ -21,7 +22,7 @@ internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyLis
             if (!last.TryAdd(key, row)) (before[row], last[key]) = (last[key], row);
         }
 
-        var moves = new List<ToolpathMove>();
+        var moves = new List<StrokeMove>();
         var paired = new bool[drawn.Count];
         foreach (var stroke in toolpath.Strokes)
         {
@@ -33,13 +34,13 @@ internal sealed record DrawnMatch(IReadOnlyList<ToolpathMove> Rows, IReadOnlyLis
 
         for (var row = 0; row < drawn.Count; row++)
         {
-            if (!paired[row]) rows.Add(new ToolpathMove(drawn[row].ToSegment(), drawn.EntityIndexOf(row)));
+            if (!paired[row]) rows.Add(new StrokeMove(drawn[row].ToSegment(), drawn.EntityIndexOf(row)));
         }
 
         return new DrawnMatch(rows, moves);
     }
 
-    private static bool Pair(EntityTable drawn, in ToolpathMove move, Dictionary<PairKey, int> last, int[] before, bool[] paired)
+    private static bool Pair(EntityTable drawn, in StrokeMove move, Dictionary<PairKey, int> last, int[] before, bool[] paired)
     {
         if (!last.TryGetValue(PairKey.Of(move.Segment, move.EntityIndex), out var row)) return false;
         while (row >= 0 && (paired[row] || !AreSame(drawn, row, move.Segment))) row = before[row];

@@ -1,5 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Toolpaths;
+using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Verification;
 
@@ -9,24 +9,24 @@ internal sealed class DrawnRest
     /// <summary>Places of a move that are looked at, both ends among them.</summary>
     private const int Places = 9;
 
-    private readonly List<ToolpathMove> _pieces = [];
+    private readonly List<StrokeMove> _pieces = [];
     private readonly List<double> _allowed = [];
     private readonly HashSet<int> _entities;
     private readonly bool _arcsRecovered;
     private readonly SegmentIndex _index;
     private readonly BoxTree.Measure _measure;
-    private ToolpathMove _move;
+    private StrokeMove _move;
     private int _last;
 
     /// <param name="rows">Not paired with a move.</param>
-    public DrawnRest(IReadOnlyList<ToolpathMove> rows, ToolpathTolerances tolerances)
+    public DrawnRest(IReadOnlyList<StrokeMove> rows, ToolpathTolerances tolerances)
     {
         foreach (var row in rows)
         {
             var allowed = tolerances.For(row.Segment);
-            foreach (var piece in CurvePieces.Of([row.Segment]))
+            foreach (var piece in CurvePieces.Split([row.Segment]))
             {
-                _pieces.Add(new ToolpathMove(piece, row.EntityIndex));
+                _pieces.Add(new StrokeMove(piece, row.EntityIndex));
                 _allowed.Add(allowed);
             }
         }
@@ -38,7 +38,7 @@ internal sealed class DrawnRest
     }
 
     /// <summary>The largest distance of the move from what it stands for, where, and how large it may be; infinite when it stands for nothing.</summary>
-    public (double Distance, Point2D At, double Allowed) Stray(in ToolpathMove move)
+    public (double Distance, Point2D At, double Allowed) Stray(in StrokeMove move)
     {
         _move = move;
         if (!_entities.Contains(move.EntityIndex)) return (double.PositiveInfinity, move.Segment.Start, 0.0); // a recovered arc has the entity of one of its lines
@@ -65,6 +65,6 @@ internal sealed class DrawnRest
         return double.IsFinite(distance) ? (distance, _last) : (distance, -1);
     }
 
-    private bool MayStandFor(in ToolpathMove row) =>
+    private bool MayStandFor(in StrokeMove row) =>
         row.EntityIndex == _move.EntityIndex || (_arcsRecovered && row.Segment.Kind == SegmentKind.Line && _move.Segment.Kind is SegmentKind.Arc or SegmentKind.Circle);
 }

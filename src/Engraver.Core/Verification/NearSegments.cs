@@ -11,7 +11,7 @@ internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts
     /// <summary>In segments shorter than so many times the reach every bit counts.</summary>
     private const double Short = 200.0;
 
-    private readonly List<Run> _runs = [];
+    private readonly List<Follower> _runs = [];
     private Segment _last;
     private bool _hasLast;
 
@@ -24,7 +24,7 @@ internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts
     {
         Close();
         _runs.Clear();
-        foreach (var drawn in near) _runs.Add(new Run(drawn, drawing[drawn].Length < Short * reach));
+        foreach (var drawn in near) _runs.Add(new Follower(drawn, drawing[drawn].Length < Short * reach));
     }
 
     public void Add(in Segment chord)
@@ -55,10 +55,10 @@ internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts
     private void Break()
     {
         Close();
-        for (var i = 0; i < _runs.Count; i++) _runs[i] = new Run(_runs[i].Drawn, _runs[i].IsShort);
+        for (var i = 0; i < _runs.Count; i++) _runs[i] = new Follower(_runs[i].Drawn, _runs[i].IsShort);
     }
 
-    private void Follow(ref Run run, in Segment chord, double length)
+    private void Follow(ref Follower run, in Segment chord, double length)
     {
         ref readonly var segment = ref drawing[run.Drawn];
         var isFirst = double.IsInfinity(run.Distance);
@@ -83,7 +83,7 @@ internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts
     }
 
     /// <summary>All between the feet of the two ends of a chord is within reach of it. The distance from a curve is smooth there, and is asked in the middle.</summary>
-    private bool IsAlong(in Segment segment, in Run run, double foot, double distance, in Segment chord, double length)
+    private bool IsAlong(in Segment segment, in Follower run, double foot, double distance, in Segment chord, double length)
     {
         var farthest = Math.Max(run.Distance, distance);
         if (!(farthest <= reach) || run.IsShort) return false;
@@ -92,14 +92,14 @@ internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts
         return farthest + (length * length / (8.0 * segment.Arc.Radius)) <= reach && Math.Abs(foot - run.Foot) < 0.5; // round a circle the foot jumps
     }
 
-    private void Close(ref Run run)
+    private void Close(ref Follower run)
     {
         if (run.IsOpen) cover(run.Drawn, _last);
         run.IsOpen = false;
     }
 
     /// <summary>A segment that the tool may be running along.</summary>
-    private struct Run(int drawn, bool isShort)
+    private struct Follower(int drawn, bool isShort)
     {
         public readonly int Drawn = drawn;
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Verification;
@@ -25,7 +26,7 @@ public static class ToolpathCheck
     public static IReadOnlyList<Diagnostic> Findings(EntityTable drawn, Toolpath toolpath, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
     {
         var findings = new Dictionary<(DiagnosticRule Rule, int Entity), Misfit>();
-        var match = DrawnMatch.Of(drawn, toolpath);
+        var match = DrawnMatch.From(drawn, toolpath);
         AddJumps(toolpath, tolerances, findings);
         if (match.Moves.Count > 0 || match.Rows.Count > 0) AddRest(match, toolpath, tolerances, findings);
         return [.. findings.Take(MostFindings).Select(found => Diagnostic(found.Key.Rule, found.Value, sourceOf(found.Key.Entity)))];
@@ -36,7 +37,7 @@ public static class ToolpathCheck
     {
         foreach (var stroke in toolpath.Strokes)
         {
-            ToolpathMove? before = null;
+            StrokeMove? before = null;
             foreach (var move in stroke.Moves)
             {
                 if (before is { } last && last.Segment.End.DistanceTo(move.Segment.Start) is var gap && gap > tolerances.JoinTolerance + tolerances.For(move.Segment))

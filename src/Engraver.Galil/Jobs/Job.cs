@@ -1,4 +1,10 @@
+using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Language;
+using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 
@@ -16,9 +22,9 @@ internal sealed class Job
     private readonly CancellationToken _stop;
     private readonly JobLedger _ledger;
     private readonly JobMachine _machine;
-    private readonly IJobWay _way;
+    private readonly IJobStrategy _way;
     private readonly ProgramMemory _memory;
-    private readonly FoundController _found;
+    private readonly ControllerSnapshot _found;
     private readonly OperatorStop _stopper;
     private bool _touched;
 
@@ -32,12 +38,12 @@ internal sealed class Job
         _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), stop);
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
         _memory = new ProgramMemory(session);
-        _found = new FoundController(session, _memory, program.Profile, options, _log);
+        _found = new ControllerSnapshot(session, _memory, program.Profile, options, _log);
         _way = goTo is { } goal ? new HandMove(_machine, goal) : options.Mode switch
         {
-            JobMode.Stream => new StrokeByStroke(program, _machine, _ledger, _log, new StreamWay(_machine, _ledger)),
-            JobMode.Calls => new StrokeByStroke(program, _machine, _ledger, _log, new CallsWay(_machine, _ledger)),
-            JobMode.Program => new ProgramWay(program, _machine, _ledger, _log, _memory, options),
+            JobMode.Stream => new StrokeByStroke(program, _machine, _ledger, _log, new StreamStrategy(_machine, _ledger)),
+            JobMode.Calls => new StrokeByStroke(program, _machine, _ledger, _log, new CallsStrategy(_machine, _ledger)),
+            JobMode.Program => new ProgramStrategy(program, _machine, _ledger, _log, _memory, options),
             _ => throw new ArgumentOutOfRangeException(nameof(options)),
         };
         _stopper = new OperatorStop(session, program.Profile.ToolOutput, OwnThreads);

@@ -1,7 +1,12 @@
 using System.Globalization;
+using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Language;
 using Engraver.Galil.Links;
 using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Posting;
+using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 
@@ -144,7 +149,7 @@ internal sealed class JobMachine
     /// <summary>Asks where the machine is. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
-        if (Line is null) return await ReadAsync(MachineState.Operands, MachineState.Of).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
+        if (Line is null) return await ReadAsync(MachineState.Operands, MachineState.From).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
         if (await ReadAsync(MachineState.ProgramOperands, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
         return await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
     }
@@ -275,7 +280,7 @@ internal sealed class JobMachine
         if (State.Trip != 0)
             return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.", LinkLoss.Watchdog);
         if (State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
-        if (State.ProgramError == WatchedJob.Strayed)
+        if (State.ProgramError == SupervisedProgram.Strayed)
             return JobStep.Broken(Text($"The motion ended at {State.Position.X},{State.Position.Y} before its end ({StopCodes.Text(State.StopCode)}); find out what stopped it."));
         if (State.ProgramError == PositionErrorProgram.Code) return await CannotFollowAsync().ConfigureAwait(false);
         var (line, _) = await AskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false);

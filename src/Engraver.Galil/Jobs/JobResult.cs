@@ -1,4 +1,6 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 
@@ -78,4 +80,31 @@ public sealed record JobResult
         ExecutedByStroke = new int[program.Strokes.Count],
         LengthByStroke = new double[program.Strokes.Count],
     };
+}
+
+public enum JobOutcome
+{
+    Complete,
+
+    /// <summary>By the operator; the machine stands.</summary>
+    Stopped,
+
+    /// <summary>The controller refused a command, was busy, or ended a motion that it should have finished.</summary>
+    Refused,
+
+    /// <summary>What was cut is not the drawing, by what the controller or the simulator's record says: the path left the drawing, or part of it was never cut.</summary>
+    Deviated,
+
+    /// <summary>The link failed, or the watchdog in the controller did not hear from this program and stopped the machine.</summary>
+    LinkLost,
+}
+
+/// <summary>What a job that ended with <see cref="JobOutcome.LinkLost"/> was lost by.</summary>
+public enum LinkLoss
+{
+    /// <summary>The link failed, or the controller fell silent.</summary>
+    Link,
+
+    /// <summary>The watchdog in the controller did not hear from this program in time and stopped the machine; the link may stand.</summary>
+    Watchdog,
 }

@@ -1,3 +1,5 @@
+using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Sessions;
 

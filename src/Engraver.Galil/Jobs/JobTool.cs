@@ -1,3 +1,5 @@
+using Engraver.Galil.Jobs.Watching;
+
 namespace Engraver.Galil.Jobs;
 
 /// <summary>The tool of a job: switched by commands, and given its time to settle by the controller's clock. A dry run has none.</summary>

@@ -1,5 +1,7 @@
-using Engraver.Galil.Programs;
-using static Engraver.Galil.Programs.ResidentProgram;
+using Engraver.Galil.Language;
+using Engraver.Galil.Programs.Posting;
+using Engraver.Galil.Programs.Resident;
+using static Engraver.Galil.Programs.Resident.ResidentProgram;
 
 namespace Engraver.Galil.Jobs;
 
@@ -7,13 +9,13 @@ namespace Engraver.Galil.Jobs;
 /// <param name="SequenceRunning">_BGS.</param>
 /// <param name="AxesRunning">_BGA or _BGB.</param>
 /// <param name="Counter">_CSS: segments of the sequence that are done.</param>
-/// <param name="Calls">seq: calls that are done; in a watched job see <see cref="WatchedJob"/>.</param>
+/// <param name="Calls">seq: calls that are done; in a watched job see <see cref="SupervisedProgram"/>.</param>
 /// <param name="PathSpeed">_VMS, counts/s.</param>
 /// <param name="Position">_RPA and _RPB, the controller's frame.</param>
 /// <param name="Time">TIME, samples.</param>
 /// <param name="StopCode">_SCA.</param>
 /// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
-/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="WatchedJob.Strayed"/> for a motion that ended early, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow.</param>
+/// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="SupervisedProgram.Strayed"/> for a motion that ended early, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow.</param>
 /// <param name="WatchdogRuns">_XQ1 is a line: the watchdog lives, or has just tripped.</param>
 /// <param name="Trip">wtrip: why the watchdog has stopped the machine (<see cref="WatchdogProgram"/>); 0 while it has not.</param>
 /// <param name="Outputs">_OP0: outputs 1 to 8, bit 0 is output 1.</param>
@@ -53,6 +55,6 @@ internal readonly record struct MachineState(
         Outputs = (int)v[8],
     };
 
-    public static MachineState Of(IReadOnlyList<double> v) => new(
+    public static MachineState From(IReadOnlyList<double> v) => new(
         v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, v[11] >= 0, (int)v[12], (int)v[13], (int)v[14]);
 }

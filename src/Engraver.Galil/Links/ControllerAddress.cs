@@ -84,3 +84,17 @@ public abstract record ControllerAddress
             : null;
     }
 }
+
+/// <param name="Device">Device path or port name.</param>
+/// <param name="Baud">Bits per second, one of <see cref="SerialLine.Rates"/>.</param>
+/// <param name="Flow">How the two ends hold each other back.</param>
+public sealed record SerialAddress(string Device, int Baud, SerialFlow Flow = SerialFlow.RtsCts) : ControllerAddress;
+
+/// <param name="Speed">Controller seconds per wall second; infinity is virtual time.</param>
+public sealed record SimulatedAddress(double Speed) : ControllerAddress
+{
+    /// <summary>False for a bare <c>sim:</c>: whoever connects may have a speed of its own in mind; the console has none.</summary>
+    public bool SaysSpeed { get; init; } = true;
+}
+
+public sealed record TcpAddress(string Host, int Port) : ControllerAddress;

@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text;
-using Engraver.Galil.Protocol;
 using Microsoft.Win32.SafeHandles;
 using static Engraver.Galil.Links.SerialNative;
 

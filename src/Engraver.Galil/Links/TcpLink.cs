@@ -1,5 +1,4 @@
 using System.Net.Sockets;
-using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Links;
 

@@ -1,4 +1,4 @@
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Profiles;
 

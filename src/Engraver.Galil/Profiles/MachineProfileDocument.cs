@@ -21,7 +21,7 @@ internal sealed class MachineProfileDocument
 
     public double? AngleQuantumDegrees { get; set; }
 
-    public static MachineProfileDocument Of(MachineProfile profile) => new()
+    public static MachineProfileDocument From(MachineProfile profile) => new()
     {
         CountsPerMillimetreX = profile.CountsPerMillimetreX,
         CountsPerMillimetreY = profile.CountsPerMillimetreY,

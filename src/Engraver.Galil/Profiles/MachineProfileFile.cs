@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using Engraver.Core.Diagnostics;
 
 namespace Engraver.Galil.Profiles;
@@ -20,7 +21,7 @@ public static class MachineProfileFile
     }
 
     /// <summary>The profile with every field, ready to be edited.</summary>
-    public static string Write(MachineProfile profile) => JsonSerializer.Serialize(MachineProfileDocument.Of(profile), MachineProfileJson.Default.MachineProfileDocument) + "\n";
+    public static string Write(MachineProfile profile) => JsonSerializer.Serialize(MachineProfileDocument.From(profile), MachineProfileJson.Default.MachineProfileDocument) + "\n";
 
     private static MachineProfileReading Checked(MachineProfileDocument? document)
     {
@@ -41,3 +42,19 @@ public static class MachineProfileFile
 
     private static bool IsKnown(string field) => MachineProfileJson.Default.MachineProfileDocument.Properties.Any(property => property.Name == field);
 }
+
+/// <summary>Reads and writes profile files without reflection.</summary>
+[JsonSourceGenerationOptions(
+    PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase,
+    WriteIndented = true,
+    AllowTrailingCommas = true,
+    ReadCommentHandling = JsonCommentHandling.Skip,
+    UnmappedMemberHandling = JsonUnmappedMemberHandling.Disallow,
+    AllowDuplicateProperties = false)]
+[JsonSerializable(typeof(MachineProfileDocument))]
+internal sealed partial class MachineProfileJson : JsonSerializerContext;
+
+/// <summary>What came of a profile file.</summary>
+/// <param name="Profile">Null when the file cannot be read.</param>
+/// <param name="Diagnostics">What is wrong with it, with its line; empty when nothing is.</param>
+public sealed record MachineProfileReading(MachineProfile? Profile, IReadOnlyList<Diagnostic> Diagnostics);

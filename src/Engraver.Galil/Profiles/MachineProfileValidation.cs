@@ -1,6 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Profiles;
 

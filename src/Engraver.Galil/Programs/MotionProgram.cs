@@ -1,4 +1,6 @@
+using Engraver.Galil.Language;
 using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs.Generation;
 
 namespace Engraver.Galil.Programs;
 
@@ -27,4 +29,18 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
 
         return null;
     }
+}
+
+/// <summary>One stroke: rapid to <see cref="Start"/> with the tool off, tool on, every sequence in order (a standstill between two of them), tool off.</summary>
+public sealed record MotionStroke(int Index, CountsPoint Start, IReadOnlyList<VectorSequence> Sequences);
+
+/// <summary>VM ... VE: a run of segments cut without a stop. Its first point is where the machine stands when it begins.</summary>
+/// <param name="Start">Where the sequence begins, job frame.</param>
+/// <param name="Speed">VS for this sequence, even counts/s.</param>
+/// <param name="Segments">At least one.</param>
+public sealed record VectorSequence(CountsPoint Start, int Speed, IReadOnlyList<VectorSegment> Segments)
+{
+    public CountsPoint End => Segments[^1].End;
+
+    public double Length => Segments.Sum(segment => segment.Length);
 }

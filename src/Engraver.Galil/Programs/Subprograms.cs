@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Galil.Language;
 using Engraver.Galil.Profiles;
 
 namespace Engraver.Galil.Programs;

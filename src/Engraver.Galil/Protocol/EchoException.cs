@@ -1,3 +1,5 @@
+using Engraver.Galil.Links;
+
 namespace Engraver.Galil.Protocol;
 
 /// <summary>The controller heard something else than what was sent. The channel still carries the stop.</summary>

@@ -1,3 +1,5 @@
+using Engraver.Galil.Links;
+
 namespace Engraver.Galil.Protocol;
 
 /// <summary>What came back is not what a Galil controller says.</summary>

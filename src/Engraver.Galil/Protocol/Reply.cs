@@ -2,3 +2,20 @@ namespace Engraver.Galil.Protocol;
 
 /// <summary>What the controller answered to one command: <see cref="Accepted"/> or <see cref="Rejected"/> (galil-dmc.md A.3).</summary>
 public abstract record Reply;
+
+/// <summary>The prompt was <c>:</c>.</summary>
+/// <param name="Data">The text before the prompt, trimmed; empty when the command returns nothing. Lines are separated by LF.</param>
+public sealed record Accepted(string Data) : Reply
+{
+    internal static Accepted Silent { get; } = new("");
+}
+
+/// <summary>The prompt was <c>?</c>; the reason was asked with TC1.</summary>
+/// <param name="Code">The number of TC1; compare this, never the text.</param>
+/// <param name="Text">The controller's own words.</param>
+/// <param name="Command">What was refused.</param>
+public sealed record Rejected(TcCode Code, string Text, string Command) : Reply
+{
+    /// <summary>One sentence for the operator: what was refused, code and text, and what the code means here.</summary>
+    public string Explain() => $"The controller refused '{Command}' with TC {(int)Code} ({Text}){TcCodes.Hint(Code)}.";
+}

@@ -1,5 +1,5 @@
 using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
@@ -196,3 +196,24 @@ public sealed class ControllerSession : IAsyncDisposable
         if (Line is not null) await _commands.CompareEchoAsync(cancellation).ConfigureAwait(false); // only now: unsolicited text is marked, and cannot be taken for a wrong echo
     }
 }
+
+/// <summary>How a session talks.</summary>
+public sealed record SessionOptions
+{
+    /// <summary>How long a reply may take before the link counts as lost.</summary>
+    public TimeSpan ReplyTimeout { get; init; } = TimeSpan.FromSeconds(2);
+
+    /// <summary>Open a second handle for the operator's stop and for unsolicited text. A serial line is a single wire and never has one: the stop then goes at the next prompt.</summary>
+    public bool SecondHandle { get; init; } = true;
+
+    /// <summary>Where every line on the wire is written, or null for nowhere.</summary>
+    public WireTrace? Trace { get; init; }
+
+    /// <summary>Called with each line that a program in the controller prints. It runs on the reader: it must return at once.</summary>
+    public Action<string>? MessageReceived { get; init; }
+}
+
+/// <summary>The second handle was lost in the middle.</summary>
+/// <param name="Reason">What cut it.</param>
+/// <param name="NotReopened">Why it could not be opened again; null when it stands again.</param>
+internal sealed record StopHandleLoss(string Reason, string? NotReopened);

@@ -1,4 +1,4 @@
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
@@ -48,3 +48,8 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
         }
     }
 }
+
+/// <summary>A setting as the controller had it at connect, as the command that sets it so again, to the last bit.</summary>
+/// <param name="Operand">What was asked, for example <c>_VAS</c>.</param>
+/// <param name="RestoreCommand">For example <c>VAS=256000</c>.</param>
+public sealed record FoundSetting(string Operand, string RestoreCommand);

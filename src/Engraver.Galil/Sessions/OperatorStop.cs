@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
@@ -114,3 +115,9 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
     /// <summary>A refusal does not keep the stop from going on: each command is worth trying on its own.</summary>
     private ValueTask<Reply> SendAsync(string command) => session.StopHandle.SendAsync(command, CancellationToken.None);
 }
+
+/// <summary>Where and when the machine came to rest.</summary>
+/// <param name="SegmentCounter">_CSS before the buffer was emptied: segments of the stopped sequence that were done.</param>
+/// <param name="X">_RPA, controller's counts.</param>
+/// <param name="Time">TIME, samples.</param>
+public sealed record StandstillReport(int SegmentCounter, int X, int Y, long Time);

@@ -1,6 +1,6 @@
 using System.Globalization;
 using System.Text;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;

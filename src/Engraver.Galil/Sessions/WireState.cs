@@ -1,5 +1,5 @@
 using System.Globalization;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;

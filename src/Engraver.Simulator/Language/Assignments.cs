@@ -1,3 +1,5 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>Variables and array elements: <c>x=5</c>, <c>x=?</c>, <c>x=</c>, <c>px[i]=5</c>, <c>px[i]=</c> (galil-dmc.md A.3, E).</summary>

@@ -1,4 +1,5 @@
 using Engraver.Simulator.Protocol;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
@@ -31,9 +32,9 @@ internal sealed class CommandContext
         return this;
     }
 
-    public static CommandContext Of(Handle handle) => new(handle, null);
+    public static CommandContext From(Handle handle) => new(handle, null);
 
-    public static CommandContext Of(ProgramThread thread) => new(null, thread);
+    public static CommandContext From(ProgramThread thread) => new(null, thread);
 
     public void WriteLine(string text) => Output.Append(text).Append("\r\n");
 

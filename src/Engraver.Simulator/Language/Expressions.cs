@@ -1,3 +1,5 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>Values: strictly from left to right, no precedence (galil-dmc.md E Evaluation).</summary>

@@ -1,3 +1,5 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>The @ functions (galil-dmc.md E): angles in degrees.</summary>

@@ -1,4 +1,5 @@
-using Engraver.Simulator.Commands;
+using Engraver.Simulator.Language.Commands;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
@@ -34,5 +35,20 @@ internal sealed class Interpreter(Machine machine)
         var reader = _reader.On(statement.Text, context);
         reader.Skip(entry.Mnemonic.Length);
         entry.Run(reader);
+    }
+}
+
+/// <summary>The last statements of the hosts, already read: one that polls asks the same thing thousands of times.</summary>
+internal sealed class StatementCache
+{
+    private const int Places = 64;
+    private readonly (string Source, Statement Statement)[] _known = new (string, Statement)[Places];
+
+    public Statement Read(ReadOnlySpan<char> source)
+    {
+        ref var place = ref _known[(uint)string.GetHashCode(source) % Places];
+        if (place.Source is { } known && source.SequenceEqual(known)) return place.Statement;
+        place = (source.ToString(), Statement.Parse(source));
+        return place.Statement;
     }
 }

@@ -1,3 +1,5 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>Names that read like variables and belong to the controller: TIME (galil-dmc.md C) and what the serial port received (CI, C.3).</summary>

@@ -1,3 +1,5 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>Numbers and texts as they are written in statements (galil-dmc.md A.3 Numbers, E).</summary>

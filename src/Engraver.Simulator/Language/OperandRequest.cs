@@ -1,4 +1,5 @@
 using Engraver.Simulator.Motion;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
@@ -24,4 +25,11 @@ internal readonly record struct OperandRequest(Machine Machine, CommandContext C
         Suffix.Length == 0 ? 0
         : Suffix.Length == 1 && char.IsAsciiDigit(Suffix.First) && Suffix.First - '0' <= largest ? Suffix.First - '0'
         : throw new CommandRefusedException(Tc.BadOperand);
+}
+
+/// <summary>What stands behind the two letters of an operand: nothing, an axis, a plane, a digit, or a handle and a digit.</summary>
+internal readonly record struct OperandSuffix(char First, char Second, int Length)
+{
+    public static OperandSuffix Parse(ReadOnlySpan<char> text) =>
+        new(text.Length > 0 ? text[0] : '\0', text.Length > 1 ? text[1] : '\0', text.Length);
 }

@@ -1,6 +1,7 @@
 using System.Collections.Frozen;
-using Engraver.Simulator.Commands;
+using Engraver.Simulator.Language.Commands;
 using Engraver.Simulator.Motion;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
@@ -90,7 +91,7 @@ internal static class Operands
     {
         var name = reader.TakeName();
         if (name.Length < 2) throw new CommandRefusedException(Tc.BadOperand);
-        var suffix = reader.Next == '~' ? new OperandSuffix(reader.TakeLetter(), '\0', 1) : OperandSuffix.Of(name[2..]);
+        var suffix = reader.Next == '~' ? new OperandSuffix(reader.TakeLetter(), '\0', 1) : OperandSuffix.Parse(name[2..]);
         var request = new OperandRequest(reader.Machine, reader.Context, suffix);
         return Lookup.TryGetValue(name[..2], out var read) ? read(request)
             : AxisParameters.Find(name[..2]) is { } parameter ? parameter.Read(request.Axis)

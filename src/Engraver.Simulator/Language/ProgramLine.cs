@@ -1,3 +1,5 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>One line of program memory: the text as downloaded, its label if any, and the statements behind the label.</summary>

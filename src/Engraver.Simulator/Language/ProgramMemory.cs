@@ -1,9 +1,11 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>The downloaded program (galil-dmc.md A.6, 0.3).</summary>
 internal sealed class ProgramMemory(int capacity)
 {
-    public const int LongestLine = 80;
+    public const int LongestLine = MemorySizes.LongestLine;
     public const int MaximumLabels = 254;
 
     private readonly List<ProgramLine> _lines = [];

@@ -1,3 +1,5 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>One of the eight program threads.</summary>
@@ -8,7 +10,7 @@ internal sealed class ProgramThread
     public ProgramThread(int number)
     {
         Number = number;
-        Context = CommandContext.Of(this);
+        Context = CommandContext.From(this);
     }
 
     public int Number { get; }
@@ -80,3 +82,10 @@ internal sealed class ProgramThread
         Trippoint = restoreTrippoint ? frame.Trippoint : null;
     }
 }
+
+/// <summary>Where a subroutine or an automatic subroutine goes back to.</summary>
+/// <param name="Interrupt">True for an automatic subroutine, which may restore the trippoint it interrupted.</param>
+internal readonly record struct CallFrame(int Line, int Part, bool Interrupt, Trippoint? Trippoint);
+
+/// <summary>What a thread waits for. <paramref name="AtSample"/> is the sample of release when it is known beforehand.</summary>
+internal sealed record Trippoint(Func<bool> IsReleased, long? AtSample = null);

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 

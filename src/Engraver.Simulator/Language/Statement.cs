@@ -1,4 +1,4 @@
-using Engraver.Simulator.Commands;
+using Engraver.Simulator.Language.Commands;
 using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator.Language;
@@ -84,4 +84,13 @@ internal sealed class Statement
 
     private static string WithoutBlank(string statement) =>
         statement.Length > 2 && statement[2] == ' ' ? string.Concat(statement.AsSpan(0, 2), statement.AsSpan(3)) : statement;
+}
+
+internal enum StatementKind
+{
+    /// <summary>Nothing to do: blank, or a comment behind an apostrophe.</summary>
+    Nothing,
+    Command,
+    Assignment,
+    Unknown,
 }

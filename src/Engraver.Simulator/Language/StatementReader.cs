@@ -1,4 +1,5 @@
 using Engraver.Simulator.Motion;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
@@ -131,4 +132,10 @@ internal sealed class StatementReader(Machine machine)
 
     /// <summary>The letter of an axis or plane, also by way of a variable axis <c>~a</c> to <c>~h</c> (E: 0-7 axes, 8 and 9 planes, 10 and 11 virtual axes).</summary>
     public char TakeLetter() => TryTake('~') ? machine.VariableAxes.LetterOf(TakeCharacter()) : TakeCharacter();
+}
+
+/// <summary>One positional argument: left out, a question mark, or a value.</summary>
+internal readonly record struct Field(bool IsQuery, FixedPoint? Value)
+{
+    public bool IsMissing => !IsQuery && Value is null;
 }

@@ -1,3 +1,5 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>The variable axes ~a to ~h: 0 to 7 axes, 8 and 9 the planes, 10 and 11 the virtual axes (galil-dmc.md E).</summary>

@@ -1,3 +1,5 @@
+using Engraver.Simulator.Values;
+
 namespace Engraver.Simulator.Language;
 
 /// <summary>Variables and arrays (galil-dmc.md E): 254 variables, 30 arrays with 8000 elements together, names up to 8 characters.</summary>
@@ -5,7 +7,7 @@ internal sealed class VariableStore
 {
     public const int MaximumVariables = 254;
     public const int MaximumArrays = 30;
-    public const int MaximumElements = 8000;
+    public const int MaximumElements = MemorySizes.ArrayElements;
     private const int LongestName = 8;
 
     private readonly Dictionary<string, FixedPoint>.AlternateLookup<ReadOnlySpan<char>> _variables;

@@ -1,4 +1,5 @@
-using Engraver.Simulator.Language;
+using Engraver.Simulator.Motion.Following;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion;
 
@@ -270,4 +271,18 @@ internal sealed class Axis
         IsStopping = false;
         Homing = null;
     }
+}
+
+/// <summary>What the next BG of an axis means: the last of PA, PR, JG, HM, FE and FI given.</summary>
+internal enum AxisMove
+{
+    Relative,
+    Absolute,
+    Jog,
+
+    /// <summary>PT: the target may change at any time (galil-dmc.md C).</summary>
+    Tracking,
+    Home,
+    FindEdge,
+    FindIndex,
 }

@@ -1,4 +1,4 @@
-using Engraver.Simulator.Language;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion;
 
@@ -122,4 +122,10 @@ internal sealed class ContourMode(int capacity)
     {
         for (var i = 0; i < _axes.Length; i++) _axes[i].SetPosition(_start[i] + (record.Increments[i] * _elapsed / record.Samples));
     }
+}
+
+/// <summary>One CD: how far each axis of CM goes within so many samples. No samples is the end of the contour.</summary>
+internal sealed record ContourRecord(int[] Increments, int Samples)
+{
+    public bool IsEnd => Samples == 0;
 }

@@ -1,4 +1,4 @@
-using Engraver.Simulator.Language;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion;
 

@@ -1,3 +1,5 @@
+using Engraver.Simulator.Motion.Following;
+
 namespace Engraver.Simulator.Motion;
 
 /// <summary>All axes and both planes, one sample at a time (galil-dmc.md I.9 to I.11).</summary>

@@ -73,3 +73,6 @@ internal sealed class PathCourse : SteadyCourse
 
     private double Scale(int slot) => slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1;
 }
+
+/// <summary>A = CentreA + RadiusA cos(angle), B = CentreB + RadiusB sin(angle), counts; the angle goes from Start by the signed sweep, degrees.</summary>
+public readonly record struct ArcCourse(double CentreA, double CentreB, double RadiusA, double RadiusB, double StartDegrees, double SweepDegrees);

@@ -1,4 +1,5 @@
-using Engraver.Simulator.Language;
+using Engraver.Simulator.Motion.Following;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion;
 
@@ -257,4 +258,12 @@ internal sealed class VectorPlane
     public static int Rounded(double place) => (int)Math.Round(place, MidpointRounding.AwayFromZero);
 
     private int Scaled(int slot) => Rounded(_point[slot] * (slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1));
+}
+
+/// <summary>What a plane was last set up for.</summary>
+internal enum PlaneMode
+{
+    None,
+    Vector,
+    Linear,
 }

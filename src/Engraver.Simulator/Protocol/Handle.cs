@@ -1,5 +1,5 @@
 using System.Text;
-using Engraver.Simulator.Language;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Protocol;
 
@@ -11,7 +11,6 @@ internal sealed class Handle
     private readonly ICommandSink _sink;
     private readonly TextBuffer _command = new();
     private readonly TextIntake _text;
-    private CommandContext? _context;
     private int _length;
     private bool _quoted;
     private bool _swallowReturn;
@@ -33,9 +32,6 @@ internal sealed class Handle
     public int LocalPort { get; }
 
     public int RemotePort { get; }
-
-    /// <summary>What its commands print into; restarted for each.</summary>
-    public CommandContext Context => _context ??= CommandContext.Of(this);
 
     /// <summary>What the controller sends to this client.</summary>
     public ByteQueue Output { get; } = new();

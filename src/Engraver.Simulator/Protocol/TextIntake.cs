@@ -1,14 +1,11 @@
 using System.Text;
-using Engraver.Simulator.Language;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>Text that follows a command up to an end mark and gets its prompt only then: a program (DL) or the elements of an array (QD) (galil-dmc.md A.6).</summary>
 internal sealed class TextIntake(Handle handle, ICommandSink sink)
 {
-    /// <summary>Characters for every element that an array can have; a text beyond it holds too many.</summary>
-    private const int LongestArray = VariableStore.MaximumElements * 24;
-
     private readonly StringBuilder _received = new();
     private Action<string>? _arrayTarget;
     private bool _isProgram;
@@ -51,10 +48,10 @@ internal sealed class TextIntake(Handle handle, ICommandSink sink)
 
         var store = _arrayTarget!;
         _arrayTarget = null;
-        return sink.StoreArray(handle, () => store(_received.Length < LongestArray ? _received.ToString() : throw new CommandRefusedException(Tc.TooManyElements)));
+        return sink.StoreArray(handle, () => store(_received.Length < MemorySizes.LongestArray ? _received.ToString() : throw new CommandRefusedException(Tc.TooManyElements)));
     }
 
-    private int Longest => _isProgram ? ProgramMemory.LongestLine + 1 : LongestArray;
+    private int Longest => _isProgram ? MemorySizes.LongestLine + 1 : MemorySizes.LongestArray;
 
     private void EndLine()
     {

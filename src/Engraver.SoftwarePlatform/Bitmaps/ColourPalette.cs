@@ -21,7 +21,7 @@ internal sealed class ColourPalette
     public IReadOnlyList<uint> Colours => _colours;
 
     /// <param name="pixels">Red in the lowest byte.</param>
-    public static ColourPalette Of(ReadOnlySpan<uint> pixels)
+    public static ColourPalette From(ReadOnlySpan<uint> pixels)
     {
         var counts = new Dictionary<uint, int>();
         foreach (var pixel in pixels) counts[pixel] = counts.GetValueOrDefault(pixel) + 1;

@@ -15,7 +15,7 @@ internal static class IndexedPngWriter
             if (pixel >> 24 != 0xFF) throw new ArgumentException("Only a picture without transparent pixels is written by palette.", nameof(bitmap));
         }
 
-        var palette = ColourPalette.Of(pixels);
+        var palette = ColourPalette.From(pixels);
         stream.Write(PngChunk.Signature);
         PngChunk.Write(stream, "IHDR"u8, PngWriter.Header(bitmap, PngColorType.Palette));
         PngChunk.Write(stream, "pHYs"u8, PngWriter.Resolution(bitmap));

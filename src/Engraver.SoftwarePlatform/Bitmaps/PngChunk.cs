@@ -36,7 +36,7 @@ internal readonly record struct PngChunk(string Name, ReadOnlyMemory<byte> Data)
         stream.Write(number);
         stream.Write(name);
         stream.Write(data);
-        BinaryPrimitives.WriteUInt32BigEndian(number, Crc32.Of(name, data));
+        BinaryPrimitives.WriteUInt32BigEndian(number, Crc32.Compute(name, data));
         stream.Write(number);
     }
 }

@@ -44,7 +44,7 @@ internal static class PngReader
         using var rows = new ZLibStream(compressed, CompressionMode.Decompress);
         try
         {
-            foreach (var pass in PngPass.Of(header.IsInterlaced))
+            foreach (var pass in PngPass.Passes(header.IsInterlaced))
                 ReadPass(header, colors, rows, pass, bitmap);
         }
         catch (EndOfStreamException e)
@@ -81,4 +81,21 @@ internal static class PngReader
         var y = BinaryPrimitives.ReadUInt32BigEndian(resolution[4..]) * PngHeader.MetresPerInch;
         return x > 0 && y > 0 ? new Vector(Math.Round(x, 1), Math.Round(y, 1)) : new Vector(96, 96);
     }
+}
+
+/// <summary>One pass over the image: its pixels stand at every <paramref name="StepX"/>th column and <paramref name="StepY"/>th row.</summary>
+internal readonly record struct PngPass(int StartX, int StartY, int StepX, int StepY)
+{
+    private static readonly PngPass[] s_whole = [new(0, 0, 1, 1)];
+
+    private static readonly PngPass[] s_adam7 =
+    [
+        new(0, 0, 8, 8), new(4, 0, 8, 8), new(0, 4, 4, 8), new(2, 0, 4, 4), new(0, 2, 2, 4), new(1, 0, 2, 2), new(0, 1, 1, 2),
+    ];
+
+    public int Columns(int width) => (width - StartX + StepX - 1) / StepX;
+
+    public int Rows(int height) => (height - StartY + StepY - 1) / StepY;
+
+    public static IReadOnlyList<PngPass> Passes(bool isInterlaced) => isInterlaced ? s_adam7 : s_whole;
 }

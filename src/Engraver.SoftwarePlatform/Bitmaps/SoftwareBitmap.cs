@@ -1,14 +1,14 @@
 using Avalonia;
 using Avalonia.Media.Imaging;
 using Avalonia.Platform;
-using Engraver.SoftwarePlatform.Drawing;
 using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>Pixels in memory: a bitmap to show, to write into, to draw on and a layer, all in one.</summary>
+/// <summary>Pixels in memory: a bitmap to show and to write into. One that is drawn on is a DrawableBitmap.</summary>
 /// <remarks>Stored as asked for (blue or red first; colours multiplied by alpha, plain, or alpha ignored); what is drawn on is always premultiplied with blue first.</remarks>
-public sealed unsafe class SoftwareBitmap : IWriteableBitmapImpl, IRenderTargetBitmapImpl, IDrawingContextLayerImpl
+public unsafe class SoftwareBitmap : IWriteableBitmapImpl
 {
     private readonly PixelMemory _memory;
     private readonly PixelFormat _format;
@@ -42,10 +42,6 @@ public sealed unsafe class SoftwareBitmap : IWriteableBitmapImpl, IRenderTargetB
 
     public AlphaFormat? AlphaFormat => _alphaFormat;
 
-    public bool CanBlit => true;
-
-    public bool IsCorrupted => false;
-
     /// <summary>First pixel; rows follow each other without gaps.</summary>
     internal uint* Pixels => _memory.Pixels;
 
@@ -66,29 +62,14 @@ public sealed unsafe class SoftwareBitmap : IWriteableBitmapImpl, IRenderTargetB
     public ILockedFramebuffer Lock() =>
         new LockedFramebuffer((IntPtr)Pixels, PixelSize, PixelSize.Width * 4, Dpi, _format, _alphaFormat, Changed);
 
-    public IDrawingContextImpl CreateDrawingContext() => CreateDrawingContext(default);
-
-    /// <param name="origin">Device pixel that the first pixel stands for.</param>
-    internal SoftwareDrawingContext CreateDrawingContext(PixelPoint origin)
-    {
-        var bounds = Bounds.Offset(origin.X, origin.Y);
-        return new SoftwareDrawingContext(new PixelSurface(Pixels, PixelSize.Width, bounds), Dpi, Changed);
-    }
-
     public void Save(Stream stream, BitmapEncoderOptions options) => PngFile.Write(stream, this);
-
-    public void Blit(IDrawingContextImpl context)
-    {
-        if (context is not SoftwareDrawingContext target)
-            throw new NotSupportedException("A layer can only be copied to a context of the same platform.");
-        target.CopyFrom(this);
-    }
 
     public void Dispose()
     {
         _derived?.Dispose();
         _derived = null;
         _memory.Dispose();
+        GC.SuppressFinalize(this);
     }
 
     /// <summary>This bitmap, or a kept copy of it, such that it is directly readable and at most twice as large as it will be drawn.</summary>

@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Media.Imaging;
 using Engraver.SoftwarePlatform.Bitmaps;
 using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 

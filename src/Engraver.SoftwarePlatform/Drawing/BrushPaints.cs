@@ -1,6 +1,7 @@
 using Avalonia;
 using Avalonia.Media;
 using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 

@@ -2,6 +2,8 @@ using Avalonia;
 using Avalonia.Media;
 using Engraver.SoftwarePlatform.Bitmaps;
 using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
@@ -190,3 +192,15 @@ internal sealed class ContextStack(SurfacePainter painter, DrawingScratch scratc
         return new Rect(pixels.Left, pixels.Top, Math.Max(0, pixels.Width), Math.Max(0, pixels.Height));
     }
 }
+
+/// <summary>A group that is drawn apart and then put in its place through a mask or with an opacity.</summary>
+/// <param name="Bitmap">Stands for the device pixels of <paramref name="Bounds"/>.</param>
+/// <param name="Beneath">What was drawn on before.</param>
+/// <param name="Mask">Brush whose alpha counts; null for a group that only has an opacity.</param>
+/// <param name="MaskArea">The brush's target, in the coordinates at the push.</param>
+internal sealed record DrawingLayer(SoftwareBitmap Bitmap, PixelBounds Bounds, SurfacePainter Beneath, IBrush? Mask, Rect MaskArea, double GroupOpacity);
+
+/// <summary>What a pop brings back, and what it has to finish.</summary>
+/// <param name="OwnMask">Mask that the push made; nobody needs it after the pop.</param>
+/// <param name="Layer">Group that the push began, to be put onto what was drawn on before.</param>
+internal readonly record struct DrawingState(Matrix Transform, double Opacity, ClipShape Clip, CoverageMask? OwnMask, DrawingLayer? Layer);

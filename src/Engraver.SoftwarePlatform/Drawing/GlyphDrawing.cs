@@ -1,4 +1,5 @@
 using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
 using Engraver.SoftwarePlatform.Text;
 
 namespace Engraver.SoftwarePlatform.Drawing;
@@ -20,8 +21,8 @@ internal static class GlyphDrawing
         if (state.Clip.IsEmpty)
             return;
         var scale = transform.M11;
-        var size = GlyphSize.Of(run.FontRenderingEmSize * scale);
-        var tone = paint is SolidPaint solid ? TextTone.Of(solid.Color) : TextTone.Middle;
+        var size = GlyphSize.ToParts(run.FontRenderingEmSize * scale);
+        var tone = paint is SolidPaint solid ? TextTone.From(solid.Color) : TextTone.Middle;
         var baseX = run.BaselineOrigin.X * scale + transform.M31;
         var baseY = PixelBounds.Nearest(run.BaselineOrigin.Y * scale + transform.M32);
         for (var i = 0; i < run.Count; i++)

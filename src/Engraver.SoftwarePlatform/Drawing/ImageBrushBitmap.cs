@@ -7,7 +7,7 @@ namespace Engraver.SoftwarePlatform.Drawing;
 /// <summary>The one door through an internal member of Avalonia 12.1.6: an image brush does not show its bitmap to a platform from outside.</summary>
 internal static class ImageBrushBitmap
 {
-    public static SoftwareBitmap? Of(IImageBrushSource source)
+    public static SoftwareBitmap? Find(IImageBrushSource source)
     {
         var reference = Reference(source);
         return reference?.GetType().GetProperty("Item")?.GetValue(reference) as SoftwareBitmap;

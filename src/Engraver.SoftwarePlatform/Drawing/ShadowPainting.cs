@@ -1,6 +1,9 @@
 using Avalonia;
 using Avalonia.Media;
 using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
+using Engraver.SoftwarePlatform.Rasteriser.Shadows;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
@@ -31,7 +34,7 @@ internal static class ShadowPainting
         var paint = new SolidPaint(PixelArithmetic.Premultiplied(shadow.Color, state.Opacity));
         var grown = box.Grown(shadow.Spread);
         var transform = Matrix.CreateTranslation(shadow.OffsetX, shadow.OffsetY) * state.Transform;
-        var blur = ShadowBlur.Of(shadow.Blur * state.Scale);
+        var blur = ShadowBlur.FromRadius(shadow.Blur * state.Scale);
         if (Bounds(PathOf(grown), transform) is not { } bounds || !state.Clip.Touches(bounds.Inflate(blur.Reach)))
             return;
         if (!state.IsAxisAligned || blur.IsNone)
@@ -80,7 +83,7 @@ internal static class ShadowPainting
         var paint = new SolidPaint(PixelArithmetic.Premultiplied(shadow.Color, state.Opacity));
         var hole = PathOf(box.Grown(-shadow.Spread));
         var transform = Matrix.CreateTranslation(shadow.OffsetX, shadow.OffsetY) * state.Transform;
-        var blur = ShadowBlur.Of(shadow.Blur * state.Scale);
+        var blur = ShadowBlur.FromRadius(shadow.Blur * state.Scale);
         if (Bounds(PathOf(box), state.Transform) is not { } bounds || !state.Clip.Touches(bounds))
             return;
         using var mask = ShapeFiller.MaskOf(state.Scratch, hole, transform, bounds.Inflate(blur.Reach));

@@ -4,6 +4,8 @@ using Avalonia.Platform;
 using Engraver.SoftwarePlatform.Bitmaps;
 using Engraver.SoftwarePlatform.Geometry;
 using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
 using Engraver.SoftwarePlatform.Text;
 
 namespace Engraver.SoftwarePlatform.Drawing;
@@ -96,7 +98,7 @@ internal sealed class SoftwareDrawingContext : IDrawingContextImpl
             GlyphDrawing.Draw(_state, run, paint);
     }
 
-    public IDrawingContextLayerImpl CreateLayer(PixelSize size) => new SoftwareBitmap(size, _dpi);
+    public IDrawingContextLayerImpl CreateLayer(PixelSize size) => new DrawableBitmap(size, _dpi);
 
     public void PushClip(Rect clip) => _state.PushClip(clip);
 
@@ -183,7 +185,7 @@ internal sealed class SoftwareDrawingContext : IDrawingContextImpl
         if (pen?.Brush is null || pen.Thickness <= 0)
             return;
         if (PaintOf(pen.Brush, area.Inflate(pen.Thickness / 2)) is { } paint)
-            _state.FillPath(Stroker.Stroke(path, StrokeStyle.Of(pen), _state.Scale), paint);
+            _state.FillPath(Stroker.Stroke(path, StrokeStyle.From(pen), _state.Scale), paint);
     }
 
     /// <summary>A solid border is what lies between two rounded rectangles.</summary>

@@ -22,7 +22,7 @@ internal sealed class SoftwareRenderContext : IPlatformRenderInterfaceContext
     }
 
     public IDrawingContextLayerImpl CreateOffscreenRenderTarget(PixelSize pixelSize, Vector scaling, bool enableTextAntialiasing) =>
-        new SoftwareBitmap(pixelSize, scaling * 96);
+        new DrawableBitmap(pixelSize, scaling * 96);
 
     public object? TryGetFeature(Type featureType) => null;
 

@@ -5,7 +5,7 @@ using Avalonia.Media.TextFormatting;
 using Avalonia.Platform;
 using Engraver.SoftwarePlatform.Bitmaps;
 using Engraver.SoftwarePlatform.Geometry;
-using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
 using Engraver.SoftwarePlatform.Text;
 
 namespace Engraver.SoftwarePlatform.Drawing;
@@ -77,7 +77,7 @@ public sealed unsafe class SoftwareRenderInterface : IPlatformRenderInterface
     public IGlyphRunImpl CreateGlyphRun(GlyphTypeface glyphTypeface, double fontRenderingEmSize, IReadOnlyList<GlyphInfo> glyphInfos, Point baselineOrigin) =>
         new SoftwareGlyphRun(glyphTypeface, fontRenderingEmSize, glyphInfos, baselineOrigin);
 
-    public IRenderTargetBitmapImpl CreateRenderTargetBitmap(PixelSize size, Vector dpi) => new SoftwareBitmap(size, dpi);
+    public IRenderTargetBitmapImpl CreateRenderTargetBitmap(PixelSize size, Vector dpi) => new DrawableBitmap(size, dpi);
 
     public IWriteableBitmapImpl CreateWriteableBitmap(PixelSize size, Vector dpi, PixelFormat format, AlphaFormat alphaFormat) =>
         new SoftwareBitmap(size, dpi, format, alphaFormat);

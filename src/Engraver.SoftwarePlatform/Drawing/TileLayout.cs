@@ -8,7 +8,7 @@ namespace Engraver.SoftwarePlatform.Drawing;
 /// <param name="Source">Part of the content that is shown.</param>
 internal readonly record struct TileLayout(Rect Tile, Rect Source, Matrix ContentToBrush)
 {
-    public static TileLayout Of(ITileBrush brush, Rect area, Size contentSize)
+    public static TileLayout From(ITileBrush brush, Rect area, Size contentSize)
     {
         var tile = brush.DestinationRect.ToPixels(area);
         var source = brush.SourceRect.ToPixels(new Rect(contentSize));

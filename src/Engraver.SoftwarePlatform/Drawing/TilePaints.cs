@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Media;
 using Engraver.SoftwarePlatform.Bitmaps;
 using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
@@ -15,7 +16,7 @@ internal sealed class TilePaints(List<IDisposable> pictures)
     {
         if (Content(brush, toDevice) is not { } content)
             return null;
-        var layout = TileLayout.Of(content.Brush, area, content.Size);
+        var layout = TileLayout.From(content.Brush, area, content.Size);
         if (layout.Tile.Width <= 0 || layout.Tile.Height <= 0)
             return null;
         var toPicture = Matrix.CreateScale(content.Resolution, content.Resolution);
@@ -41,10 +42,10 @@ internal sealed class TilePaints(List<IDisposable> pictures)
     {
         var scale = Math.Sqrt(Math.Abs(toDevice.GetDeterminant()));
         var size = new PixelSize(Pixels(layout.Tile.Width * scale), Pixels(layout.Tile.Height * scale));
-        var tile = new SoftwareBitmap(size, new Vector(96, 96));
+        var tile = new DrawableBitmap(size, new Vector(96, 96));
         pictures.Add(tile);
         var brushToTile = Matrix.CreateTranslation(-layout.Tile.X, -layout.Tile.Y) * Matrix.CreateScale(size.Width / layout.Tile.Width, size.Height / layout.Tile.Height);
-        using (var context = tile.CreateDrawingContext(default))
+        using (var context = tile.OpenContext())
         {
             context.Transform = layout.ContentToBrush * brushToTile;
             context.PushRenderOptions(new RenderOptions { BitmapInterpolationMode = isSmooth ? default : Avalonia.Media.Imaging.BitmapInterpolationMode.None });
@@ -63,7 +64,7 @@ internal sealed class TilePaints(List<IDisposable> pictures)
     {
         if (brush is IImageBrush { Source: { } source } image)
         {
-            var bitmap = ImageBrushBitmap.Of(source);
+            var bitmap = ImageBrushBitmap.Find(source);
             return bitmap is null ? null : new TileContent(image, bitmap, bitmap.PixelSize.ToSizeWithDpi(bitmap.Dpi), bitmap.Dpi.X / 96);
         }
         var content = brush as ISceneBrushContent ?? (brush as ISceneBrush)?.CreateContent();
@@ -76,9 +77,9 @@ internal sealed class TilePaints(List<IDisposable> pictures)
         if (area.Width <= 0 || area.Height <= 0)
             return null;
         var resolution = Math.Max(1, Math.Sqrt(Math.Abs(toDevice.GetDeterminant())));
-        var picture = new SoftwareBitmap(new PixelSize(Pixels(area.Width * resolution), Pixels(area.Height * resolution)), new Vector(96, 96));
+        var picture = new DrawableBitmap(new PixelSize(Pixels(area.Width * resolution), Pixels(area.Height * resolution)), new Vector(96, 96));
         pictures.Add(picture);
-        using var context = picture.CreateDrawingContext(default);
+        using var context = picture.OpenContext();
         var place = Matrix.CreateTranslation(-area.X, -area.Y) * Matrix.CreateScale(resolution, resolution);
         context.Transform = place;
         content.Render(context, place);
@@ -87,3 +88,8 @@ internal sealed class TilePaints(List<IDisposable> pictures)
 
     private static int Pixels(double length) => (int)Math.Clamp(Math.Ceiling(length - 1e-6), 1, LargestPicture);
 }
+
+/// <summary>What a tile brush shows.</summary>
+/// <param name="Size">In the brush's units.</param>
+/// <param name="Resolution">Pixels of the picture per unit.</param>
+internal sealed record TileContent(ITileBrush Brush, SoftwareBitmap Picture, Size Size, double Resolution);

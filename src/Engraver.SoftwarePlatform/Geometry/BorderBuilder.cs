@@ -1,6 +1,6 @@
 using Avalonia;
 using Avalonia.Media;
-using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Geometry;
 

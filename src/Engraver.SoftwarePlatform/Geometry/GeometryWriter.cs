@@ -1,7 +1,7 @@
 using Avalonia;
 using Avalonia.Media;
 using Avalonia.Platform;
-using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Geometry;
 

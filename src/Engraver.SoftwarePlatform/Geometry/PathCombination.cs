@@ -1,6 +1,6 @@
 using Avalonia;
 using Avalonia.Media;
-using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Geometry;
 
@@ -71,3 +71,6 @@ internal static class PathCombination
         return trapezoids;
     }
 }
+
+/// <summary>Left and right ends of the upper and the lower side.</summary>
+internal readonly record struct Trapezoid(double TopLeft, double TopRight, double BottomLeft, double BottomRight);

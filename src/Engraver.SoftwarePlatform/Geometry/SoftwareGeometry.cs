@@ -2,7 +2,7 @@ using System.Diagnostics.CodeAnalysis;
 using Avalonia;
 using Avalonia.Media;
 using Avalonia.Platform;
-using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Geometry;
 
@@ -69,5 +69,16 @@ internal class SoftwareGeometry : IGeometryImpl
         _lengths = null;
     }
 
-    private VectorPath Widened(IPen pen) => Stroker.Stroke(StrokePath, StrokeStyle.Of(pen), 1);
+    private VectorPath Widened(IPen pen) => Stroker.Stroke(StrokePath, StrokeStyle.From(pen), 1);
+}
+
+internal sealed class TransformedSoftwareGeometry(SoftwareGeometry source, Matrix transform)
+    : SoftwareGeometry(source.StrokePath.Transformed(transform), TransformedFill(source, transform)), ITransformedGeometryImpl
+{
+    public IGeometryImpl SourceGeometry => source;
+
+    public Matrix Transform => transform;
+
+    private static VectorPath? TransformedFill(SoftwareGeometry source, Matrix transform) =>
+        source.FillPath == source.StrokePath ? null : source.FillPath.Transformed(transform);
 }

@@ -1,3 +1,4 @@
+using Avalonia.Rendering;
 using Avalonia.Threading;
 using Engraver.SoftwarePlatform.Input;
 using Engraver.SoftwarePlatform.Windows;
@@ -18,4 +19,19 @@ internal static class HeadlessSetup
         desktop.Attach(dispatcher, frames, clipboard);
         PlatformServices.Bind(seat, frames, clipboard, () => new HeadlessWindow(desktop, seat, scale));
     }
+}
+
+/// <summary>Frames come when they are asked for.</summary>
+internal sealed class HandFiredTimer(TimeProvider time) : IRenderTimer
+{
+    private readonly long _start = time.GetTimestamp();
+
+    public Action<TimeSpan>? Tick { get; set; }
+
+    public bool RunsInBackground => false;
+
+    /// <summary>False while nothing waits to be drawn.</summary>
+    public bool IsWanted => Tick is not null;
+
+    public void Fire() => Tick?.Invoke(time.GetElapsedTime(_start));
 }

@@ -79,7 +79,7 @@ public sealed partial class HeadlessWindow
     /// <summary>Files or folders dragged from another program and let go here.</summary>
     public DragDropEffects DropFiles(Point at, IEnumerable<string> paths)
     {
-        var data = DroppedFiles.Of(paths);
+        var data = DroppedFiles.Create(paths);
         var effects = DragDropEffects.None;
         Queue(() => DeliverDrag(RawDragEventType.DragEnter, at, data, DragDropEffects.Copy));
         Queue(() => DeliverDrag(RawDragEventType.DragOver, at, data, DragDropEffects.Copy));

@@ -5,7 +5,7 @@ namespace Engraver.SoftwarePlatform.Input;
 /// <summary>Files of another program on their way into a window.</summary>
 internal static class DroppedFiles
 {
-    public static DataTransfer Of(IEnumerable<string> paths)
+    public static DataTransfer Create(IEnumerable<string> paths)
     {
         var data = new DataTransfer();
         foreach (var path in paths)

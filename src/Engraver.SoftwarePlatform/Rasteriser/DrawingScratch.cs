@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
-using Engraver.SoftwarePlatform.Drawing;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
+using Engraver.SoftwarePlatform.Rasteriser.Shadows;
 
 namespace Engraver.SoftwarePlatform.Rasteriser;
 

@@ -1,4 +1,6 @@
 using Avalonia;
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
@@ -94,4 +96,20 @@ internal static class ShapeFiller
     }
 
     private static byte Coverage(double area) => (byte)(area * 255 + 0.5);
+}
+
+/// <summary>Writes coverage into a mask that holds at least the bounds of the shape.</summary>
+internal readonly struct MaskSink(CoverageMask mask) : ICoverageSink
+{
+    public void Run(int y, int left, int right, byte coverage) => mask.Row(y, left, right).Fill(coverage);
+
+    public void Cells(int y, int left, ReadOnlySpan<byte> coverages) => coverages.CopyTo(mask.Row(y, left, left + coverages.Length));
+}
+
+/// <summary>Paints coverage as it comes.</summary>
+internal readonly struct PaintSink(SurfacePainter painter, Paint paint, ClipShape clip) : ICoverageSink
+{
+    public void Run(int y, int left, int right, byte coverage) => painter.Run(y, left, right, coverage, paint, clip);
+
+    public void Cells(int y, int left, ReadOnlySpan<byte> coverages) => painter.Cells(y, left, coverages, paint, clip);
 }

@@ -1,3 +1,5 @@
+using Engraver.SoftwarePlatform.Rasteriser.Paints;
+
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
 /// <summary>Puts spans of a paint onto a surface, inside a clip.</summary>
@@ -96,4 +98,14 @@ internal sealed class SurfacePainter(PixelSurface surface, DrawingScratch scratc
             row[i] = PixelArithmetic.Scale(mixed, coverages[i]) + PixelArithmetic.Scale(row[i], 255u - coverages[i]);
         }
     }
+}
+
+/// <summary>Memory that is drawn into: premultiplied pixels that stand for the device pixels of <see cref="Bounds"/>. The owner keeps the memory alive.</summary>
+internal readonly unsafe struct PixelSurface(uint* pixels, int pixelsPerRow, PixelBounds bounds)
+{
+    public PixelBounds Bounds { get; } = bounds;
+
+    /// <summary>Part of a device row; the caller stays within <see cref="Bounds"/>.</summary>
+    public Span<uint> Row(int y, int left, int right) =>
+        new(pixels + (long)(y - Bounds.Top) * pixelsPerRow + (left - Bounds.Left), right - left);
 }

@@ -9,7 +9,7 @@ internal static class CharacterMapUpgrade
     private const int WindowsPlatform = 3;
 
     /// <returns>The table itself where nothing has to be done, or nothing can be.</returns>
-    public static ReadOnlyMemory<byte> Of(ReadOnlyMemory<byte> table)
+    public static ReadOnlyMemory<byte> Upgrade(ReadOnlyMemory<byte> table)
     {
         try
         {

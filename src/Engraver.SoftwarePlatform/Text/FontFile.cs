@@ -63,3 +63,12 @@ internal sealed class FontFile
         return isCollection ? new FontBytes(source.Read(12 + 4L * face, 4)).UInt32(0) : 0;
     }
 }
+
+/// <summary>The bytes of a font file, wherever they are.</summary>
+internal interface IFontSource
+{
+    long Length { get; }
+
+    /// <exception cref="BrokenFontException">The range is not in the file, or the file cannot be read.</exception>
+    ReadOnlyMemory<byte> Read(long offset, int length);
+}

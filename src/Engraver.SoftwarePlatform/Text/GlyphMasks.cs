@@ -12,7 +12,7 @@ internal sealed class GlyphMasks(SoftwareTypeface typeface)
     private readonly ConcurrentDictionary<(ushort Glyph, int Size, int Step, TextTone Tone), GlyphMask?> _masks = new();
     private int _bytes;
 
-    /// <param name="size">As <see cref="GlyphSize.Of"/> gives it.</param>
+    /// <param name="size">As <see cref="GlyphSize.ToParts"/> gives it.</param>
     /// <param name="step">Quarters of a pixel to the right.</param>
     /// <returns>Null for a glyph without ink.</returns>
     public GlyphMask? Get(ushort glyph, int size, int step, TextTone tone)
@@ -44,4 +44,28 @@ internal sealed class GlyphMasks(SoftwareTypeface typeface)
         tone.Apply(cells);
         return new GlyphMask(bounds, cells);
     }
+}
+
+/// <summary>Coverage of a glyph around its origin.</summary>
+internal sealed class GlyphMask(PixelBounds bounds, byte[] cells)
+{
+    public PixelBounds Bounds => bounds;
+
+    public int Bytes => cells.Length;
+
+    public ReadOnlySpan<byte> Row(int y) => cells.AsSpan((y - bounds.Top) * bounds.Width, bounds.Width);
+}
+
+/// <summary>Size and place of a glyph as far as its mask depends on them.</summary>
+internal static class GlyphSize
+{
+    /// <summary>Glyphs stand on quarters of a pixel.</summary>
+    public const int StepsPerPixel = 4;
+
+    private const double PartsPerPixel = 64;
+
+    /// <summary>Pixels per em in 1/64.</summary>
+    public static int ToParts(double pixelsPerEm) => (int)Math.Round(pixelsPerEm * PartsPerPixel);
+
+    public static double PixelsPerEm(int size) => size / PartsPerPixel;
 }

@@ -11,7 +11,7 @@ internal sealed class MarkPlacement
 
     private MarkPlacement(List<FontBytes> subtables) => _subtables = subtables;
 
-    public static MarkPlacement Of(FontFile file)
+    public static MarkPlacement Read(FontFile file)
     {
         try
         {

@@ -15,7 +15,7 @@ internal sealed class PairKerning
 
     private PairKerning(List<FontBytes> subtables) => _subtables = subtables;
 
-    public static PairKerning Of(FontFile file)
+    public static PairKerning Read(FontFile file)
     {
         try
         {

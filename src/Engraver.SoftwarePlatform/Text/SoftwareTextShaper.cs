@@ -21,3 +21,11 @@ public sealed class SoftwareTextShaper : ITextShaperImpl
         return buffer;
     }
 }
+
+/// <summary>The shaper keeps what it needs in <see cref="SoftwareTypeface"/>; Avalonia wants an object of its own nevertheless.</summary>
+internal sealed class ShaperTypeface : ITextShaperTypeface
+{
+    public void Dispose()
+    {
+    }
+}

@@ -3,7 +3,8 @@ using System.Diagnostics.CodeAnalysis;
 using Avalonia;
 using Avalonia.Media;
 using Avalonia.Media.Fonts;
-using Engraver.SoftwarePlatform.Rasteriser;
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
+using Engraver.SoftwarePlatform.Text.Outlines;
 
 namespace Engraver.SoftwarePlatform.Text;
 
@@ -30,8 +31,8 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         FontSimulations = simulations;
         UnitsPerEm = Math.Max(16, (int)file.Table("head").UInt16(18));
         _outlines = new Lazy<IGlyphOutlines>(() => file.Has("glyf") ? new GlyfOutlines(file) : new CffOutlines(file));
-        _kerning = new Lazy<PairKerning>(() => PairKerning.Of(file));
-        _marks = new Lazy<MarkPlacement>(() => MarkPlacement.Of(file));
+        _kerning = new Lazy<PairKerning>(() => PairKerning.Read(file));
+        _marks = new Lazy<MarkPlacement>(() => MarkPlacement.Read(file));
         Masks = new GlyphMasks(this);
         GlyphTypeface = new GlyphTypeface(this);
         TryOut(GlyphTypeface, file);
@@ -99,7 +100,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         if (!_file.TryGetTable((uint)tag, out table))
             return false;
         if ((uint)tag == CharacterMapTag)
-            table = CharacterMapUpgrade.Of(table);
+            table = CharacterMapUpgrade.Upgrade(table);
         return true;
     }
 

@@ -16,7 +16,7 @@ internal readonly record struct TextTone(int Level)
     public static TextTone Middle => new(1);
 
     /// <param name="pixel">Premultiplied colour of the text.</param>
-    public static TextTone Of(uint pixel)
+    public static TextTone From(uint pixel)
     {
         var alpha = pixel >> 24;
         if (alpha == 0)

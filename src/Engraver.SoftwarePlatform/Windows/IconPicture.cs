@@ -6,7 +6,7 @@ namespace Engraver.SoftwarePlatform.Windows;
 /// <summary>A small picture: one number a pixel, 0xAARRGGBB, premultiplied, rows from the top.</summary>
 internal sealed record IconPicture(PixelSize Size, uint[] Pixels)
 {
-    public static unsafe IconPicture Of(Bitmap bitmap)
+    public static unsafe IconPicture From(Bitmap bitmap)
     {
         var size = bitmap.PixelSize;
         var pixels = new uint[size.Width * size.Height];

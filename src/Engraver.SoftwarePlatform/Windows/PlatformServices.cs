@@ -2,6 +2,7 @@ using Avalonia;
 using Avalonia.Controls.Platform;
 using Avalonia.Input;
 using Avalonia.Input.Platform;
+using Avalonia.Media.Imaging;
 using Avalonia.Platform;
 using Avalonia.Rendering;
 using Avalonia.Rendering.Composition;
@@ -27,5 +28,29 @@ internal static class PlatformServices
             .Bind<IMountedVolumeInfoProvider>().ToConstant(new MountedVolumes())
             .Bind<CompositionOptions>().ToConstant(new CompositionOptions { UseRegionDirtyRectClipping = true });
         AvaloniaLocator.CurrentMutable.Bind<Compositor>().ToConstant(new Compositor(null)); // needs the render loop
+    }
+}
+
+internal sealed class SoftwareCursorFactory : ICursorFactory
+{
+    public ICursorImpl GetCursor(StandardCursorType cursorType) => new SoftwareCursor(cursorType, null, default);
+
+    public ICursorImpl CreateCursor(Bitmap cursor, PixelPoint hotSpot) => new SoftwareCursor(StandardCursorType.Arrow, IconPicture.From(cursor), hotSpot);
+}
+
+/// <summary>Makes windows of one kind. Windows inside foreign windows and tray icons do not exist here.</summary>
+internal sealed class SoftwareWindowing(Func<SoftwareWindow> create) : IWindowingPlatform
+{
+    public IWindowImpl CreateWindow() => create();
+
+    public ITopLevelImpl CreateEmbeddableTopLevel() => throw new PlatformNotSupportedException("The software platform cannot be embedded into foreign windows.");
+
+    public IWindowImpl CreateEmbeddableWindow() => throw new PlatformNotSupportedException("The software platform cannot be embedded into foreign windows.");
+
+    public ITrayIconImpl? CreateTrayIcon() => null;
+
+    public void GetWindowsZOrder(ReadOnlySpan<IWindowImpl> windows, Span<long> zOrder)
+    {
+        for (var i = 0; i < windows.Length; i++) zOrder[i] = (windows[i] as SoftwareWindow)?.Stacking ?? 0;
     }
 }

@@ -22,3 +22,18 @@ internal sealed class WindowIconLoader : IPlatformIconLoader
         return new WindowIcon(file.ToArray());
     }
 }
+
+/// <summary>A window's icon: kept as the bytes it came in, and as pixels for the window manager.</summary>
+internal sealed class WindowIcon(byte[] file) : IWindowIconImpl
+{
+    public IconPicture Picture { get; } = Decode(file);
+
+    public void Save(Stream outputStream) => outputStream.Write(file);
+
+    private static IconPicture Decode(byte[] file)
+    {
+        using var stream = new MemoryStream(file);
+        using var bitmap = new Bitmap(stream);
+        return IconPicture.From(bitmap);
+    }
+}

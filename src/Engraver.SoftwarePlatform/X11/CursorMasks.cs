@@ -5,7 +5,7 @@ namespace Engraver.SoftwarePlatform.X11;
 /// <summary>A picture as an X bitmap pair: where it is light, and where it is there at all. Rows are padded to bytes, the lowest bit is the leftmost pixel.</summary>
 internal static class CursorMasks
 {
-    public static (byte[] Light, byte[] Mask) Of(IconPicture picture)
+    public static (byte[] Light, byte[] Mask) Create(IconPicture picture)
     {
         var stride = (picture.Size.Width + 7) / 8;
         var light = new byte[stride * picture.Size.Height];

@@ -1,5 +1,6 @@
 using System.Text;
 using Engraver.SoftwarePlatform.Windows;
+using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 

@@ -1,5 +1,6 @@
 using Avalonia.Input;
 using Engraver.SoftwarePlatform.Windows;
+using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
@@ -52,7 +53,7 @@ internal sealed unsafe class X11Cursors(XConnection connection)
     private nint OfPicture(SoftwareCursor cursor, IconPicture picture)
     {
         if (_pictures.TryGetValue(cursor, out var made)) return made;
-        var (shape, mask) = CursorMasks.Of(picture);
+        var (shape, mask) = CursorMasks.Create(picture);
         fixed (byte* shapeBits = shape, maskBits = mask)
         {
             return _pictures[cursor] = Make(shapeBits, maskBits, (uint)picture.Size.Width, (uint)picture.Size.Height, (uint)cursor.HotSpot.X, (uint)cursor.HotSpot.Y);

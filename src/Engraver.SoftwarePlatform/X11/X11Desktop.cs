@@ -1,5 +1,7 @@
 using Avalonia;
 using Engraver.SoftwarePlatform.Input;
+using Engraver.SoftwarePlatform.X11.Protocol;
+using Engraver.SoftwarePlatform.X11.Selections;
 
 namespace Engraver.SoftwarePlatform.X11;
 

@@ -1,5 +1,6 @@
 using System.Text;
 using Avalonia.Input;
+using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 

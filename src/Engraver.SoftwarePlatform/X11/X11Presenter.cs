@@ -1,5 +1,6 @@
 using Avalonia;
 using Engraver.SoftwarePlatform.Windows;
+using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 

@@ -4,6 +4,7 @@ using Avalonia.Rendering;
 using Avalonia.Threading;
 using Engraver.SoftwarePlatform.Input;
 using Engraver.SoftwarePlatform.Windows;
+using Engraver.SoftwarePlatform.X11.Selections;
 
 namespace Engraver.SoftwarePlatform.X11;
 

@@ -23,7 +23,7 @@ internal sealed partial class X11Window
     internal void OnWheel(Point at, Vector notches, RawInputModifiers modifiers) => DeliverWheel(at, notches, modifiers);
 
     internal DragDropEffects OnDrag(RawDragEventType type, PixelPoint root, IReadOnlyList<string> files) =>
-        DeliverDrag(type, PointToClient(root), DroppedFiles.Of(files), DragDropEffects.Copy);
+        DeliverDrag(type, PointToClient(root), DroppedFiles.Create(files), DragDropEffects.Copy);
 
     internal void OnFocus(bool has)
     {

@@ -4,6 +4,7 @@ using Avalonia.Input;
 using Avalonia.Input.Raw;
 using Avalonia.Threading;
 using Engraver.SoftwarePlatform.Input;
+using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
@@ -43,7 +44,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
                 OnButton(ref received);
                 break;
             case XEventType.MotionNotify:
-                _motion.Put((PlaceOf(received), XModifiers.Of(received.State)));
+                _motion.Put((PlaceOf(received), XModifiers.FromState(received.State)));
                 break;
             case XEventType.EnterNotify or XEventType.LeaveNotify:
                 OnCrossing(ref received);
@@ -59,7 +60,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
                 OnConfigure(ref received);
                 break;
             case XEventType.PropertyNotify when received.Property == desktop.Atoms.NetWmState:
-                var state = XWindowState.Of(input.GetLongs(handle, desktop.Atoms.NetWmState), desktop.Atoms);
+                var state = XWindowState.FromList(input.GetLongs(handle, desktop.Atoms.NetWmState), desktop.Atoms);
                 Queue(() => window.OnStateChanged(state));
                 break;
             case XEventType.MapNotify:
@@ -78,7 +79,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
     public void OnKey(ref XEvent received)
     {
         var key = desktop.Keyboard.KeyOf(ref received);
-        var modifiers = XModifiers.Of(received.State);
+        var modifiers = XModifiers.FromState(received.State);
         var isDown = received.Type == XEventType.KeyPress;
         if (!Admits(ref received, key, modifiers, isDown)) return;
         fixed (XEvent* given = &received)
@@ -108,7 +109,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
     private void OnButton(ref XEvent received)
     {
         var at = PlaceOf(received);
-        var modifiers = XModifiers.Of(received.State);
+        var modifiers = XModifiers.FromState(received.State);
         var isDown = received.Type == XEventType.ButtonPress;
         if (XButtons.WheelOf(received.Detail) is { } notches)
         {
@@ -129,7 +130,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
     {
         if (received.CrossingMode is NotifyGrab or NotifyUngrab || received.CrossingDetail == NotifyInferior) return;
         var at = PlaceOf(received);
-        var modifiers = XModifiers.Of(received.CrossingState);
+        var modifiers = XModifiers.FromState(received.CrossingState);
         var type = received.Type == XEventType.EnterNotify ? RawPointerEventType.Move : RawPointerEventType.LeaveWindow;
         Queue(() => window.OnPointer(type, at, modifiers));
     }

@@ -1,3 +1,5 @@
+using Engraver.SoftwarePlatform.X11.Protocol;
+
 namespace Engraver.SoftwarePlatform.X11;
 
 internal delegate void XEventHandler(ref XEvent received);

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 

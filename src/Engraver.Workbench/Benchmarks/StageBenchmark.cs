@@ -1,14 +1,16 @@
 using System.Globalization;
 using System.Text;
 using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Benchmarks;
@@ -85,4 +87,17 @@ public static class StageBenchmark
     private static string Note(MachineRunReport report) => string.Create(
         CultureInfo.InvariantCulture,
         $"{report.Result.Seconds:0} s of machine time, worst {report.Judgement.MaxDeviationMm:0.0000} mm, missing {report.Judgement.MissingLengthMm:0.###} mm");
+}
+
+/// <summary>One row of the table in docs/benchmarks.md.</summary>
+/// <param name="CpuSeconds">User and system time of the whole process, median of the repetitions.</param>
+/// <param name="AllocatedBytes">Allocated on all threads, for each entity.</param>
+/// <param name="KeptBytes">Still reachable through the result, for each entity.</param>
+public sealed record StageFigure(int Entities, string Stage, double CpuSeconds, double AllocatedBytes, double KeptBytes, string Note)
+{
+    /// <summary>The two lines above the rows.</summary>
+    public const string MarkdownHead = "| Entities | Stage | CPU s (median) | allocated bytes/entity | kept bytes/entity | note |\n|---:|---|---:|---:|---:|---|";
+
+    public string ToMarkdown() => string.Create(
+        CultureInfo.InvariantCulture, $"| {Entities} | {Stage} | {CpuSeconds:0.000} | {AllocatedBytes:0} | {KeptBytes:0} | {Note} |");
 }

@@ -38,3 +38,27 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
     /// <summary>A point as it is shown and as it can be typed again.</summary>
     public static string Show(Point2D point) => string.Create(CultureInfo.InvariantCulture, $"{point.X:0.######},{point.Y:0.######}");
 }
+
+/// <summary>A place of the drawing that is asked for.</summary>
+/// <param name="From">Where the way to it begins, or the first corner, drawing units; null when it stands alone.</param>
+public sealed record PointAim(PointUse Use, Point2D? From)
+{
+    /// <summary>A place that stands alone.</summary>
+    public static PointAim Place { get; } = new(PointUse.Place, null);
+
+    /// <summary>The corner where a box begins.</summary>
+    public static PointAim FirstCorner { get; } = new(PointUse.Corner, null);
+}
+
+/// <summary>What a place of the drawing is asked for: it decides how a canvas helps to point at it.</summary>
+public enum PointUse
+{
+    /// <summary>A place, exactly: object snaps, the snap raster and ORTHO help.</summary>
+    Place,
+
+    /// <summary>A corner of a box: nothing snaps, so that it can stand beside what it is to hold.</summary>
+    Corner,
+
+    /// <summary>The object there: nothing snaps.</summary>
+    Object,
+}

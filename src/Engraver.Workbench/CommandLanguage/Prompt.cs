@@ -36,3 +36,41 @@ public abstract record Prompt(string Instruction)
         }
     }
 }
+
+/// <summary>What the operator answered to a prompt.</summary>
+public abstract record Answer<T>
+{
+    private Answer()
+    {
+    }
+
+    public sealed record Value(T Of) : Answer<T>;
+
+    /// <param name="Option">The option's name as the prompt spells it.</param>
+    public sealed record Chosen(string Option) : Answer<T>;
+
+    /// <summary>Enter alone where that ends a list.</summary>
+    public sealed record Ended : Answer<T>;
+}
+
+/// <summary>What came of reading a typed value.</summary>
+public abstract record Reading<T>
+{
+    private Reading()
+    {
+    }
+
+    public sealed record Value(T Of) : Reading<T>;
+
+    /// <param name="Sentence">What is wanted instead.</param>
+    public sealed record Wrong(string Sentence) : Reading<T>;
+}
+
+/// <summary>A prompt for a value of a kind.</summary>
+public abstract record ValuePrompt<T>(string Instruction) : Prompt(Instruction)
+{
+    /// <summary>Reads what was typed (never empty).</summary>
+    /// <param name="lastPoint">What <c>@</c> is relative to, drawing units.</param>
+    /// <returns>The value, or a sentence that says what is wanted.</returns>
+    public abstract Reading<T> Read(string typed, Core.Geometry.Point2D lastPoint);
+}

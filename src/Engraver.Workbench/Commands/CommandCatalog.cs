@@ -1,3 +1,12 @@
+using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Commands.Files;
+using Engraver.Workbench.Commands.Inquiry;
+using Engraver.Workbench.Commands.Machine;
+using Engraver.Workbench.Commands.Sequencing;
+using Engraver.Workbench.Commands.Session;
+using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Commands.View;
+
 namespace Engraver.Workbench.Commands;
 
 /// <summary>The commands there are. What is not built is not in it.</summary>

@@ -3,6 +3,8 @@ using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Alarms;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
@@ -108,7 +110,7 @@ public sealed class CommandContext
     internal string NewRunJournal(string drawing) => JournalFolder.NewJournal(drawing, _session.Environment.RunJournalFolder, Time);
 
     /// <summary>A bug of ours has ended the command: a job under way is stopped, and an alarm says what happened.</summary>
-    internal FeedResult Broken(Exception bug)
+    internal InputResult Broken(Exception bug)
     {
         var name = _frame.Info.Name;
         var wasRunning = Machine.IsRunning;
@@ -117,9 +119,29 @@ public sealed class CommandContext
         var report = _session.Environment.Failures?.Write(bug);
         Machine.Alarms.Raise(AlarmCause.InternalError, sentence, name, $"SAVEAS what matters and look at the machine before another start; please send {report ?? "the history"} with the drawing.");
         Say(bug.ToString());
-        return new FeedResult.Failed(CommandFailure.Internal, sentence) { Bug = bug };
+        return new InputResult.Failed(CommandFailure.Internal, sentence) { Bug = bug };
     }
 
     /// <summary>Reads the alias files anew.</summary>
     public AliasTable ReloadAliases() => _session.ReloadAliases();
+}
+
+/// <summary>A line of the command window's history.</summary>
+public sealed record CommandMessage(MessageKind Kind, string Text);
+
+public enum MessageKind
+{
+    /// <summary>A prompt and what was typed to it.</summary>
+    Echo,
+
+    /// <summary>What a command was asked for: figures, lists, program text.</summary>
+    Result,
+
+    /// <summary>What a command has to say besides.</summary>
+    Note,
+
+    Warning,
+
+    /// <summary>A finding of severity error, or an input that was not understood.</summary>
+    Error,
 }

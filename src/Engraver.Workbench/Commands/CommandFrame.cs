@@ -1,4 +1,4 @@
-using Engraver.Galil.Protocol;
+using Engraver.Galil.Links;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
 
@@ -18,7 +18,7 @@ internal sealed class CommandFrame : IDisposable
     public PendingAsk? Pending { get; private set; }
 
     /// <summary>How it ended; runs until then.</summary>
-    public Task<FeedResult> Ended { get; private set; } = Task.FromResult<FeedResult>(new FeedResult.Done());
+    public Task<InputResult> Ended { get; private set; } = Task.FromResult<InputResult>(new InputResult.Done());
 
     public void Start(ICommand command, CommandContext context) => Ended = RunAsync(command, context);
 
@@ -44,11 +44,11 @@ internal sealed class CommandFrame : IDisposable
     }
 
     /// <summary>Waits until the command asks or has ended.</summary>
-    public async Task<FeedResult> SettledAsync(CancellationToken cancellation)
+    public async Task<InputResult> SettledAsync(CancellationToken cancellation)
     {
         await using var stop = cancellation.Register(Cancel).ConfigureAwait(false);
         await Task.WhenAny(_asks.Task, Ended).ConfigureAwait(false);
-        return Ended.IsCompleted ? await Ended.ConfigureAwait(false) : new FeedResult.Asking();
+        return Ended.IsCompleted ? await Ended.ConfigureAwait(false) : new InputResult.Asking();
     }
 
     public void Cancel()
@@ -59,32 +59,32 @@ internal sealed class CommandFrame : IDisposable
 
     public void Dispose() => _cancel.Dispose();
 
-    private async Task<FeedResult> RunAsync(ICommand command, CommandContext context)
+    private async Task<InputResult> RunAsync(ICommand command, CommandContext context)
     {
         try
         {
             await command.RunAsync(context, _cancel.Token).ConfigureAwait(false);
-            return new FeedResult.Done();
+            return new InputResult.Done();
         }
         catch (CommandException failed)
         {
-            return new FeedResult.Failed(failed.Failure, failed.Message);
+            return new InputResult.Failed(failed.Failure, failed.Message);
         }
         catch (SettingException unfit)
         {
-            return new FeedResult.Failed(CommandFailure.Usage, unfit.Message);
+            return new InputResult.Failed(CommandFailure.Usage, unfit.Message);
         }
         catch (ControllerException link)
         {
-            return new FeedResult.Failed(CommandFailure.LinkLost, link.Message);
+            return new InputResult.Failed(CommandFailure.LinkLost, link.Message);
         }
         catch (Exception file) when (file is IOException or UnauthorizedAccessException)
         {
-            return new FeedResult.Failed(CommandFailure.Usage, file.Message);
+            return new InputResult.Failed(CommandFailure.Usage, file.Message);
         }
         catch (OperationCanceledException)
         {
-            return new FeedResult.Cancelled();
+            return new InputResult.Cancelled();
         }
         catch (Exception bug) // a command ends here as a job or a window does: whatever it was, it is recorded, nothing moves on, and the operator keeps the desk
         {

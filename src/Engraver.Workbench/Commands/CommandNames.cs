@@ -27,3 +27,16 @@ internal static class CommandNames
         return [.. aliases, .. names];
     }
 }
+
+/// <summary>A completion of what is typed: alias first where there is one, as in <c>M (MOVE)</c>.</summary>
+/// <param name="Alias">Null for the command's own name.</param>
+public sealed record CommandSuggestion(string? Alias, CommandInfo Command)
+{
+    public string Text => Alias is null ? Command.Name : $"{Alias} ({Command.Name})";
+}
+
+/// <summary>A typed command name without AutoCAD's prefixes: <c>'</c> transparent, <c>_</c> international, <c>.</c> built-in, <c>-</c> without a dialog (there are none here).</summary>
+internal static class CommandWord
+{
+    public static string Bare(string typed) => typed.TrimStart('\'', '_', '.', '-');
+}

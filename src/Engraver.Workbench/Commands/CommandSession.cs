@@ -1,7 +1,9 @@
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
@@ -81,7 +83,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Takes one input, as typed up to Enter (or Space, where the prompt does not take spaces). Empty is Enter alone: the default, the end of a list, or the last command again.</summary>
     /// <param name="cancellation">The operator's stop: a job under way is ended, with the machine standing, before this returns.</param>
-    public async Task<FeedResult> FeedAsync(string input, CancellationToken cancellation)
+    public async Task<InputResult> FeedAsync(string input, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(input);
         Environment.Journal?.WriteLine(ScriptText.Write(input.Trim()));
@@ -92,7 +94,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Begins a command inside the one that asks, as a key or a button does; typed, an apostrophe stands before it, which in an answer of text is a letter. With nothing asked it begins by itself.</summary>
     /// <param name="cancellation">As for one input.</param>
-    public async Task<FeedResult> FeedInsideAsync(string command, CancellationToken cancellation)
+    public async Task<InputResult> FeedInsideAsync(string command, CancellationToken cancellation)
     {
         if (_frames.Top is not { Pending: not null } frame) return await FeedAsync(command, cancellation).ConfigureAwait(false);
         Environment.Journal?.WriteLine("'" + command);
@@ -102,10 +104,10 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Takes several lines at once, as pasted text is: a script of them, under the rules for scripts. While a command is at work nothing of it is taken.</summary>
     /// <param name="cancellation">As for one input.</param>
-    public async Task<FeedResult> FeedLinesAsync(string lines, CancellationToken cancellation)
+    public async Task<InputResult> FeedLinesAsync(string lines, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(lines);
-        if (IsBusy) return Told(new FeedResult.NotUnderstood("A command is at work; pasted lines are not taken until it has ended."));
+        if (IsBusy) return Told(new InputResult.NotUnderstood("A command is at work; pasted lines are not taken until it has ended."));
         Environment.Journal?.WriteLine(lines.TrimEnd());
         QueueScript("pasted lines", lines);
         return Told(await RunScriptsAsync(cancellation).ConfigureAwait(false));
@@ -154,60 +156,60 @@ public sealed class CommandSession : IAsyncDisposable
 
     internal AliasTable ReloadAliases() => Aliases = AliasFiles.Read(Environment.AliasFile, Catalog);
 
-    private async Task<FeedResult> FeedOneAsync(string input, CancellationToken cancellation)
+    private async Task<InputResult> FeedOneAsync(string input, CancellationToken cancellation)
     {
         if (IsBusy) return await HearAsync(input, cancellation).ConfigureAwait(false);
         Echo(input);
         if (_frames.Top is not { } frame) return await BeginAsync(input, cancellation).ConfigureAwait(false);
         if (input.StartsWith('\'') && frame.Pending is not { Prompt.TakesSpaces: true }) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
-        return frame.Answer(input, LastPoint) is { } wanted ? new FeedResult.NotUnderstood(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
+        return frame.Answer(input, LastPoint) is { } wanted ? new InputResult.NotUnderstood(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>While a command is at work.</summary>
-    private async Task<FeedResult> HearAsync(string input, CancellationToken cancellation)
+    private async Task<InputResult> HearAsync(string input, CancellationToken cancellation)
     {
-        if (Find(input) is not { Info.HeardDuringJob: true } command) return new FeedResult.NotUnderstood("A command is at work; only CNCSTOP, CNCSTATUS and Esc are heard.");
+        if (Find(input) is not { Info.HeardDuringJob: true } command) return new InputResult.NotUnderstood("A command is at work; only CNCSTOP, CNCSTATUS and Esc are heard.");
         using var frame = new CommandFrame(command.Info);
         frame.Start(command, new CommandContext(this, frame));
         return await frame.Ended.WaitAsync(cancellation).ConfigureAwait(false);
     }
 
-    private async Task<FeedResult> BeginAsync(string input, CancellationToken cancellation)
+    private async Task<InputResult> BeginAsync(string input, CancellationToken cancellation)
     {
         if (input.Length == 0) return await RepeatAsync(cancellation).ConfigureAwait(false);
-        if (Find(input) is not { } command) return new FeedResult.NotUnderstood($"Unknown command '{input}'; HELP lists what there is.");
+        if (Find(input) is not { } command) return new InputResult.NotUnderstood($"Unknown command '{input}'; HELP lists what there is.");
         _last = command;
         return await StartAsync(command, cancellation).ConfigureAwait(false);
     }
 
-    private async Task<FeedResult> RepeatAsync(CancellationToken cancellation)
+    private async Task<InputResult> RepeatAsync(CancellationToken cancellation)
     {
-        if (_last is not { } command) return new FeedResult.Done();
+        if (_last is not { } command) return new InputResult.Done();
         if (!command.Info.StartsMotion) return await StartAsync(command, cancellation).ConfigureAwait(false);
         Say(MessageKind.Note, $"{command.Info.Name} starts motion and is not repeated by Enter; type it.");
-        return new FeedResult.Done();
+        return new InputResult.Done();
     }
 
-    private async Task<FeedResult> BeginInsideAsync(CommandFrame outer, string input, CancellationToken cancellation)
+    private async Task<InputResult> BeginInsideAsync(CommandFrame outer, string input, CancellationToken cancellation)
     {
-        if (Find(input) is not { } command) return new FeedResult.NotUnderstood($"Unknown command '{input}'; HELP lists what there is.");
-        if (!command.Info.Transparent || _frames.IsNested) return new FeedResult.NotUnderstood($"{command.Info.Name} cannot be used inside {outer.Info.Name}; end that first.");
+        if (Find(input) is not { } command) return new InputResult.NotUnderstood($"Unknown command '{input}'; HELP lists what there is.");
+        if (!command.Info.Transparent || _frames.IsNested) return new InputResult.NotUnderstood($"{command.Info.Name} cannot be used inside {outer.Info.Name}; end that first.");
         return await StartAsync(command, cancellation).ConfigureAwait(false);
     }
 
-    private async Task<FeedResult> StartAsync(ICommand command, CancellationToken cancellation)
+    private async Task<InputResult> StartAsync(ICommand command, CancellationToken cancellation)
     {
         var frame = _frames.Push(command.Info);
         frame.Start(command, new CommandContext(this, frame));
         return await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
 
-    private async Task<FeedResult> SettleAsync(CommandFrame frame, CancellationToken cancellation)
+    private async Task<InputResult> SettleAsync(CommandFrame frame, CancellationToken cancellation)
     {
         var result = await _frames.SettledAsync(frame, cancellation).ConfigureAwait(false);
-        if (result is not FeedResult.Done || _frames.Top is not { } outer) return result;
+        if (result is not InputResult.Done || _frames.Top is not { } outer) return result;
         Say(MessageKind.Note, $"Resuming {outer.Info.Name} command.");
-        return new FeedResult.Asking();
+        return new InputResult.Asking();
     }
 
     private Task EndAllAsync()
@@ -216,32 +218,44 @@ public sealed class CommandSession : IAsyncDisposable
         return _frames.EndAllAsync();
     }
 
-    private FeedResult Told(FeedResult result)
+    private InputResult Told(InputResult result)
     {
-        if (result is FeedResult.Failed failed) Say(MessageKind.Error, failed.Sentence);
-        if (result is FeedResult.NotUnderstood unclear) Say(MessageKind.Error, unclear.Sentence);
+        if (result is InputResult.Failed failed) Say(MessageKind.Error, failed.Sentence);
+        if (result is InputResult.NotUnderstood unclear) Say(MessageKind.Error, unclear.Sentence);
         return result;
     }
 
     private void Echo(string input)
     {
-        if (SystemVariables.Of(Settings.Current, "CMDECHO") != 0.0) Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
+        if (SystemVariables.Variable(Settings.Current, "CMDECHO") != 0.0) Say(MessageKind.Echo, $"{Prompt.Text} {input}".TrimEnd());
     }
 
     private ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);
 
     /// <summary>Feeds what is queued, until a command fails or the inputs are used up.</summary>
-    private async Task<FeedResult> RunScriptsAsync(CancellationToken cancellation)
+    private async Task<InputResult> RunScriptsAsync(CancellationToken cancellation)
     {
-        FeedResult result = new FeedResult.Done();
+        InputResult result = new InputResult.Done();
         while (_scripts.Next() is { } next)
         {
-            result = cancellation.IsCancellationRequested ? new FeedResult.Cancelled() : await FeedOneAsync(next.Token.Text, cancellation).ConfigureAwait(false);
-            if (result is FeedResult.Asking or FeedResult.Done) continue;
+            result = cancellation.IsCancellationRequested ? new InputResult.Cancelled() : await FeedOneAsync(next.Token.Text, cancellation).ConfigureAwait(false);
+            if (result is InputResult.Asking or InputResult.Done) continue;
             await EndAllAsync().ConfigureAwait(false);
             return next.Placed(result);
         }
 
         return result;
     }
+}
+
+/// <summary>What the command window shows before the cursor.</summary>
+/// <param name="Command">Name of the command that asks; null when a command is awaited.</param>
+/// <param name="Text">The whole line, <c>&gt;&gt;</c> before it inside a transparent command.</param>
+/// <param name="Options">To be clicked or completed.</param>
+/// <param name="Default">What Enter alone means; null when nothing.</param>
+/// <param name="TakesSpaces">True when Space is a letter and not Enter.</param>
+/// <param name="Aim">The place that a click on the canvas answers with (its coordinates are fed); null when it is no answer.</param>
+public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, PointAim? Aim)
+{
+    public static PromptView Idle { get; } = new(null, "Command:", [], null, false, null);
 }

@@ -22,7 +22,7 @@ internal sealed class FrameStack
     }
 
     /// <summary>Waits until the command asks or has ended. One that fails in a way nobody expects is over like any other, and the next one can begin.</summary>
-    public async Task<FeedResult> SettledAsync(CommandFrame frame, CancellationToken cancellation)
+    public async Task<InputResult> SettledAsync(CommandFrame frame, CancellationToken cancellation)
     {
         try
         {

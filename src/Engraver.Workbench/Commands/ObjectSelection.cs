@@ -69,14 +69,14 @@ internal static class ObjectSelection
     {
         if (At(context, point) is { } entity) return [entity];
         var corner = await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = point }).ConfigureAwait(false);
-        var box = Bounds2D.Of(point, corner);
+        var box = Bounds2D.FromCorners(point, corner);
         return [.. corner.X >= point.X ? DrawingPick.Inside(drawing, box) : DrawingPick.Touching(drawing, box)];
     }
 
     private static async Task<Bounds2D> BoxAsync(CommandContext context)
     {
         var first = await context.ValueAsync(new PointPrompt("Specify first corner") { Use = PointUse.Corner }).ConfigureAwait(false);
-        return Bounds2D.Of(first, await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = first }).ConfigureAwait(false));
+        return Bounds2D.FromCorners(first, await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = first }).ConfigureAwait(false));
     }
 
     private static IReadOnlyList<int> ByHandle(Drawing drawing, string handle) => [.. DrawingPick.Visible(drawing).Where(entity => IsHandle(drawing, entity, handle))];

@@ -33,3 +33,16 @@ internal sealed class PendingValue<T>(ValuePrompt<T> prompt) : PendingAsk(prompt
         return null;
     }
 }
+
+/// <summary>A command that waits for an answer.</summary>
+internal abstract class PendingAsk(Prompt prompt)
+{
+    public Prompt Prompt => prompt;
+
+    /// <summary>Hands an input to the waiting command.</summary>
+    /// <returns>Null when it was an answer; otherwise what is wanted instead, and the command goes on waiting.</returns>
+    public abstract string? TryAnswer(string typed, Point2D lastPoint);
+
+    /// <summary>Esc: the command ends where it waits.</summary>
+    public abstract void Cancel();
+}

@@ -45,3 +45,17 @@ internal sealed class ScriptQueue
         while (_scripts.TryPop(out var script)) script.Tokens.Dispose();
     }
 }
+
+/// <summary>An input of a script with its place, for the sentence that ends the script.</summary>
+internal sealed record ScriptInput(string Path, ScriptToken Token)
+{
+    /// <summary>A result that ends the script, its sentence with the place; what is no failure stays as it is.</summary>
+    public InputResult Placed(InputResult result) => result switch
+    {
+        InputResult.Failed failed => failed with { Sentence = Place(failed.Sentence) },
+        InputResult.NotUnderstood unclear => new InputResult.Failed(CommandFailure.Usage, Place(unclear.Sentence)),
+        _ => result,
+    };
+
+    private string Place(string sentence) => FormattableString.Invariant($"{Path}({Token.Line}): '{Token.Text}': {sentence}");
+}

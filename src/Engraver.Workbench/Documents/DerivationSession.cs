@@ -94,7 +94,7 @@ public sealed class DerivationSession : IDisposable
         _work?.Cancel.Cancel();
         var cancel = new CancellationTokenSource();
         var known = IsOf(Current, wanted.State, wanted.Mode) ? Current : null;
-        var work = Task.Run(() => (known ?? DerivedDocument.Of(wanted.State, wanted.Mode, cancel.Token)).Over(wanted.Line), cancel.Token);
+        var work = Task.Run(() => (known ?? DerivedDocument.Create(wanted.State, wanted.Mode, cancel.Token)).Over(wanted.Line), cancel.Token);
         _work = new Work(wanted, cancel, FinishAsync(work, cancel));
     }
 

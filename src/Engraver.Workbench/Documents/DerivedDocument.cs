@@ -3,10 +3,12 @@ using Engraver.Core.EntityTables;
 using Engraver.Core.Sequencing;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
-using Engraver.Workbench.Machines;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Posting;
+using Engraver.Galil.Programs.Timing;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Playback;
-using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
@@ -46,14 +48,14 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 
     /// <summary>All stages. Between two of them a cancellation is honoured.</summary>
     /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
-    public static DerivedDocument Of(DocumentState state, JobMode mode, CancellationToken cancellation)
+    public static DerivedDocument Create(DocumentState state, JobMode mode, CancellationToken cancellation)
     {
         var derived = new DerivedDocument(state, mode);
         if (state.Drawing is not { } drawing) return derived;
         try
         {
             cancellation.ThrowIfCancellationRequested();
-            var job = JobPreparation.PrepareUnlessCancelled(drawing, state.Settings, MachineRunOptions.StyleOf(mode), cancellation);
+            var job = JobPreparation.PrepareUnlessCancelled(drawing, state.Settings, JobPlan.StyleOf(mode), cancellation);
             return (derived with { Job = job }).WithMotion(job, cancellation);
         }
         catch (SettingException unfit)
@@ -67,8 +69,8 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
     {
         if (line == Line) return this;
         if (Job is not { Motion.Program: { SegmentCount: > 0 } program, Drawing: var drawing }) return this with { Line = line };
-        var fit = MachineRun.FitToLink(program, line, Mode, drawing).Program;
-        return this with { Line = line, Plan = line is null ? MotionTime.Of(program) : MachineRun.PlannedTimes(fit, line, Mode) };
+        var fit = JobPlan.FitToLink(program, line, Mode, drawing).Program;
+        return this with { Line = line, Plan = line is null ? MotionTime.Calculate(program) : JobPlan.PlannedTimes(fit, line, Mode) };
     }
 
     private DerivedDocument WithMotion(PreparedJob job, CancellationToken cancellation)
@@ -80,12 +82,12 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
         cancellation.ThrowIfCancellationRequested();
         return this with
         {
-            Plan = MotionTime.Of(program),
+            Plan = MotionTime.Calculate(program),
             Program = post,
-            Motion = PlannedMotion.Of(program, job.Sequence, post.Text, cancellation),
+            Motion = PlannedMotion.Create(program, job.Sequence, post.Text, cancellation),
             Findings = Sorted([.. job.Diagnostics, .. post.Diagnostics]),
         };
     }
 
-    private static IReadOnlyList<Diagnostic> Sorted(IEnumerable<Diagnostic> findings) => [.. findings.OrderByDescending(found => found.Severity).Select(CommandWording.Of)];
+    private static IReadOnlyList<Diagnostic> Sorted(IEnumerable<Diagnostic> findings) => [.. findings.OrderByDescending(found => found.Severity).Select(CommandWording.Translate)];
 }

@@ -9,7 +9,7 @@ public static class DrawingPlot
 {
     /// <param name="asDrawn">True: curves in file order, no path.</param>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
-    public static PlotModel Of(Drawing drawing, DrawingSettings settings, bool asDrawn)
+    public static PlotModel Create(Drawing drawing, DrawingSettings settings, bool asDrawn)
     {
         var title = Path.GetFileName(drawing.FileName);
         var analysed = JobPreparation.Analyse(drawing, settings);

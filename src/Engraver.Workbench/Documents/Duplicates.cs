@@ -1,5 +1,5 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Workbench.Documents;
 
@@ -8,7 +8,7 @@ internal static class Duplicates
 {
     /// <summary>Of some entities those of which every part lies on a part of another that stays.</summary>
     /// <param name="tolerance">Drawing units.</param>
-    public static IReadOnlyList<int> Of(Drawing drawing, IReadOnlyList<int> indices, double tolerance)
+    public static IReadOnlyList<int> Find(Drawing drawing, IReadOnlyList<int> indices, double tolerance)
     {
         var owners = new List<int>();
         var segments = new List<Core.Geometry.Segment>();

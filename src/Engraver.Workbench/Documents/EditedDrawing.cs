@@ -1,5 +1,5 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Documents;

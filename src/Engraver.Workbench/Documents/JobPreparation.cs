@@ -3,9 +3,10 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Ordering;
 using Engraver.Core.Toolpaths;
 using Engraver.Core.Verification;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
@@ -30,7 +31,7 @@ public static class JobPreparation
 
     /// <summary>What has to be said of the drawing before it is cut (<see cref="CutFindings"/>).</summary>
     public static IReadOnlyList<Diagnostic> Findings(Drawing drawing, DrawingSettings settings) =>
-        CutFindings.Of(drawing, SelectionOf(settings), settings.Start, settings.JoinToleranceMm);
+        CutFindings.Find(drawing, SelectionOf(settings), settings.Start, settings.JoinToleranceMm);
 
     /// <summary>The layers that are cut.</summary>
     public static LayerSelection SelectionOf(DrawingSettings settings) => new(settings.Layers ?? [], settings.SkippedLayers);

@@ -4,7 +4,8 @@ using Engraver.Core.EntityTables;
 using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Posting;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
@@ -29,7 +30,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
 
     /// <param name="target">One of <see cref="Targets"/>.</param>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
-    public static PostedProgram Of(Drawing drawing, DrawingSettings settings, string target)
+    public static PostedProgram Create(Drawing drawing, DrawingSettings settings, string target)
     {
         if (drawing.Entities.Count == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? drawing.Diagnostics : [.. drawing.Diagnostics, DocumentRules.NothingToPost.At(default)]);
         if (target == CutterLocation)

@@ -3,7 +3,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
@@ -19,7 +19,7 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
 
     /// <summary>What is seen on the layers that are cut and gives no cut.</summary>
-    public NotCut NotCut => NotCut.Of(Drawing, JobPreparation.SelectionOf(Settings));
+    public NotCutFindings NotCut => NotCutFindings.From(Drawing, JobPreparation.SelectionOf(Settings));
 
     /// <summary>Where the toolpath is not what is drawn (VER0020 to VER0022), which no operator can accept; empty for every job that may be run or posted.</summary>
     public IReadOnlyList<Diagnostic> Faults { get; init; } = [];

@@ -1,5 +1,4 @@
 using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Simulator.Clocks;
 

@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
 using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Machines;

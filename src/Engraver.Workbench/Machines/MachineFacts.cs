@@ -1,8 +1,9 @@
 using Engraver.Core.Geometry;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Sessions;
+using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Machines;
 

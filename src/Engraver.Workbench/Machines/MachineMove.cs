@@ -1,4 +1,5 @@
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
 using Engraver.Galil.Sessions;
@@ -11,7 +12,7 @@ internal static class MachineMove
     /// <param name="start">Where the machine stands, in the frame in which progress is told.</param>
     /// <param name="goal">Controller counts.</param>
     /// <param name="journal">Where what was found in the controller is written down, for whoever comes after a crash.</param>
-    /// <exception cref="Galil.Protocol.ControllerException">The link never came up.</exception>
+    /// <exception cref="Engraver.Galil.Links.ControllerException">The link never came up.</exception>
     public static async Task<JobResult> ToAsync(
         MachineConnection connection, MachineProfile profile, CountsPoint start, CountsPoint goal, string journal, IProgress<JobProgress> progress, CancellationToken stop)
     {

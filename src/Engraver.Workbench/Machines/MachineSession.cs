@@ -1,12 +1,17 @@
 using Engraver.Core.Drawings;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Links;
 using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Terminals;
+using Engraver.Workbench.Machines.Alarms;
+using Engraver.Workbench.Machines.Arming;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.Workbench.Machines;
 
@@ -15,16 +20,16 @@ namespace Engraver.Workbench.Machines;
 public sealed class MachineSession : IAsyncDisposable
 {
     private readonly TimeProvider _time;
-    private readonly MachineBoard _board;
-    private readonly JobAtWork _work;
+    private readonly MachineStatusModel _board;
+    private readonly ActiveJob _work;
     private readonly WatchedConnection _watched;
 
     public MachineSession(TimeProvider time)
     {
         _time = time;
-        _board = new MachineBoard(time, RaiseChanged);
+        _board = new MachineStatusModel(time, RaiseChanged);
         _watched = new WatchedConnection(time, Seen, _board.Lost);
-        _work = new JobAtWork(_board.JobIsOver, RaiseChanged);
+        _work = new ActiveJob(_board.JobIsOver, RaiseChanged);
         Terminal = new LiveTerminal(time, AnswerAsync);
     }
 
@@ -115,7 +120,7 @@ public sealed class MachineSession : IAsyncDisposable
     public bool Disarm() => _board.Arming.Disarm();
 
     /// <summary>A program as it can be run over the link that stands.</summary>
-    public WireFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => MachineRun.FitToLink(program, _watched.Address, mode, drawing);
+    public LinkFeedFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => JobPlan.FitToLink(program, _watched.Address, mode, drawing);
 
     /// <summary>The axes of a connected machine are told to brake; a job under way has a stop of its own (<see cref="Stop"/>).</summary>
     public Task BrakeAsync() => IsRunning ? Task.CompletedTask : _watched.StopAsync(Profile.ToolOutput);
@@ -260,7 +265,7 @@ public sealed class MachineSession : IAsyncDisposable
     }
 
     /// <param name="board">Null for a job that does not run on the connected machine.</param>
-    private JobListener Listener(MachineBoard? board) => new(value =>
+    private JobListener Listener(MachineStatusModel? board) => new(value =>
     {
         Progress = value;
         board?.JobTells(value);

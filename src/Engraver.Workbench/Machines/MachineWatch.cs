@@ -1,8 +1,9 @@
 using System.Collections.Concurrent;
 using System.Globalization;
+using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
-using Engraver.Workbench.Terminals;
+using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.Workbench.Machines;
 

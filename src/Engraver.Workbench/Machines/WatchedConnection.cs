@@ -1,5 +1,4 @@
 using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 
 namespace Engraver.Workbench.Machines;
@@ -126,4 +125,11 @@ internal sealed class WatchedConnection(TimeProvider time, Action<MachinePoll> s
             if (ReferenceEquals(watch, Watch)) lost(failure);
         }
     }
+}
+
+/// <summary>A thread for one act that must not wait for the caller, the window's thread or a busy pool.</summary>
+internal static class UrgentThread
+{
+    /// <summary>Begins the act at once and returns.</summary>
+    public static void Run(Action act) => new Thread(() => act()) { IsBackground = true, Name = "stop", Priority = ThreadPriority.Highest }.Start();
 }

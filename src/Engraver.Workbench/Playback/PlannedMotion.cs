@@ -1,6 +1,8 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Workbench.Playback;
 
@@ -46,12 +48,12 @@ public sealed class PlannedMotion
 
     /// <param name="program">Generated from the strokes of <paramref name="sequence"/>.</param>
     /// <param name="posted">The program's text, for the line under the tool; null when there is none.</param>
-    public static PlannedMotion Of(MotionProgram program, SequencingResult sequence, string? posted, CancellationToken cancellation)
+    public static PlannedMotion Create(MotionProgram program, SequencingResult sequence, string? posted, CancellationToken cancellation)
     {
-        var timeline = MotionTimeline.Of(program, cancellation);
-        var rows = SegmentRows.Of(program, sequence);
+        var timeline = MotionTimeline.From(program, cancellation);
+        var rows = SegmentRows.Map(program, sequence);
         cancellation.ThrowIfCancellationRequested();
-        return new PlannedMotion(timeline, rows, posted is null ? [] : SegmentLines.Of(posted));
+        return new PlannedMotion(timeline, rows, posted is null ? [] : SegmentLines.Map(posted));
     }
 
     /// <summary>The motion at a moment; before 0 its beginning, after the end its end. A job with nothing to cut stands at its start.</summary>
@@ -201,3 +203,16 @@ public sealed class PlannedMotion
 
     private Point2D Millimetres(double x, double y) => new(x / _program.Profile.CountsPerMillimetreX, y / _program.Profile.CountsPerMillimetreY);
 }
+
+/// <summary>What the planned motion does at one moment.</summary>
+/// <param name="Seconds">Since the job began.</param>
+/// <param name="Position">Where the tool is, drawing millimetres.</param>
+/// <param name="Speed">Along the path, mm/s.</param>
+/// <param name="ToolOn">The tool output is on.</param>
+/// <param name="Kind">Cutting, between strokes, or standing.</param>
+/// <param name="Stroke">Index of the stroke (contour) in the order of cutting.</param>
+/// <param name="Segment">Place of the segment in the whole motion program: the one that is cut, or the next one.</param>
+/// <param name="Entity">The drawing entity of that segment.</param>
+/// <param name="Row">Row of the sequenced entity table of that segment.</param>
+/// <param name="Line">Line of the posted program that commands that segment, 1 is first; 0 when no program was posted.</param>
+public readonly record struct PlaybackMoment(double Seconds, Point2D Position, double Speed, bool ToolOn, MotionSpanKind Kind, int Stroke, int Segment, int Entity, int Row, int Line);

@@ -4,7 +4,7 @@ namespace Engraver.Workbench.Playback;
 internal static class SegmentLines
 {
     /// <returns>Line numbers from 1, one for each VP and CR of the text.</returns>
-    public static int[] Of(string text)
+    public static int[] Map(string text)
     {
         var lines = new List<int>();
         var number = 0;

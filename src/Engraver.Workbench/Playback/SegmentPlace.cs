@@ -1,5 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Workbench.Playback;
 

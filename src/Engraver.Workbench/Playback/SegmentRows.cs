@@ -1,5 +1,6 @@
 using Engraver.Core.EntityTables;
 using Engraver.Core.Sequencing;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs;
 
 namespace Engraver.Workbench.Playback;
@@ -11,7 +12,7 @@ internal static class SegmentRows
     /// <summary>Counts by which a segment's predicted end may stand beside the end of its row.</summary>
     private const double Near = 2.0;
 
-    public static int[] Of(MotionProgram program, SequencingResult sequence)
+    public static int[] Map(MotionProgram program, SequencingResult sequence)
     {
         var rows = new int[program.SegmentCount];
         var firstRows = FirstRows(sequence);

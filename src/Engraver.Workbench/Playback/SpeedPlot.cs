@@ -1,4 +1,5 @@
 using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Workbench.Playback;
 
@@ -7,7 +8,7 @@ public static class SpeedPlot
 {
     /// <summary>Corners of every ramp; of a job with more corners than wanted, samples at equal times, so that the plot costs what it shows.</summary>
     /// <param name="most">At least 2.</param>
-    public static IReadOnlyList<SpeedSample> Of(PlannedMotion motion, int most)
+    public static IReadOnlyList<SpeedSample> Sample(PlannedMotion motion, int most)
     {
         ArgumentNullException.ThrowIfNull(motion);
         ArgumentOutOfRangeException.ThrowIfLessThan(most, 2);
@@ -51,3 +52,10 @@ public static class SpeedPlot
         return x.Seconds >= y.Seconds ? x : y;
     }
 }
+
+/// <summary>A corner of the speed plot; between two of them the speed is a straight line over time.</summary>
+/// <param name="Seconds">Since the job began.</param>
+/// <param name="PathMm">Path of the tool so far, rapids included.</param>
+/// <param name="Speed">mm/s.</param>
+/// <param name="Cutting">False in rapids and standstills.</param>
+public readonly record struct SpeedSample(double Seconds, double PathMm, double Speed, bool Cutting);

@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Reports;
 /// <summary>A diagnostic for people: <c>FILE(LINE): Severity ID: sentence</c>.</summary>
 public static class DiagnosticLine
 {
-    public static string Of(string file, Diagnostic diagnostic)
+    public static string Format(string file, Diagnostic diagnostic)
     {
         var place = diagnostic.Source.Line > 0 ? FormattableString.Invariant($"{file}({diagnostic.Source.Line})") : file;
         var handle = diagnostic.Source.Handle is { } name ? $" [handle {name}]" : "";

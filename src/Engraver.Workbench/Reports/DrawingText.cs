@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Reports;
 
@@ -17,13 +18,13 @@ public static class DrawingText
 
         var balance = drawing.Balance;
         output.WriteLine(Invariant($"{drawing.FileName}: {Version(drawing)}, {Bytes(drawing)}{Unit(drawing.Unit)}"));
-        output.WriteLine(Invariant($"{CountText.Of(balance.Read, "entity")} read = {balance.Cut} cut + {balance.Construction} construction + {balance.Refused.Count} refused{(balance.EntityCounts.Count == 0 ? "" : $" ({Counts(balance.EntityCounts)})")}"));
+        output.WriteLine(Invariant($"{CountText.Format(balance.Read, "entity")} read = {balance.Cut} cut + {balance.Construction} construction + {balance.Refused.Count} refused{(balance.EntityCounts.Count == 0 ? "" : $" ({Counts(balance.EntityCounts)})")}"));
         if (summary.Leaf.Count > 0) output.WriteLine(Invariant($"curves, blocks expanded: {Counts(summary.Leaf.ToDictionary(pair => pair.Key.ToDxfName(), pair => pair.Value))}; length {summary.Length.Total:0.######} {drawing.Unit.Name}"));
         output.WriteLine(Size(summary.Bounds, drawing.Unit));
         foreach (var (layer, index) in drawing.Layers.Select((layer, index) => (layer, index)))
         {
             var switches = $"{(layer.On ? "" : ", off")}{(layer.Frozen ? ", frozen" : "")}{(layer.Plot ? "" : ", not plotted")}";
-            output.WriteLine(Invariant($"  layer {layer.Name}: {CountText.Of(Records(balance, index), "entity")}{switches}"));
+            output.WriteLine(Invariant($"  layer {layer.Name}: {CountText.Format(Records(balance, index), "entity")}{switches}"));
         }
 
         foreach (var refused in balance.Refused.Concat(balance.RefusedInBlocks))

@@ -15,7 +15,7 @@ public static class EntityText
             var entity = drawing.Entities[index];
             var handle = drawing.SourceOf(index).Handle is { } name ? $", handle {name}" : "";
             output.WriteLine(Invariant($"{entity.Type.ToDxfName()}{handle}, layer {drawing.Layers[entity.Layer].Name}{(entity.Closed ? ", closed" : "")}, length {LengthOf(drawing, index):0.######}"));
-            foreach (var segment in DrawingPick.Segments(drawing, index)) output.WriteLine("    " + Of(segment));
+            foreach (var segment in DrawingPick.Segments(drawing, index)) output.WriteLine("    " + Describe(segment));
         }
     }
 
@@ -33,7 +33,7 @@ public static class EntityText
 
     private static double LengthOf(Drawing drawing, int index) => DrawingPick.Segments(drawing, index).Sum(segment => segment.Length);
 
-    private static string Of(Segment segment)
+    private static string Describe(Segment segment)
     {
         var ends = Invariant($"from {segment.Start.X:0.######},{segment.Start.Y:0.######} to {segment.End.X:0.######},{segment.End.Y:0.######}");
         if (segment.IsFreeCurve) return Invariant($"{(segment.Kind == SegmentKind.Ellipse ? "ellipse" : "spline")} {ends}, {segment.Curve.Spans.Length} spans, length {segment.Length:0.######}");

@@ -2,7 +2,7 @@ using System.Globalization;
 using Engraver.Core.EntityTables;
 using Engraver.Galil.Jobs;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Reports;
 
@@ -15,13 +15,13 @@ public static class RunText
         var planned = job.Motion.Program?.SegmentCount ?? 0;
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"{Word(result.Outcome)}: {result.SegmentsExecuted} of {planned} segments cut in {result.Seconds:0.0} s of machine time; {Verdict(report.Judgement, LeftOut(job), job.NotCut)}.");
+            $"{OutcomeText.Word(result.Outcome)}: {result.SegmentsExecuted} of {planned} segments cut in {result.Seconds:0.0} s of machine time; {Verdict(report.Judgement, LeftOut(job), job.NotCut)}.");
     }
 
     /// <summary>Entities of the drawing, in its blocks too, that gave no curve though they should have.</summary>
     public static int LeftOut(PreparedJob job) => job.Drawing.Balance.Refused.Count + job.Drawing.Balance.RefusedInBlocks.Count;
 
-    private static string Verdict(RunJudgement judgement, int leftOut, NotCut notCut)
+    private static string Verdict(RunJudgement judgement, int leftOut, NotCutFindings notCut)
     {
         var unseen = notCut.Counts.Count == 0 ? "" : $"; {notCut.Subject} visible and NOT CUT";
         if (judgement.MaxDeviationMm is not { } deviation) return "nothing is known about the cut" + unseen;
@@ -36,14 +36,4 @@ public static class RunText
         if (leftOut > 0) missing += string.Create(CultureInfo.InvariantCulture, $", but {leftOut} of its entities could not be read and {(leftOut == 1 ? "is" : "are")} LEFT OUT");
         return string.Create(CultureInfo.InvariantCulture, $"{who} at worst {deviation:0.0000} mm from the drawing and {missing}{unseen}");
     }
-
-    /// <summary>The outcome in the words of the runner's contract.</summary>
-    public static string Word(JobOutcome outcome) => outcome switch
-    {
-        JobOutcome.Complete => "complete",
-        JobOutcome.Stopped => "stopped",
-        JobOutcome.Refused => "refused",
-        JobOutcome.Deviated => "deviated",
-        _ => "linkLost",
-    };
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Sequencing;
+using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Reports;
 
@@ -8,8 +9,8 @@ public static class SequenceText
 {
     public static void Write(TextWriter output, SequencingResult result)
     {
-        output.WriteLine(Invariant($"{CountText.Of(result.Contours, "contour")} ({result.Closed} closed, {result.Open} open) of {CountText.Of(result.Segments, "segment")}, {result.PathLength:0.###} mm to cut"));
-        output.WriteLine(Invariant($"{CountText.Of(result.Reversed, "segment")} turned round, {CountText.Of(result.DuplicatesRemoved, "duplicate")} left out"));
+        output.WriteLine(Invariant($"{CountText.Format(result.Contours, "contour")} ({result.Closed} closed, {result.Open} open) of {CountText.Format(result.Segments, "segment")}, {result.PathLength:0.###} mm to cut"));
+        output.WriteLine(Invariant($"{CountText.Format(result.Reversed, "segment")} turned round, {CountText.Format(result.DuplicatesRemoved, "duplicate")} left out"));
         output.WriteLine(Invariant($"travel {result.Travel:0.###} mm ({result.TravelAsDrawn:0.###} mm as drawn), {result.TravelAndBack:0.###} mm with the way back"));
         foreach (var stroke in result.Strokes)
         {
@@ -24,7 +25,7 @@ public static class SequenceText
     /// <summary>Every end of an open stroke with the gap to the nearest other one, mm.</summary>
     public static void WriteOpenEnds(TextWriter output, SequencingResult result)
     {
-        output.WriteLine($"{CountText.Of(result.Discontinuities.Count, "open end")}:");
+        output.WriteLine($"{CountText.Format(result.Discontinuities.Count, "open end")}:");
         foreach (var end in result.Discontinuities)
         {
             output.WriteLine(Invariant($"       {end.Place.X:0.####},{end.Place.Y:0.####}  nearest open end {(end.Gap is { } gap ? Invariant($"{gap:0.####} mm away") : "none")}"));

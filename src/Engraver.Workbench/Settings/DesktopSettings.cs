@@ -1,5 +1,3 @@
-using Engraver.Workbench.Commands;
-using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Settings;
 
@@ -50,9 +48,6 @@ public sealed record DesktopSettings
         return this with { RecentFiles = recent, Views = Views.Where(view => recent.Contains(view.Key)).ToDictionary() };
     }
 
-    /// <summary>The value of a system variable that is kept: as it was set, else its first one.</summary>
-    public double Variable(string name) => SystemVariables.Of(this, name);
-
     public DesktopSettings WithVariable(string name, double value) => this with { Variables = new Dictionary<string, double>(Variables) { [name] = value } };
 
     public DesktopSettings WithPanelSize(string panel, double size) => this with { PanelSizes = new Dictionary<string, double>(PanelSizes) { [panel] = size } };
@@ -61,4 +56,13 @@ public sealed record DesktopSettings
         this with { FoldedPanels = folded ? [.. FoldedPanels.Where(name => name != panel), panel] : [.. FoldedPanels.Where(name => name != panel)] };
 
     public DesktopSettings WithView(string path, SavedView view) => this with { Views = new Dictionary<string, SavedView>(Views) { [path] = view } };
+}
+
+/// <summary>Centre and height of a view, drawing units.</summary>
+public sealed record SavedView(double CentreX, double CentreY, double Height);
+
+public enum DesktopTheme
+{
+    Dark,
+    Light,
 }

@@ -1,7 +1,7 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
-using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Ordering;
 using Engraver.Galil.Profiles;
 
 namespace Engraver.Workbench.Settings;
@@ -42,4 +42,17 @@ public sealed record DrawingSettings
 
     /// <summary>The machine, with the feed of the feed option already in it.</summary>
     public MachineProfile Machine { get; init; } = MachineProfile.Default;
+}
+
+/// <summary>The entering entity (paper 000, ENTER): named by its handle or by a drawing point, mm.</summary>
+public abstract record EnteringPlace
+{
+    private EnteringPlace()
+    {
+    }
+
+    /// <param name="Handle">Hexadecimal DXF handle, case does not matter.</param>
+    public sealed record ByHandle(string Handle) : EnteringPlace;
+
+    public sealed record ByPoint(Point2D Point) : EnteringPlace;
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
-using Engraver.Workbench.Documents;
+using System.Text.Json.Serialization;
+using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Settings;
 
@@ -62,3 +63,7 @@ public static class SettingsFile
 
     private static double Sane(double value, double least, double most, double otherwise) => value >= least && value <= most ? value : otherwise;
 }
+
+[JsonSourceGenerationOptions(WriteIndented = true, PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, UseStringEnumConverter = true)]
+[JsonSerializable(typeof(DesktopSettings))]
+internal sealed partial class DesktopSettingsJson : JsonSerializerContext;

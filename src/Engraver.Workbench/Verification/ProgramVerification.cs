@@ -1,11 +1,12 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Core.Toolpaths;
+using Engraver.Core.Sequencing;
 using Engraver.Core.Verification;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Timing;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Verification;
@@ -38,7 +39,7 @@ public static class ProgramVerification
 
     /// <summary>The largest deviation is always the one from the drawing. Where the join tolerance bridges gaps, what may be cut is the drawing with its bridges.</summary>
     /// <param name="verdicts">On the drawing, and where there are bridges on the drawing with them.</param>
-    private static VerificationReport Report(PreparedJob job, ProgramReplay replay, TraceVerdict[] verdicts, IReadOnlyList<ToolpathMove> bridges)
+    private static VerificationReport Report(PreparedJob job, ProgramReplay replay, TraceVerdict[] verdicts, IReadOnlyList<StrokeMove> bridges)
     {
         var tolerance = RunJudge.Tolerances(job).Deviation;
         var found = verdicts[0];
@@ -61,3 +62,13 @@ public static class ProgramVerification
 
     private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 }
+
+/// <summary>How a posted program and a drawing agree, millimetres.</summary>
+/// <param name="MaxDeviationMm">Largest distance of a cutting sample from the drawing; null when nothing is cut or there is no drawing to compare with.</param>
+/// <param name="ToleranceMm">How large it may be: rounding and curve error, and half of the widest gap where the join tolerance has gaps bridged beyond that.</param>
+/// <param name="MissingLengthMm">Length of the drawing that the program does not cut.</param>
+/// <param name="ExtraLengthMm">Length that the program cuts beside the drawing.</param>
+/// <param name="Ok">The program runs to its end, cuts all of the drawing and nothing else.</param>
+/// <param name="Diagnostics">What is wrong with the program, by its lines.</param>
+public sealed record VerificationReport(
+    double? MaxDeviationMm, double ToleranceMm, double MissingLengthMm, double ExtraLengthMm, bool Ok, IReadOnlyList<Diagnostic> Diagnostics);

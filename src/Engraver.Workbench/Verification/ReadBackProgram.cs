@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Workbench.Verification;
 
@@ -65,4 +65,12 @@ public sealed partial record ReadBackProgram(IReadOnlyList<ReadBackChunk> Chunks
 
     [GeneratedRegex(@"^'CHUNK (?<number>[0-9]{1,9}) OF (?<count>[0-9]{1,9})\s*$", RegexOptions.CultureInvariant)]
     private static partial Regex ChunkMark();
+}
+
+/// <summary>One program of a posted file.</summary>
+/// <param name="FirstLine">Its first line in the file, from 1.</param>
+/// <param name="Lines">At least one.</param>
+public sealed record ReadBackChunk(int FirstLine, IReadOnlyList<string> Lines)
+{
+    public string Text => string.Join('\n', Lines) + "\n";
 }

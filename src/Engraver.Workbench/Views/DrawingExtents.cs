@@ -7,10 +7,10 @@ namespace Engraver.Workbench.Views;
 public static class DrawingExtents
 {
     /// <summary>Tight box of every curve that can be seen: hidden ones and those on a frozen or switched-off layer do not count. Empty when nothing is to be seen.</summary>
-    public static Bounds2D Of(Drawing drawing) => Of(drawing, DrawingPick.Visible(drawing));
+    public static Bounds2D Measure(Drawing drawing) => Measure(drawing, DrawingPick.Visible(drawing));
 
     /// <summary>Tight box of some curves; empty for none.</summary>
-    public static Bounds2D Of(Drawing drawing, IEnumerable<int> entities)
+    public static Bounds2D Measure(Drawing drawing, IEnumerable<int> entities)
     {
         var box = Bounds2D.Empty;
         foreach (var index in entities)

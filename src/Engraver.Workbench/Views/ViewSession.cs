@@ -85,7 +85,7 @@ public sealed class ViewSession
     /// <summary>Shows some curves; remembered for Previous.</summary>
     public bool ZoomObjects(Drawing drawing, IEnumerable<int> entities)
     {
-        var box = DrawingExtents.Of(drawing, entities);
+        var box = DrawingExtents.Measure(drawing, entities);
         if (box.IsEmpty) return false;
         Show(box, Margin);
         return true;
@@ -130,7 +130,7 @@ public sealed class ViewSession
             if (_extents is { } known && ReferenceEquals(known.Drawing, drawing)) return known.Box;
         }
 
-        var box = DrawingExtents.Of(drawing);
+        var box = DrawingExtents.Measure(drawing);
         lock (_guard) _extents = (drawing, box);
         return box;
     }

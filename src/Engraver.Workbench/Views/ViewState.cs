@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Views;
 
@@ -49,3 +50,8 @@ public sealed record ViewState
     /// <summary>The part of the drawing that is seen.</summary>
     public Bounds2D Window => new(Centre.X - (Width / 2.0), Centre.Y - (Height / 2.0), Centre.X + (Width / 2.0), Centre.Y + (Height / 2.0));
 }
+
+/// <summary>A place that the canvas points at until the view changes by hand or another place is named.</summary>
+/// <param name="Place">Drawing units.</param>
+/// <param name="Text">What is there; may be empty.</param>
+public sealed record ViewFocus(Point2D Place, string Text);

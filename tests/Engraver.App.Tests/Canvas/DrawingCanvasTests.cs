@@ -9,6 +9,7 @@ using Engraver.Core.Geometry;
 using Engraver.SoftwarePlatform.Headless;
 using Engraver.TestKit;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
 namespace Engraver.App.Tests.Canvas;
@@ -37,7 +38,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         var red = new Core.Drawings.Layer("RED", On: true, Frozen: false, Plot: true) { Colour = Core.Drawings.DrawingColour.FromCode62(1) };
         var drawing = new DrawingBuilder().Line(-100.0, -50.0, 100.0, -50.0).OnLayer(red).Line(-100.0, 50.0, 100.0, 50.0).Line(-100.0, 0.0, 100.0, 0.0).Build();
         drawing.Entities[2].Colour = Core.Drawings.DrawingColour.FromCode420(0x2040FF);
-        canvas.Scene = CanvasScene.Of(drawing);
+        canvas.Scene = CanvasScene.From(drawing);
         canvas.RefineNow();
         Draw();
 
@@ -244,7 +245,7 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
     {
         var (view, heard) = (new ViewSession(), new HeardCommands());
         view.Change(state => state with { Grid = false, Shown = CanvasLayers.Drawing });
-        var canvas = new DrawingCanvas { View = view, Scene = CanvasScene.Of(s_drawing), Commands = heard };
+        var canvas = new DrawingCanvas { View = view, Scene = CanvasScene.From(s_drawing), Commands = heard };
         var window = new Window { Width = 400.0, Height = 300.0, Content = canvas };
         window.Show();
         fixture.Desktop.Step();

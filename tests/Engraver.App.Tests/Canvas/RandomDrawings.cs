@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 using Engraver.TestKit;
 
 namespace Engraver.App.Tests.Canvas;

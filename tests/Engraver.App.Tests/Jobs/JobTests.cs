@@ -48,7 +48,7 @@ public sealed class JobTests(DesktopFixture fixture)
         here.Open("gasket.dxf");
         here.Show("Job");
         var network = here.Desk.Derived.PlannedSeconds;
-        Assert.Equal(ClockText.Of(network), PlannedTime());
+        Assert.Equal(ClockText.Format(network), PlannedTime());
         var folder = Directory.CreateTempSubdirectory("serial-");
         var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         var serving = controller.ServeSerialAsync(Path.Combine(folder.FullName, "tty"), 115200, CancellationToken.None);
@@ -57,10 +57,10 @@ public sealed class JobTests(DesktopFixture fixture)
         here.Rest();
 
         Assert.True(here.Desk.Derived.PlannedSeconds > network + 1.0);
-        Assert.Equal(ClockText.Of(here.Desk.Derived.PlannedSeconds), PlannedTime());
+        Assert.Equal(ClockText.Format(here.Desk.Derived.PlannedSeconds), PlannedTime());
         Assert.Equal(here.Desk.Derived.PlannedSeconds, here.Desk.Derived.SecondsLeft(0, 70), 3.0);
         here.Enter("CNCDISCONNECT");
-        Assert.Equal(ClockText.Of(network), PlannedTime());
+        Assert.Equal(ClockText.Format(network), PlannedTime());
         var ending = controller.DisposeAsync().AsTask();
         here.Until(() => ending.IsCompleted);
         folder.Delete(recursive: true);

@@ -7,6 +7,7 @@ using Engraver.App.Tabs;
 using Engraver.Galil.Jobs;
 using Engraver.Simulator;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.App.Tests.MachineStrip;
 

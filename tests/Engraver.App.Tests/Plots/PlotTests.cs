@@ -28,7 +28,7 @@ public sealed class PlotTests(DesktopFixture fixture)
     {
         here.Open("paper-001.dxf");
         var motion = here.Commands.Derivation.Current.Motion!;
-        var curve = SpeedCurve.Of(motion);
+        var curve = SpeedCurve.From(motion);
 
         Assert.Equal(motion.DurationSeconds, curve.TotalSeconds);
         Assert.Equal(curve.Samples.Max(sample => sample.Speed), curve.Peak);

@@ -3,7 +3,7 @@ using Avalonia.Threading;
 using Engraver.App.Safety;
 using Engraver.Galil.Jobs;
 using Engraver.TestKit;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Tests.Safety;

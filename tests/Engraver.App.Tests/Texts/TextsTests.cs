@@ -51,13 +51,13 @@ public sealed class TextsTests
             Assert.Contains($"\"Shape.{state}\"", icons, StringComparison.Ordinal);
         }
 
-        Assert.All(Enum.GetNames<Engraver.Workbench.Machines.AlarmState>(), state => Assert.Contains("AlarmState." + state, names));
+        Assert.All(Enum.GetNames<Engraver.Workbench.Machines.Alarms.AlarmState>(), state => Assert.Contains("AlarmState." + state, names));
         Assert.All(Enum.GetNames<Engraver.Core.Diagnostics.Severity>(), severity => Assert.Contains("Severity." + severity, names));
     }
 
     [Fact]
     public void A_text_with_figures_is_written_with_a_point() =>
-        Assert.Equal("join 0.01 mm", Engraver.App.Texts.Text.Of("Status.Join", 0.01));
+        Assert.Equal("join 0.01 mm", Engraver.App.Texts.Text.Get("Status.Join", 0.01));
 
     [Theory]
     [InlineData(0, "0 errors")]
@@ -80,5 +80,5 @@ public sealed class TextsTests
     [InlineData(310, "05:10")]
     [InlineData(9000, "2:30:00")]
     [InlineData(-1, "00:00")]
-    public void Durations_read_like_a_clock(double seconds, string expected) => Assert.Equal(expected, Engraver.App.Texts.ClockText.Of(seconds));
+    public void Durations_read_like_a_clock(double seconds, string expected) => Assert.Equal(expected, Engraver.App.Texts.ClockText.Format(seconds));
 }

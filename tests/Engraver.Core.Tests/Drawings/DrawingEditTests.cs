@@ -42,8 +42,8 @@ public class DrawingEditTests
         DrawingEdit.TryTransform(scaled, All(drawing), Somewhere, out var turned);
         DrawingEdit.TryTransform(turned, All(drawing), Transform2D.MirrorAt(new Point2D(0, 0), new Point2D(3, 1)), out var mirrored);
 
-        Assert.Equal(DrawingSummary.Of(drawing).Length.Total * 2.5, DrawingSummary.Of(mirrored).Length.Total, precision: 9);
-        Assert.Equal(DrawingSummary.Of(drawing).Primitives, DrawingSummary.Of(mirrored).Primitives);
+        Assert.Equal(DrawingSummary.From(drawing).Length.Total * 2.5, DrawingSummary.From(mirrored).Length.Total, precision: 9);
+        Assert.Equal(DrawingSummary.From(drawing).Primitives, DrawingSummary.From(mirrored).Primitives);
     }
 
     [Fact]

@@ -55,9 +55,9 @@ public class CorpusTests
     {
         try
         {
-            return SecondOpinion.Of(file).Damage;
+            return CrossCheck.Read(file).Damage;
         }
-        catch (SecondOpinionException)
+        catch (CrossCheckException)
         {
             return null; // too large for it
         }
@@ -76,7 +76,7 @@ public class CorpusTests
             compared++;
             var name = record.GetProperty("file").GetString()!;
             if (Repaired.Any(known => name.EndsWith(known, StringComparison.Ordinal))) continue;
-            if (Difference(DrawingSummary.Of(Reading.Of(File.ReadAllBytes(Path.Combine(corpus, "files", name)))), expected) is { } difference) wrong.Add($"{name}: {difference}");
+            if (Difference(DrawingSummary.From(Reading.Of(File.ReadAllBytes(Path.Combine(corpus, "files", name)))), expected) is { } difference) wrong.Add($"{name}: {difference}");
         }
 
         Assert.True(compared > 350, $"only {compared} drawings compared");

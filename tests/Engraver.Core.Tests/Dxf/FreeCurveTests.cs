@@ -21,7 +21,7 @@ public class FreeCurveTests
     public void A_quarter_of_an_ellipse_has_its_length_and_ends()
     {
         var drawing = Reading.Entities([.. Ellipse, (41, 0), (42, Math.PI / 2.0)]);
-        var summary = DrawingSummary.Of(drawing);
+        var summary = DrawingSummary.From(drawing);
 
         Assert.Equal(QuarterOfTwoToOne, summary.Length.Ellipse, 1e-9);
         Assert.Equal((1, 1), (summary.Leaf[CurveType.Ellipse], summary.Primitives.Ellipse));
@@ -42,7 +42,7 @@ public class FreeCurveTests
     public void An_ellipse_of_ratio_1_is_a_circle_to_the_machine_and_an_ellipse_to_the_books()
     {
         var drawing = Reading.Entities((0, "ELLIPSE"), (10, 1), (20, 2), (11, 0), (21, 3), (40, 1));
-        var summary = DrawingSummary.Of(drawing);
+        var summary = DrawingSummary.From(drawing);
 
         Assert.Equal(SegmentKind.Circle, drawing.Parts[0].Kind);
         Assert.Equal((1, 6.0 * Math.PI), (summary.Leaf[CurveType.Ellipse], summary.Length.Ellipse));
@@ -52,7 +52,7 @@ public class FreeCurveTests
     public void An_arc_in_an_unequally_scaled_block_is_elliptical_and_still_counts_as_arc()
     {
         var drawing = Inserting([(0, "ARC"), (10, 0), (20, 0), (40, 5), (50, 0), (51, 90)], (0, "INSERT"), (2, "B"), (10, 0), (20, 0), (41, 2));
-        var summary = DrawingSummary.Of(drawing);
+        var summary = DrawingSummary.From(drawing);
 
         Assert.Equal(SegmentKind.Ellipse, drawing.Parts[0].Kind);
         Assert.Equal(1, summary.Leaf[CurveType.Arc]);
@@ -65,7 +65,7 @@ public class FreeCurveTests
     public void A_tilted_circle_keeps_its_length_in_space_and_shows_an_ellipse_in_plan()
     {
         var drawing = Reading.Entities((0, "CIRCLE"), (10, 0), (20, 0), (40, 10), (220, 1), (230, 1));
-        var summary = DrawingSummary.Of(drawing);
+        var summary = DrawingSummary.From(drawing);
         var plan = FreeCurves.Ellipse(0, 0, 10.0, Math.Sqrt(0.5), 0.0, 0.0, 360.0).ToCurve().PlanLength;
 
         Assert.Equal(20.0 * Math.PI, summary.Length.Circle, 1e-9);
@@ -141,8 +141,8 @@ public class FreeCurveTests
         var points = Enumerable.Range(0, 256).Select(i => (i - (i / 4)) / 30.0).SelectMany(turn => new (int, object)[] { (10, 54.3 + Math.Cos(turn)), (20, 12.3 + Math.Sin(turn)) });
         var file = DxfText.WithEntities([(0, "SPLINE"), (71, 3), .. knots.Select(knot => (40, (object)knot)), .. points]).ToAscii();
 
-        Assert.Equal(192.0 / 30.0, DrawingSummary.Of(Reading.Of(file)).Length.Spline, 1e-2);
-        Assert.Empty(SecondOpinion.Of(file).DifferencesFrom(DrawingSummary.Of(Reading.Of(file))));
+        Assert.Equal(192.0 / 30.0, DrawingSummary.From(Reading.Of(file)).Length.Spline, 1e-2);
+        Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(Reading.Of(file))));
     }
 
     /// <summary>A double knot of which the second was rounded down is one double knot, not a reason to take all knots for unusable.</summary>

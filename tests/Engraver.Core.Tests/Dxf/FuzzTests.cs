@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
@@ -61,7 +62,7 @@ public class FuzzTests
 
     private static void AssertUsable(Drawing drawing, int seed)
     {
-        var summary = DrawingSummary.Of(drawing);
+        var summary = DrawingSummary.From(drawing);
         Assert.True(double.IsFinite(summary.Length.Total) && double.IsFinite(summary.Length.PlanTotal), $"seed {seed}: the length is no number");
         if (summary.Bounds is { } box) Assert.True(Fits(box.MinX) && Fits(box.MinY) && Fits(box.MaxX) && Fits(box.MaxY), $"seed {seed}: the box is no box");
         Assert.True(drawing.Texts.All(text => Fits(text.Position.X) && Fits(text.Position.Y) && Fits(text.Height)), $"seed {seed}: a text lies nowhere");

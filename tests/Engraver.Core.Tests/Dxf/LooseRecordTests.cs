@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
@@ -102,7 +103,7 @@ public class LooseRecordTests
         var lines = System.Text.Encoding.UTF8.GetString(DxfText.WithEntities(s_line).ToAscii()).Split('\n')[..^1];
         var drawing = Reading.Of(string.Concat(lines.Select((line, i) => (i % 2 == 0 ? sign + line.Trim() : line) + lineEnd)));
 
-        Assert.Equal((1, 5.0), (drawing.Balance.Cut, DrawingSummary.Of(drawing).Length.Total));
+        Assert.Equal((1, 5.0), (drawing.Balance.Cut, DrawingSummary.From(drawing).Length.Total));
         Assert.Empty(drawing.Diagnostics);
     }
 

@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;
 
@@ -69,9 +70,9 @@ public class OutlineTests
             new DxfText().Header("AC1015", 4).Section("BLOCKS", [(0, "BLOCK"), (2, "B"), .. hatch, (0, "ENDBLK")]).Section("ENTITIES", (0, "INSERT"), (2, "B"), (10, 100), (20, 0), (41, -1)).End().ToAscii(),
             new DxfReadOptions(Cut: CutChoice.Hatch));
 
-        Assert.Equal(new Bounds2D(-4, 0, -1, 4), DrawingSummary.Of(direct).Bounds);
-        Assert.Equal(new Bounds2D(101, 0, 104, 4), DrawingSummary.Of(inserted).Bounds);
-        Assert.Equal((12.0, 1), (DrawingSummary.Of(inserted).Length.Total, inserted.Balance.Cut));
+        Assert.Equal(new Bounds2D(-4, 0, -1, 4), DrawingSummary.From(direct).Bounds);
+        Assert.Equal(new Bounds2D(101, 0, 104, 4), DrawingSummary.From(inserted).Bounds);
+        Assert.Equal((12.0, 1), (DrawingSummary.From(inserted).Length.Total, inserted.Balance.Cut));
     }
 
     /// <summary>One vertex has no joint between others; a vertex with more elements than its neighbour (damage) has them for nothing.</summary>
@@ -98,7 +99,7 @@ public class OutlineTests
 
         Assert.Equal("0,1>10,1 0,-1>10,-1", Lines(plain));
         Assert.Equal((4, 1), (capped.Entities.Count, capped.Balance.Cut));
-        Assert.Equal((0.0, 11.0), (DrawingSummary.Of(capped).Bounds!.Value.MinX, DrawingSummary.Of(capped).Bounds!.Value.MaxX)); // the round cap stands out at the end
+        Assert.Equal((0.0, 11.0), (DrawingSummary.From(capped).Bounds!.Value.MinX, DrawingSummary.From(capped).Bounds!.Value.MaxX)); // the round cap stands out at the end
     }
 
     [Fact]
@@ -131,7 +132,7 @@ public class OutlineTests
         var drawing = Cut(CutChoice.Helix, helix);
 
         var spline = Reading.Entities(OddDrawings.Spline);
-        Assert.Equal((CurveType.Helix, DrawingSummary.Of(spline).Length.Total), (drawing.Entities[0].Type, DrawingSummary.Of(drawing).Length.Total));
+        Assert.Equal((CurveType.Helix, DrawingSummary.From(spline).Length.Total), (drawing.Entities[0].Type, DrawingSummary.From(drawing).Length.Total));
         Assert.Empty(drawing.Diagnostics);
     }
 

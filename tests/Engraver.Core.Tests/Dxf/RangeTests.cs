@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;
@@ -15,8 +16,8 @@ public class RangeTests
         var drawing = Reading.Entities([.. OddDrawings.Ellipse, .. tiny, .. OddDrawings.Arc, .. tiny]);
         var usual = Reading.Entities([.. OddDrawings.Ellipse, (230, -1.0), .. OddDrawings.Arc, (230, -1.0)]);
 
-        Assert.Equal(DrawingSummary.Of(usual).Bounds, DrawingSummary.Of(drawing).Bounds);
-        Assert.True(DrawingSummary.Of(drawing).Length.Total > 10.0);
+        Assert.Equal(DrawingSummary.From(usual).Bounds, DrawingSummary.From(drawing).Bounds);
+        Assert.True(DrawingSummary.From(drawing).Length.Total > 10.0);
     }
 
     public static TheoryData<string, (int, object)[]> Overflowing => new()
@@ -47,7 +48,7 @@ public class RangeTests
             [(0, "SPLINE"), (70, 4), (71, 1), (40, 0), (40, 0), (40, 1), (40, 1), (41, a), (41, b), (10, 0), (20, 0), (10, 3), (20, 4)];
         var drawing = Reading.Entities(Spline(first, second));
 
-        Assert.Equal(5.0, DrawingSummary.Of(drawing).Length.Total, 1e-9);
+        Assert.Equal(5.0, DrawingSummary.From(drawing).Length.Total, 1e-9);
         Assert.Empty(drawing.Diagnostics);
     }
 
@@ -56,7 +57,7 @@ public class RangeTests
     {
         var drawing = Reading.Entities((0, "SPLINE"), (70, 8), (71, 3), (11, 0), (21, 0), (11, 1e-200), (21, 0), (11, 3), (21, 4));
 
-        Assert.Equal(5.0, DrawingSummary.Of(drawing).Length.Total, 1e-9);
+        Assert.Equal(5.0, DrawingSummary.From(drawing).Length.Total, 1e-9);
     }
 
     [Fact]
@@ -64,7 +65,7 @@ public class RangeTests
     {
         var drawing = Reading.Entities((0, "SPLINE"), (70, 8), (71, 3), (10, 9), (20, 9), (11, 0), (21, 0), (11, 3), (21, 4));
 
-        Assert.Equal(5.0, DrawingSummary.Of(drawing).Length.Total, 1e-9);
+        Assert.Equal(5.0, DrawingSummary.From(drawing).Length.Total, 1e-9);
         Assert.Equal(["DXF0041"], Reading.Ids(drawing));
     }
 }

@@ -99,7 +99,7 @@ public class SilentLossTests
                 var read = Reading.Of(damaged);
                 if (Types(read) == whole) continue;
                 if (!read.HasErrors) silent.Add($"{length} bytes at {at}: the reader says '{string.Join(' ', Reading.Ids(read))}'");
-                else if (length > LongestValue && SecondOpinion.Of(damaged).DifferencesFrom(DrawingSummary.Of(read)).Count == 0) silent.Add($"{length} bytes at {at}: the second reading agrees");
+                else if (length > LongestValue && CrossCheck.Read(damaged).DifferencesFrom(DrawingSummary.From(read)).Count == 0) silent.Add($"{length} bytes at {at}: the second reading agrees");
             }
         }
 
@@ -195,7 +195,7 @@ public class SilentLossTests
         var file = new DxfText().Header("AC1015", 4).Section("ENTITIES", Line).Section(name, content).End().ToAscii();
 
         Assert.Empty(Reading.Of(file).Diagnostics);
-        Assert.Empty(SecondOpinion.Of(file).DifferencesFrom(DrawingSummary.Of(Reading.Of(file))));
+        Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(Reading.Of(file))));
     }
 
     [Fact]
@@ -206,7 +206,7 @@ public class SilentLossTests
             .Section("ENTITIES", (0, "TEXT"), (5, "1"), (8, "TEXT"), (10, 0), (20, 0), (40, 1), (1, "LINE"), (0, "INSERT"), (8, "INSERT"), (2, "B"), (10, 0), (20, 0)).End().ToAscii();
 
         Assert.Empty(Reading.Of(file).Diagnostics);
-        Assert.Empty(SecondOpinion.Of(file).DifferencesFrom(DrawingSummary.Of(Reading.Of(file))));
+        Assert.Empty(CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(Reading.Of(file))));
     }
 
     /// <summary>Twelve offsets of each form of each sample: a sector of zeros is an error unless every curve is still there.</summary>
@@ -294,7 +294,7 @@ public class SilentLossTests
         var read = Reading.Of(file);
         if (Curves(read) == Curves(Reading.Of(Sample))) return null;
         if (!read.HasErrors) return $"the reader says {string.Join(' ', Reading.Ids(read))}";
-        return SecondOpinion.Of(file).DifferencesFrom(DrawingSummary.Of(read)).Count == 0 ? "the second reading agrees" : null;
+        return CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(read)).Count == 0 ? "the second reading agrees" : null;
     }
 
     /// <summary>What is cut, and whether its layer is switched on; in any order.</summary>

@@ -1,5 +1,4 @@
 using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Tests.Dxf;
 
@@ -44,7 +43,7 @@ public class SplineEvaluationTests
                 length += ((4.0 * Chords(places)) - Chords([.. places.Where((_, i) => i % 2 == 0)])) / 3.0;
             }
 
-            Assert.Equal(1.0, DrawingSummary.Of(Reading.Entities(spline.Pairs())).Length.Total / length, 1e-8);
+            Assert.Equal(1.0, DrawingSummary.From(Reading.Entities(spline.Pairs())).Length.Total / length, 1e-8);
         }
     }
 

@@ -1,6 +1,5 @@
 using System.Globalization;
-using Engraver.Core.Geometry;
-using Engraver.TestKit;
+using Engraver.Core.Geometry.Biarcs;
 
 namespace Engraver.Core.Tests.Dxf;
 

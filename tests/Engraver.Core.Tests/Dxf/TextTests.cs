@@ -1,6 +1,5 @@
 using System.Text;
 using Engraver.Core.Drawings;
-using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;
 

@@ -1,5 +1,6 @@
 using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Biarcs;
 using Engraver.Core.Tests.Dxf;
 using Engraver.TestKit;
 

@@ -28,7 +28,7 @@ public class BoxTouchTests
     [Fact]
     public void An_arc_touches_whenever_one_of_its_points_is_inside() => Prop.ForAll(Arcs.Any, arc =>
     {
-        var box = Bounds2D.Of(arc.PointAt(0.4), arc.PointAt(0.4)).Grown(arc.Radius * 0.01);
+        var box = Bounds2D.FromCorners(arc.PointAt(0.4), arc.PointAt(0.4)).Grown(arc.Radius * 0.01);
         var away = new Bounds2D(arc.Bounds.MaxX + 1.0, arc.Bounds.MinY, arc.Bounds.MaxX + 2.0, arc.Bounds.MaxY);
         return box.Touches(Segment.FromArc(arc)) && !away.Touches(Segment.FromArc(arc));
     }).QuickCheckThrowOnFailure();
@@ -38,7 +38,7 @@ public class BoxTouchTests
     {
         var place = curve.PointAt(0.43);
         var away = new Bounds2D(curve.Bounds.MaxX + 1.0, curve.Bounds.MinY, curve.Bounds.MaxX + 2.0, curve.Bounds.MaxY);
-        return Bounds2D.Of(place, place).Grown(1e-6).Touches(Segment.FromCurve(curve)) && !away.Touches(Segment.FromCurve(curve));
+        return Bounds2D.FromCorners(place, place).Grown(1e-6).Touches(Segment.FromCurve(curve)) && !away.Touches(Segment.FromCurve(curve));
     }).QuickCheckThrowOnFailure();
 
     [Fact]

@@ -13,7 +13,7 @@ public class BoxTreeTests
         Prop.ForAll(Seeds, seed =>
         {
             var (places, here) = Places(seed);
-            var tree = BoxTree.Of(places);
+            var tree = BoxTree.Build(places);
 
             var found = tree.Nearest(here, Distance(places), double.PositiveInfinity, out var distance);
 
@@ -28,7 +28,7 @@ public class BoxTreeTests
         const int Items = 4_000;
         var random = new Random(7);
         var places = Enumerable.Range(0, Items).Select(_ => random.Next(2) == 0 ? new Point2D(1, 2) : new Point2D(1, 3)).ToArray();
-        var tree = BoxTree.Of(places);
+        var tree = BoxTree.Build(places);
         var (looks, order) = (0, new List<int>());
         while (tree.Nearest(new Point2D(1, 1), Counted, double.PositiveInfinity, out _) is >= 0 and var item)
         {
@@ -54,7 +54,7 @@ public class BoxTreeTests
             var boxes = Enumerable.Range(0, random.Next(1, 200)).Select(_ => new Bounds2D(random.Next(10), random.Next(10), 10 + random.Next(10), 10 + random.Next(10))).ToArray();
             var asked = new Bounds2D(random.Next(12), random.Next(12), 8 + random.Next(12), 8 + random.Next(12));
             var hidden = random.Next(boxes.Length);
-            var tree = BoxTree.Of(boxes);
+            var tree = BoxTree.Build(boxes);
             tree.Hide(hidden);
             var found = new List<int>();
 
@@ -69,8 +69,8 @@ public class BoxTreeTests
     [InlineData(20_000)]
     public void Of_the_wedges_of_a_star_few_lie_around_one(int wedges)
     {
-        var boxes = Enumerable.Range(0, wedges).Select(i => Bounds2D.Of(default, Point2D.Origin + Vector2D.FromPolar(50.0, Angle.FromDegrees(360.0 * i / wedges)))).ToArray();
-        var tree = BoxTree.Of(boxes);
+        var boxes = Enumerable.Range(0, wedges).Select(i => Bounds2D.FromCorners(default, Point2D.Origin + Vector2D.FromPolar(50.0, Angle.FromDegrees(360.0 * i / wedges)))).ToArray();
+        var tree = BoxTree.Build(boxes);
         var found = new List<int>();
 
         foreach (var box in boxes) tree.Containing(box, found);
@@ -83,7 +83,7 @@ public class BoxTreeTests
         Prop.ForAll(Seeds, seed =>
         {
             var (places, here) = Places(seed);
-            var tree = BoxTree.Of(places);
+            var tree = BoxTree.Build(places);
             for (var i = 0; i < places.Length; i++)
             {
                 tree.Hide(i);
@@ -105,7 +105,7 @@ public class BoxTreeTests
             var window = new Bounds2D(here.X, here.Y, here.X + 20, here.Y + 20);
             var found = new List<int>();
 
-            BoxTree.Of(boxes).Overlapping(window, found);
+            BoxTree.Build(boxes).Overlapping(window, found);
 
             var expected = Enumerable.Range(0, boxes.Length).Where(i =>
                 boxes[i].MinX <= window.MaxX && boxes[i].MaxX >= window.MinX && boxes[i].MinY <= window.MaxY && boxes[i].MaxY >= window.MinY);
@@ -115,7 +115,7 @@ public class BoxTreeTests
     [Fact]
     public void Nothing_lies_nearer_than_the_limit()
     {
-        var tree = BoxTree.Of([new Point2D(3, 4)]);
+        var tree = BoxTree.Build([new Point2D(3, 4)]);
 
         Assert.Equal(-1, tree.Nearest(default, (_, place) => place.DistanceTo(new Point2D(3, 4)), 4.99, out var distance));
         Assert.Equal(4.99, distance);
@@ -125,10 +125,10 @@ public class BoxTreeTests
     [Fact]
     public void An_empty_tree_and_a_tree_with_everything_hidden_answer_none()
     {
-        var hidden = BoxTree.Of([default(Point2D)]);
+        var hidden = BoxTree.Build([default(Point2D)]);
         hidden.Hide(0);
 
-        Assert.Equal(-1, BoxTree.Of(ReadOnlySpan<Point2D>.Empty).Nearest(default, (_, _) => 0.0, double.PositiveInfinity, out _));
+        Assert.Equal(-1, BoxTree.Build(ReadOnlySpan<Point2D>.Empty).Nearest(default, (_, _) => 0.0, double.PositiveInfinity, out _));
         Assert.Equal(-1, hidden.Nearest(default, (_, _) => 0.0, double.PositiveInfinity, out _));
     }
 

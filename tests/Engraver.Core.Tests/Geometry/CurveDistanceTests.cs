@@ -58,9 +58,9 @@ public class CurveDistanceTests
             foreach (var parameter in drawn.Parameters(5))
             {
                 var place = drawn.At(parameter);
-                Assert.True(Bounds2D.Of(place, place).Grown(1e-6).Touches(segment), $"{drawn} at {place}");
+                Assert.True(Bounds2D.FromCorners(place, place).Grown(1e-6).Touches(segment), $"{drawn} at {place}");
                 var beside = place + new Vector2D(0.0, 2.0 * FiveCounts);
-                if (drawn.DistanceFrom(beside) > FiveCounts) Assert.False(Bounds2D.Of(beside, beside).Grown(FiveCounts / 2.0).Touches(segment), $"{drawn} beside {place}");
+                if (drawn.DistanceFrom(beside) > FiveCounts) Assert.False(Bounds2D.FromCorners(beside, beside).Grown(FiveCounts / 2.0).Touches(segment), $"{drawn} beside {place}");
             }
         }
     }

@@ -4,6 +4,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
 using Engraver.Core.Geometry;
 using Engraver.Core.Posts;
+using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using FsCheck;
 using FsCheck.Fluent;
@@ -101,7 +102,7 @@ public class ClDataTests
     private static string ClDataText(IReadOnlyList<Segment> segments)
     {
         using var text = new StringWriter();
-        ClData.Write(new Toolpath(new Point2D(-1.0, -1.0), [.. segments.Select((segment, i) => new ToolpathStroke(i, false, [new ToolpathMove(segment, i)]))]), text);
+        ClData.Write(new Toolpath(new Point2D(-1.0, -1.0), [.. segments.Select((segment, i) => new ToolpathStroke(i, false, [new StrokeMove(segment, i)]))]), text);
         return text.ToString();
     }
 

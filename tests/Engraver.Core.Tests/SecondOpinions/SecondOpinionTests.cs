@@ -34,8 +34,8 @@ public class SecondOpinionTests
     [Fact]
     public void A_difference_in_each_figure_is_named()
     {
-        var opinion = SecondOpinion.Of(Everything);
-        var other = DrawingSummary.Of(Reading.Of(DxfText.WithEntities(OddDrawings.Arc)));
+        var opinion = CrossCheck.Read(Everything);
+        var other = DrawingSummary.From(Reading.Of(DxfText.WithEntities(OddDrawings.Arc)));
 
         var differences = opinion.DifferencesFrom(other);
 
@@ -109,7 +109,7 @@ public class SecondOpinionTests
             .Section("ENTITIES", [(0, "LINE"), (10, 0), (20, 0), (11, 1), (21, 0), .. OddDrawings.Insert("L20000", 1.0)])
             .Section("BLOCKS", [.. OddDrawings.Block("B", [(0, "LINE"), (10, 0), (20, 0), (11, 1), (21, 0)]), .. chain]).End().ToAscii();
 
-        Assert.Equal(360_001, SecondOpinion.Of(file).Counts["LINE"]);
+        Assert.Equal(360_001, CrossCheck.Read(file).Counts["LINE"]);
         Assert.Empty(Differences(file));
     }
 
@@ -126,9 +126,9 @@ public class SecondOpinionTests
     {
         var nest = new DxfText().Header("AC1015", 4).Section("BLOCKS", [.. OddDrawings.Block("B", OddDrawings.Circle)]).Section("ENTITIES", [.. OddDrawings.Insert("B", 1.0), (70, 32000), (71, 32000)]).End();
 
-        Assert.Throws<SecondOpinionException>(() => SecondOpinion.Of(nest.ToAscii()));
-        Assert.Throws<SecondOpinionException>(() => SecondOpinion.Of(new DxfText().Section("BLOCKS", [.. OddDrawings.Block("B", OddDrawings.Insert("B", 1.0))]).Section("ENTITIES", OddDrawings.Insert("B", 1.0)).End().ToAscii()));
+        Assert.Throws<CrossCheckException>(() => CrossCheck.Read(nest.ToAscii()));
+        Assert.Throws<CrossCheckException>(() => CrossCheck.Read(new DxfText().Section("BLOCKS", [.. OddDrawings.Block("B", OddDrawings.Insert("B", 1.0))]).Section("ENTITIES", OddDrawings.Insert("B", 1.0)).End().ToAscii()));
     }
 
-    private static IReadOnlyList<string> Differences(byte[] file) => SecondOpinion.Of(file).DifferencesFrom(DrawingSummary.Of(DxfReader.Read(file, "test.dxf", DxfReadOptions.Default, CancellationToken.None)));
+    private static IReadOnlyList<string> Differences(byte[] file) => CrossCheck.Read(file).DifferencesFrom(DrawingSummary.From(DxfReader.Read(file, "test.dxf", DxfReadOptions.Default, CancellationToken.None)));
 }

@@ -1,5 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Tests.Sequencing;
 

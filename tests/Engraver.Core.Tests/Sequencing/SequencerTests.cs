@@ -3,6 +3,8 @@ using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Chaining;
+using Engraver.Core.Sequencing.Ordering;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;

@@ -78,7 +78,7 @@ public class JudgeStepsTests
         "fan" => Each(i => Segment.FromLine(new Point2D(i, 0), new Point2D((2 * i) + 61_000, 59_595))),
         "rings" => Each(i => Segment.FromArc(new ArcSegment(default, 10 + (0.5 * i), Angle.Zero, Angle.FullTurn))),
         "shifted arcs" => Each(i => Segment.FromArc(new ArcSegment(new Point2D(0, i), 100_000, Angle.FromDegrees(20), Angle.FromDegrees(50)))),
-        "ellipses" => [.. CurvePieces.Of(Ellipses())],
+        "ellipses" => [.. CurvePieces.Split(Ellipses())],
         "hatch" => [.. Each(i => Segment.FromLine(new Point2D(i, 0), new Point2D(i + 3000, 2950))), .. Each(i => Segment.FromLine(new Point2D(i, 3000), new Point2D(i + 3000, 0)))],
         _ => throw new ArgumentException(name, nameof(name)),
     };

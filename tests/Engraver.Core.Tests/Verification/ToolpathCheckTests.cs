@@ -74,10 +74,10 @@ public class ToolpathCheckTests
     public void An_extra_move_is_found_beside_the_drawing_and_on_it()
     {
         var (drawn, path, drawing) = Planned(Mixed());
-        var elsewhere = new ToolpathMove(Segment.FromLine(new Point2D(0, 50), new Point2D(1, 50)), 1);
-        ToolpathMove[] again = [.. path.Strokes.SelectMany(stroke => stroke.Moves).Where(move => move.EntityIndex == 1)];
-        ToolpathMove[] curveAgain = [.. path.Strokes.SelectMany(stroke => stroke.Moves).Where(move => move.EntityIndex == 3)];
-        foreach (ToolpathMove[] extra in new[] { [elsewhere], again, curveAgain })
+        var elsewhere = new StrokeMove(Segment.FromLine(new Point2D(0, 50), new Point2D(1, 50)), 1);
+        StrokeMove[] again = [.. path.Strokes.SelectMany(stroke => stroke.Moves).Where(move => move.EntityIndex == 1)];
+        StrokeMove[] curveAgain = [.. path.Strokes.SelectMany(stroke => stroke.Moves).Where(move => move.EntityIndex == 3)];
+        foreach (StrokeMove[] extra in new[] { [elsewhere], again, curveAgain })
         {
             var spoiled = path with { Strokes = [.. path.Strokes, new ToolpathStroke(path.Strokes.Count, false, extra)] };
             var found = Assert.Single(ToolpathCheck.Findings(drawn, spoiled, new ToolpathTolerances(MaxError, 0.01, false), drawing.SourceOf));
@@ -136,7 +136,7 @@ public class ToolpathCheckTests
 
     private static string Text((EntityTable Drawn, Toolpath Path, Drawing Drawing) planned) => string.Join("; ", Check(planned).Select(found => found.Sentence));
 
-    private static Toolpath Change(Toolpath path, Func<ToolpathMove, ToolpathMove> change) =>
+    private static Toolpath Change(Toolpath path, Func<StrokeMove, StrokeMove> change) =>
         path with { Strokes = [.. path.Strokes.Select(stroke => stroke with { Moves = [.. stroke.Moves.Select(change)] })] };
 
     private static Segment Moved(Segment segment, Vector2D by) => segment.Kind == SegmentKind.Line

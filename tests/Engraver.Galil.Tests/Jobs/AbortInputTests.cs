@@ -1,5 +1,5 @@
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Tests.Jobs;
 

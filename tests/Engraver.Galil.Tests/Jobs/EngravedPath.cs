@@ -1,3 +1,4 @@
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Tests.Jobs;

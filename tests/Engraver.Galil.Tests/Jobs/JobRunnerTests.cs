@@ -1,5 +1,5 @@
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Tests.Links;
 using Engraver.Simulator;
 

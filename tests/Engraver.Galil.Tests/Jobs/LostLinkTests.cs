@@ -1,5 +1,5 @@
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Tests.Jobs;

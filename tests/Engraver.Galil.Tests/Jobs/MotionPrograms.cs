@@ -1,3 +1,4 @@
+using Engraver.Galil.Language;
 using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
 

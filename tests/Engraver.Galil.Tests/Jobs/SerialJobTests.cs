@@ -1,8 +1,10 @@
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Links;
 using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
-using Engraver.Galil.Tests.Programs;
+using Engraver.Galil.Programs.Timing;
+using Engraver.Galil.Tests.Programs.Timing;
 using FsCheck;
 using FsCheck.Fluent;
 
@@ -37,7 +39,7 @@ public class SerialJobTests
     {
         await using var bench = new SimulatedBench();
         var program = MotionPrograms.ShortLines(count, step);
-        var fit = WireFit.Of(program, new SerialLine(baud), null);
+        var fit = LinkFeedFit.Create(program, new SerialLine(baud), null);
         var sent = new List<string>();
 
         var result = await bench.RunSerialAsync(baud, fit.Program, JobMode.Stream, sending: sent.Add);
@@ -57,7 +59,7 @@ public class SerialJobTests
     {
         await using var bench = new SimulatedBench();
         var program = MotionPrograms.ShortLines(800, step);
-        var fit = WireFit.Of(program, new SerialLine(baud), null);
+        var fit = LinkFeedFit.Create(program, new SerialLine(baud), null);
         var sent = new List<string>();
 
         var result = await bench.RunSerialAsync(baud, fit.Program, JobMode.Stream, sending: sent.Add);
@@ -119,11 +121,11 @@ public class SerialJobTests
     }
 
     [Fact]
-    public void Whatever_the_segments_a_fitted_path_neither_runs_dry_nor_has_to_be_held_back() => Prop.ForAll(WireFeedTests.Sequences, sequence =>
+    public void Whatever_the_segments_a_fitted_path_neither_runs_dry_nor_has_to_be_held_back() => Prop.ForAll(LinkFeedLimitTests.Sequences, sequence =>
     {
         var program = new MotionProgram(MachineProfile.Default, default, [new MotionStroke(0, default, [sequence])]);
         var sent = new List<string>();
-        var result = CutAtOnce(WireFit.Of(program, new SerialLine(19200), null).Program, sent);
+        var result = CutAtOnce(LinkFeedFit.Create(program, new SerialLine(19200), null).Program, sent);
         return (result.Outcome, result.SegmentsExecuted, result.Underruns) == (JobOutcome.Complete, program.SegmentCount, 0)
             && !sent.Any(line => line.StartsWith("VR 0", StringComparison.Ordinal));
     }).Check(Config.QuickThrowOnFailure.WithMaxTest(25));

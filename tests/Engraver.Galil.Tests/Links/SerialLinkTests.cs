@@ -1,6 +1,5 @@
 using System.Text;
 using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
 using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Links;

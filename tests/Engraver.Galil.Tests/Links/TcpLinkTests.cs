@@ -1,7 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
 using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Tests.Links;
 

@@ -1,7 +1,9 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Toolpaths;
+using Engraver.Galil.Language;
 using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 
 namespace Engraver.Galil.Tests.Programs;
 

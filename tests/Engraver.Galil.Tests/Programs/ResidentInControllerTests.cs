@@ -1,5 +1,5 @@
 using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Resident;
 
 namespace Engraver.Galil.Tests.Programs;
 

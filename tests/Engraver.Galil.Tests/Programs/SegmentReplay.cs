@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Geometry;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Tests.Programs;

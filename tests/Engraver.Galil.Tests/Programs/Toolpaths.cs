@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 
 namespace Engraver.Galil.Tests.Programs;
@@ -21,6 +22,6 @@ internal static class Toolpaths
     {
         var entity = 0;
         return new Toolpath(Point2D.Origin, strokes.Select((segments, index) =>
-            new ToolpathStroke(index, segments[0].Start == segments[^1].End, segments.Select(segment => new ToolpathMove(segment, entity++)).ToList())).ToList());
+            new ToolpathStroke(index, segments[0].Start == segments[^1].End, segments.Select(segment => new StrokeMove(segment, entity++)).ToList())).ToList());
     }
 }

@@ -1,11 +1,11 @@
 using System.Globalization;
 using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Records;
 using Engraver.Core.EntityTables;
-using Engraver.Core.Geometry;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Programs;

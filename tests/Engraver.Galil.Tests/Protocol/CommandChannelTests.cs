@@ -1,3 +1,4 @@
+using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Tests.Links;
 using Engraver.TestKit;

@@ -1,6 +1,6 @@
 using System.Globalization;
-using Engraver.Simulator.Commands;
 using Engraver.Simulator.Language;
+using Engraver.Simulator.Language.Commands;
 
 namespace Engraver.Simulator.Tests.Fuzzing;
 

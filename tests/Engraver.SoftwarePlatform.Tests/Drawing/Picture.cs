@@ -2,7 +2,6 @@ using Avalonia;
 using Avalonia.Media;
 using Avalonia.Media.Immutable;
 using Avalonia.Platform;
-using Engraver.SoftwarePlatform.Bitmaps;
 using Engraver.SoftwarePlatform.Drawing;
 
 namespace Engraver.SoftwarePlatform.Tests.Drawing;
@@ -14,12 +13,12 @@ internal sealed class Picture : IDisposable
 
     public Picture(int width, int height, Color? background = null)
     {
-        Bitmap = (SoftwareBitmap)Platform.CreateRenderTargetBitmap(new PixelSize(width, height), new Vector(96, 96));
+        Bitmap = (DrawableBitmap)Platform.CreateRenderTargetBitmap(new PixelSize(width, height), new Vector(96, 96));
         if (background is { } color)
             Draw(context => context.Clear(color));
     }
 
-    public SoftwareBitmap Bitmap { get; }
+    public DrawableBitmap Bitmap { get; }
 
     public Picture Draw(Action<IDrawingContextImpl> drawing)
     {

@@ -2,7 +2,6 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
-using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.SoftwarePlatform.Tests.Headless;
 

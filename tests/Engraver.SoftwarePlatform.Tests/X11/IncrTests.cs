@@ -1,4 +1,4 @@
-using Engraver.SoftwarePlatform.X11;
+using Engraver.SoftwarePlatform.X11.Selections;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 

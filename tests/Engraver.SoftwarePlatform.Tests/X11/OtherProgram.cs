@@ -1,5 +1,6 @@
 using System.Text;
-using Engraver.SoftwarePlatform.X11;
+using Engraver.SoftwarePlatform.X11.Protocol;
+using Engraver.SoftwarePlatform.X11.Selections;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 

@@ -1,6 +1,7 @@
 using Avalonia;
 using Engraver.SoftwarePlatform.Windows;
 using Engraver.SoftwarePlatform.X11;
+using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.Tests.X11;
 
@@ -19,7 +20,7 @@ public sealed class PackingTests
     {
         var pixels = Enumerable.Repeat(0xFF000000u, 10).ToArray();
         (pixels[0], pixels[8]) = (0xFFFFFFFF, 0x20FFFFFF);
-        var (light, mask) = CursorMasks.Of(new IconPicture(new PixelSize(10, 1), pixels));
+        var (light, mask) = CursorMasks.Create(new IconPicture(new PixelSize(10, 1), pixels));
 
         Assert.Equal([0b0000_0001, 0], light);
         Assert.Equal([0xFF, 0b0000_0010], mask);

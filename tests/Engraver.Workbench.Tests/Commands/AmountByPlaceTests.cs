@@ -1,4 +1,3 @@
-using Engraver.Core.Geometry;
 using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
@@ -20,7 +19,7 @@ public class AmountByPlaceTests
     public async Task An_amount_is_shown_by_a_place(string[] typed, double x, double y)
     {
         await using var talk = CommandTalk.WithDrawing();
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync(typed));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync(typed));
         var end = talk.State.Drawing!.Parts[0].InPlan().End;
 
         Assert.Equal((x, y), (Math.Round(end.X, 6) + 0.0, Math.Round(end.Y, 6) + 0.0));
@@ -41,8 +40,8 @@ public class AmountByPlaceTests
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("SCALE", "H", "A1", "", "4,4");
 
-        Assert.Contains("0 is not allowed here", Assert.IsType<FeedResult.NotUnderstood>(await talk.TypeAsync("4,4")).Sentence, StringComparison.Ordinal);
-        Assert.Contains("no number and no point", Assert.IsType<FeedResult.NotUnderstood>(await talk.TypeAsync("long")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("0 is not allowed here", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("4,4")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("no number and no point", Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("long")).Sentence, StringComparison.Ordinal);
         Assert.Equal("SCALE", talk.Session.Prompt.Command);
     }
 }

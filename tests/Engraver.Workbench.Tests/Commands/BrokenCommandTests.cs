@@ -1,6 +1,7 @@
 using Engraver.Galil.Jobs;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.Workbench.Tests.Commands;
 
@@ -18,14 +19,14 @@ public sealed class BrokenCommandTests : IDisposable
     {
         await using var session = Session(late);
 
-        var failed = Assert.IsType<FeedResult.Failed>(await session.FeedAsync("BREAK", _limit.Token));
+        var failed = Assert.IsType<InputResult.Failed>(await session.FeedAsync("BREAK", _limit.Token));
         Assert.Equal((CommandFailure.Internal, "BREAK ended by an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Why, failed.Sentence));
         Assert.IsType<KeyNotFoundException>(failed.Bug);
         Assert.Contains(_said, message => message.Text.Contains(nameof(BreakCommand), StringComparison.Ordinal)); // where it was
         var alarm = Assert.Single(session.Machine.Alarms.Open);
         Assert.Equal((AlarmCause.InternalError, "BREAK", true), (alarm.Cause, alarm.Where, alarm.NeedsAcknowledging));
         Assert.Equal(PromptView.Idle, session.Prompt);
-        Assert.IsType<FeedResult.Done>(await session.FeedAsync("GRID", _limit.Token) is FeedResult.Asking ? await session.FeedAsync("OFF", _limit.Token) : new FeedResult.Cancelled());
+        Assert.IsType<InputResult.Done>(await session.FeedAsync("GRID", _limit.Token) is InputResult.Asking ? await session.FeedAsync("OFF", _limit.Token) : new InputResult.Cancelled());
     }
 
     [Fact]
@@ -35,7 +36,7 @@ public sealed class BrokenCommandTests : IDisposable
         await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "a.scr"), "GRID OFF\nBREAK\nGRID ON\n");
         await session.FeedAsync("SCRIPT", _limit.Token);
 
-        var failed = Assert.IsType<FeedResult.Failed>(await session.FeedAsync("a.scr", _limit.Token));
+        var failed = Assert.IsType<InputResult.Failed>(await session.FeedAsync("a.scr", _limit.Token));
         Assert.Contains("a.scr(2)", failed.Sentence, StringComparison.Ordinal);
         Assert.NotNull(failed.Bug);
         Assert.False(session.View.Current.Grid);
@@ -51,8 +52,8 @@ public sealed class BrokenCommandTests : IDisposable
         var job = session.FeedAsync("Yes", _limit.Token);
         await cutting.Task.WaitAsync(_limit.Token);
 
-        Assert.EndsWith("The job was stopped.", Assert.IsType<FeedResult.Failed>(await session.FeedAsync("BREAK", _limit.Token)).Sentence, StringComparison.Ordinal);
-        Assert.Equal(CommandFailure.Stopped, Assert.IsType<FeedResult.Failed>(await job).Why);
+        Assert.EndsWith("The job was stopped.", Assert.IsType<InputResult.Failed>(await session.FeedAsync("BREAK", _limit.Token)).Sentence, StringComparison.Ordinal);
+        Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job).Why);
         Assert.Equal((JobOutcome.Stopped, false), (session.Machine.LastRun!.Result.Outcome, session.Machine.Status.ToolCommanded!.Value));
     }
 
@@ -69,7 +70,7 @@ public sealed class BrokenCommandTests : IDisposable
             throw new KeyNotFoundException("the window has lost a row");
         };
 
-        var failed = Assert.IsType<FeedResult.Failed>(await session.FeedAsync("Yes", _limit.Token));
+        var failed = Assert.IsType<InputResult.Failed>(await session.FeedAsync("Yes", _limit.Token));
         Assert.Equal(CommandFailure.Internal, failed.Why);
         Assert.False(session.Machine.IsRunning);
         Assert.Equal((MachineState.Ready, false, 0.0), (session.Machine.Status.State, session.Machine.Status.ToolCommanded!.Value, session.Machine.Status.Speed!.Value));

@@ -48,9 +48,9 @@ public class CatalogTests
             await File.WriteAllTextAsync(Path.Combine(folder.FullName, "a.scr"), "CNCRUN\nYes\n");
             foreach (var input in new[] { "CNCCONNECT", "sim:" }) await session.FeedAsync(input, CancellationToken.None);
 
-            Assert.Contains("CNCARM", Assert.IsType<FeedResult.Failed>(await session.FeedAsync("CNCRUN", CancellationToken.None)).Sentence, StringComparison.Ordinal);
+            Assert.Contains("CNCARM", Assert.IsType<InputResult.Failed>(await session.FeedAsync("CNCRUN", CancellationToken.None)).Sentence, StringComparison.Ordinal);
             await session.FeedAsync("SCRIPT", CancellationToken.None);
-            Assert.IsType<FeedResult.Done>(await session.FeedAsync("a.scr", CancellationToken.None));
+            Assert.IsType<InputResult.Done>(await session.FeedAsync("a.scr", CancellationToken.None));
             Assert.NotNull(session.Machine.LastRun);
         }
         finally

@@ -14,7 +14,7 @@ public class CommandGrammarTests
         {
             await using var talk = CommandTalk.WithDrawing();
 
-            Assert.IsType<FeedResult.Asking>(await talk.TypeAsync(typed));
+            Assert.IsType<InputResult.Asking>(await talk.TypeAsync(typed));
         }
     }
 
@@ -46,7 +46,7 @@ public class CommandGrammarTests
         Assert.Equal(">>Specify point:", talk.Session.Prompt.Text);
         await talk.TypeAsync("1,2");
         Assert.Equal("SAVEAS", talk.Session.Prompt.Command);
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("'DIST"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("'DIST"));
         Assert.True(File.Exists(talk.PathOf("'DIST")));
     }
 
@@ -58,7 +58,7 @@ public class CommandGrammarTests
         await talk.TypeAsync("RO", "P", "", "0,0");
 
         Assert.Equal("45", talk.Session.Prompt.Default);
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync(""));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
     }
 
     [Fact]
@@ -69,7 +69,7 @@ public class CommandGrammarTests
         Assert.Equal("ID", talk.Session.Prompt.Command);
         await talk.TypeAsync("3,4", "CNCCONNECT", "sim:", "CNCRUN", "No");
 
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync(""));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
         Assert.Contains("CNCRUN starts motion and is not repeated by Enter", talk.Said, StringComparison.Ordinal);
         Assert.Null(talk.Session.Machine.LastRun);
     }
@@ -84,7 +84,7 @@ public class CommandGrammarTests
         Assert.Contains("Distance = 5", talk.Said, StringComparison.Ordinal);
         Assert.Equal("MOVE", talk.Session.Prompt.Command);
 
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("#1,1"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("#1,1"));
         Assert.Equal(new Point2D(1, 1), talk.State.Drawing!.Parts[0].InPlan().Start);
     }
 
@@ -94,7 +94,7 @@ public class CommandGrammarTests
         await using var talk = CommandTalk.WithDrawing();
         var result = await talk.TypeAsync("MOVE", "'ERASE");
 
-        Assert.IsType<FeedResult.NotUnderstood>(result);
+        Assert.IsType<InputResult.NotUnderstood>(result);
         Assert.Equal("MOVE", talk.Session.Prompt.Command);
     }
 
@@ -105,9 +105,9 @@ public class CommandGrammarTests
         await talk.TypeAsync("MOVE", "ALL", "");
         var before = talk.Session.Prompt;
 
-        Assert.IsType<FeedResult.NotUnderstood>(await talk.TypeAsync("somewhere"));
+        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("somewhere"));
         Assert.Equal(before.Text, talk.Session.Prompt.Text);
-        Assert.IsType<FeedResult.NotUnderstood>(await new CommandTalk().TypeAsync("FLY"));
+        Assert.IsType<InputResult.NotUnderstood>(await new CommandTalk().TypeAsync("FLY"));
     }
 
     [Fact]

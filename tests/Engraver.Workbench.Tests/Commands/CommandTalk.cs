@@ -39,9 +39,9 @@ internal sealed class CommandTalk : IAsyncDisposable
     }
 
     /// <summary>Feeds the inputs and answers what the last one led to.</summary>
-    public async Task<FeedResult> TypeAsync(params string[] inputs)
+    public async Task<InputResult> TypeAsync(params string[] inputs)
     {
-        FeedResult result = new FeedResult.Done();
+        InputResult result = new InputResult.Done();
         foreach (var input in inputs) result = await Session.FeedAsync(input, CancellationToken.None);
         return result;
     }

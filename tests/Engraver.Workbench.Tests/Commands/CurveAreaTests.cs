@@ -31,12 +31,12 @@ public class CurveAreaTests
     public async Task A_line_for_the_controller_is_sent_as_the_terminal_sends_it()
     {
         await using var talk = new CommandTalk();
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCTERMINAL"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCTERMINAL"));
         await talk.TypeAsync("CNCCONNECT", "sim:");
 
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCTERMINAL", "MG 6*7"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCTERMINAL", "MG 6*7"));
         Assert.Contains("42.0000", talk.Said, StringComparison.Ordinal);
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCTERMINAL", "XX"));
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCTERMINAL", "RS")); // withheld: it would wipe what others left there
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCTERMINAL", "XX"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCTERMINAL", "RS")); // withheld: it would wipe what others left there
     }
 }

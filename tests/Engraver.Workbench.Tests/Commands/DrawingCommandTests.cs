@@ -1,6 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Commands;
@@ -28,8 +29,8 @@ public class DrawingCommandTests
         var before = talk.State;
         await File.WriteAllTextAsync(talk.PathOf("text.dxf"), "hello");
 
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("OPEN", "text.dxf")).Why);
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("OPEN", "nowhere.dxf")).Why);
+        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPEN", "text.dxf")).Why);
+        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OPEN", "nowhere.dxf")).Why);
         Assert.Same(before, talk.State);
     }
 
@@ -40,7 +41,7 @@ public class DrawingCommandTests
         {
             await using var talk = new CommandTalk();
 
-            Assert.Contains("No drawing is open", Assert.IsType<FeedResult.Failed>(await talk.TypeAsync(name)).Sentence, StringComparison.Ordinal);
+            Assert.Contains("No drawing is open", Assert.IsType<InputResult.Failed>(await talk.TypeAsync(name)).Sentence, StringComparison.Ordinal);
         }
     }
 
@@ -64,7 +65,7 @@ public class DrawingCommandTests
         var result = await talk.TypeAsync(["SELECT", .. inputs.Split('|'), ""]);
 
         Assert.Equal(count, talk.State.Selection.Count);
-        Assert.Equal(count > 0, result is FeedResult.Done);
+        Assert.Equal(count > 0, result is InputResult.Done);
     }
 
     [Fact]
@@ -133,8 +134,8 @@ public class DrawingCommandTests
         await using var talk = CommandTalk.WithDrawing();
         var before = talk.State;
 
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("MI", "ALL", "", "1,1", "1,1"));
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("M", "ALL", "", "0,0", "1e200,0"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("MI", "ALL", "", "1,1", "1,1"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("M", "ALL", "", "0,0", "1e200,0"));
         Assert.Same(before.Drawing, talk.State.Drawing);
     }
 
@@ -148,7 +149,7 @@ public class DrawingCommandTests
 
         Assert.Null(talk.State.Settings.Enter);
         Assert.Equal(3, talk.State.Drawing!.Entities.Count);
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("AUTOSEQUENCE"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("AUTOSEQUENCE"));
     }
 
     [Fact]
@@ -161,7 +162,7 @@ public class DrawingCommandTests
         await talk.TypeAsync("LAYER", "OFF", "rahmen", "", "SELECT", "ALL", "");
 
         Assert.True(talk.State.Selection.Count < all);
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("LAYER", "OFF", "frame"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("LAYER", "OFF", "frame"));
         await talk.TypeAsync("U");
         Assert.All(talk.State.Drawing!.Layers.Where(layer => layer.Name == "Rahmen"), layer => Assert.True(layer.On));
     }
@@ -180,7 +181,7 @@ public class DrawingCommandTests
 
         var layer = talk.State.Drawing!.Layers.Single(layer => layer.Name == "VENTS");
         Assert.Equal((index, rgb), (layer.Colour.Index, layer.Colour.Rgb));
-        Assert.Contains($"{ColourName.Of(layer.Colour),-11}  VENTS", talk.Said, StringComparison.Ordinal);
+        Assert.Contains($"{ColourName.Format(layer.Colour),-11}  VENTS", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("U");
         Assert.Equal(before, talk.State.Drawing!.Layers);
     }
@@ -196,7 +197,7 @@ public class DrawingCommandTests
     {
         await using var talk = CommandTalk.WithDrawing();
 
-        Assert.Contains("is no color", Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
+        Assert.Contains("is no color", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("LAYER", "C", typed)).Sentence, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -219,7 +220,7 @@ public class DrawingCommandTests
         await talk.TypeAsync("CNCFEED");
         Assert.Equal("Enter new value for CNCFEED <1200>:", talk.Session.Prompt.Text);
         await talk.TypeAsync("600", "CNCVA");
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("256001"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("256001"));
         Assert.Equal(600, talk.State.Settings.Machine.FeedMmPerMinute);
         await talk.TypeAsync("U");
 
@@ -258,7 +259,7 @@ public class DrawingCommandTests
 
         Assert.All(talk.Session.Catalog.All, info => Assert.Contains($"  {info.Name} ", talk.Said, StringComparison.Ordinal));
         Assert.Contains("MOVE: Moves objects.\nShort: M", talk.Said, StringComparison.Ordinal);
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("HELP", "fly"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("HELP", "fly"));
     }
 
     private static Point2D StartOf(CommandTalk talk, int entity) => DrawingPick.Segments(talk.State.Drawing!, entity).First().Start;

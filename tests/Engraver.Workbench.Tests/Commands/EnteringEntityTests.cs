@@ -16,7 +16,7 @@ public class EnteringEntityTests
 
         Assert.Equal(talk.State.Drawing!.Entities.Count - 1, talk.State.Drawing.IndexOfHandle(Entered(talk)!));
         Assert.Contains($"The entering entity A4 is {Entered(talk)} now; cutting begins there.", talk.Said, StringComparison.Ordinal);
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("AUTOSEQUENCE", ""));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("AUTOSEQUENCE", ""));
     }
 
     [Fact]

@@ -101,9 +101,9 @@ public class FileCommandTests
         await using var talk = CommandTalk.WithDrawing();
         await File.WriteAllTextAsync(talk.PathOf("out.dxf"), "precious");
 
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("SAVEAS", "out.dxf", ""));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("SAVEAS", "out.dxf", ""));
         Assert.Equal("precious", await File.ReadAllTextAsync(talk.PathOf("out.dxf")));
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("SAVEAS", "out.dxf", "Y"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("SAVEAS", "out.dxf", "Y"));
         Assert.StartsWith("0\nSECTION", await File.ReadAllTextAsync(talk.PathOf("out.dxf")), StringComparison.Ordinal);
     }
 
@@ -118,7 +118,7 @@ public class FileCommandTests
 
         await talk.TypeAsync("CNCCUT", "16", "OPEN", "solid.dxf");
         Assert.Equal(CurveType.Solid, Assert.Single(Entities(talk.State.Drawing!)).Type);
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCRECOVER", "1"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRECOVER", "1"));
         Assert.True(talk.State.Settings.RecoverArcs);
     }
 
@@ -139,7 +139,7 @@ public class FileCommandTests
     {
         await using var talk = new CommandTalk();
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "EXPORT", "cl.dxf");
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("EXPORT", "a.xyz"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("EXPORT", "a.xyz"));
 
         Assert.Contains("RAPID", await File.ReadAllTextAsync(talk.PathOf("cl.dxf")), StringComparison.Ordinal);
         Assert.False(File.Exists(talk.PathOf("a.xyz")));
@@ -150,9 +150,9 @@ public class FileCommandTests
     {
         await using var talk = new CommandTalk();
 
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("RECENT"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("RECENT"));
         await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"));
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("RECENT", ""));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("RECENT", ""));
         Assert.Contains(" 1  ", talk.Said, StringComparison.Ordinal);
     }
 

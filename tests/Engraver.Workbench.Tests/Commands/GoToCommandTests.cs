@@ -42,7 +42,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await using var session = await ConnectedAsync();
         await RunAsync(session);
         var first = Cut(_controller.Record.Snapshot());
-        Assert.IsType<FeedResult.Done>(await TypeAsync(session, "CNCGOTO", "Start"));
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "Start"));
         Assert.Equal((0.0, 0.0), At(session));
         var rows = _controller.Record.Snapshot().Count;
 
@@ -86,7 +86,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         var rows = _controller.Record.Snapshot().Count;
         var done = session.Machine.Progress;
 
-        Assert.IsType<FeedResult.Done>(await TypeAsync(session, "CNCGOTO", "-3.5,7"));
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "-3.5,7"));
 
         Assert.Equal((-3.5, 7.0), At(session));
         Assert.Equal(-3.5, session.Machine.Status.WorkPosition!.Value.X, precision: 9);
@@ -118,11 +118,11 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "go.scr"), "CNCGOTO 1,1\n");
         await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "armed.scr"), "CNCARM Stream\nCNCGOTO 1,1\n");
 
-        Assert.IsType<FeedResult.Failed>(await TypeAsync(session, "SCRIPT", "go.scr"));
+        Assert.IsType<InputResult.Failed>(await TypeAsync(session, "SCRIPT", "go.scr"));
         Assert.Equal(0, Moves(_controller.Record.Snapshot()));
         var armed = await TypeAsync(session, "SCRIPT", "armed.scr");
-        if (desktop) Assert.IsType<FeedResult.Failed>(armed);
-        else Assert.IsType<FeedResult.Done>(armed);
+        if (desktop) Assert.IsType<InputResult.Failed>(armed);
+        else Assert.IsType<InputResult.Done>(armed);
         Assert.Equal(!desktop, Moves(_controller.Record.Snapshot()) > 0);
     }
 
@@ -134,10 +134,10 @@ public sealed class GoToCommandTests : IAsyncDisposable
         var moving = TypeAsync(session, "CNCGOTO", "100,0");
         await SeenAsync(session.Machine, status => status is { State: MachineState.Running, MachinePosition.X: > 5 });
 
-        Assert.IsType<FeedResult.NotUnderstood>(await session.FeedAsync("CNCGOTO", CancellationToken.None));
+        Assert.IsType<InputResult.NotUnderstood>(await session.FeedAsync("CNCGOTO", CancellationToken.None));
         Assert.True(session.Machine.Stop());
 
-        Assert.Equal(CommandFailure.Stopped, Assert.IsType<FeedResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
+        Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
         Assert.InRange(At(session).X, 5.0, 99.0);
         Assert.Equal((true, 0), (_controller.Status.IsIdle, (int)_controller.Status.Outputs));
     }
@@ -152,7 +152,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
 
         _controller.DropConnections();
 
-        Assert.Equal(CommandFailure.LinkLost, Assert.IsType<FeedResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
+        Assert.Equal(CommandFailure.LinkLost, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
         await SeenAsync(session.Machine, status => status.State == MachineState.Ready); // the watch, whose links were cut too, is opened anew
         await using var later = await ConnectedAsync();
         await SeenAsync(later.Machine, status => status.State == MachineState.Ready);
@@ -191,24 +191,24 @@ public sealed class GoToCommandTests : IAsyncDisposable
     private async Task ConnectAsync(CommandSession session)
     {
         if (_port == 0) _port = (await _controller.ListenTcpAsync(0, _limit.Token)).Port;
-        Assert.IsType<FeedResult.Done>(await TypeAsync(session, "CNCCONNECT", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{_port}")));
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCCONNECT", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{_port}")));
     }
 
     private static async Task RunAsync(CommandSession session)
     {
         await TypeAsync(session, "CNCARM", "Stream");
-        Assert.IsType<FeedResult.Done>(await TypeAsync(session, "CNCRUN"));
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCRUN"));
         Assert.Equal(JobOutcome.Complete, session.Machine.LastRun!.Result.Outcome);
     }
 
-    private static async Task<FeedResult> TypeAsync(CommandSession session, params string[] inputs)
+    private static async Task<InputResult> TypeAsync(CommandSession session, params string[] inputs)
     {
-        FeedResult result = new FeedResult.Done();
+        InputResult result = new InputResult.Done();
         foreach (var input in inputs) result = await session.FeedAsync(input, CancellationToken.None);
         return result;
     }
 
-    private static async Task<string> FailedAsync(CommandSession session, params string[] inputs) => Assert.IsType<FeedResult.Failed>(await TypeAsync(session, inputs)).Sentence;
+    private static async Task<string> FailedAsync(CommandSession session, params string[] inputs) => Assert.IsType<InputResult.Failed>(await TypeAsync(session, inputs)).Sentence;
 
     private async Task SeenAsync(MachineSession machine, Func<MachineStatus, bool> wanted)
     {

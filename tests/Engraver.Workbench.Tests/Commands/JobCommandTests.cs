@@ -21,7 +21,7 @@ public class JobCommandTests
         await using var talk = new CommandTalk();
         await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "MI", "ALL", "", "0,0", "1,0", "Y", "RO", "P", "", "10,20", "33", "SC", "P", "", "3,3", "0.5", "REVERSE", "P", "");
 
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCSIM"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM"));
         Assert.Matches("^complete: 4 of 4 segments", talk.Said.Split('\n')[^1]);
         Assert.Contains("nothing of it is missing", talk.Said, StringComparison.Ordinal);
         Assert.InRange(talk.Session.Machine.LastRun!.Judgement.MaxDeviationMm!.Value, 0.0, 0.0035);
@@ -39,9 +39,9 @@ public class JobCommandTests
 
         Assert.Equal(0.0, run.Judgement.MissingLengthMm);
         Assert.Equal(100_000, run.Result.FinalPosition!.Value.X);
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCDISCONNECT"));
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCDISCONNECT"));
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCRUN"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCDISCONNECT"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCDISCONNECT"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN"));
     }
 
     [Fact]
@@ -51,9 +51,9 @@ public class JobCommandTests
         await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCRUN");
         Assert.Equal("No", talk.Session.Prompt.Default);
 
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync(""));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
         Assert.Null(talk.Session.Machine.LastRun);
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCRUN", "Dryrun", "Yes"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Dryrun", "Yes"));
         Assert.Equal("none", talk.Session.Machine.LastRun!.Judgement.Source);
     }
 
@@ -69,10 +69,10 @@ public class JobCommandTests
         await moving.Task.WaitAsync(limit.Token);
 
         Assert.True(talk.Session.IsBusy);
-        Assert.IsType<FeedResult.NotUnderstood>(await talk.TypeAsync("ERASE"));
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("'CNCSTATUS"));
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCSTOP"));
-        Assert.Equal(CommandFailure.Stopped, Assert.IsType<FeedResult.Failed>(await job.WaitAsync(limit.Token)).Why);
+        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("ERASE"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("'CNCSTATUS"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSTOP"));
+        Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job.WaitAsync(limit.Token)).Why);
         Assert.False(talk.Session.Machine.IsRunning);
         Assert.Contains("RUNNING", talk.Said, StringComparison.Ordinal);
     }
@@ -86,8 +86,8 @@ public class JobCommandTests
         var port = ((System.Net.IPEndPoint)listener.LocalEndpoint).Port;
         listener.Stop();
 
-        Assert.Equal(CommandFailure.Usage, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCCONNECT", "somewhere")).Why);
-        Assert.Equal(CommandFailure.LinkLost, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCCONNECT", FormattableString.Invariant($"tcp://127.0.0.1:{port}"))).Why);
+        Assert.Equal(CommandFailure.Usage, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCCONNECT", "somewhere")).Why);
+        Assert.Equal(CommandFailure.LinkLost, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCCONNECT", FormattableString.Invariant($"tcp://127.0.0.1:{port}"))).Why);
         Assert.Null(talk.Session.Machine.Description);
     }
 
@@ -97,10 +97,10 @@ public class JobCommandTests
         await using var talk = new CommandTalk();
         await File.WriteAllTextAsync(talk.PathOf("cut.dxf"), "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n4\n0\nLINE\n8\n0\n10\n0\n");
 
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("OPEN", "cut.dxf"));
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CHECK")).Why);
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCSIM", "")).Why);
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCSIM", "Yes"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("OPEN", "cut.dxf"));
+        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CHECK")).Why);
+        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCSIM", "")).Why);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM", "Yes"));
     }
 
     [Fact]
@@ -112,6 +112,6 @@ public class JobCommandTests
         await talk.TypeAsync("CNCPROFILE", "good.json");
 
         Assert.Equal(300, talk.State.Settings.Machine.FeedMmPerMinute);
-        Assert.Contains("bad.json(2)", Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCPROFILE", "bad.json")).Sentence, StringComparison.Ordinal);
+        Assert.Contains("bad.json(2)", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCPROFILE", "bad.json")).Sentence, StringComparison.Ordinal);
     }
 }

@@ -36,8 +36,8 @@ public class ObjectCommandTests
         Assert.Equal(4, talk.State.Drawing!.Entities.Count);
         Assert.Equal((CurveType.LwPolyline, true), (talk.State.Drawing.Entities[joined].Type, talk.State.Drawing.Entities[joined].Closed));
         Assert.Equal(before, Outline(talk.State.Drawing, joined));
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("X", "H", "A1", ""));
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("J", "ALL", ""));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("X", "H", "A1", ""));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("J", "ALL", ""));
     }
 
     [Fact]
@@ -78,7 +78,7 @@ public class ObjectCommandTests
         Assert.Equal(7, talk.State.Drawing!.Entities.Count);
         var turned = Outline(talk.State.Drawing, 4)[0].End;
         Assert.True(turned.IsNear(new Point2D(0, 10), 1e-9), turned.ToString());
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("AR", "ALL", "", "R", "1000", "1000"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("AR", "ALL", "", "R", "1000", "1000"));
     }
 
     [Fact]

@@ -73,7 +73,7 @@ public class RandomCommandTests
 
             var result = await talk.TypeAsync(input);
             var asks = talk.Session.Prompt.Command is not null;
-            if (talk.Session.IsBusy || (result is FeedResult.Asking && !asks) || !IsConsistent(talk)) return false;
+            if (talk.Session.IsBusy || (result is InputResult.Asking && !asks) || !IsConsistent(talk)) return false;
         }
 
         return true;

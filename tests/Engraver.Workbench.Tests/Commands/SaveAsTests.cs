@@ -37,8 +37,8 @@ public class SaveAsTests
 
         Assert.Equal(8, before.Entities.Count);
         Assert.Equal(before.Parts.Count, after.Parts.Count);
-        Assert.Equal(DrawingSummary.Of(before).Length.Total, DrawingSummary.Of(after).Length.Total, 1e-9);
-        Assert.Equal(DrawingSummary.Of(before).Length.PlanTotal, DrawingSummary.Of(after).Length.PlanTotal, 1e-9);
+        Assert.Equal(DrawingSummary.From(before).Length.Total, DrawingSummary.From(after).Length.Total, 1e-9);
+        Assert.Equal(DrawingSummary.From(before).Length.PlanTotal, DrawingSummary.From(after).Length.PlanTotal, 1e-9);
         for (var part = 0; part < before.Parts.Count; part++) Assert.Equal(HeightsOf(before, part), HeightsOf(after, part));
     }
 

@@ -21,7 +21,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
     {
         await using var session = await SessionAsync(desktop, "CNCRUN\nYes\n");
 
-        Assert.Equal(CommandFailure.Usage, Assert.IsType<FeedResult.Failed>(await RunScriptAsync(session)).Why);
+        Assert.Equal(CommandFailure.Usage, Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Why);
         AssertNothingMoved(session);
     }
 
@@ -30,7 +30,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
     {
         await using var session = await SessionAsync(desktop: false, "CNCARM Stream\nCNCRUN\n");
 
-        Assert.IsType<FeedResult.Done>(await RunScriptAsync(session));
+        Assert.IsType<InputResult.Done>(await RunScriptAsync(session));
         Assert.Equal(JobOutcome.Complete, session.Machine.LastRun!.Result.Outcome);
     }
 
@@ -39,7 +39,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
     {
         await using var session = await SessionAsync(desktop: false, "CNCMOTORS OFF\nCNCARM Stream\nCNCRUN\n");
 
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<FeedResult.Failed>(await RunScriptAsync(session)).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Why);
         AssertNothingMoved(session);
     }
 
@@ -48,10 +48,10 @@ public sealed class ScriptedStartTests : IAsyncDisposable
     {
         await using var session = await SessionAsync(desktop: true, "CNCARM Stream\nCNCRUN\n");
 
-        Assert.Contains("START", Assert.IsType<FeedResult.Failed>(await RunScriptAsync(session)).Sentence, StringComparison.Ordinal);
+        Assert.Contains("START", Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Sentence, StringComparison.Ordinal);
         AssertNothingMoved(session);
         Assert.NotNull(session.Machine.Armed);
-        Assert.IsType<FeedResult.Done>(await session.FeedAsync("CNCRUN", CancellationToken.None));
+        Assert.IsType<InputResult.Done>(await session.FeedAsync("CNCRUN", CancellationToken.None));
         Assert.Equal(JobOutcome.Complete, session.Machine.LastRun!.Result.Outcome);
     }
 
@@ -61,7 +61,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
         await using var session = await SessionAsync(desktop: true, "");
         await RunScriptAsync(session);
 
-        var end = Assert.IsType<FeedResult.Failed>(await session.FeedLinesAsync("CNCARM Stream\r\nCNCRUN\r\n", CancellationToken.None));
+        var end = Assert.IsType<InputResult.Failed>(await session.FeedLinesAsync("CNCARM Stream\r\nCNCRUN\r\n", CancellationToken.None));
 
         Assert.Contains("pasted lines(2)", end.Sentence, StringComparison.Ordinal);
         Assert.Contains("START", end.Sentence, StringComparison.Ordinal);
@@ -96,7 +96,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
         return session;
     }
 
-    private static async Task<FeedResult> RunScriptAsync(CommandSession session)
+    private static async Task<InputResult> RunScriptAsync(CommandSession session)
     {
         await session.FeedAsync("SCRIPT", CancellationToken.None);
         return await session.FeedAsync("job.scr", CancellationToken.None);

@@ -1,5 +1,3 @@
-using Engraver.Core.Drawings;
-using Engraver.Core.Geometry;
 using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Commands;

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Tests.Commands;
@@ -50,7 +51,7 @@ public class ViewCommandTests
     {
         await using var talk = CommandTalk.WithDrawing();
 
-        Assert.IsType<FeedResult.NotUnderstood>(await talk.TypeAsync("Z", typed));
+        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("Z", typed));
         Assert.Equal("ZOOM", talk.Session.Prompt.Command);
     }
 
@@ -63,7 +64,7 @@ public class ViewCommandTests
         Assert.Equal((2.5, true, true, true, 5, DesktopTheme.Light, false), (View(talk).GridSpacing, View(talk).Grid, View(talk).Snap, View(talk).Ortho, View(talk).ObjectSnapModes, View(talk).Theme, View(talk).DynamicInput));
         await talk.TypeAsync("ORTHOMODE", "0", "GRIDMODE", "0", "SNAPMODE", "0", "OSMODE", "32", "OSNAP", "OFF");
         Assert.Equal((false, false, false, 32, false), (View(talk).Ortho, View(talk).Grid, View(talk).Snap, View(talk).ObjectSnapModes, View(talk).ObjectSnap));
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("OSNAP", "END,XYZ"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OSNAP", "END,XYZ"));
     }
 
     [Fact]
@@ -72,7 +73,7 @@ public class ViewCommandTests
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("CURSORSIZE");
         Assert.Equal("Enter new value for CURSORSIZE <5>:", talk.Session.Prompt.Text);
-        Assert.IsType<FeedResult.NotUnderstood>(await talk.TypeAsync("101"));
+        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("101"));
         await talk.TypeAsync("100");
 
         Assert.Equal(100.0, talk.Session.Settings.Current.Variables["CURSORSIZE"]);

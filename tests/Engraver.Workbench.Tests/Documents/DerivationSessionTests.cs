@@ -1,9 +1,9 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Timing;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Documents;
@@ -25,9 +25,9 @@ public sealed class DerivationSessionTests : IDisposable
         var derived = await _derivation.ForCurrentAsync(CancellationToken.None);
 
         Assert.Equal((2, 2), (derived.Analysed!.Count, derived.Sequence!.Contours));
-        Assert.Equal(MotionTime.Of(derived.Job!.Motion.Program!), derived.Plan);
+        Assert.Equal(MotionTime.Calculate(derived.Job!.Motion.Program!), derived.Plan);
         Assert.Equal(derived.Plan!.Value.Total, derived.Motion!.DurationSeconds, precision: 9);
-        Assert.Equal(PostedProgram.Of(_document.Current.Drawing!, _document.Current.Settings, PostedProgram.Galil).Text, derived.Program!.Text);
+        Assert.Equal(PostedProgram.Create(_document.Current.Drawing!, _document.Current.Settings, PostedProgram.Galil).Text, derived.Program!.Text);
         Assert.Contains(derived.Findings, found => found.Id == "SEQ0002");
         Assert.Same(derived, _derivation.Current);
         Assert.True(_derivation.IsCurrent);
@@ -53,8 +53,8 @@ public sealed class DerivationSessionTests : IDisposable
         Assert.False(_derivation.IsCurrent);
         var serial = await _derivation.ForCurrentAsync(CancellationToken.None);
 
-        var fit = MachineRun.FitToLink(network.Job!.Motion.Program!, _derivation.Line, JobMode.Stream, network.Job.Drawing).Program;
-        Assert.Equal(MachineRun.PlannedTimes(fit, _derivation.Line, JobMode.Stream), serial.Plan);
+        var fit = JobPlan.FitToLink(network.Job!.Motion.Program!, _derivation.Line, JobMode.Stream, network.Job.Drawing).Program;
+        Assert.Equal(JobPlan.PlannedTimes(fit, _derivation.Line, JobMode.Stream), serial.Plan);
         Assert.True(serial.Plan!.Value.Total > network.Plan!.Value.Total);
         Assert.Same(network.Motion, serial.Motion);
         _derivation.Line = null;

@@ -1,11 +1,13 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Tests.Machines;
 
@@ -39,14 +41,14 @@ public class SpoiledToolpathTests
         var job = Spoiled(how, 0);
         var posted = PostedProgram.OfJob(job);
         var ready = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true };
-        var checklist = ArmingChecklist.Of(job, ready, errorsAccepted: true);
+        var checklist = ArmingChecklist.Create(job, ready, errorsAccepted: true);
 
         Assert.Null(posted.Text);
         Assert.Contains(job.Faults[0].Id, posted.WithoutProgram, StringComparison.Ordinal);
         Assert.Contains(job.Faults[0], posted.Diagnostics);
         Assert.False(checklist.Passed);
         Assert.Contains(checklist.Checks, check => !check.Passed && check.Sentence.Contains(job.Faults[0].Id, StringComparison.Ordinal));
-        Assert.True(ArmingChecklist.Of(MachineBench.Job(), ready, errorsAccepted: false).Passed);
+        Assert.True(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false).Passed);
     }
 
     [Fact]
@@ -97,11 +99,11 @@ public class SpoiledToolpathTests
     private static Toolpath Spoil(Toolpath path, string how, int entity)
     {
         var stroke = path.Strokes.Single(stroke => stroke.Moves.Any(move => move.EntityIndex == entity));
-        IReadOnlyList<ToolpathMove> moves = how switch
+        IReadOnlyList<StrokeMove> moves = how switch
         {
             "moved" => [.. stroke.Moves.Select(move => move with { Segment = Moved(move.Segment) })],
             "left out" => [.. stroke.Moves.Skip(1)],
-            _ => [.. stroke.Moves, new ToolpathMove(Segment.FromLine(stroke.End, stroke.End + new Vector2D(1, 1)), entity)],
+            _ => [.. stroke.Moves, new StrokeMove(Segment.FromLine(stroke.End, stroke.End + new Vector2D(1, 1)), entity)],
         };
         return path with { Strokes = [.. path.Strokes.Select(other => other == stroke ? stroke with { Moves = moves } : other).Where(other => other.Moves.Count > 0)] };
     }

@@ -3,6 +3,7 @@ using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
@@ -65,10 +66,10 @@ public class ArmingTests
     [Fact]
     public void The_checklist_names_what_is_missing()
     {
-        var nothing = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings(), Galil.Programs.MotionStyle.Continuous);
-        var offline = ArmingChecklist.Of(nothing, MachineStatus.Offline, errorsAccepted: false);
-        var limit = ArmingChecklist.Of(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit of axis A" }, errorsAccepted: false);
-        var ready = ArmingChecklist.Of(MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true }, errorsAccepted: false);
+        var nothing = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings(), Engraver.Galil.Programs.Generation.MotionStyle.Continuous);
+        var offline = ArmingChecklist.Create(nothing, MachineStatus.Offline, errorsAccepted: false);
+        var limit = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit of axis A" }, errorsAccepted: false);
+        var ready = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true }, errorsAccepted: false);
 
         Assert.Equal([true, false, false, false, false, true], offline.Checks.Select(check => check.Passed));
         Assert.Equal([true, true, true, false, true, false], limit.Checks.Select(check => check.Passed));
@@ -89,7 +90,7 @@ public class ArmingTests
         talk.Session.Machine.Stop();
         await job.WaitAsync(limit.Token);
 
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
         var at = talk.Session.Machine.Status.WorkPosition!.Value;
         var said = talk.Said.Split('\n').Last(line => line.StartsWith("LOOK", StringComparison.Ordinal));
         Assert.Contains("The last job on this machine ended early (stopped).", said, StringComparison.Ordinal);
@@ -109,7 +110,7 @@ public class ArmingTests
         Assert.Contains("is not known any more", Warning(there with { WorkPosition = null }), StringComparison.Ordinal);
         Assert.Null(Warning(there with { WorkPosition = null, LastOutcome = null }));
 
-        static string? Warning(MachineStatus status) => ArmingChecklist.Of(MachineBench.Job(), status, errorsAccepted: false).Checks.SingleOrDefault(check => check.IsWarning)?.Sentence;
+        static string? Warning(MachineStatus status) => ArmingChecklist.Create(MachineBench.Job(), status, errorsAccepted: false).Checks.SingleOrDefault(check => check.IsWarning)?.Sentence;
     }
 
     [Fact]
@@ -128,12 +129,12 @@ public class ArmingTests
         await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCARM", "Dryrun", "Stream");
         Assert.Equal(MachineState.Armed, talk.Session.Machine.Status.State);
 
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCRUN"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN"));
 
         Assert.Equal(JobOutcome.Complete, talk.Session.Machine.LastRun!.Result.Outcome);
         Assert.Equal("none", talk.Session.Machine.LastRun.Judgement.Source);
         Assert.Null(talk.Session.Machine.Armed);
-        Assert.IsType<FeedResult.Asking>(await talk.TypeAsync("CNCRUN"));
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCRUN"));
     }
 
     [Fact]
@@ -155,20 +156,20 @@ public class ArmingTests
         await using var talk = new Commands.CommandTalk();
         await talk.TypeAsync("OPEN", Commands.CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCMOTORS", "OFF");
 
-        Assert.Equal(CommandFailure.Refused, Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
         await talk.TypeAsync("CNCSTATUS");
         Assert.Contains("state MotorsOff (motor off: AB), machine 0,0 mm", talk.Said, StringComparison.Ordinal);
         Assert.Contains("NOT OK The motors are off; CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCMOTORS", "ON");
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
-        Assert.IsType<FeedResult.Done>(await talk.TypeAsync("CNCARM", "F"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "F"));
         Assert.Null(talk.Session.Machine.Armed);
     }
 
     private static void Arm(MachineBench bench)
     {
         var job = MachineBench.Job();
-        bench.Machine.Arm(job, JobMode.Stream, dryRun: false, ArmingChecklist.Of(job, bench.Machine.Status, errorsAccepted: false));
+        bench.Machine.Arm(job, JobMode.Stream, dryRun: false, ArmingChecklist.Create(job, bench.Machine.Status, errorsAccepted: false));
         Assert.Equal(MachineState.Armed, bench.Machine.Status.State);
     }
 }

@@ -5,6 +5,7 @@ using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
@@ -82,9 +83,9 @@ public sealed class HarmedByteTests : IDisposable
         try
         {
             var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);
-            return new HarmedRun(RunText.Word(report.Result.Outcome), report.Result.Sentence, RunJudge.ByRecord(job, controller.Record.Snapshot(), 0, 0), RunJudge.Tolerances(job).Deviation);
+            return new HarmedRun(OutcomeText.Word(report.Result.Outcome), report.Result.Sentence, RunJudge.ByRecord(job, controller.Record.Snapshot(), 0, 0), RunJudge.Tolerances(job).Deviation);
         }
-        catch (Galil.Protocol.ControllerException unconnected)
+        catch (Engraver.Galil.Links.ControllerException unconnected)
         {
             return new HarmedRun("unconnected", unconnected.Message, RunJudgement.Unknown, 0.0);
         }
@@ -94,7 +95,7 @@ public sealed class HarmedByteTests : IDisposable
     {
         var path = Path.Combine(_folder.FullName, "part.dxf");
         if (!File.Exists(path)) File.WriteAllBytes(path, Part());
-        return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), MachineRunOptions.StyleOf(mode));
+        return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), JobPlan.StyleOf(mode));
     }
 
     /// <summary>A round-ended plate with a hole, a slanting line on the negative side, and a bow of short chords: 70 mm in all.</summary>

@@ -2,6 +2,7 @@ using Engraver.Galil.Jobs;
 using Engraver.Galil.Protocol;
 using Engraver.TestKit;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.Workbench.Tests.Machines;
 

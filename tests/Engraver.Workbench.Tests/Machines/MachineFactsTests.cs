@@ -1,9 +1,11 @@
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;

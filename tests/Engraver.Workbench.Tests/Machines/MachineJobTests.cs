@@ -1,12 +1,14 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Alarms;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Tests.Commands;
 
@@ -134,7 +136,7 @@ public sealed class MachineJobTests : IDisposable
         Assert.Contains("Unacknowledged, first: It stopped. (there) Look.", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("ALARMS", "1");
         Assert.Equal(AlarmState.Acknowledged, talk.Session.Machine.Alarms.All.Single().State);
-        Assert.IsType<FeedResult.Failed>(await talk.TypeAsync("ALARMS", "1"));
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("ALARMS", "1"));
 
         await talk.TypeAsync("CNCARM", "Stream", "CNCRUN", "ALARMS", "", "ALARMS", "History");
         Assert.Equal(AlarmState.Cleared, talk.Session.Machine.Alarms.All.Single().State);

@@ -1,5 +1,6 @@
 using Engraver.Workbench.Machines;
-using Engraver.Workbench.Terminals;
+using Engraver.Workbench.Machines.Alarms;
+using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.Workbench.Tests.Machines;
 

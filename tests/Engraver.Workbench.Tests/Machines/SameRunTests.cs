@@ -4,6 +4,7 @@ using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
@@ -72,7 +73,7 @@ public sealed class SameRunTests : IDisposable
         var (journal, trace) = (Path.Combine(_folder.FullName, "run.jsonl"), Path.Combine(_folder.FullName, "run.trace"));
         File.Delete(journal);
         var settings = new DrawingSettings();
-        var job = JobPreparation.Prepare(new DrawingBuilder().Square(2, 3, 4).Circle(12, 5, 2).Line(15, 0, 18, 1).Line(18, 1, 19, 1.2).Build(), settings, MachineRunOptions.StyleOf(mode));
+        var job = JobPreparation.Prepare(new DrawingBuilder().Square(2, 3, 4).Circle(12, 5, 2).Line(15, 0, 18, 1).Line(18, 1, 19, 1.2).Build(), settings, JobPlan.StyleOf(mode));
         var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), mode) { JournalPath = journal, TracePath = trace };
 
         var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);

@@ -4,7 +4,7 @@ using Engraver.Galil.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
@@ -43,9 +43,9 @@ internal sealed class ServedController : IAsyncDisposable
     /// <summary>Cuts the drawing over the link.</summary>
     public async Task<(JobResult Result, RunJudgement Judged)> CutAsync(string drawing, JobMode mode)
     {
-        var job = JobPreparation.Prepare(DrawingFile.Open(drawing, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), MachineRunOptions.StyleOf(mode));
+        var job = JobPreparation.Prepare(DrawingFile.Open(drawing, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), JobPlan.StyleOf(mode));
         var options = new MachineRunOptions(_address, mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
-        var program = MachineRun.FitToLink(job.Motion.Program!, _address, mode, job.Drawing).Program;
+        var program = JobPlan.FitToLink(job.Motion.Program!, _address, mode, job.Drawing).Program;
         var report = await MachineRun.RunAsync(job, program, options, _clock, null, CancellationToken.None);
         return (report.Result, RunJudge.ByRecord(job, _controller.Record.Snapshot(), 0, 0));
     }

@@ -1,6 +1,6 @@
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
-using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines;
 

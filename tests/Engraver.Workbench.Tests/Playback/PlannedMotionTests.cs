@@ -1,5 +1,8 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Language;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Posting;
+using Engraver.Galil.Programs.Timing;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Playback;
@@ -89,7 +92,7 @@ public class PlannedMotionTests
     public void A_line_is_run_by_its_trapezoid_and_with_the_tool_settled()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(10, 0, 30, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Of(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
         var begins = motion.TimeOfEntity(0)!.Value;
         var ramp = 20_000.0 / 256_000.0;
 
@@ -107,7 +110,7 @@ public class PlannedMotionTests
     public void A_rapid_moves_each_axis_at_its_own_pace()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(50, 5, 60, 5).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Of(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
         var rapid = motion.Timeline.Spans.First(span => span.Kind == MotionSpanKind.Rapid);
         var middle = motion.At(rapid.Start + (rapid.Seconds / 2.0));
 
@@ -120,7 +123,7 @@ public class PlannedMotionTests
     public void A_job_with_nothing_to_cut_stands_at_its_start()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings { Start = new Point2D(3, 4) }, MotionStyle.Continuous);
-        var motion = PlannedMotion.Of(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
 
         Assert.Equal((0.0, new Point2D(3, 4), -1), (motion.DurationSeconds, motion.At(1.0).Position, motion.At(1.0).Segment));
     }
@@ -129,20 +132,20 @@ public class PlannedMotionTests
     public void The_speed_plot_has_the_path_length_of_the_job_and_its_corners()
     {
         var (job, motion) = Motion("paper-001.dxf");
-        var exact = SpeedPlot.Of(motion, 10_000);
+        var exact = SpeedPlot.Sample(motion, 10_000);
         var travel = job.Sequence.PathLength;
 
         Assert.Equal(20.0, exact.Where(sample => sample.Cutting).Max(sample => sample.Speed), precision: 6);
         Assert.InRange(exact[^1].PathMm, travel + 50.0, travel + (50.0 * Math.Sqrt(2)) + 1.0); // a rapid from 0,0 to 50,50
         Assert.True(exact.Zip(exact.Skip(1)).All(pair => pair.First.Seconds <= pair.Second.Seconds));
-        var even = SpeedPlot.Of(motion, 16);
+        var even = SpeedPlot.Sample(motion, 16);
         Assert.Equal((16, motion.DurationSeconds), (even.Count, even[^1].Seconds));
     }
 
     private static (PreparedJob Job, PlannedMotion Motion) Motion(string sample)
     {
         var drawing = DrawingFile.Open(CommandTalk.Sample(sample), new DrawingSettings(), CancellationToken.None);
-        var derived = DerivedDocument.Of(new DocumentState { Drawing = drawing }, Galil.Jobs.JobMode.Stream, CancellationToken.None);
+        var derived = DerivedDocument.Create(new DocumentState { Drawing = drawing }, Galil.Jobs.JobMode.Stream, CancellationToken.None);
         return (derived.Job!, derived.Motion!);
     }
 }

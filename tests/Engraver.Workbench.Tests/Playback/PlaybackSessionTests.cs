@@ -1,4 +1,4 @@
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Playback;
@@ -15,7 +15,7 @@ public class PlaybackSessionTests
     public PlaybackSessionTests()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(10, 0, 110, 0).Line(0, 50, 90, 50).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        _motion = PlannedMotion.Of(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+        _motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
         _playback = new PlaybackSession(_time);
         _playback.Load(_motion);
     }

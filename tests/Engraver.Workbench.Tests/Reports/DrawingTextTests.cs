@@ -22,7 +22,7 @@ public sealed class DrawingTextTests : IDisposable
     {
         using var text = new StringWriter { NewLine = "\n" };
         var missing = DrawingFile.Open(Path.Combine(_folder.FullName, "nowhere.dxf"), new DrawingSettings(), CancellationToken.None);
-        DrawingText.Write(text, missing, DrawingSummary.Of(missing));
+        DrawingText.Write(text, missing, DrawingSummary.From(missing));
 
         Assert.EndsWith("nowhere.dxf: nothing could be read\n", text.ToString(), StringComparison.Ordinal);
     }
@@ -53,7 +53,7 @@ public sealed class DrawingTextTests : IDisposable
         File.WriteAllBytes(path, Encoding.Latin1.GetBytes(content));
         using var text = new StringWriter { NewLine = "\n" };
         var drawing = DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None);
-        DrawingText.Write(text, drawing, DrawingSummary.Of(drawing));
+        DrawingText.Write(text, drawing, DrawingSummary.From(drawing));
         return text.ToString();
     }
 }

@@ -1,7 +1,6 @@
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Settings;
-using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Tests.Settings;
 

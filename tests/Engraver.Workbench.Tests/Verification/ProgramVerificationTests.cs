@@ -1,7 +1,8 @@
 using System.Text.RegularExpressions;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Posting;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
@@ -51,7 +52,7 @@ public class ProgramVerificationTests
         foreach (var file in files)
         {
             var drawing = DrawingFile.Open(file, new DrawingSettings(), CancellationToken.None);
-            var posted = PostedProgram.Of(drawing, new DrawingSettings(), PostedProgram.Galil);
+            var posted = PostedProgram.Create(drawing, new DrawingSettings(), PostedProgram.Galil);
             if (posted.Text is not { } text)
             {
                 Assert.NotEmpty(posted.Diagnostics);

@@ -83,7 +83,7 @@ public class ViewSessionTests
     public void A_single_point_is_brought_into_the_middle_without_changing_the_scale()
     {
         _view.SetCentre(new Point2D(0, 0), 30);
-        _view.SetWindow(Bounds2D.Of(new Point2D(5, 5), new Point2D(5, 5)));
+        _view.SetWindow(Bounds2D.FromCorners(new Point2D(5, 5), new Point2D(5, 5)));
 
         Assert.Equal((new Point2D(5, 5), 30.0), (_view.Current.Centre, _view.Current.Height));
     }

@@ -12,7 +12,7 @@ public static class BenchmarkDrawing
     private static readonly Layer[] s_layers = [new("CUT", true, false, true), new("MARK", true, false, true), new("DEEP", true, false, true)];
 
     /// <param name="segments">Number of lines, arcs and splines together, at least 1.</param>
-    public static Drawing Of(int segments)
+    public static Drawing Create(int segments)
     {
         var random = new Random(1); // the figures are compared within one run of the program only
         var (entities, parts, curves) = (new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), new List<RationalCurve>());

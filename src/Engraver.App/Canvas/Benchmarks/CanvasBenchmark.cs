@@ -32,8 +32,8 @@ public static class CanvasBenchmark
 
     private static void Measure(int segments, TextWriter output)
     {
-        var drawing = BenchmarkDrawing.Of(segments);
-        var scene = Timed(output, segments, "scene from drawing", () => CanvasScene.Of(drawing), made => $"{made.Store.Bytes / (double)made.PrimitiveCount:0} bytes/segment");
+        var drawing = BenchmarkDrawing.Create(segments);
+        var scene = Timed(output, segments, "scene from drawing", () => CanvasScene.From(drawing), made => $"{made.Store.Bytes / (double)made.PrimitiveCount:0} bytes/segment");
         var all = CanvasView.Fitting(scene.Extents, s_size);
         var picture = Timed(output, segments, "whole picture", () => Render(scene, all), _ => "");
         var target = new uint[s_size.Width * s_size.Height];

@@ -18,15 +18,15 @@ public sealed class EntityColours
     public ushort this[int entity] => entity < _indices.Length ? _indices[entity] : (ushort)AciPalette.Foreground;
 
     /// <summary>The colours that the drawing states.</summary>
-    public static EntityColours Of(Drawing drawing)
+    public static EntityColours From(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        return Of(drawing.Entities.Count, drawing.ColourOf);
+        return From(drawing.Entities.Count, drawing.ColourOf);
     }
 
     /// <param name="count">Number of entities.</param>
     /// <param name="colourOf">Resolved colour of an entity.</param>
-    public static EntityColours Of(int count, Func<int, DrawingColour> colourOf)
+    public static EntityColours From(int count, Func<int, DrawingColour> colourOf)
     {
         ArgumentNullException.ThrowIfNull(colourOf);
         var indices = new ushort[count];

@@ -12,11 +12,11 @@ internal static class SegmentFlattener
     public static void Flatten<TSink>(Segment segment, CanvasView view, ref TSink sink)
         where TSink : struct, IChordSink
     {
-        var frame = PixelFrame.Of(view);
+        var frame = PixelFrame.From(view);
         var clip = new Bounds2D(0.0, 0.0, view.Size.Width, view.Size.Height).Grown(Margin);
         if (segment.Kind == SegmentKind.Line) Line(segment.Line, frame, clip, ref sink);
         else if (segment.IsFreeCurve) CurveFlattener.Flatten(segment.Curve, frame, clip, ref sink);
-        else ArcFlattener.Flatten(frame.X(segment.Arc.Centre.X), frame.Y(segment.Arc.Centre.Y), segment.Arc.Radius * frame.Scale, ArcSpan.Of(segment.Arc), clip, ref sink);
+        else ArcFlattener.Flatten(frame.X(segment.Arc.Centre.X), frame.Y(segment.Arc.Centre.Y), segment.Arc.Radius * frame.Scale, ArcSpan.From(segment.Arc), clip, ref sink);
     }
 
     /// <summary>A line is cut at the clip: an end a billion pixels away is more than some back ends can draw.</summary>

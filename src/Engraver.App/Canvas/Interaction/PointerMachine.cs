@@ -102,3 +102,18 @@ internal sealed class PointerMachine
 
     private void DropBox() => (_boxFrom, _boxPressed, _boxRemoves) = (null, false, false);
 }
+
+internal enum PointerButton
+{
+    Left,
+    Middle,
+    Right,
+}
+
+/// <summary>A box drawn with the mouse, pixels. From left to right it is a window (wholly inside), from right to left a crossing (touching).</summary>
+internal readonly record struct SelectionBox(Point2D From, Point2D To)
+{
+    public bool IsCrossing => To.X < From.X;
+
+    public Bounds2D Bounds => Bounds2D.FromCorners(From, To);
+}

@@ -39,7 +39,7 @@ internal static class MarkShape
         var divisor = (int)Math.Pow(10.0, StrokeDigits.CountOf(mark.Number) - 1);
         for (; divisor > 0; divisor /= 10, x += StrokeDigits.Advance * size)
         {
-            foreach (var piece in StrokeDigits.Of(mark.Number / divisor % 10))
+            foreach (var piece in StrokeDigits.Pieces(mark.Number / divisor % 10))
             {
                 sink.Chord(x + (piece.FromX * size), y + (piece.FromY * size), x + (piece.ToX * size), y + (piece.ToY * size));
             }
@@ -80,4 +80,20 @@ internal static class MarkShape
 
     private static void Line<TSink>(Point2D from, Point2D to, ref TSink sink)
         where TSink : struct, IChordSink => sink.Chord(from.X, from.Y, to.X, to.Y);
+}
+
+/// <summary>Signs that keep their size on the screen whatever the zoom. Each kind has a shape of its own, so that colour alone never carries the meaning.</summary>
+internal enum MarkKind : byte
+{
+    /// <summary>A number beside an arrow in the direction of travel.</summary>
+    Order,
+
+    /// <summary>A small ring.</summary>
+    Start,
+
+    /// <summary>A ring with a cross in it.</summary>
+    Finding,
+
+    /// <summary>A ring with a long upright cross: the work origin.</summary>
+    Origin,
 }

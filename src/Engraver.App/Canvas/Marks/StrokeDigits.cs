@@ -28,7 +28,7 @@ internal static class StrokeDigits
 
     /// <summary>The straight pieces of a digit.</summary>
     /// <param name="digit">0 to 9.</param>
-    public static ReadOnlySpan<Stroke> Of(int digit) => s_pieces[digit];
+    public static ReadOnlySpan<Stroke> Pieces(int digit) => s_pieces[digit];
 
     /// <summary>Width of a number, grid units.</summary>
     public static double WidthOf(int number) => (CountOf(number) * Advance) - (Advance - 4.0);

@@ -48,7 +48,7 @@ public sealed class OverlayScene
     internal IReadOnlyList<SceneMark> OriginMarks { get; init; } = [];
 
     /// <summary>Everything a prepared job says, and what else is known.</summary>
-    public static OverlayScene Of(PreparedJob job, OverlayInputs? inputs = null)
+    public static OverlayScene From(PreparedJob job, OverlayInputs? inputs = null)
     {
         ArgumentNullException.ThrowIfNull(job);
         return OverlayBuilder.Build(job.Sequence, job.Toolpath, 1.0 / (job.Settings.Unit ?? job.Drawing.Unit).ToMillimetres, inputs ?? OverlayInputs.None);
@@ -79,3 +79,9 @@ public sealed class OverlayScene
         };
     }
 }
+
+/// <summary>Where the machine really was.</summary>
+/// <param name="Place">Drawing units.</param>
+/// <param name="ErrorFraction">Following error as a part of what is tolerated: 0 none, 1 and above all of it.</param>
+/// <param name="ToolOn">False where the tool was up: the line to it is left out.</param>
+public readonly record struct RecordedPlace(Point2D Place, double ErrorFraction, bool ToolOn);

@@ -6,9 +6,9 @@ namespace Engraver.App.Canvas.Picking;
 /// <summary>Where a selected entity shows its grips: ends, middle, centre and quadrants; of an entity of several parts the ends of the parts only.</summary>
 internal static class GripPlaces
 {
-    public static IEnumerable<Point2D> Of(Drawing drawing, int entity)
+    public static IEnumerable<Point2D> Find(Drawing drawing, int entity)
     {
         var whole = drawing.Entities[entity].PartCount == 1;
-        return DrawingPick.Segments(drawing, entity).SelectMany(SnapPlaces.Of).Where(point => whole || point.Kind == SnapKinds.End).Select(point => point.Place).Distinct();
+        return DrawingPick.Segments(drawing, entity).SelectMany(SnapPlaces.Find).Where(point => whole || point.Kind == SnapKinds.End).Select(point => point.Place).Distinct();
     }
 }

@@ -18,7 +18,7 @@ public static class ObjectSnap
         var search = new Search(place, aperture);
         var under = new List<Segment>();
         var store = scene.Store;
-        foreach (var block in store.BlocksTouching(Bounds2D.Of(place, place).Grown(aperture)))
+        foreach (var block in store.BlocksTouching(Bounds2D.FromCorners(place, place).Grown(aperture)))
         {
             foreach (ref readonly var primitive in store.Block(block)) Offer(store, primitive, kinds, under, ref search);
         }
@@ -31,7 +31,7 @@ public static class ObjectSnap
     {
         if (!store.BoundsOf(primitive).Grown(search.Aperture).Contains(search.Place)) return;
         var segment = store.SegmentOf(primitive);
-        foreach (var point in SnapPlaces.Of(segment))
+        foreach (var point in SnapPlaces.Find(segment))
         {
             if (kinds.HasFlag(point.Kind)) search.Offer(point);
         }
@@ -46,7 +46,7 @@ public static class ObjectSnap
         {
             for (var j = i + 1; j < count; j++)
             {
-                foreach (var crossing in SegmentCrossings.Of(under[i], under[j])) search.Offer(new SnapPoint(crossing, SnapKinds.Intersection));
+                foreach (var crossing in SegmentCrossings.Find(under[i], under[j])) search.Offer(new SnapPoint(crossing, SnapKinds.Intersection));
             }
         }
     }

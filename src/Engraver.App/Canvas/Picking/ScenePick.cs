@@ -26,11 +26,11 @@ public static class ScenePick
         ArgumentNullException.ThrowIfNull(scene);
         var found = new SortedSet<int>();
         var store = scene.Store;
-        foreach (var block in store.BlocksTouching(Bounds2D.Of(place, place).Grown(within)))
+        foreach (var block in store.BlocksTouching(Bounds2D.FromCorners(place, place).Grown(within)))
         {
             foreach (ref readonly var primitive in store.Block(block))
             {
-                if (PrimitiveDistance.Of(store, primitive, place, within) <= within) found.Add(primitive.Entity);
+                if (PrimitiveDistance.Measure(store, primitive, place, within) <= within) found.Add(primitive.Entity);
             }
         }
 
@@ -54,10 +54,22 @@ public static class ScenePick
         {
             foreach (ref readonly var primitive in store.Block(block))
             {
-                var distance = PrimitiveDistance.Of(store, primitive, place, Within);
+                var distance = PrimitiveDistance.Measure(store, primitive, place, Within);
                 if (!(distance < Within) && !(distance == Within && primitive.Entity > Entity)) continue;
                 (Entity, Within) = (primitive.Entity, distance);
             }
         }
+    }
+}
+
+/// <summary>Distance from a place to a primitive, drawing units.</summary>
+internal static class PrimitiveDistance
+{
+    /// <summary>Exact up to <paramref name="within"/>; beyond it any larger number may be answered.</summary>
+    public static double Measure(PrimitiveStore store, in ScenePrimitive primitive, Point2D place, double within)
+    {
+        if (primitive.Kind == SegmentKind.Line) return new LineSegment(new Point2D(primitive.A, primitive.B), new Point2D(primitive.C, primitive.D)).DistanceTo(place);
+        if (!store.BoundsOf(primitive).Grown(within).Contains(place)) return double.PositiveInfinity;
+        return store.SegmentOf(primitive).DistanceTo(place);
     }
 }

@@ -8,7 +8,7 @@ internal static class SegmentCrossings
     /// <summary>How far a crossing may lie off an end, as a part of the segment's size: rounding, no more.</summary>
     private const double Slack = 1e-9;
 
-    public static IEnumerable<Point2D> Of(Segment a, Segment b)
+    public static IEnumerable<Point2D> Find(Segment a, Segment b)
     {
         if (a.IsFreeCurve || b.IsFreeCurve) return [];
         var candidates = (a.Kind == SegmentKind.Line, b.Kind == SegmentKind.Line) switch

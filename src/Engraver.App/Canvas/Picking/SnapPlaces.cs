@@ -7,7 +7,7 @@ internal static class SnapPlaces
 {
     private const int SpansOfWholeEllipse = 4;
 
-    public static IEnumerable<SnapPoint> Of(Segment segment)
+    public static IEnumerable<SnapPoint> Find(Segment segment)
     {
         if (!segment.IsClosed)
         {
@@ -47,3 +47,20 @@ internal static class SnapPlaces
         }
     }
 }
+
+/// <summary>Object snaps; the numbers are those of AutoCAD's OSMODE.</summary>
+[Flags]
+public enum SnapKinds
+{
+    None = 0,
+    End = 1,
+    Middle = 2,
+    Centre = 4,
+    Quadrant = 16,
+    Intersection = 32,
+    All = End | Middle | Centre | Quadrant | Intersection,
+}
+
+/// <summary>A place that the cursor snaps to, and why (one kind).</summary>
+/// <param name="Place">Drawing units.</param>
+public readonly record struct SnapPoint(Point2D Place, SnapKinds Kind);

@@ -10,7 +10,7 @@ namespace Engraver.App.Canvas.Pictures;
 /// <summary>The layers of a picture from the lowest up: drawing, selection, machine, contours, path, engraved, recorded, rapids, signs.</summary>
 internal static class LayerStack
 {
-    public static IReadOnlyList<IPictureLayer> Of(CanvasContent content, CanvasView view)
+    public static IReadOnlyList<IPictureLayer> Create(CanvasContent content, CanvasView view)
     {
         var layers = new List<IPictureLayer>();
         AddDrawing(content, layers);

@@ -74,7 +74,7 @@ internal sealed class PictureKeeper
     }
 
     private static Picture Draw(CanvasContent content, CanvasView view, CancellationToken stop) =>
-        PictureRenderer.Render(LayerStack.Of(content, view), view, Backdrop.For(view, content.Theme, content.Grid), stop);
+        PictureRenderer.Render(LayerStack.Create(content, view), view, Backdrop.For(view, content.Theme, content.Grid), stop);
 
     private void Take(Picture picture, CanvasContent content)
     {

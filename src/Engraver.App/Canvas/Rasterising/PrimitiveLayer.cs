@@ -25,7 +25,7 @@ internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LineP
 
     public void Paint(CanvasView view, PixelTile tile)
     {
-        var brush = new Brush(tile, this, PixelFrame.Of(view), Clip(view));
+        var brush = new Brush(tile, this, PixelFrame.From(view), Clip(view));
         var seen = view.WindowOf(tile.Left, tile.Top, tile.Width, tile.Height).Grown((pen.Reach + 1.0) * view.UnitsPerPixel);
         var dot = Only is null && Done is null && !pen.IsDashed ? DotSize * view.UnitsPerPixel : -1.0;
         for (var block = 0; block < store.Blocks.Length; block++)

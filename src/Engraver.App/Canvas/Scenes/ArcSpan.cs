@@ -7,7 +7,7 @@ internal readonly record struct ArcSpan(double Start, double Sweep)
 {
     private const double QuarterTurn = Math.PI / 2.0;
 
-    public static ArcSpan Of(ArcSegment arc) => new(arc.Start.Radians, arc.Sweep.Radians);
+    public static ArcSpan From(ArcSegment arc) => new(arc.Start.Radians, arc.Sweep.Radians);
 
     public Point2D PointAt(Point2D centre, double radius, double fraction)
     {
@@ -19,7 +19,7 @@ internal readonly record struct ArcSpan(double Start, double Sweep)
     public Bounds2D BoundsOf(Point2D centre, double radius)
     {
         var (low, high) = Sweep >= 0.0 ? (Start, Start + Sweep) : (Start + Sweep, Start);
-        var box = Bounds2D.Of(PointAt(centre, radius, 0.0), PointAt(centre, radius, 1.0));
+        var box = Bounds2D.FromCorners(PointAt(centre, radius, 0.0), PointAt(centre, radius, 1.0));
         for (var quarter = Math.Ceiling(low / QuarterTurn); quarter <= high / QuarterTurn; quarter++) box = box.Including(Quadrant(centre, radius, (int)((quarter % 4.0) + 4.0) % 4));
         return box;
     }

@@ -11,7 +11,7 @@ internal static class BlockBounds
     {
         var count = store.Blocks.Length;
         if (count < FewestForTwoCores) FillRange(store, 0, count);
-        else Parallel.ForEach(CoreRanges.Of(count), range => FillRange(store, range.From, range.To));
+        else Parallel.ForEach(CoreRanges.Split(count), range => FillRange(store, range.From, range.To));
     }
 
     private static void FillRange(PrimitiveStore store, int from, int to)

@@ -28,10 +28,10 @@ public sealed class CanvasScene
     internal PrimitiveStore Store { get; }
 
     /// <param name="colours">Colours of the entities; null: those that the drawing states.</param>
-    public static CanvasScene Of(Drawing drawing, EntityColours? colours = null)
+    public static CanvasScene From(Drawing drawing, EntityColours? colours = null)
     {
         ArgumentNullException.ThrowIfNull(drawing);
-        var known = colours ?? EntityColours.Of(drawing);
-        return new CanvasScene(drawing, known, DrawingPrimitives.Of(drawing, known));
+        var known = colours ?? EntityColours.From(drawing);
+        return new CanvasScene(drawing, known, DrawingPrimitives.Create(drawing, known));
     }
 }

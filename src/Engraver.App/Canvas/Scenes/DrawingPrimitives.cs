@@ -7,9 +7,9 @@ namespace Engraver.App.Canvas.Scenes;
 /// <summary>The visible parts of a drawing as primitives, on all cores: each core counts its range, then writes it.</summary>
 internal static class DrawingPrimitives
 {
-    public static PrimitiveStore Of(Drawing drawing, EntityColours colours)
+    public static PrimitiveStore Create(Drawing drawing, EntityColours colours)
     {
-        var ranges = CoreRanges.Of(drawing.Parts.Count);
+        var ranges = CoreRanges.Split(drawing.Parts.Count);
         var counts = new (int Parts, int Arcs)[ranges.Length];
         Parallel.For(0, ranges.Length, core => counts[core] = Count(drawing, ranges[core]));
         var primitives = GC.AllocateUninitializedArray<ScenePrimitive>(counts.Sum(count => count.Parts));

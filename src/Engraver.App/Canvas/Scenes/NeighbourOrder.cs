@@ -14,13 +14,13 @@ internal static class NeighbourOrder
     private static readonly double[] s_classes = [1.0 / 4.0, 1.0 / 16.0, 1.0 / 64.0];
 
     /// <summary>For each place in memory the primitive that belongs there.</summary>
-    public static int[] Of(ReadOnlyMemory<Bounds2D> boxes)
+    public static int[] Sort(ReadOnlyMemory<Bounds2D> boxes)
     {
         var frame = FrameOf(boxes.Span);
         var keys = new uint[boxes.Length];
         var scale = LastCell / Math.Max(double.Epsilon, Math.Max(frame.Width, frame.Height));
         if (!double.IsFinite(scale)) scale = 0.0;
-        Parallel.ForEach(CoreRanges.Of(boxes.Length), range =>
+        Parallel.ForEach(CoreRanges.Split(boxes.Length), range =>
         {
             for (var i = range.From; i < range.To; i++) keys[i] = KeyOf(boxes.Span[i], frame, scale);
         });

@@ -25,13 +25,13 @@ internal sealed class PrimitiveStoreBuilder
     {
         if (drawn.Length <= PrimitiveStore.BlockSize) return new PrimitiveStore(drawn, arcs, curves);
         var boxes = GC.AllocateUninitializedArray<Bounds2D>(drawn.Length);
-        Parallel.ForEach(CoreRanges.Of(drawn.Length), range =>
+        Parallel.ForEach(CoreRanges.Split(drawn.Length), range =>
         {
             for (var i = range.From; i < range.To; i++) boxes[i] = PrimitiveStore.BoundsOf(drawn[i], arcs, curves);
         });
-        var order = NeighbourOrder.Of(boxes);
+        var order = NeighbourOrder.Sort(boxes);
         var sorted = GC.AllocateUninitializedArray<ScenePrimitive>(drawn.Length);
-        Parallel.ForEach(CoreRanges.Of(drawn.Length), range =>
+        Parallel.ForEach(CoreRanges.Split(drawn.Length), range =>
         {
             for (var i = range.From; i < range.To; i++) sorted[i] = drawn[order[i]];
         });
@@ -42,12 +42,24 @@ internal sealed class PrimitiveStoreBuilder
     {
         var arc = segment.Arc;
         _primitives.Add(new ScenePrimitive { A = arc.Centre.X, B = arc.Centre.Y, C = arc.Radius, D = _arcs.Count, Entity = entity, Colour = colour, Kind = segment.Kind });
-        _arcs.Add(ArcSpan.Of(arc));
+        _arcs.Add(ArcSpan.From(arc));
     }
 
     private void AddCurve(RationalCurve curve, int entity, ushort colour)
     {
         _primitives.Add(new ScenePrimitive { A = _curves.Count, Entity = entity, Colour = colour, Kind = curve.Kind });
         _curves.Add(curve);
+    }
+}
+
+/// <summary>A row of numbers cut into as many equal ranges as there are cores.</summary>
+internal static class CoreRanges
+{
+    public static (int From, int To)[] Split(int count)
+    {
+        var cores = Math.Max(1, Environment.ProcessorCount);
+        var ranges = new (int From, int To)[cores];
+        for (var core = 0; core < cores; core++) ranges[core] = ((int)((long)count * core / cores), (int)((long)count * (core + 1) / cores));
+        return ranges;
     }
 }

@@ -34,7 +34,7 @@ public readonly record struct CanvasView(Point2D Centre, double UnitsPerPixel, P
 
     /// <summary>The part of the drawing under a rectangle of pixels.</summary>
     public Bounds2D WindowOf(double left, double top, double width, double height) =>
-        Bounds2D.Of(ToDrawing(new Point2D(left, top)), ToDrawing(new Point2D(left + width, top + height)));
+        Bounds2D.FromCorners(ToDrawing(new Point2D(left, top)), ToDrawing(new Point2D(left + width, top + height)));
 
     /// <summary>Larger (factor above 1) or smaller, the place under the pixel staying where it is.</summary>
     public CanvasView ZoomedAbout(Point2D pixel, double factor)

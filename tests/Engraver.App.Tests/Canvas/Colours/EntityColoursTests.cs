@@ -12,7 +12,7 @@ public class EntityColoursTests
     [Fact]
     public void True_colours_follow_the_palette_and_are_shared()
     {
-        var colours = EntityColours.Of(4, entity => entity == 0 ? s_red : entity == 3 ? DrawingColour.FromCode420(0x123456) : s_orange);
+        var colours = EntityColours.From(4, entity => entity == 0 ? s_red : entity == 3 ? DrawingColour.FromCode420(0x123456) : s_orange);
 
         var palette = colours.PaletteFor(0xFFFFFFFF);
 
@@ -28,7 +28,7 @@ public class EntityColoursTests
     {
         var drawing = new DrawingBuilder().Line(0.0, 0.0, 1.0, 0.0).OnLayer(new Layer("CUT", true, false, true) { Colour = s_red }).Line(0.0, 0.0, 1.0, 0.0).Build();
 
-        var colours = EntityColours.Of(drawing);
+        var colours = EntityColours.From(drawing);
 
         Assert.Equal((7, 1), (colours[0], colours[1]));
         Assert.Equal(7, colours[2]);

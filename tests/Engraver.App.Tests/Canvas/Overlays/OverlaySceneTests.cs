@@ -4,7 +4,7 @@ using Engraver.App.Canvas.Overlays;
 using Engraver.App.Canvas.Views;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
@@ -16,7 +16,7 @@ public class OverlaySceneTests
     private static readonly PreparedJob s_job = JobPreparation.Prepare(
         new DrawingBuilder { Unit = LengthUnits.FromInsUnits(1)! }.Square(0.0, 0.0, 4.0).Circle(2.0, 2.0, 1.0).Line(10.0, 0.0, 12.0, 0.0).Build(), new DrawingSettings(), MotionStyle.Continuous);
 
-    private static readonly OverlayScene s_scene = OverlayScene.Of(s_job, new OverlayInputs
+    private static readonly OverlayScene s_scene = OverlayScene.From(s_job, new OverlayInputs
     {
         MoveSpeeds = [0.0, 0.5], Findings = [new Point2D(7.0, 7.0)], MachineEnvelope = new Bounds2D(-1.0, -1.0, 20.0, 20.0), WorkOrigin = new Point2D(1.0, 2.0),
     });
@@ -99,7 +99,7 @@ public class OverlaySceneTests
     {
         for (var digit = 0; digit < 10; digit++)
         {
-            var pieces = StrokeDigits.Of(digit).ToArray();
+            var pieces = StrokeDigits.Pieces(digit).ToArray();
             Assert.InRange(pieces.Length, 2, 16);
             Assert.All(pieces, piece => Assert.True(piece is { FromX: >= 0.0 and <= 4.0, ToX: >= 0.0 and <= 4.0, FromY: >= 0.0 and <= 6.0, ToY: >= 0.0 and <= 6.0 }));
         }

@@ -7,7 +7,7 @@ namespace Engraver.App.Tests.Canvas.Picking;
 
 public class ObjectSnapTests
 {
-    private static readonly CanvasScene s_scene = CanvasScene.Of(new DrawingBuilder()
+    private static readonly CanvasScene s_scene = CanvasScene.From(new DrawingBuilder()
         .Line(0.0, 0.0, 100.0, 0.0).Line(30.0, -40.0, 30.0, 90.0).Circle(200.0, 0.0, 50.0).Arc(0.0, 200.0, 40.0, 0.0, 180.0)
         .Free(FreeCurves.Ellipse(300.0, 300.0, 60.0, 0.5, 0.0, 0.0, 360.0).ToCurve()).Line(100.0, -60.0, 200.0, 40.0).Build());
 
@@ -61,8 +61,8 @@ public class ObjectSnapTests
         var a = Segment.FromArc(new ArcSegment(new Point2D(0.0, 0.0), 5.0, Angle.Zero, Angle.FullTurn));
         var b = Segment.FromArc(new ArcSegment(new Point2D(8.0, 0.0), 5.0, Angle.Zero, Angle.FullTurn));
 
-        Assert.Equal([new Point2D(4.0, 3.0), new Point2D(4.0, -3.0)], SegmentCrossings.Of(a, b));
-        Assert.Empty(SegmentCrossings.Of(a, Segment.FromArc(new ArcSegment(new Point2D(20.0, 0.0), 5.0, Angle.Zero, Angle.FullTurn))));
-        Assert.Empty(SegmentCrossings.Of(Segment.FromLine(new Point2D(0.0, 0.0), new Point2D(1.0, 1.0)), Segment.FromLine(new Point2D(5.0, 0.0), new Point2D(5.0, 9.0))));
+        Assert.Equal([new Point2D(4.0, 3.0), new Point2D(4.0, -3.0)], SegmentCrossings.Find(a, b));
+        Assert.Empty(SegmentCrossings.Find(a, Segment.FromArc(new ArcSegment(new Point2D(20.0, 0.0), 5.0, Angle.Zero, Angle.FullTurn))));
+        Assert.Empty(SegmentCrossings.Find(Segment.FromLine(new Point2D(0.0, 0.0), new Point2D(1.0, 1.0)), Segment.FromLine(new Point2D(5.0, 0.0), new Point2D(5.0, 9.0))));
     }
 }

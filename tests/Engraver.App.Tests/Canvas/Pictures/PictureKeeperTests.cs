@@ -13,7 +13,7 @@ public class PictureKeeperTests
 {
     private static readonly PixelSize s_size = new(320, 240);
     private static readonly CanvasView s_view = new(new Point2D(50.0, 50.0), 0.5, s_size);
-    private static readonly CanvasContent s_content = new() { Scene = CanvasScene.Of(RandomDrawings.Of(seed: 2, count: 200)), Grid = false };
+    private static readonly CanvasContent s_content = new() { Scene = CanvasScene.From(RandomDrawings.Of(seed: 2, count: 200)), Grid = false };
 
     [Fact]
     public void Before_the_first_picture_there_is_the_background()
@@ -112,5 +112,5 @@ public class PictureKeeperTests
     }
 
     private static uint[] Fresh(CanvasView view) =>
-        PictureRenderer.Render(LayerStack.Of(s_content, view), view, Backdrop.For(view, s_content.Theme, s_content.Grid), CancellationToken.None).Pixels;
+        PictureRenderer.Render(LayerStack.Create(s_content, view), view, Backdrop.For(view, s_content.Theme, s_content.Grid), CancellationToken.None).Pixels;
 }

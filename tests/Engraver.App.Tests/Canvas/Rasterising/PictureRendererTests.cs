@@ -10,7 +10,7 @@ namespace Engraver.App.Tests.Canvas.Rasterising;
 
 public class PictureRendererTests
 {
-    private static readonly CanvasScene s_scene = CanvasScene.Of(RandomDrawings.Of(seed: 1, count: 400), EntityColours.Of(401, entity => Core.Drawings.DrawingColour.FromCode62(1 + (entity % 6))));
+    private static readonly CanvasScene s_scene = CanvasScene.From(RandomDrawings.Of(seed: 1, count: 400), EntityColours.From(401, entity => Core.Drawings.DrawingColour.FromCode62(1 + (entity % 6))));
 
     public static TheoryData<double, double, double> Views => new() { { 50.0, 50.0, 0.15 }, { 40.0, 60.0, 0.01 }, { 50.0, 50.0, 2.0 } };
 
@@ -69,7 +69,7 @@ public class PictureRendererTests
     [Fact]
     public void A_level_line_is_one_sharp_row_wherever_it_falls()
     {
-        var scene = CanvasScene.Of(new Engraver.TestKit.DrawingBuilder().Line(-10.0, 0.1234, 10.0, 0.1234).Build());
+        var scene = CanvasScene.From(new Engraver.TestKit.DrawingBuilder().Line(-10.0, 0.1234, 10.0, 0.1234).Build());
         var view = new CanvasView(Point2D.Origin, 0.1, new PixelSize(100, 100));
 
         var picture = PictureRenderer.Render([new PrimitiveLayer(scene.Store, [0xFFFFFFFF], LinePen.Hairline)], view, Plain(view), CancellationToken.None);
@@ -104,12 +104,12 @@ public class PictureRendererTests
 
     private static void Draw(PixelTile tile, Segment segment, CanvasView view)
     {
-        var frame = PixelFrame.Of(view);
+        var frame = PixelFrame.From(view);
         var chords = new ChordList();
         var all = new Bounds2D(-1e12, -1e12, 1e12, 1e12);
         if (segment.Kind == SegmentKind.Line) DrawLine(tile, segment.Line, frame);
         else if (segment.IsFreeCurve) CurveFlattener.Flatten(segment.Curve, frame, all, ref chords);
-        else ArcFlattener.Flatten(frame.X(segment.Arc.Centre.X), frame.Y(segment.Arc.Centre.Y), segment.Arc.Radius * frame.Scale, ArcSpan.Of(segment.Arc), all, ref chords);
+        else ArcFlattener.Flatten(frame.X(segment.Arc.Centre.X), frame.Y(segment.Arc.Centre.Y), segment.Arc.Radius * frame.Scale, ArcSpan.From(segment.Arc), all, ref chords);
         foreach (var chord in chords.Chords) LineRasteriser.Draw(tile, chord.Start.X, chord.Start.Y, chord.End.X, chord.End.Y, 0xFFFFFFFF, LinePen.Hairline);
     }
 

@@ -12,7 +12,7 @@ public class CanvasSceneTests
     public void Every_visible_part_is_there_once_with_its_own_geometry()
     {
         var drawing = RandomDrawings.Of(seed: 3, count: 500);
-        var scene = CanvasScene.Of(drawing);
+        var scene = CanvasScene.From(drawing);
 
         var expected = DrawingPick.Visible(drawing).SelectMany(entity => DrawingPick.Segments(drawing, entity).Select(segment => (entity, Fingerprint(segment)))).Order();
         var found = scene.Store.Primitives.Select(primitive => (primitive.Entity, Fingerprint(scene.Store.SegmentOf(primitive)))).Order();
@@ -24,7 +24,7 @@ public class CanvasSceneTests
     public void Each_block_lies_in_its_box_and_the_extents_are_tight()
     {
         var drawing = RandomDrawings.Of(seed: 4, count: 500);
-        var store = CanvasScene.Of(drawing).Store;
+        var store = CanvasScene.From(drawing).Store;
 
         for (var block = 0; block < store.Blocks.Length; block++)
         {
@@ -46,7 +46,7 @@ public class CanvasSceneTests
             drawing.Line(x, y, x + 0.1, y);
         }
 
-        var blocks = CanvasScene.Of(drawing.Build()).Store.Blocks.Where(box => box.MaxX < 1000.0).ToList();
+        var blocks = CanvasScene.From(drawing.Build()).Store.Blocks.Where(box => box.MaxX < 1000.0).ToList();
 
         Assert.InRange(blocks.Count, 70, 79);
         Assert.InRange(blocks.Sum(box => box.Width * box.Height), 0.0, 4.0 * 100.0 * 100.0);
@@ -57,12 +57,12 @@ public class CanvasSceneTests
     {
         var drawing = RandomDrawings.Of(seed: 6, count: 10);
 
-        Assert.DoesNotContain(CanvasScene.Of(drawing).Store.Primitives, primitive => drawing.Layers[drawing.Entities[primitive.Entity].Layer].Frozen);
-        Assert.True(CanvasScene.Of(new DrawingBuilder().Build()).Extents.IsEmpty);
+        Assert.DoesNotContain(CanvasScene.From(drawing).Store.Primitives, primitive => drawing.Layers[drawing.Entities[primitive.Entity].Layer].Frozen);
+        Assert.True(CanvasScene.From(new DrawingBuilder().Build()).Extents.IsEmpty);
     }
 
     [Fact]
-    public void The_benchmark_sheet_has_the_number_of_segments_asked_for() => Assert.Equal(1234, CanvasScene.Of(BenchmarkDrawing.Of(1234)).PrimitiveCount);
+    public void The_benchmark_sheet_has_the_number_of_segments_asked_for() => Assert.Equal(1234, CanvasScene.From(BenchmarkDrawing.Create(1234)).PrimitiveCount);
 
     private static (double, double, double, double) Fingerprint(Segment segment) =>
         (Math.Round(segment.Start.X, 6), Math.Round(segment.Start.Y, 6), Math.Round(segment.PointAt(0.3).X, 6), Math.Round(segment.PointAt(0.3).Y, 6));

@@ -1,8 +1,0 @@
-namespace Engraver.App.Canvas.Interaction;
-
-internal enum PointerButton
-{
-    Left,
-    Middle,
-    Right,
-}

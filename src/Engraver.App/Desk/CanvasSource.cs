@@ -1,0 +1,94 @@
+using Engraver.App.Canvas;
+using Engraver.App.Canvas.Overlays;
+using Engraver.App.Canvas.Scenes;
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.App.Desk;
+
+/// <summary>Gives the canvas what it shows: the drawing and the job made ready in the background, selection, tool and progress as they change. UI thread only.</summary>
+public sealed class CanvasSource
+{
+    private readonly WorkDesk _desk;
+    private readonly DrawingCanvas _canvas;
+    private Drawing? _drawing;
+    private PreparedJob? _job;
+    private bool _machineLeads;
+
+    public CanvasSource(WorkDesk desk, DrawingCanvas canvas)
+    {
+        (_desk, _canvas) = (desk, canvas);
+        canvas.View = desk.Session.View;
+        desk.Changed += Look;
+        desk.Derived.Moved += OnPlaybackMoved;
+        Look();
+    }
+
+    /// <summary>Ends when the drawing and the job that are there now are shown.</summary>
+    public Task Shown { get; private set; } = Task.CompletedTask;
+
+    /// <summary>What is shown is what the document and its derivation hold now; false while word of a change is still on its way to the window.</summary>
+    public bool IsCurrent => Shown.IsCompleted && ReferenceEquals(_desk.Session.Document.Current.Drawing, _drawing) && ReferenceEquals(_desk.Derived.Job, _job);
+
+    private void Look()
+    {
+        var state = _desk.Session.Document.Current;
+        if (!ReferenceEquals(state.Drawing, _drawing)) Shown = Task.WhenAll(Shown, ShowDrawingAsync(_drawing = state.Drawing));
+        if (!ReferenceEquals(_desk.Derived.Job, _job)) Shown = Task.WhenAll(Shown, ShowJobAsync(_job = _desk.Derived.Job));
+        if (!ReferenceEquals(_canvas.Selection, state.Selection)) _canvas.Selection = state.Selection;
+        TakeVariables(_desk.Session.Settings.Current);
+        _canvas.TakeAim();
+        ShowTool();
+    }
+
+    private void TakeVariables(DesktopSettings settings)
+    {
+        (_canvas.CursorSize, _canvas.PickBox, _canvas.Aperture) = (settings.Variable("CURSORSIZE"), settings.Variable("PICKBOX"), settings.Variable("APERTURE"));
+        (_canvas.ZoomFactor, _canvas.ReversesWheel) = (settings.Variable("ZOOMFACTOR"), settings.Variable("ZOOMWHEEL") != 0.0);
+    }
+
+    private async Task ShowDrawingAsync(Drawing? drawing)
+    {
+        var scene = drawing is null ? null : await Task.Run(() => CanvasScene.From(drawing));
+        if (!ReferenceEquals(drawing, _drawing)) return;
+        _canvas.Overlay = null;
+        _canvas.Scene = scene;
+        if (_job is { } job && ReferenceEquals(job.Drawing, drawing)) await ShowJobAsync(job);
+    }
+
+    private async Task ShowJobAsync(PreparedJob? job)
+    {
+        var derived = _desk.Derived.Current;
+        var overlay = job is null ? null : await Task.Run(() => OverlayScene.From(job, CanvasInputs.From(derived)));
+        if (ReferenceEquals(job, _job)) _canvas.Overlay = overlay;
+    }
+
+    private void OnPlaybackMoved()
+    {
+        _machineLeads = _desk.Derived.FollowsMachine;
+        ShowTool();
+    }
+
+    /// <summary>From the start of a job on, the tool is where the machine says, also after a stop; once the playback is moved it is where that is.</summary>
+    private void ShowTool()
+    {
+        var status = _desk.Session.Machine.Status;
+        var runs = status.State is MachineState.Running or MachineState.Stopping;
+        _machineLeads = runs || (_machineLeads && status.WorkPosition is not null);
+        var place = _machineLeads ? status.WorkPosition : _desk.Derived.Moment?.Position;
+        _canvas.ToolPosition = place is { } at && _drawing is { } drawing ? new Point2D(at.X / drawing.Unit.ToMillimetres, at.Y / drawing.Unit.ToMillimetres) : null;
+        _canvas.Highlight = _machineLeads ? null : _desk.Derived.Moment?.Entity is >= 0 and var entity ? entity : null;
+        _canvas.EngravedMoves = MovesDone(status.Progress?.SegmentsDone ?? 0);
+    }
+
+    /// <summary>A row of the table is one move of the job, a segment of the controller a part of one.</summary>
+    private int MovesDone(int segmentsDone)
+    {
+        if (segmentsDone == 0 || _desk.Derived.Current.Motion is not { } motion || _canvas.Overlay is not { } overlay) return 0;
+        return segmentsDone >= motion.SegmentCount ? overlay.MoveCount : motion.At(motion.TimeOfSegment(segmentsDone)).Row;
+    }
+}

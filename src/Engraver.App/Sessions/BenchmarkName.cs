@@ -1,0 +1,26 @@
+namespace Engraver.App.Sessions;
+
+/// <summary>The values of <c>--benchmark</c>: what is measured instead of opening the desktop.</summary>
+internal static class BenchmarkName
+{
+    /// <summary>From the start of the process to its first frame, which is said on standard output; then the window closes.</summary>
+    public const string Start = "start";
+
+    public const string Canvas = "canvas";
+
+    /// <summary>Processor that the window on a display uses while nobody touches it; with drawing and script. Then the window closes.</summary>
+    public const string Idle = "idle";
+
+    public const string Stop = "stop";
+
+    /// <summary>The same with keys sent to the window on a display, from outside; with a drawing a job is stopped too. Then the window closes.</summary>
+    public const string StopOnDisplay = "stop-display";
+
+    /// <summary>All of the window painted anew, at two sizes.</summary>
+    public const string Repaint = "repaint";
+
+    /// <summary>From OPEN to the first picture and to everything that follows.</summary>
+    public const string Open = "open";
+
+    public static IReadOnlyList<string> All { get; } = [Start, Canvas, Stop, Repaint, Open, Idle, StopOnDisplay];
+}

@@ -1,0 +1,74 @@
+using System.Globalization;
+
+namespace Engraver.App.Sessions;
+
+/// <summary>What the program was started with (<c>engraver desktop</c> of the runner's contract).</summary>
+public sealed record DesktopOptions
+{
+    private const double LeastScale = 0.5;
+    private const double MostScale = 4.0;
+
+    /// <summary>The drawing to open; null for none.</summary>
+    public string? File { get; init; }
+
+    /// <summary>Commands to run once the window stands.</summary>
+    public string? Script { get; init; }
+
+    /// <summary>True: no display is needed; ends after the screenshot.</summary>
+    public bool Headless { get; init; }
+
+    /// <summary>Where a picture of the window is written after file and script.</summary>
+    public string? Screenshot { get; init; }
+
+    /// <summary>Size of the window in units of 1/96 inch; null: as it was left.</summary>
+    public (int Width, int Height)? Size { get; init; }
+
+    /// <summary>Pixels for each unit; null: as the display says.</summary>
+    public double? Scale { get; init; }
+
+    /// <summary>What is measured instead of opening the desktop; null: nothing (<see cref="BenchmarkName"/>).</summary>
+    public string? Benchmark { get; init; }
+
+    /// <summary>Reads the words of the command line.</summary>
+    /// <returns>The options, or the sentence that says what is wrong.</returns>
+    public static (DesktopOptions? Options, string? Wrong) Parse(IReadOnlyList<string> words)
+    {
+        var options = new DesktopOptions();
+        for (var at = 0; at < words.Count; at++)
+        {
+            var word = words[at];
+            if (word == "--headless") options = options with { Headless = true };
+            else if (!word.StartsWith("--", StringComparison.Ordinal))
+            {
+                if (options.File is not null) return (null, $"One drawing at a time: '{word}' is one too many.");
+                options = options with { File = word };
+            }
+            else
+            {
+                if (at + 1 == words.Count) return (null, $"{word} is no option of the desktop, or its value is missing.");
+                if (options.With(word, words[++at]) is not { } next) return (null, $"'{word} {words[at]}' is no option of the desktop.");
+                options = next;
+            }
+        }
+
+        return (options, null);
+    }
+
+    private DesktopOptions? With(string name, string value) => name switch
+    {
+        "--script" => this with { Script = value },
+        "--screenshot" => this with { Screenshot = value },
+        "--benchmark" => BenchmarkName.All.Contains(value) ? this with { Benchmark = value } : null,
+        "--size" => SizeOf(value) is { } size ? this with { Size = size } : null,
+        "--scale" => double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out var scale) && scale is >= LeastScale and <= MostScale ? this with { Scale = scale } : null,
+        _ => null,
+    };
+
+    private static (int Width, int Height)? SizeOf(string text)
+    {
+        var parts = text.Split('x');
+        return parts.Length == 2 && Side(parts[0]) is { } width && Side(parts[1]) is { } height ? (width, height) : null;
+    }
+
+    private static int? Side(string text) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var side) && side is >= 100 and <= 16384 ? side : null;
+}

@@ -1,0 +1,48 @@
+using Engraver.App.Desk;
+using Engraver.App.Safety;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Files;
+using Engraver.Workbench.Reports;
+
+namespace Engraver.App.Sessions;
+
+/// <summary>What the desktop stands on: one command session with the operator's files, the desk before it, the keys that stop.</summary>
+public sealed class DesktopSession : IAsyncDisposable
+{
+    private readonly CommandSession _session;
+    private WorkDesk? _desk;
+
+    public DesktopSession(CommandEnvironment environment)
+    {
+        ArgumentNullException.ThrowIfNull(environment);
+        Time = environment.Time;
+        FailureReports = new FailureReports(Path.GetDirectoryName(environment.SettingsFile) ?? UserFiles.Folder, environment.Time);
+        _session = new CommandSession(environment with { Failures = FailureReports }, CommandCatalog.Built());
+        StopKeys = new StopKeys(() => WorkDesk.Moves(_session.Machine), () => _session.Machine.Stop());
+    }
+
+    public TimeProvider Time { get; }
+
+    /// <summary>Any thread.</summary>
+    public StopKeys StopKeys { get; }
+
+    /// <summary>Kept beside the settings.</summary>
+    public FailureReports FailureReports { get; }
+
+    /// <summary>Any thread.</summary>
+    public FailureGuard Failures => field ??= new FailureGuard(() => StopKeys.PressStop(), _session.Machine.Alarms, FailureReports);
+
+    /// <summary>What the platform keeps for this session; its own business.</summary>
+    internal object? PlatformState { get; set; }
+
+    /// <summary>Made on the UI thread, when it is first asked for.</summary>
+    public WorkDesk Desk => _desk ??= new WorkDesk(_session, Time);
+
+    /// <summary>The operator's own files.</summary>
+    public static CommandEnvironment OfUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettingsFile, RunNeedsArming = true, SimulatorSpeed = 1.0 };
+
+    /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
+    public static CommandEnvironment OfNobody() => OfUser() with { SettingsFile = null };
+
+    public ValueTask DisposeAsync() => _desk?.DisposeAsync() ?? _session.DisposeAsync();
+}

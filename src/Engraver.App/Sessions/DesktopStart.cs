@@ -1,0 +1,29 @@
+using Avalonia.Controls;
+using Avalonia.Media.Imaging;
+using Engraver.App.Desk;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.Sessions;
+
+/// <summary>What is done once the window stands: the drawing, the script, the picture.</summary>
+public static class DesktopStart
+{
+    /// <summary>Opens the drawing and runs the script of the options.</summary>
+    /// <returns>The sentence of what failed; null when all went well.</returns>
+    public static async Task<string?> OpenAsync(WorkDesk desk, DesktopOptions options)
+    {
+        if (desk.Session.Settings.Current.LastProfile is { } profile && File.Exists(profile)) await desk.RunAsync("CNCPROFILE", profile);
+        if (options.File is { } file && await desk.RunAsync("OPEN", file) is InputResult.Failed unopened) return unopened.Sentence;
+        var ran = options.Script is { } script ? await desk.RunAsync("SCRIPT", script) : null;
+        await desk.SettleAsync();
+        return ran is InputResult.Failed failed ? failed.Sentence : null;
+    }
+
+    /// <summary>Writes what the window shows.</summary>
+    public static void Picture(Window window, double scale, string path)
+    {
+        using var picture = new RenderTargetBitmap(new Avalonia.PixelSize((int)(window.Bounds.Width * scale), (int)(window.Bounds.Height * scale)), new Avalonia.Vector(96 * scale, 96 * scale));
+        picture.Render(window);
+        picture.Save(path, PngBitmapEncoderOptions.Default);
+    }
+}

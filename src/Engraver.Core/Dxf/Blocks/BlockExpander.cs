@@ -1,0 +1,115 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Mapping;
+using Engraver.Core.Dxf.Records;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Blocks;
+
+/// <summary>Puts the curves of a block into the drawing, once for every copy. What it would cost is known before the first curve is placed.</summary>
+internal sealed class BlockExpander(
+    IReadOnlyDictionary<int, BlockDefinition> blocks,
+    NameTable blockNames,
+    CurveColumns blockCurves,
+    CurveColumns drawing,
+    LayerTable layers,
+    BalanceSheet balance,
+    int maxSteps,
+    CancellationToken cancellation) : IBlockVisitor
+{
+    private readonly BlockScale _scale = new(blocks);
+    private readonly HashSet<BlockDefinition> _reported = [];
+    private readonly HashSet<int> _lostCurves = [];
+    private readonly List<DrawingPart> _parts = [];
+    private readonly List<RationalCurve> _curves = [];
+    private readonly HashSet<int> _tilted = [];
+    private BlockWalk? _walk;
+    private long _steps;
+
+    /// <summary>Expands an insert of model space. Returns why nothing or not everything came of it, null when all went well.</summary>
+    public RecordIssue? Expand(in BlockInsert insert)
+    {
+        var name = blockNames[insert.Block];
+        if (!blocks.TryGetValue(insert.Block, out var block)) return insert.Finding(DxfRules.MissingBlock, name);
+        var weight = _scale.Weigh(block);
+        var steps = BlockWeight.Times(insert.Copies, weight.Steps);
+        if (weight.Curves > 0 && _steps + steps > maxSteps) return insert.Finding(DxfRules.TooManyCurves, name);
+        Report(block);
+        balance.AddAnnotations(weight.Annotations, insert.Copies);
+        if (weight.Curves > 0)
+        {
+            _steps += steps;
+            (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
+        }
+
+        return weight.Loses || weight.Curves > 0 ? insert.Finding(DxfRules.NothingInserted, name) : null;
+    }
+
+    /// <summary>Tells the findings of a block and of all it leads to, once.</summary>
+    private void Report(BlockDefinition first)
+    {
+        var open = new Stack<BlockDefinition>([first]);
+        while (open.TryPop(out var block))
+        {
+            if (!_reported.Add(block)) continue;
+            foreach (var trouble in block.Troubles.Where(trouble => !trouble.ConcernsMore)) balance.AddInBlock(trouble); // the others have been told
+            foreach (var nested in block.Inserts)
+            {
+                if (nested.Obstacle is null) open.Push(blocks[nested.Insert.Block]);
+                else balance.AddInBlock(nested.Insert.Finding(nested.Obstacle, blockNames[nested.Insert.Block]));
+            }
+        }
+    }
+
+    public bool Wants(BlockWeight weight) => weight.Curves > 0;
+
+    public void Enter(BlockDefinition block, in Placement at, in InsertStyle style)
+    {
+    }
+
+    public void Curves(int first, int end, in Placement at, in InsertStyle style)
+    {
+        for (var curve = first; curve < end; curve++) PlaceCurve(curve, at, style);
+    }
+
+    private void PlaceCurve(int index, in Placement at, in InsertStyle style)
+    {
+        var entity = blockCurves.Entities[index];
+        _parts.Clear();
+        _curves.Clear();
+        for (var i = entity.FirstPart; i < entity.FirstPart + entity.PartCount; i++)
+        {
+            var outcome = PlacedPart.Try(blockCurves.Parts[i], blockCurves.Curves, at, _curves, out var part);
+            if (outcome != PlacementOutcome.Exact) Tell(index, outcome);
+            if (outcome == PlacementOutcome.OutOfRange) return;
+            if (entity.Type == CurveType.Line || !IsPoint(part)) _parts.Add(part);
+        }
+
+        entity.Layer = style.LayerOf(entity.Layer, layers);
+        entity.Colour = style.ColourOf(entity.Colour, entity.Layer, layers);
+        entity.Hidden |= style.Hidden;
+        drawing.Add(entity, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_parts), _curves);
+    }
+
+    /// <summary>A scale of zero can leave nothing of a part.</summary>
+    private bool IsPoint(in DrawingPart part) => part.IsFreeCurve ? IsPoint(_curves[part.CurveIndex]) : part.Kind == SegmentKind.Line ? part.A == part.D && part.B == part.E && part.C == part.F : part.D == 0.0;
+
+    private static bool IsPoint(RationalCurve curve)
+    {
+        foreach (var span in curve.Spans)
+        {
+            if (!span.IsPoint) return false;
+        }
+
+        return true;
+    }
+
+    /// <summary>Reports a block's curve once, however often it is placed.</summary>
+    private void Tell(int index, PlacementOutcome outcome)
+    {
+        var refused = outcome == PlacementOutcome.OutOfRange;
+        if (!(refused ? _lostCurves : _tilted).Add(index)) return;
+        ref var entity = ref blockCurves.Entities[index];
+        balance.AddInBlock(new RecordIssue(PlacedPart.RuleFor(outcome), entity.Type.ToDxfName(), entity.Handle, (int)entity.SourceLine, "", refused));
+    }
+}

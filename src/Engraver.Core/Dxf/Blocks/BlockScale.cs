@@ -1,0 +1,94 @@
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Dxf.Blocks;
+
+/// <summary>Weighs blocks before anything is expanded: how many curves, which nested inserts cannot be followed. Linear in the number of inserts.</summary>
+internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> blocks)
+{
+    private readonly HashSet<BlockDefinition> _open = [];
+
+    /// <summary>The weight of a block; nested inserts that lead nowhere or back get their obstacle and weigh nothing.</summary>
+    public BlockWeight Weigh(BlockDefinition block)
+    {
+        if (block.Weight is { } known) return known;
+        var path = new Stack<(BlockDefinition Block, int Next)>();
+        path.Push((block, 0));
+        _open.Add(block);
+        while (path.TryPop(out var step))
+        {
+            var child = NextUnweighed(step.Block, ref step.Next);
+            if (child is null)
+            {
+                _open.Remove(step.Block);
+                step.Block.Weight = Total(step.Block);
+                continue;
+            }
+
+            path.Push(step);
+            path.Push((child, 0));
+            _open.Add(child);
+        }
+
+        return block.Weight!;
+    }
+
+    private BlockDefinition? NextUnweighed(BlockDefinition block, ref int next)
+    {
+        for (; next < block.Inserts.Count; next++)
+        {
+            var nested = block.Inserts[next];
+            if (!blocks.TryGetValue(nested.Insert.Block, out var child)) nested.Obstacle = DxfRules.MissingBlock;
+            else if (_open.Contains(child)) nested.Obstacle = DxfRules.RecursiveBlock;
+            else if (child.Weight is null) return child;
+        }
+
+        return null;
+    }
+
+    private BlockWeight Total(BlockDefinition block)
+    {
+        long curves = block.EndCurve - block.FirstCurve;
+        var steps = BlockWeight.Sum(curves + block.Inserts.Count, block.ExtraSteps);
+        long textSteps = block.Texts.Count;
+        long constructionSteps = block.Construction.Count;
+        var loses = block.Troubles.Exists(trouble => trouble.Refused);
+        var annotations = new Dictionary<string, long>(block.Annotations, StringComparer.Ordinal);
+        foreach (var nested in block.Inserts)
+        {
+            var child = nested.Obstacle is null ? blocks[nested.Insert.Block].Weight! : null;
+            loses |= nested.Obstacle is not null || child!.Loses;
+            if (nested.Obstacle is not null || child is null) continue;
+            var copies = nested.Insert.Copies;
+            curves = BlockWeight.Sum(curves, BlockWeight.Times(copies, child.Curves));
+            if (child.Curves > 0) steps = BlockWeight.Sum(steps, BlockWeight.Times(copies, child.Steps + 1));
+            if (child.TextSteps > 0) textSteps = BlockWeight.Sum(textSteps, BlockWeight.Times(copies, child.TextSteps + 1));
+            if (child.ConstructionSteps > 0) constructionSteps = BlockWeight.Sum(constructionSteps, BlockWeight.Times(copies, child.ConstructionSteps + 1));
+            AddAnnotations(annotations, child.Annotations, copies);
+        }
+
+        return new BlockWeight(curves, steps, loses, annotations, textSteps, constructionSteps);
+    }
+
+    /// <summary>Adds texts and points, a copy's amount times the copies.</summary>
+    public static void AddAnnotations(Dictionary<string, long> sums, IReadOnlyDictionary<string, long> added, long copies)
+    {
+        foreach (var (type, count) in added) sums[type] = BlockWeight.Sum(sums.GetValueOrDefault(type), BlockWeight.Times(copies, count));
+    }
+}
+
+/// <summary>What one copy of a block amounts to. Sums stop at <see cref="Most"/>, so that no nesting can overflow them.</summary>
+/// <param name="Curves">Curves after full expansion.</param>
+/// <param name="Steps">Curves and inserts that an expansion visits; an insert that brings no curve is looked at, not followed.</param>
+/// <param name="Loses">True when something in it was refused.</param>
+/// <param name="Annotations">Texts and points after full expansion, by type.</param>
+/// <param name="TextSteps">Texts and the inserts on the way to them; 0 when there is no text in it.</param>
+/// <param name="ConstructionSteps">Counts of construction (a type on a layer) and the inserts on the way to them; 0 when there is none in it.</param>
+internal sealed record BlockWeight(long Curves, long Steps, bool Loses, IReadOnlyDictionary<string, long> Annotations, long TextSteps, long ConstructionSteps)
+{
+    public const long Most = long.MaxValue / 4;
+
+    public static long Sum(long left, long right) => Math.Min(left + right, Most);
+
+    /// <summary>Copies times a sum; copies are at most 32767 x 32767.</summary>
+    public static long Times(long copies, long amount) => amount > Most / copies ? Most : copies * amount;
+}

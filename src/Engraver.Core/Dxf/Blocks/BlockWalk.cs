@@ -1,0 +1,93 @@
+using System.Runtime.InteropServices;
+using Engraver.Core.Dxf.Mapping;
+using Engraver.Core.Dxf.Records;
+
+namespace Engraver.Core.Dxf.Blocks;
+
+/// <summary>Walks through every copy of a block and of what is nested in it, in the order in which they are drawn. The way back is kept in a list, so the nesting may be of any depth.</summary>
+internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, IBlockVisitor visitor, CancellationToken cancellation)
+{
+    private readonly List<Visit> _open = [];
+
+    /// <summary>Walks through an insert of model space; its block has been weighed.</summary>
+    public void Through(in BlockInsert insert, BlockDefinition block)
+    {
+        Open(insert, block, Placement.Identity, InsertStyle.OfModelSpace(insert));
+        while (_open.Count > 0)
+        {
+            ref var visit = ref CollectionsMarshal.AsSpan(_open)[^1];
+            if (visit.Nested < visit.Block.Inserts.Count) Nested(ref visit);
+            else Leave(ref visit);
+        }
+    }
+
+    private void Open(in BlockInsert insert, BlockDefinition block, in Placement outer, InsertStyle style)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        style = style with { Hidden = style.Hidden || insert.Invisible || layers.IsFrozen(style.Layer) };
+        var visit = new Visit { Insert = insert, Block = block, Outer = outer, Style = style };
+        Begin(ref visit);
+        _open.Add(visit);
+    }
+
+    private void Begin(ref Visit visit)
+    {
+        var insert = visit.Insert;
+        visit.At = visit.Outer.After(insert.Copy((int)(visit.Copy % insert.Columns), (int)(visit.Copy / insert.Columns), visit.Block.BasePoint));
+        (visit.Curve, visit.Nested) = (visit.Block.FirstCurve, 0);
+        visitor.Enter(visit.Block, visit.At, visit.Style);
+    }
+
+    /// <summary>Draws as far as the next nested insert and goes into that. The visit must not be used afterwards: the list may have moved.</summary>
+    private void Nested(ref Visit visit)
+    {
+        var nested = visit.Block.Inserts[visit.Nested++];
+        Draw(ref visit, nested.BeforeCurve);
+        if (nested.Obstacle is null && blocks[nested.Insert.Block] is var child && visitor.Wants(child.Weight!)) Open(nested.Insert, child, visit.At, visit.Style.Inside(nested.Insert, layers));
+    }
+
+    private void Leave(ref Visit visit)
+    {
+        Draw(ref visit, visit.Block.EndCurve);
+        if (++visit.Copy < visit.Insert.Copies) Begin(ref visit);
+        else _open.RemoveAt(_open.Count - 1);
+    }
+
+    private void Draw(ref Visit visit, int end)
+    {
+        if (visit.Curve < end) visitor.Curves(visit.Curve, end, visit.At, visit.Style);
+        visit.Curve = end;
+    }
+
+    /// <summary>An insert that is under way.</summary>
+    private struct Visit
+    {
+        public BlockInsert Insert;
+        public BlockDefinition Block;
+        public Placement Outer;
+        public InsertStyle Style;
+
+        /// <summary>Row by row, from 0.</summary>
+        public long Copy;
+        public Placement At;
+
+        /// <summary>The next curve of this copy.</summary>
+        public int Curve;
+
+        /// <summary>The next nested insert of this copy.</summary>
+        public int Nested;
+    }
+}
+
+/// <summary>Takes what a <see cref="BlockWalk"/> comes by.</summary>
+internal interface IBlockVisitor
+{
+    /// <summary>False for a block of which nothing is wanted, with all that is nested in it.</summary>
+    bool Wants(BlockWeight weight);
+
+    /// <summary>A copy of a block begins.</summary>
+    void Enter(BlockDefinition block, in Placement at, in InsertStyle style);
+
+    /// <summary>Curves of the copy, in their order; between two calls come the inserts that stand between them.</summary>
+    void Curves(int first, int end, in Placement at, in InsertStyle style);
+}

@@ -1,0 +1,57 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Mapping;
+using Engraver.Core.Dxf.Records;
+using Engraver.Core.Dxf.Text;
+
+namespace Engraver.Core.Dxf.Blocks;
+
+/// <summary>Counts construction that can be seen, by type and layer; of blocks once for every copy, as far as the limit goes. Texts are not counted here: they are kept (<see cref="TextExpander"/>).</summary>
+internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
+{
+    /// <summary>Counts of blocks and the inserts on the way to them. A drawing beyond it is told with fewer than there are, but never with none.</summary>
+    private const int MostSteps = 1_000_000;
+
+    private readonly Dictionary<(string Type, int Layer), (long Count, SourceRef First)> _counts = [];
+    private BlockWalk? _walk;
+    private long _steps;
+
+    /// <summary>True for a record that is drawn and counted here.</summary>
+    /// <param name="inBlock">A block's ATTDEF is a form to be filled in: what is seen is the ATTRIB of each insert.</param>
+    public static bool Counts(EntityRecord record, bool inBlock) =>
+        !record.Invisible && record.Kind is not (RecordKind.Text or RecordKind.Attribute or RecordKind.Insert) && record.Type != "VIEWPORT" && !(inBlock && record.Type == "ATTDEF");
+
+    public static SourceRef SourceOf(EntityRecord record) => new(record.Line, record.Handle == 0 ? null : record.Handle.ToString("X", System.Globalization.CultureInfo.InvariantCulture));
+
+    public void Add(EntityRecord record) => Add(record.Type, record.Layer, 1, SourceOf(record));
+
+    /// <summary>Counts what an insert of model space brings. Its block has been weighed.</summary>
+    public void Expand(in BlockInsert insert)
+    {
+        if (!blocks.TryGetValue(insert.Block, out var block) || block.Weight is not { ConstructionSteps: > 0 } weight) return;
+        _steps = BlockWeight.Sum(_steps, BlockWeight.Times(insert.Copies, weight.ConstructionSteps));
+        if (_steps <= MostSteps) (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
+        else Enter(block, Placement.Identity, InsertStyle.OfModelSpace(insert) with { Hidden = insert.Invisible || layers.IsFrozen(insert.Layer) });
+    }
+
+    public IReadOnlyList<ConstructionCount> ToCounts() =>
+        [.. _counts.Select(entry => new ConstructionCount(entry.Key.Type, entry.Key.Layer, (int)Math.Min(entry.Value.Count, int.MaxValue), entry.Value.First))];
+
+    public bool Wants(BlockWeight weight) => weight.ConstructionSteps > 0;
+
+    public void Enter(BlockDefinition block, in Placement at, in InsertStyle style)
+    {
+        if (style.Hidden) return;
+        foreach (var (key, found) in block.Construction) Add(key.Type, style.LayerOf(key.Layer, layers), found.Count, found.First);
+    }
+
+    public void Curves(int first, int end, in Placement at, in InsertStyle style)
+    {
+    }
+
+    private void Add(string type, int layer, long count, SourceRef first)
+    {
+        var known = _counts.GetValueOrDefault((type, layer), (0, first));
+        _counts[(type, layer)] = (BlockWeight.Sum(known.Item1, count), known.Item2);
+    }
+}

@@ -1,4 +1,0 @@
-namespace Engraver.Core.Dxf;
-
-/// <summary>A number with its group code, for records in which codes repeat (vertices of an LWPOLYLINE).</summary>
-internal readonly record struct CodedNumber(int Code, double Value);

@@ -1,0 +1,24 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Records;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>What a file held besides the curves and texts of its drawing.</summary>
+public static class DrawingRest
+{
+    /// <summary>Model-space records that became neither curve nor text, by type: construction, what was refused; points also those in blocks. Empty when nothing would be lost.</summary>
+    public static IReadOnlyList<(string Type, int Count)> Find(Drawing drawing)
+    {
+        var rest = new SortedDictionary<string, int>(StringComparer.Ordinal);
+        var cut = Enumerable.Range(0, drawing.Entities.Count).Select(index => drawing.Entities[index].Type).Distinct().Select(type => type.ToDxfName()).ToHashSet(StringComparer.Ordinal);
+        foreach (var (type, count) in drawing.Balance.EntityCounts)
+        {
+            var kind = RecordKinds.Find(type);
+            if (kind is RecordKind.Construction || (RecordKinds.IsOutline(kind) && !cut.Contains(type))) rest[type] = count;
+        }
+
+        if (drawing.Balance.Points > 0) rest["POINT"] = drawing.Balance.Points;
+        foreach (var refused in drawing.Balance.Refused) rest[refused.Type] = rest.GetValueOrDefault(refused.Type) + 1;
+        return [.. rest.Select(pair => (pair.Key, pair.Value))];
+    }
+}

@@ -1,0 +1,35 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Mapping;
+
+/// <summary>The columns into which curves go, of the drawing or of all blocks together.</summary>
+internal sealed class CurveColumns
+{
+    public GrowingColumn<DrawingEntity> Entities { get; } = new();
+
+    public GrowingColumn<DrawingPart> Parts { get; } = new();
+
+    /// <summary>Ellipses and splines of the parts that are such.</summary>
+    public List<RationalCurve> Curves { get; } = [];
+
+    public int Count => Entities.Count;
+
+    /// <param name="entity">The row; its parts are placed here.</param>
+    /// <param name="parts">Ellipses and splines refer to <paramref name="curves"/>.</param>
+    /// <param name="curves">Side column of these parts alone.</param>
+    public void Add(DrawingEntity entity, ReadOnlySpan<DrawingPart> parts, IReadOnlyList<RationalCurve> curves)
+    {
+        entity.FirstPart = Parts.Count;
+        entity.PartCount = parts.Length;
+        var index = Entities.Add(entity);
+        foreach (ref readonly var part in parts)
+        {
+            ref var added = ref Parts[Parts.Add(part)];
+            added.Entity = index;
+            if (!added.IsFreeCurve) continue;
+            Curves.Add(curves[part.CurveIndex]);
+            added = DrawingPart.FreeCurve(index, part.Kind, Curves.Count - 1);
+        }
+    }
+}

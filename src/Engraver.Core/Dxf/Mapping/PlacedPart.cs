@@ -1,0 +1,127 @@
+using System.Diagnostics;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Tags;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Mapping;
+
+/// <summary>What a placement makes of a part: a line stays a line, an arc stays one or becomes an ellipse, ellipses and splines stay what they are.</summary>
+internal static class PlacedPart
+{
+    /// <summary>Slope under which a tilted circle passes for a flat one: its plan is then an ellipse whose axes differ by less than 1e-12 of the radius.</summary>
+    private const double FlatSlope = 1e-6;
+
+    /// <param name="part">The part before; an ellipse or spline refers to <paramref name="curves"/>.</param>
+    /// <param name="curves">Side column of the part.</param>
+    /// <param name="placement">Where it goes.</param>
+    /// <param name="placedCurves">Receives the curve when the placed part is an ellipse or spline, which then refers to it.</param>
+    /// <param name="placed">The part after.</param>
+    public static PlacementOutcome Try(in DrawingPart part, List<RationalCurve> curves, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
+    {
+        if (part.Kind == SegmentKind.Line) return TryLine(part, placement, out placed);
+        return part.IsFreeCurve ? TryCurve(part, curves[part.CurveIndex], placement, placedCurves, out placed) : TryArc(part, placement, placedCurves, out placed);
+    }
+
+    /// <summary>The finding that belongs to an outcome other than <see cref="PlacementOutcome.Exact"/>.</summary>
+    public static DiagnosticRule RuleFor(PlacementOutcome outcome) => outcome switch
+    {
+        PlacementOutcome.Tilted => DxfRules.TiltedCurve,
+        PlacementOutcome.OutOfRange => DxfRules.OutOfRange,
+        _ => throw new UnreachableException(),
+    };
+
+    private static PlacementOutcome TryLine(in DrawingPart part, in Placement placement, out DrawingPart placed)
+    {
+        var start = placement.Apply(new Vector3D(part.A, part.B, part.C));
+        var end = placement.Apply(new Vector3D(part.D, part.E, part.F));
+        placed = DrawingPart.Line(part.Entity, start.X, start.Y, start.Z, end.X, end.Y, end.Z);
+        return InRange(start) && InRange(end) ? PlacementOutcome.Exact : PlacementOutcome.OutOfRange;
+    }
+
+    /// <summary>An arc stays an arc when x and y axis stay level, square and equally long; a mirror turns its sense round.</summary>
+    private static PlacementOutcome TryArc(in DrawingPart part, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
+    {
+        placed = part;
+        var ellipse = new EllipseArc(
+            placement.Apply(new Vector3D(part.A, part.B, part.C)), placement.XAxis * part.D, placement.YAxis * part.D, Angle.FromDegrees(part.E), Angle.FromDegrees(part.F));
+        if (!InRange(ellipse.Centre) || !InRange(ellipse.First) || !InRange(ellipse.Second)) return PlacementOutcome.OutOfRange;
+        var unit = ellipse with { First = placement.XAxis, Second = placement.YAxis };
+        if (unit.IsCircular)
+        {
+            var arc = unit.ToArc();
+            placed = DrawingPart.Arc(part.Entity, arc with { Radius = part.D * arc.Radius }, ellipse.Centre.Z);
+            return PlacementOutcome.Exact;
+        }
+
+        placedCurves.Add(ellipse.ToCurve());
+        placed = DrawingPart.FreeCurve(part.Entity, SegmentKind.Ellipse, placedCurves.Count - 1);
+        return IsLevel(placement) ? PlacementOutcome.Exact : PlacementOutcome.Tilted;
+    }
+
+    private static PlacementOutcome TryCurve(in DrawingPart part, RationalCurve curve, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
+    {
+        placed = DrawingPart.FreeCurve(part.Entity, part.Kind, placedCurves.Count);
+        var spans = new BezierSpan[curve.Spans.Length];
+        for (var i = 0; i < spans.Length; i++)
+        {
+            spans[i] = Placed(curve.Spans[i], placement);
+            if (!InRange(spans[i])) return PlacementOutcome.OutOfRange;
+        }
+
+        placedCurves.Add(curve.With(spans));
+        return IsLevel(placement) ? PlacementOutcome.Exact : PlacementOutcome.Tilted;
+    }
+
+    /// <summary>An affine map of homogeneous points: displacements grow with the weight.</summary>
+    private static BezierSpan Placed(BezierSpan span, in Placement placement)
+    {
+        var points = span.Homogeneous.ToArray();
+        for (var i = 0; i < points.Length; i += BezierSpan.Stride)
+        {
+            var place = placement.ApplyToDirection(new Vector3D(points[i], points[i + 1], points[i + 2])) + (placement.Origin * points[i + 3]);
+            (points[i], points[i + 1], points[i + 2]) = (place.X, place.Y, place.Z);
+        }
+
+        return new BezierSpan(points);
+    }
+
+    private static bool IsLevel(in Placement placement) =>
+        Math.Abs(placement.XAxis.Z) <= FlatSlope * placement.XAxis.Length && Math.Abs(placement.YAxis.Z) <= FlatSlope * placement.YAxis.Length;
+
+    public static bool InRange(RationalCurve curve)
+    {
+        foreach (var span in curve.Spans)
+        {
+            if (!InRange(span)) return false;
+        }
+
+        return true;
+    }
+
+    public static bool InRange(Vector3D point) =>
+        Math.Abs(point.X) <= DxfNumber.Largest && Math.Abs(point.Y) <= DxfNumber.Largest && Math.Abs(point.Z) <= DxfNumber.Largest;
+
+    private static bool InRange(BezierSpan span)
+    {
+        foreach (var value in span.Homogeneous)
+        {
+            if (!(Math.Abs(value) <= DxfNumber.Largest)) return false;
+        }
+
+        return true;
+    }
+}
+
+/// <summary>What became of a placed part.</summary>
+internal enum PlacementOutcome
+{
+    /// <summary>It is where it belongs, the same in space (a circle may have become an ellipse).</summary>
+    Exact,
+
+    /// <summary>It is where it belongs but does not lie level: the plan view is cut.</summary>
+    Tilted,
+
+    /// <summary>A coordinate is no longer a usable number.</summary>
+    OutOfRange,
+}

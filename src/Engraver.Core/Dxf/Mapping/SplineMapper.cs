@@ -1,0 +1,151 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Dxf.Records;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Mapping;
+
+/// <summary>Turns a SPLINE record into its curve. Control points count; a spline of fit points alone is interpolated. What it announces (72, 73, 74) is not believed.</summary>
+internal sealed class SplineMapper
+{
+    private const int DegreeWithoutGroup = 3;
+    private const int ClosedFlag = 1;
+
+    /// <summary>
+    /// Largest weight over the smallest. A heavier point draws nearly the whole way of the curve into so little of its parameter that doubles cannot follow it: from 1e8 on lengths
+    /// were wrong, and at 1e17 no chain of arcs came to an end.
+    /// </summary>
+    private const double LargestRatio = 1e6 * (1.0 + 1e-12);
+
+    private readonly List<Vector3D> _controls = [];
+    private readonly List<Vector3D> _fitPoints = [];
+    private readonly List<double> _knots = [];
+    private readonly List<double> _weights = [];
+    private int _degree;
+    private bool _closedFlag;
+    private Vector3D? _startTangent;
+    private Vector3D? _endTangent;
+
+    /// <summary>Adds the curve to the shape, or gives the record a fault.</summary>
+    public void Map(EntityRecord record, CurveShape shape)
+    {
+        _degree = record.Has(71) ? record.Flags(71) : DegreeWithoutGroup;
+        _closedFlag = (record.Flags(70) & ClosedFlag) != 0;
+        _startTangent = Tangent(record, 12);
+        _endTangent = Tangent(record, 13);
+        Sort(CollectionsMarshal.AsSpan(record.Sequence), weightCode: 41);
+        Add(record, shape);
+    }
+
+    /// <summary>The same for a spline edge of a hatch boundary (DXF reference, "Boundary Path Data"): degree in 94, weights in 42, periodic in 74.</summary>
+    public void MapEdge(EntityRecord record, ReadOnlySpan<CodedNumber> edge, CurveShape shape)
+    {
+        _degree = (int)HatchEdge.Value(edge, 94, DegreeWithoutGroup);
+        _closedFlag = false;
+        _startTangent = HatchEdge.Vector(edge, 12);
+        _endTangent = HatchEdge.Vector(edge, 13);
+        Sort(edge, weightCode: 42);
+        Add(record, shape);
+    }
+
+    private void Add(EntityRecord record, CurveShape shape)
+    {
+        var isTorn = _controls.Exists(point => double.IsNaN(point.Y)) || _fitPoints.Exists(point => double.IsNaN(point.Y));
+        if (isTorn) record.Refuse(DxfRules.MissingValue, record.Line, "20 or 21 for one of its points");
+        if (record.Fault is not null) return;
+        var curve = _controls.Count > 0 && (_controls.Count > _degree || _fitPoints.Count < 2) ? FromControls(record, shape) : FromFitPoints(record, shape);
+        if (curve is null) return;
+        shape.Closed = curve.IsClosed;
+        shape.Add(curve);
+    }
+
+    private static void Note(EntityRecord record, CurveShape shape, DiagnosticRule rule, string detail) =>
+        shape.Oddities.Add(record.Finding(rule, detail, refused: false));
+
+    private static Vector3D? Tangent(EntityRecord record, int code) =>
+        record.Has(code) ? new Vector3D(record.Number(code, 0.0), record.Number(code + 10, 0.0), record.Number(code + 20, 0.0)) : null;
+
+    private static void Place(List<Vector3D> points, int axis, double value)
+    {
+        if (axis == 0) points.Add(new Vector3D(value, double.NaN, 0.0));
+        else if (points.Count > 0) points[^1] = axis == 1 ? points[^1] with { Y = value } : points[^1] with { Z = value };
+    }
+
+    private void Sort(ReadOnlySpan<CodedNumber> pairs, int weightCode)
+    {
+        _controls.Clear();
+        _fitPoints.Clear();
+        _knots.Clear();
+        _weights.Clear();
+        foreach (var (code, value) in pairs)
+        {
+            if (code is 10 or 20 or 30) Place(_controls, (code / 10) - 1, value);
+            else if (code is 11 or 21 or 31) Place(_fitPoints, (code / 10) - 1, value);
+            else if (code == 40) _knots.Add(value);
+            else if (code == weightCode) _weights.Add(value);
+        }
+    }
+
+    private RationalCurve? FromControls(EntityRecord record, CurveShape shape)
+    {
+        if (_degree < 1 || _degree > NurbsCurve.LargestDegree || _controls.Count <= _degree)
+        {
+            record.Refuse(DxfRules.SplineUnusable, record.Line, string.Create(CultureInfo.InvariantCulture, $"degree {_degree} with {_controls.Count} control points"));
+            return null;
+        }
+
+        var (knots, points) = (Knots(record, shape), Homogeneous(record, shape));
+        return record.Fault is null ? new NurbsCurve(_degree, knots, points).ToCurve() : null;
+    }
+
+    /// <summary>The knots as written, or what stands in for them. OpenNURBS (Rhino) has no first and no last knot, on which no point depends: with these two repeated its clamped curve is exact.</summary>
+    private double[] Knots(EntityRecord record, CurveShape shape)
+    {
+        double[] knots = [.. _knots];
+        if (NurbsCurve.AreUsable(knots, _degree, _controls.Count)) return knots;
+        double[] completed = IsClamped(knots) ? [knots[0], .. knots, knots[^1]] : [];
+        var isTwoShort = NurbsCurve.AreUsable(completed, _degree, _controls.Count);
+        var repair = isTwoShort ? "two are missing, so the first and the last were repeated once" : "uniform knots were used";
+        Note(record, shape, DxfRules.SplineWithoutKnots, string.Create(CultureInfo.InvariantCulture, $"{_controls.Count} control points of degree {_degree}; {repair}"));
+        return isTwoShort ? completed : NurbsCurve.UniformKnots(_degree, _controls.Count);
+    }
+
+    /// <summary>True when as many knots as the degree agree at each end.</summary>
+    private bool IsClamped(double[] knots) => knots.Length >= 2 * _degree && knots[0] == knots[_degree - 1] && knots[^1] == knots[^_degree];
+
+    /// <summary>Weights that do not fit, or are not all positive, cannot be meant: all are taken as 1 then.</summary>
+    private double[] Homogeneous(EntityRecord record, CurveShape shape)
+    {
+        var largest = _weights.DefaultIfEmpty(1.0).Max(); // only their ratios count
+        var smallest = _weights.DefaultIfEmpty(1.0).Min();
+        var weighted = _weights.Count == _controls.Count && smallest > 0.0;
+        if (weighted && largest / smallest > LargestRatio) record.Refuse(DxfRules.WeightsTooUnequal, record.Line, string.Create(CultureInfo.InvariantCulture, $"{largest / smallest:G3}"));
+        if (!weighted && _weights.Count > 0) Note(record, shape, DxfRules.SplineWeights, string.Create(CultureInfo.InvariantCulture, $"{_weights.Count} weights for {_controls.Count} control points"));
+        var points = new double[_controls.Count * BezierSpan.Stride];
+        for (var i = 0; i < _controls.Count; i++)
+        {
+            var weight = weighted ? _weights[i] / largest : 1.0;
+            var point = _controls[i] * weight;
+            (points[4 * i], points[(4 * i) + 1], points[(4 * i) + 2], points[(4 * i) + 3]) = (point.X, point.Y, point.Z, weight);
+        }
+
+        return points;
+    }
+
+    private RationalCurve? FromFitPoints(EntityRecord record, CurveShape shape)
+    {
+        var closed = _closedFlag;
+        var points = new List<Vector3D>();
+        foreach (var point in _fitPoints)
+        {
+            if (points.Count == 0 || VertexRun.AreApart(points[^1], point)) points.Add(point);
+        }
+
+        while (closed && points.Count > 1 && !VertexRun.AreApart(points[^1], points[0])) points.RemoveAt(points.Count - 1);
+        if (_fitPoints.Count < 2) record.Refuse(DxfRules.SplineUnusable, record.Line, string.Create(CultureInfo.InvariantCulture, $"no control points and {_fitPoints.Count} fit points"));
+        if (points.Count < 2) return null;
+        Note(record, shape, DxfRules.SplineFromFitPoints, string.Create(CultureInfo.InvariantCulture, $"{_fitPoints.Count}"));
+        return FitPointSpline.Through(points, _startTangent, _endTangent, closed && points.Count > 2);
+    }
+}

@@ -1,0 +1,18 @@
+namespace Engraver.Core.Dxf.Mapping;
+
+/// <summary>How far it is from one angle to another (corpus convention): equal angles are no way at all, whole turns are one whole turn.</summary>
+internal static class WholeTurns
+{
+    /// <summary>Angles that differ by whole turns within this are a whole turn, or none when they are equal.</summary>
+    private const double Tolerance = 1e-9;
+
+    /// <summary>Counter-clockwise from start to end, 0 to <paramref name="turn"/> (360 or 2 pi).</summary>
+    public static double Sweep(double start, double end, double turn)
+    {
+        var difference = end - start;
+        if (Math.Abs(difference) <= Tolerance) return 0.0;
+        var sweep = difference % turn;
+        if (sweep < 0.0) sweep += turn;
+        return sweep <= Tolerance || sweep >= turn - Tolerance ? turn : sweep;
+    }
+}

@@ -1,0 +1,55 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Blocks;
+using Engraver.Core.Dxf.Mapping;
+using Engraver.Core.Dxf.Records;
+using Engraver.Core.Dxf.Text;
+
+namespace Engraver.Core.Dxf;
+
+/// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded where they stand.</summary>
+internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expander, TextExpander texts, ConstructionTally construction, BalanceSheet balance, ImportLog log) : IContentTarget
+{
+    public bool Takes(EntityRecord record) => !record.InPaperSpace;
+
+    public void AddCurve(EntityRecord record, CurveShape shape)
+    {
+        columns.Add(shape.ToEntity(record), shape.Parts, shape.Curves);
+        balance.AddCut(record);
+        foreach (var oddity in shape.Oddities) log.Add(oddity);
+    }
+
+    public void AddCurves(EntityRecord record, IReadOnlyList<CurveShape> shapes)
+    {
+        balance.AddCut(record);
+        foreach (var shape in shapes)
+        {
+            columns.Add(shape.ToEntity(record), shape.Parts, shape.Curves);
+            foreach (var oddity in shape.Oddities) log.Add(oddity);
+        }
+    }
+
+    public void AddText(PlacedText text) => texts.Add(text);
+
+    public void Note(in RecordIssue oddity) => log.Add(oddity);
+
+    public void AddInsert(EntityRecord record, in BlockInsert insert, int attributes)
+    {
+        if (attributes > 0) balance.AddAnnotation("ATTRIB", attributes);
+        var before = columns.Count;
+        var trouble = expander.Expand(insert);
+        texts.Expand(insert);
+        construction.Expand(insert);
+        if (columns.Count > before) balance.AddCut(record);
+        else if (trouble is { } reason) balance.AddRefused(record, reason);
+        else balance.AddConstruction(record);
+    }
+
+    public void AddConstruction(EntityRecord record)
+    {
+        balance.AddConstruction(record);
+        if (ConstructionTally.Counts(record, inBlock: false)) construction.Add(record);
+        if (record.Kind is RecordKind.Text or RecordKind.Point or RecordKind.Attribute) balance.AddAnnotation(record.Type, 1);
+    }
+
+    public void Refuse(EntityRecord record, in RecordIssue trouble) => balance.AddRefused(record, trouble);
+}

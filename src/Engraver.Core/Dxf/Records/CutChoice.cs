@@ -1,0 +1,23 @@
+namespace Engraver.Core.Dxf.Records;
+
+/// <summary>Construction that is cut because the operator asks for it (<c>--cut</c>); without that it is only counted.</summary>
+[Flags]
+public enum CutChoice
+{
+    None = 0,
+
+    /// <summary>The boundaries of HATCH, not its pattern.</summary>
+    Hatch = 1,
+
+    /// <summary>The element lines of MLINE with their caps and joints.</summary>
+    MLine = 2,
+
+    /// <summary>The line or spline of LEADER, without arrow head and hook.</summary>
+    Leader = 4,
+
+    /// <summary>HELIX as seen from above.</summary>
+    Helix = 8,
+
+    /// <summary>The edges of SOLID, TRACE and 3DFACE.</summary>
+    Solid = 16,
+}

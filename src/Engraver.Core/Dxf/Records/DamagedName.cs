@@ -1,0 +1,22 @@
+namespace Engraver.Core.Dxf.Records;
+
+/// <summary>Tells a type that is not known from the damaged name of one that would be cut: what is lost then is a curve.</summary>
+internal static class DamagedName
+{
+    private static readonly string[] s_cutTypes = ["LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "LWPOLYLINE", "POLYLINE", "INSERT", "VERTEX"];
+
+    /// <summary>What is wrong with the name of a record of an unknown type; null for a name that another program may have given.</summary>
+    public static string? Fault(string type)
+    {
+        if (type.Length == 0) return "it is empty";
+        if (type.Any(letter => char.IsControl(letter) || letter == '\uFFFD')) return "it holds bytes that are no text";
+        return s_cutTypes.FirstOrDefault(known => IsNearly(type, known)) is { } meant ? $"it reads almost like {meant}" : null;
+    }
+
+    /// <summary>One letter is another one, or the rest of the name is gone.</summary>
+    private static bool IsNearly(string type, string known)
+    {
+        if (type.Length < known.Length) return known.StartsWith(type, StringComparison.OrdinalIgnoreCase);
+        return type.Length == known.Length && type.Zip(known).Count(pair => char.ToUpperInvariant(pair.First) != pair.Second) == 1;
+    }
+}

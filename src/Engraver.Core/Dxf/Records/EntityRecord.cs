@@ -1,0 +1,209 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Tags;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Records;
+
+/// <summary>One record of the file (LINE, VERTEX, LAYER ...): its type and the values that any of the types we read asks for. Filled again for every record.</summary>
+internal sealed class EntityRecord
+{
+    /// <summary>A colour as 0x00RRGGBB.</summary>
+    public const int TrueColour = 420;
+
+    private const int CodeCount = TrueColour + 1;
+
+    /// <summary>What follows belongs to another object that is packed into this one (columns of an MTEXT, the MTEXT of an ATTRIB).</summary>
+    private const int EmbeddedObject = 101;
+
+    /// <summary>Codes whose first value is kept: points, sizes, angles, scales, flags, counts, extrusion, colours.</summary>
+    private static readonly int[] KeptCodes =
+        [10, 11, 12, 13, 20, 21, 22, 23, 30, 31, 32, 33, 38, 40, 41, 42, 43, 44, 45, 50, 51, 60, 62, 66, 67, 70, 71, 90, 210, 220, 230, 290, TrueColour];
+
+    private static readonly sbyte[] Slots = BuildSlots();
+
+    private readonly double[] _values = new double[KeptCodes.Length];
+    private ulong _seen;
+    private bool _embedded;
+    private uint _counted;
+
+    public RecordKind Kind { get; private set; }
+
+    public int TypeId { get; private set; }
+
+    public string Type { get; private set; } = "";
+
+    /// <summary>Line at which the record begins.</summary>
+    public int Line { get; private set; }
+
+    public ulong Handle { get; set; }
+
+    public int Layer { get; set; }
+
+    /// <summary>The block or layer it names (code 2), -1 without one.</summary>
+    public int Name { get; set; }
+
+    /// <summary>A code that appeared twice, 0 when none did.</summary>
+    public int RepeatedCode { get; private set; }
+
+    /// <summary>A name or layer that stands in the record more than once; 0 when none does.</summary>
+    public int DoubledCode { get; private set; }
+
+    /// <summary>The first value that could not be read; the record must be refused then.</summary>
+    public RecordIssue? Fault { get; private set; }
+
+    /// <summary>What is odd about the spelling of one of its values, though it could be read; null when nothing is.</summary>
+    public RecordIssue? Oddity { get; set; }
+
+    /// <summary>Texts in file order, of records that are kept pair by pair; a 100 stands in <see cref="Sequence"/> too, with its index here.</summary>
+    public List<CodedText> Texts { get; } = [];
+
+    /// <summary>Numbers in file order, of types in which codes repeat.</summary>
+    public List<CodedNumber> Sequence { get; } = [];
+
+    public bool InPaperSpace => Number(67, 0.0) == 1.0;
+
+    public bool Invisible => Number(60, 0.0) == 1.0;
+
+    /// <summary>As written; a true colour stands above an index.</summary>
+    public DrawingColour Colour => Has(TrueColour) ? DrawingColour.FromCode420(Bits(TrueColour)) : Has(62) ? DrawingColour.FromCode62(Flags(62)) : default;
+
+    public static bool Keeps(int code) => (uint)code < CodeCount && Slots[code] >= 0;
+
+    public void Begin(RecordKind kind, string type, int typeId, int line, int layer)
+    {
+        Kind = kind;
+        TypeId = typeId;
+        Type = type;
+        Line = line;
+        Layer = layer;
+        Handle = 0;
+        Name = -1;
+        RepeatedCode = 0;
+        DoubledCode = 0;
+        _counted = 0;
+        Fault = null;
+        Oddity = null;
+        _embedded = false;
+        Texts.Clear();
+        Sequence.Clear();
+        _seen = 0;
+    }
+
+    /// <summary>Counts a code below 32 of which a record has one.</summary>
+    public void Count(int code)
+    {
+        if ((_counted & (1u << code)) != 0) DoubledCode = code;
+        _counted |= 1u << code;
+    }
+
+    /// <summary>Keeps the value of a code for which <see cref="Keeps"/> holds. The first one counts: what follows a complete entity is the damage.</summary>
+    public void Set(int code, double value)
+    {
+        var slot = Slots[code];
+        var bit = 1ul << slot;
+        if ((_seen & bit) != 0)
+        {
+            RepeatedCode = code;
+            return;
+        }
+
+        _seen |= bit;
+        _values[slot] = value;
+    }
+
+    /// <summary>Keeps the pair in its place, and of a kept code also the first value. What is no number is left out.</summary>
+    /// <returns>False for a value that should be a number and is none: it harms what is cut, not what is only shown.</returns>
+    public bool Collect(DxfTagSource tags, TextDecoding decode)
+    {
+        var code = tags.Code;
+        _embedded |= code == EmbeddedObject;
+        if (_embedded) return true;
+        if (code is 1 or 2 or 3 or 4 or 7 or 100)
+        {
+            if (code == 100) Sequence.Add(new CodedNumber(code, Texts.Count));
+            Texts.Add(new CodedText(code, decode(tags.Value)));
+            return true;
+        }
+
+        if (code == TrueColour && tags.TryNumber(out var colour) && !Has(code)) Set(code, colour);
+        if (code is not ((>= 10 and < 100) or (>= 210 and <= 230))) return true;
+        if (!tags.TryNumber(out var value)) return false;
+        Collect(code, value);
+        return true;
+    }
+
+    /// <summary>Keeps a number in its place.</summary>
+    public void Collect(int code, double value)
+    {
+        Sequence.Add(new CodedNumber(code, value));
+        if (Keeps(code) && !Has(code)) Set(code, value);
+    }
+
+    /// <summary>The texts of some codes joined in file order; "" when there is none.</summary>
+    public string TextOf(params int[] codes) => string.Concat(Texts.Where(text => codes.Contains(text.Code)).Select(text => text.Value));
+
+    /// <summary>The first value of a code of a collected record.</summary>
+    public double First(int code, double otherwise)
+    {
+        foreach (var coded in Sequence)
+        {
+            if (coded.Code == code) return coded.Value;
+        }
+
+        return otherwise;
+    }
+
+    public bool Has(int code) => (_seen & (1ul << Slots[code])) != 0;
+
+    /// <summary>The value of a code that may be missing.</summary>
+    public double Number(int code, double otherwise) => Has(code) ? _values[Slots[code]] : otherwise;
+
+    /// <summary>A flag word; what does not fit is read as 0.</summary>
+    public int Flags(int code) => Number(code, 0.0) is var value && Math.Abs(value) <= int.MaxValue ? (int)value : 0;
+
+    /// <summary>32 bits, which some write with and some without a sign.</summary>
+    private int Bits(int code) => Number(code, 0.0) is var value && Math.Abs(value) <= uint.MaxValue ? unchecked((int)(long)value) : 0;
+
+    /// <summary>The value of a code without which the record makes no sense; a missing one becomes the <see cref="Fault"/>.</summary>
+    public double Required(int code)
+    {
+        if (Has(code)) return _values[Slots[code]];
+        Refuse(DxfRules.MissingValue, Line, code.ToString(CultureInfo.InvariantCulture));
+        return 0.0;
+    }
+
+    /// <summary>The point of codes (<paramref name="xCode"/>, +10, +20); z may be missing.</summary>
+    public Vector3D Point(int xCode) => new(Required(xCode), Required(xCode + 10), Number(xCode + 20, 0.0));
+
+    /// <summary>The point of a record that is not refused for the want of one.</summary>
+    public Vector3D PointOrOrigin(int xCode) => new(Number(xCode, 0.0), Number(xCode + 10, 0.0), Number(xCode + 20, 0.0));
+
+    public Vector3D Extrusion() => new(Number(210, 0.0), Number(220, 0.0), Number(230, 1.0));
+
+    public void Refuse(DiagnosticRule rule, int line, string detail) => Fault ??= Finding(rule, detail, refused: true) with { Line = line };
+
+    /// <summary>Makes the fault of a part (a VERTEX) the fault of the whole.</summary>
+    public void TakeFaultOf(EntityRecord part)
+    {
+        if (part.Fault is { } fault) Refuse(fault.Rule, fault.Line, fault.Detail);
+        Oddity ??= part.Oddity;
+    }
+
+    public RecordIssue Finding(DiagnosticRule rule, string detail, bool refused) => new(rule, Type, Handle, Line, detail, refused);
+
+    private static sbyte[] BuildSlots()
+    {
+        var slots = new sbyte[CodeCount];
+        Array.Fill(slots, (sbyte)-1);
+        for (var slot = 0; slot < KeptCodes.Length; slot++) slots[KeptCodes[slot]] = (sbyte)slot;
+        return slots;
+    }
+}
+
+/// <summary>A number with its group code, for records in which codes repeat (vertices of an LWPOLYLINE).</summary>
+internal readonly record struct CodedNumber(int Code, double Value);
+
+/// <summary>A text with its group code.</summary>
+internal readonly record struct CodedText(int Code, string Value);

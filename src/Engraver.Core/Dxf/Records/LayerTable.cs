@@ -1,0 +1,37 @@
+using Engraver.Core.Drawings;
+
+namespace Engraver.Core.Dxf.Records;
+
+/// <summary>The layers met so far and their switches. A layer that no table defines is on, thawed and plotted.</summary>
+internal sealed class LayerTable(NameTable names)
+{
+    private const int FrozenFlag = 1;
+    private readonly List<LayerState> _states = [];
+
+    /// <summary>Content of a block on this layer takes the layer of the insert.</summary>
+    public int Zero { get; } = names.IdOf("0");
+
+    /// <summary>Takes a LAYER entry: 70 bit 1 frozen, 62 the colour and negative off, 420 a true colour, 290 zero not plotted.</summary>
+    public void Define(EntityRecord entry)
+    {
+        Grow();
+        _states[entry.Name] = new LayerState((entry.Flags(70) & FrozenFlag) != 0, entry.Number(62, 7.0) < 0.0, entry.Number(290, 1.0) == 0.0, entry.Colour);
+    }
+
+    public bool IsFrozen(int layer) => layer < _states.Count && _states[layer].Frozen;
+
+    public DrawingColour ColourOf(int layer) => layer < _states.Count ? _states[layer].Colour.OrForeground() : DrawingColour.Foreground;
+
+    public IReadOnlyList<Layer> ToLayers()
+    {
+        Grow();
+        return [.. _states.Select((state, id) => new Layer(names[id], !state.Off, state.Frozen, !state.NotPlotted) { Colour = state.Colour.OrForeground() })];
+    }
+
+    private void Grow()
+    {
+        while (_states.Count < names.Count) _states.Add(default);
+    }
+
+    private readonly record struct LayerState(bool Frozen, bool Off, bool NotPlotted, DrawingColour Colour);
+}

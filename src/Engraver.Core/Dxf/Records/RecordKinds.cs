@@ -1,0 +1,111 @@
+using System.Collections.Frozen;
+
+namespace Engraver.Core.Dxf.Records;
+
+/// <summary>The table of type names. BODY and REGION are unknown on purpose: what they would cut is lost, and the operator is told.</summary>
+internal static class RecordKinds
+{
+    private static readonly string[] Construction =
+    [
+        "MPOLYGON", "DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "MLEADER", "MULTILEADER", "3DSOLID", "MESH", "SURFACE", "EXTRUDEDSURFACE", "LOFTEDSURFACE", "REVOLVEDSURFACE", "SWEPTSURFACE", "PLANESURFACE", "NURBSURFACE",
+        "VIEWPORT", "RAY", "XLINE", "ACAD_TABLE", "TABLE", "IMAGE", "WIPEOUT", "TOLERANCE", "SHAPE", "LIGHT", "OLEFRAME", "OLE2FRAME",
+        "ACAD_PROXY_ENTITY", "PDFUNDERLAY", "DWFUNDERLAY", "DGNUNDERLAY", "POINTCLOUD", "POSITIONMARKER", "CAMERA",
+    ];
+
+    private static readonly FrozenSet<string> TableTypes = FrozenSet.Create("TABLE", "ENDTAB", "VPORT", "LTYPE", "VIEW", "UCS", "APPID", "DIMSTYLE", "BLOCK_RECORD");
+
+    private static readonly FrozenDictionary<string, RecordKind> Known = Build();
+
+    /// <summary>The types of ENTITIES and BLOCKS that are known, with what becomes of each: for the page of diagnostics.</summary>
+    public static IEnumerable<(string Fate, IEnumerable<string> Types)> Fates() =>
+    [
+        ("cut", TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
+        ("cut with `--cut`, otherwise construction", TypesOf(IsOutline)),
+        ("text, kept with content and place, construction", TypesOf(kind => kind is RecordKind.Text or RecordKind.Attribute)),
+        ("construction: drawn for the reader of the drawing, not for the tool", TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point)),
+    ];
+
+    public static RecordKind Find(string type) => Known.GetValueOrDefault(type, RecordKind.Unknown);
+
+    /// <summary>True when the record's numbers matter; of the others only visibility and space are read, so that junk in a dimension harms nothing.</summary>
+    public static bool HasNumbers(RecordKind kind) => kind is not (RecordKind.Unknown or RecordKind.Construction or RecordKind.Text or RecordKind.Point
+        or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.StyleEntry) && !IsOutline(kind);
+
+    /// <summary>True for what stands in ENTITIES or in a block and is known there.</summary>
+    public static bool IsEntity(RecordKind kind) => kind is (>= RecordKind.Line and <= RecordKind.Polyline) or RecordKind.Insert or RecordKind.Text or RecordKind.Point or RecordKind.Construction
+        || IsOutline(kind);
+
+    /// <summary>True for whatever makes a section part of a drawing: entities and their parts, blocks, layers.</summary>
+    public static bool IsOfDrawing(RecordKind kind) => IsEntity(kind) || kind is RecordKind.Vertex or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.LayerEntry or RecordKind.Block or RecordKind.BlockEnd;
+
+    /// <summary>True for the types of record that TABLES holds besides those that are read.</summary>
+    public static bool IsOfTables(string type) => TableTypes.Contains(type);
+
+    /// <summary>False for a group that a record without content cannot have: it belongs to another record whose beginning is damaged. True for every record that is no such frame.</summary>
+    public static bool MayHold(RecordKind kind, string type, int code) => kind switch
+    {
+        RecordKind.Section or RecordKind.SectionEnd => false,
+        RecordKind.BlockEnd or RecordKind.SequenceEnd => code is 5 or 6 or 8 or 39 or 48 or 60 or 62 or 67 or 92 or 100 or 102 or 160 or 284 or (>= 310 and < 450) or >= 1000,
+        _ when type == "TABLE" => code is 2 or 5 or 70 or 71 or 100 or 102 or (>= 330 and < 370) or >= 1000,
+        _ => type != "ENDTAB",
+    };
+
+    /// <summary>True for construction that an operator may want cut all the same (<see cref="CutChoice"/>).</summary>
+    public static bool IsOutline(RecordKind kind) => kind is RecordKind.Hatch or RecordKind.MultiLine or RecordKind.Leader or RecordKind.Helix or RecordKind.Face;
+
+    /// <summary>The choice that an outline belongs to; None for every other kind.</summary>
+    public static CutChoice ChoiceOf(RecordKind kind) => kind switch
+    {
+        RecordKind.Hatch => CutChoice.Hatch,
+        RecordKind.MultiLine => CutChoice.MLine,
+        RecordKind.Leader => CutChoice.Leader,
+        RecordKind.Helix => CutChoice.Helix,
+        RecordKind.Face => CutChoice.Solid,
+        _ => CutChoice.None,
+    };
+
+    /// <summary>True when the record is kept pair by pair: its codes repeat and mean different things in different places, or it has text.</summary>
+    public static bool IsCollected(RecordKind kind, CutChoice cut) => kind is RecordKind.Text or RecordKind.Attribute or RecordKind.StyleEntry || (ChoiceOf(kind) & cut) != 0;
+
+    private static IEnumerable<string> TypesOf(Func<RecordKind, bool> wanted) => Known.Where(pair => wanted(pair.Value)).Select(pair => pair.Key).Order(StringComparer.Ordinal);
+
+    private static FrozenDictionary<string, RecordKind> Build()
+    {
+        var kinds = new Dictionary<string, RecordKind>(StringComparer.OrdinalIgnoreCase)
+        {
+            ["LINE"] = RecordKind.Line,
+            ["ARC"] = RecordKind.Arc,
+            ["CIRCLE"] = RecordKind.Circle,
+            ["ELLIPSE"] = RecordKind.Ellipse,
+            ["SPLINE"] = RecordKind.Spline,
+            ["LWPOLYLINE"] = RecordKind.LwPolyline,
+            ["POLYLINE"] = RecordKind.Polyline,
+            ["VERTEX"] = RecordKind.Vertex,
+            ["INSERT"] = RecordKind.Insert,
+            ["ATTRIB"] = RecordKind.Attribute,
+            ["SEQEND"] = RecordKind.SequenceEnd,
+            ["POINT"] = RecordKind.Point,
+            ["TEXT"] = RecordKind.Text,
+            ["MTEXT"] = RecordKind.Text,
+            ["ATTDEF"] = RecordKind.Construction,
+            ["RTEXT"] = RecordKind.Text,
+            ["ARCALIGNEDTEXT"] = RecordKind.Text,
+            ["HATCH"] = RecordKind.Hatch,
+            ["MLINE"] = RecordKind.MultiLine,
+            ["LEADER"] = RecordKind.Leader,
+            ["HELIX"] = RecordKind.Helix,
+            ["SOLID"] = RecordKind.Face,
+            ["TRACE"] = RecordKind.Face,
+            ["3DFACE"] = RecordKind.Face,
+            ["LAYER"] = RecordKind.LayerEntry,
+            ["STYLE"] = RecordKind.StyleEntry,
+            ["BLOCK"] = RecordKind.Block,
+            ["ENDBLK"] = RecordKind.BlockEnd,
+            ["SECTION"] = RecordKind.Section,
+            ["ENDSEC"] = RecordKind.SectionEnd,
+            ["EOF"] = RecordKind.FileEnd,
+        };
+        foreach (var type in Construction) kinds.Add(type, RecordKind.Construction);
+        return kinds.ToFrozenDictionary(StringComparer.OrdinalIgnoreCase);
+    }
+}

@@ -1,0 +1,246 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Dxf.Tags;
+
+namespace Engraver.Core.Dxf.Records;
+
+/// <summary>Reads pairs into records: everything from one group code 0 to the next.</summary>
+internal sealed class RecordReader
+{
+    private const int ShownValue = 40;
+
+    /// <summary>Names a variable of the header.</summary>
+    private const int VariableCode = 9;
+
+    private readonly DxfTagSource _tags;
+    private readonly NameTable _types = new(bytes => Encoding.Latin1.GetString(bytes).ToUpperInvariant());
+    private readonly List<RecordKind> _kinds = [];
+    private readonly CancellationToken _cancellation;
+    private readonly int _layerZero;
+    private int _nextType;
+    private double _told;
+
+    private readonly TextDecoding _decode;
+    private readonly CutChoice _cut;
+    private readonly ImportLog _log;
+
+    public RecordReader(DxfTagSource tags, NameTable layers, NameTable blocks, TextDecoding decode, CutChoice cut, ImportLog log, CancellationToken cancellation)
+    {
+        _log = log;
+        _cut = cut;
+        _decode = decode;
+        _tags = tags;
+        _cancellation = cancellation;
+        Layers = layers;
+        Blocks = blocks;
+        _layerZero = layers.IdOf("0");
+        PassOver();
+    }
+
+    public NameTable Layers { get; }
+
+    public NameTable Blocks { get; }
+
+    /// <summary>The type names met, by the numbers that records carry.</summary>
+    public NameTable Types => _types;
+
+    /// <summary>What the next record is; <see cref="RecordKind.FileEnd"/> also where the file just stops.</summary>
+    public RecordKind Next { get; private set; }
+
+    /// <summary>True when the bytes ran out before EOF.</summary>
+    public bool Truncated { get; private set; }
+
+    /// <summary>Line (binary: byte offset) of the next record.</summary>
+    public int NextLine { get; private set; }
+
+    /// <summary>Is told how far reading is; null: nobody.</summary>
+    public IProgress<double>? Progress { get; init; }
+
+    /// <summary>The next record's type name, in capitals.</summary>
+    public string NextType => _types[_nextType];
+
+    /// <summary>Where the next record begins: <see cref="DxfTagSource.Return"/> and <see cref="PassOver()"/> lead to the one behind it.</summary>
+    public (int Position, int Line) Bookmark() => _tags.Bookmark();
+
+    /// <summary>Reads the next record whole, whatever it is.</summary>
+    public void Read(EntityRecord record)
+    {
+        _cancellation.ThrowIfCancellationRequested();
+        if (Progress is { } progress) Tell(progress);
+        record.Begin(Next, _types[_nextType], _nextType, NextLine, _layerZero);
+        var (damages, start) = (_tags.DamageCount, _tags.Bookmark());
+        while (_tags.Read() && _tags.Code != 0) Accept(record);
+        if (record.DoubledCode != 0 && NamesRecord(start)) record.Refuse(DxfRules.TwoRecords, record.Line, record.DoubledCode.ToString(CultureInfo.InvariantCulture));
+        Settle();
+        if (_tags.DamageCount != damages) record.Refuse(DxfRules.DamagedRecord, _tags.DamageLine, _tags.DamageText);
+        if (Truncated && _tags.CutInsidePair) record.Refuse(DxfRules.CutRecord, record.Line, "");
+    }
+
+    /// <summary>Passes over the next record, which holds nothing that matters. Tells when it holds what cannot be its own, for then another record is lost in it.</summary>
+    public void Skip() => Skip(Next, NextType);
+
+    /// <summary>Passes over the rest of the head of TABLES, BLOCKS or ENTITIES, whose name has been read.</summary>
+    public void SkipHead() => Skip(RecordKind.Section, "SECTION");
+
+    private void Skip(RecordKind kind, string type)
+    {
+        _cancellation.ThrowIfCancellationRequested();
+        TellNameless();
+        var damages = _tags.DamageCount;
+        var (variables, foreign) = (false, default(RecordIssue?));
+        while (_tags.Read() && _tags.Code != 0)
+        {
+            variables |= kind == RecordKind.SectionEnd && _tags.Code == VariableCode; // some programs end the header too early
+            if (foreign is not null || variables || RecordKinds.MayHold(kind, type, _tags.Code)) continue;
+            foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.Line, string.Create(CultureInfo.InvariantCulture, $"group {_tags.Code} ('{ShownText()}'), which it cannot have"), Refused: true);
+        }
+
+        if (_tags.DamageCount != damages && !_tags.IsBinary) foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.DamageLine, $"'{_tags.DamageText}' where a group code is due", Refused: true);
+        if (foreign is { } trouble) _log.Add(trouble);
+        Settle();
+    }
+
+    /// <summary>Passes over the next record without a word: it is read later, or it stands in a section that is no part of the drawing.</summary>
+    public void PassOver()
+    {
+        _cancellation.ThrowIfCancellationRequested();
+        TellNameless();
+        while (_tags.Read() && _tags.Code != 0)
+        {
+        }
+
+        Settle();
+    }
+
+    /// <summary>A record without a name is no record of any program: zeros in a binary file read so, and what stood there is lost.</summary>
+    private void TellNameless()
+    {
+        if (_types.Count > 0 && Next == RecordKind.Unknown && NextType.Length == 0) _log.Add(new RecordIssue(DxfRules.NameDamaged, "", 0, NextLine, DamagedName.Fault("")!, Refused: true));
+    }
+
+    /// <summary>Goes through the record that has just been read once more: true when the name of a type of record stands where a 0 may have been above it.</summary>
+    private bool NamesRecord((int Position, int Line) start)
+    {
+        var (end, found) = (_tags.Bookmark(), false);
+        _tags.Return(start);
+        while (!found && _tags.Bookmark().Position < end.Position && _tags.Read()) found = _tags.Code is > 0 and < 10 && RecordKinds.Find(Encoding.Latin1.GetString(_tags.Value.Trim(" \t"u8))) != RecordKind.Unknown;
+        _tags.Return(start);
+        while (_tags.Bookmark().Position < end.Position && _tags.Read())
+        {
+        }
+
+        if (_tags.Code != 0) _tags.Read(); // at the end of the file
+        return found;
+    }
+
+    /// <summary>Passes over the pairs up to the next record and shows each to <paramref name="take"/>: the HEADER section has no records.</summary>
+    public void Skip(Action<DxfTagSource> take)
+    {
+        while (_tags.Read() && _tags.Code != 0) take(_tags);
+        Settle();
+    }
+
+    private void Tell(IProgress<double> progress)
+    {
+        const double Step = 0.01;
+        if (_tags.Part < _told + Step) return;
+        progress.Report(_told = _tags.Part);
+    }
+
+    /// <summary>Reads the name of the section that begins here, in capitals. One of the Skip methods must follow.</summary>
+    public string EnterSection() => _tags.Read() ? Encoding.Latin1.GetString(_tags.Value.Trim(" \t"u8)).ToUpperInvariant() : "";
+
+    private void Settle()
+    {
+        Truncated = _tags.AtEnd;
+        NextLine = _tags.Line;
+        if (Truncated)
+        {
+            Next = RecordKind.FileEnd;
+            return;
+        }
+
+        _nextType = _types.IdOf(_tags.Value);
+        while (_kinds.Count < _types.Count) _kinds.Add(RecordKinds.Find(_types[_kinds.Count]));
+        Next = _kinds[_nextType];
+        if (Next == RecordKind.Section && !BeginsSection()) Next = RecordKind.Unknown;
+    }
+
+    /// <summary>The section plane of AutoCAD 2007 is an entity that is called SECTION, too; only a section goes on with its name.</summary>
+    private bool BeginsSection()
+    {
+        var here = _tags.Bookmark();
+        var named = _tags.Read() && _tags.Code == 2;
+        _tags.Return(here);
+        return named;
+    }
+
+    private void Accept(EntityRecord record)
+    {
+        switch (_tags.Code)
+        {
+            case 5 when record.Handle == 0:
+                record.Handle = HandleText.Parse(_tags.Value);
+                break;
+            case 8 when record.Kind is not RecordKind.LayerEntry:
+                record.Count(8);
+                record.Layer = Layers.IdOf(_tags.Value);
+                break;
+            case 2 when record.Kind is RecordKind.Insert or RecordKind.Block:
+                record.Count(2);
+                record.Name = Blocks.IdOf(_tags.Value);
+                break;
+            case 2 when record.Kind is RecordKind.LayerEntry:
+                record.Count(2);
+                record.Name = Layers.IdOf(_tags.Value);
+                break;
+            default:
+                if (RecordKinds.IsCollected(record.Kind, _cut)) Collect(record);
+                else AcceptNumber(record, _tags.Code);
+                break;
+        }
+    }
+
+    /// <summary>A bad number of an outline would bend what is cut; in a text it harms nothing.</summary>
+    private void Collect(EntityRecord record)
+    {
+        if (record.Collect(_tags, _decode) || !RecordKinds.IsOutline(record.Kind)) return;
+        if (TryOddNumber(record, _tags.Code, out var value)) record.Collect(_tags.Code, value);
+        else RefuseValue(record, _tags.Code);
+    }
+
+    private void RefuseValue(EntityRecord record, int code) =>
+        record.Refuse(DxfRules.BadValue, _tags.ValueLine, string.Create(CultureInfo.InvariantCulture, $"group {code} is '{ShownText()}'"));
+
+    private void AcceptNumber(EntityRecord record, int code)
+    {
+        if (!EntityRecord.Keeps(code) || !(RecordKinds.HasNumbers(record.Kind) || code is 60 or 67)) return;
+        var repeats = (record.Kind == RecordKind.LwPolyline && code is 10 or 20 or 30 or 40 or 41 or 42) || (record.Kind == RecordKind.Spline && code is 10 or 20 or 30 or 11 or 21 or 31 or 40 or 41);
+        if (!_tags.TryNumber(out var value) && !TryOddNumber(record, code, out value))
+        {
+            if (code != EntityRecord.TrueColour) RefuseValue(record, code);
+        }
+        else if (repeats)
+        {
+            record.Sequence.Add(new CodedNumber(code, value));
+        }
+        else
+        {
+            record.Set(code, value);
+        }
+    }
+
+    /// <summary>A decimal comma or a Fortran exponent: not DXF, but there is only one thing it can mean.</summary>
+    private bool TryOddNumber(EntityRecord record, int code, out double value)
+    {
+        value = 0.0;
+        if (_tags.IsBinary || !ForeignNumber.TryParse(_tags.Value, out value)) return false;
+        record.Oddity ??= record.Finding(DxfRules.OddNumber, string.Create(CultureInfo.InvariantCulture, $"'{ShownText()}' in group {code}, read as {value}"), refused: false) with { Line = _tags.ValueLine };
+        return true;
+    }
+
+    private string ShownText() => _tags.IsBinary
+        ? Convert.ToHexString(_tags.Value[..Math.Min(_tags.Value.Length, ShownValue)])
+        : Encoding.Latin1.GetString(_tags.Value[..Math.Min(_tags.Value.Length, ShownValue)]);
+}

@@ -1,0 +1,44 @@
+using System.Text;
+
+namespace Engraver.Core.Dxf.Tags;
+
+/// <summary>The variables of the HEADER section that matter here.</summary>
+internal sealed class DxfHeader
+{
+    private string _variable = "";
+
+    /// <summary>$ACADVER; "" when the file does not say.</summary>
+    public string Version { get; private set; } = "";
+
+    /// <summary>$DWGCODEPAGE; null when the file does not say.</summary>
+    public string? CodePage { get; private set; }
+
+    /// <summary>$INSUNITS as written, null when missing or no number.</summary>
+    public double? InsUnits { get; private set; }
+
+    /// <summary>$MEASUREMENT as written (0 English, 1 metric), null when missing or no number. It never scales.</summary>
+    public double? Measurement { get; private set; }
+
+    /// <summary>Takes one pair of the section: code 9 names a variable, the pairs behind it are its values.</summary>
+    public void Take(DxfTagSource tag)
+    {
+        switch (tag.Code)
+        {
+            case 9:
+                _variable = Encoding.Latin1.GetString(tag.Value).Trim();
+                break;
+            case 1 when _variable == "$ACADVER":
+                Version = Encoding.Latin1.GetString(tag.Value).Trim();
+                break;
+            case 3 when _variable == "$DWGCODEPAGE":
+                CodePage = Encoding.Latin1.GetString(tag.Value).Trim();
+                break;
+            case 70 when _variable == "$INSUNITS":
+                InsUnits = tag.TryNumber(out var unit) ? unit : null;
+                break;
+            case 70 when _variable == "$MEASUREMENT":
+                Measurement = tag.TryNumber(out var measurement) ? measurement : null;
+                break;
+        }
+    }
+}

@@ -1,0 +1,104 @@
+using System.Runtime.InteropServices;
+
+namespace Engraver.Core.Dxf.Tags;
+
+/// <summary>A DXF as a stream of (group code, value) pairs over its bytes. Nothing is copied: a value is a span of the file.</summary>
+internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
+{
+    private const int CommentCode = 999;
+
+    /// <summary>An array, because the span of a memory is found anew for every pair.</summary>
+    private readonly byte[] _file = MemoryMarshal.TryGetArray(file, out var segment) && segment.Offset == 0 && segment.Array!.Length == segment.Count ? segment.Array : file.ToArray();
+
+    /// <summary>Group code of the pair read last.</summary>
+    public int Code { get; protected set; }
+
+    /// <summary>Where the pair's code stands: line of an ASCII file (1 is the first), byte offset of a binary one.</summary>
+    public int Line { get; protected set; }
+
+    /// <summary>Where the pair's value stands: the line below the code, or the pair's own offset.</summary>
+    public int ValueLine => IsBinary ? Line : Line + 1;
+
+    /// <summary>True once <see cref="Read"/> found nothing more.</summary>
+    public bool AtEnd { get; private set; }
+
+    /// <summary>True when the file ended inside a pair: the last value may be cut short.</summary>
+    public bool CutInsidePair { get; protected set; }
+
+    /// <summary>Line of the last place that could not be read as a pair; -1 when there was none.</summary>
+    public int DamageLine { get; private set; } = -1;
+
+    /// <summary>What stood at <see cref="DamageLine"/>, shortened.</summary>
+    public string DamageText { get; private set; } = "";
+
+    /// <summary>How many such places there were.</summary>
+    public int DamageCount { get; private set; }
+
+    public abstract bool IsBinary { get; }
+
+    /// <summary>True when the texts are known to be UTF-8, whatever the header says of them.</summary>
+    public bool IsUtf8 { get; init; }
+
+    /// <summary>The value's bytes, without the line end; for a number of a binary file its raw bytes.</summary>
+    public abstract ReadOnlySpan<byte> Value { get; }
+
+    /// <summary>How much of the file lies behind, 0 to 1.</summary>
+    public double Part => (double)Position / Math.Max(1, _file.Length);
+
+    protected ReadOnlySpan<byte> Bytes => _file;
+
+    protected int Position { get; set; }
+
+    /// <summary>Reads the next pair, comments left out; false at the end of the file.</summary>
+    public bool Read()
+    {
+        while (ReadPair())
+        {
+            if (Code != CommentCode) return true;
+        }
+
+        AtEnd = true;
+        return false;
+    }
+
+    /// <summary>The value as a finite number, whole numbers included; false when it is none.</summary>
+    public abstract bool TryNumber(out double number);
+
+    /// <summary>Offset of the last place in the file where the word is a whole value (between line ends or NULs); -1 when there is none.</summary>
+    public int LastWord(ReadOnlySpan<byte> word)
+    {
+        var bytes = Bytes;
+        for (var at = bytes.LastIndexOf(word); at >= 0; at = bytes[..at].LastIndexOf(word))
+        {
+            var end = at + word.Length;
+            if (at > 0 && bytes[at - 1] < ' ' && (end == bytes.Length || bytes[end] < ' ')) return at;
+        }
+
+        return -1;
+    }
+
+    /// <summary>Where reading stands, to come back to with <see cref="Return"/>.</summary>
+    public (int Position, int Line) Bookmark() => (Position, NextLine);
+
+    public void Return((int Position, int Line) bookmark)
+    {
+        Position = bookmark.Position;
+        NextLine = bookmark.Line;
+        CutInsidePair = false;
+        AtEnd = false;
+    }
+
+    /// <summary>Zero bytes in what has been read of a text, and the line of the first; none where zeros are part of the form, or only fill up the end.</summary>
+    public virtual (int Count, int Line) ZeroBytes() => default;
+
+    protected int NextLine { get; set; }
+
+    protected abstract bool ReadPair();
+
+    protected void Damage(int line, string text)
+    {
+        DamageLine = line;
+        DamageText = text;
+        DamageCount++;
+    }
+}

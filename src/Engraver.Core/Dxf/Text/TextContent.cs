@@ -1,0 +1,110 @@
+using System.Globalization;
+using System.Text;
+
+namespace Engraver.Core.Dxf.Text;
+
+/// <summary>What a text value means to whoever reads the drawing: %% codes and caret codes resolved, the formatting of an MTEXT left out (DXF reference, "TEXT", "MTEXT").</summary>
+internal static class TextContent
+{
+    /// <summary>The content of TEXT and ATTRIB: one line.</summary>
+    public static string OfText(string raw) => Carets(Percents(raw)).Replace('\n', ' ');
+
+    /// <summary>The content of MTEXT: \P parts lines, braces group, every other code is formatting.</summary>
+    public static string OfMText(string raw)
+    {
+        var text = Carets(Percents(raw));
+        var result = new StringBuilder(text.Length);
+        var lastEnd = text.LastIndexOf(';'); // known once: a hostile text may open a million codes and end none
+        for (var at = 0; at < text.Length; at++)
+        {
+            if (text[at] is '{' or '}') continue;
+            if (text[at] != '\\' || at + 1 == text.Length) result.Append(text[at]);
+            else at = Code(text, at + 1, lastEnd, result);
+        }
+
+        return result.ToString();
+    }
+
+    /// <summary>Takes the code whose letter stands at <paramref name="at"/>; returns its last character. Behind <paramref name="lastEnd"/> no code ends.</summary>
+    private static int Code(string text, int at, int lastEnd, StringBuilder result)
+    {
+        switch (text[at])
+        {
+            case 'P' or 'X' or 'N':
+                result.Append('\n');
+                return at;
+            case '~':
+                result.Append('\u00A0');
+                return at;
+            case '\\' or '{' or '}':
+                result.Append(text[at]);
+                return at;
+            case 'L' or 'l' or 'O' or 'o' or 'K' or 'k':
+                return at;
+            case 'S':
+                return at < lastEnd ? Stack(text, at, result) : at;
+            case 'A' or 'C' or 'c' or 'F' or 'f' or 'H' or 'Q' or 'T' or 'W' or 'p':
+                return at < lastEnd ? text.IndexOf(';', at) : at;
+            default:
+                result.Append('\\').Append(text[at]); // no code: it is what it looks like
+                return at;
+        }
+    }
+
+    /// <summary>\S upper ^ lower; (or / or #): a stacked fraction becomes "upper/lower", with one side empty the other alone.</summary>
+    private static int Stack(string text, int at, StringBuilder result)
+    {
+        var end = text.IndexOf(';', at);
+        var fraction = text[(at + 1)..end];
+        var bar = fraction.AsSpan().IndexOfAny('^', '/', '#');
+        var (upper, lower) = bar < 0 ? (fraction, "") : (fraction[..bar].Trim(), fraction[(bar + 1)..].Trim());
+        result.Append(upper).Append(upper.Length > 0 && lower.Length > 0 ? "/" : "").Append(lower);
+        return end;
+    }
+
+    /// <summary>%%c diameter, %%d degree, %%p plus-minus, %%nnn a character by number; %%u %%o %%k switch lines on and off.</summary>
+    private static string Percents(string text)
+    {
+        if (!text.Contains("%%", StringComparison.Ordinal)) return text;
+        var result = new StringBuilder(text.Length);
+        for (var at = 0; at < text.Length; at++)
+        {
+            if (text[at] != '%' || at + 2 >= text.Length || text[at + 1] != '%') result.Append(text[at]);
+            else at = Percent(text, at + 2, result);
+        }
+
+        return result.ToString();
+    }
+
+    private static int Percent(string text, int at, StringBuilder result)
+    {
+        switch (char.ToLowerInvariant(text[at]))
+        {
+            case 'c':
+                result.Append('\u2300');
+                return at;
+            case 'd':
+                result.Append('\u00B0');
+                return at;
+            case 'p':
+                result.Append('\u00B1');
+                return at;
+            case '%':
+                result.Append('%');
+                return at;
+            case 'u' or 'o' or 'k':
+                return at;
+            case >= '0' and <= '9' when at + 3 <= text.Length && byte.TryParse(text.AsSpan(at, 3), NumberStyles.None, CultureInfo.InvariantCulture, out var number):
+                result.Append(number is >= 128 and < 160 ? "" : ((char)number).ToString());
+                return at + 2;
+            default:
+                result.Append("%%").Append(text[at]);
+                return at;
+        }
+    }
+
+    /// <summary>^I tab, ^J line feed, ^M return (nothing of its own), ^ and a blank: a caret.</summary>
+    private static string Carets(string text) => !text.Contains('^', StringComparison.Ordinal)
+        ? text
+        : text.Replace("^I", "\t", StringComparison.Ordinal).Replace("^J", "\n", StringComparison.Ordinal).Replace("^M", "", StringComparison.Ordinal).Replace("^ ", "^", StringComparison.Ordinal);
+}

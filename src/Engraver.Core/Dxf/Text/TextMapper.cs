@@ -1,0 +1,87 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Mapping;
+using Engraver.Core.Dxf.Records;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Text;
+
+/// <summary>Turns TEXT, MTEXT and ATTRIB into placed texts, in world coordinates (inside a block: the block's).</summary>
+internal sealed class TextMapper(StyleTable styles)
+{
+    private const string StandardStyle = "STANDARD";
+    private const int BackwardFlag = 2;
+    private const int HiddenAttribute = 1;
+
+    /// <summary>The text of a record; null when it says nothing or lies out of range.</summary>
+    public PlacedText? Map(EntityRecord record)
+    {
+        var text = record.Type == "MTEXT" ? MText(record) : Text(record);
+        return text.Content.Length > 0 && PlacedTexts.IsInRange(text) ? text : null;
+    }
+
+    private PlacedText MText(EntityRecord record)
+    {
+        var attachment = Math.Clamp((int)record.First(71, 1.0), 1, 9) - 1;
+        return Common(record) with
+        {
+            Content = TextContent.OfMText(record.TextOf(1, 3)),
+            Position = record.PointOrOrigin(10),
+            Rotation = Direction(record),
+            Mirrored = record.Extrusion().Z < 0.0,
+            FrameWidth = record.First(41, 0.0),
+            LineSpacing = record.First(44, 1.0),
+            Column = (TextColumnAlignment)(attachment % 3),
+            Row = (TextRowAlignment)(TextRowAlignment.Top - (attachment / 3)),
+        };
+    }
+
+    /// <summary>Either an angle (50) or the direction of the lines (11); whichever stands last counts.</summary>
+    private static Angle Direction(EntityRecord record)
+    {
+        var (angle, vector) = (record.Sequence.FindLastIndex(pair => pair.Code == 50), record.Sequence.FindLastIndex(pair => pair.Code == 11));
+        if (vector > angle) return Angle.Direction(record.Number(11, 1.0), record.Number(21, 0.0));
+        var turn = Angle.FromDegrees(record.First(50, 0.0));
+        return record.Extrusion().Z < 0.0 ? Angle.FromDegrees(180.0) - turn : turn; // counted in the entity's own system, the direction in the world
+    }
+
+    private PlacedText Text(EntityRecord record)
+    {
+        var column = (TextColumnAlignment)Math.Clamp((int)record.First(72, 0.0), 0, 5);
+        var row = (TextRowAlignment)Math.Clamp((int)record.First(record.Kind == RecordKind.Attribute ? 74 : 73, 0.0), 0, 3);
+        var between = column is TextColumnAlignment.Aligned or TextColumnAlignment.Fit;
+        var second = record.Has(11) && (column != TextColumnAlignment.Left || row != TextRowAlignment.Baseline);
+        var text = Common(record) with
+        {
+            Content = TextContent.OfText(record.TextOf(1)),
+            Position = record.PointOrOrigin(second && !between ? 11 : 10),
+            End = second && between ? record.PointOrOrigin(11) : null,
+            Rotation = Angle.FromDegrees(record.First(50, 0.0)),
+            WidthFactor = record.First(41, 1.0),
+            Oblique = Angle.FromDegrees(record.First(51, 0.0)),
+            Mirrored = ((int)record.First(71, 0.0) & BackwardFlag) != 0,
+            Column = column,
+            Row = row,
+        };
+        var direction = record.Extrusion();
+        return direction == default || Placement.OfExtrusion(direction) is { IsIdentity: true } ? text : PlacedTexts.Placed(text, Placement.OfExtrusion(direction));
+    }
+
+    private PlacedText Common(EntityRecord record)
+    {
+        var style = record.TextOf(7) is { Length: > 0 } named ? named : StandardStyle;
+        return new PlacedText
+        {
+            Type = record.Type,
+            Content = "",
+            Position = default,
+            Height = record.First(40, 0.0),
+            Rotation = default,
+            Style = style,
+            Font = styles.FontOf(style),
+            Layer = record.Layer,
+            Handle = record.Handle,
+            SourceLine = record.Line,
+            Hidden = record.Invisible || (record.Kind == RecordKind.Attribute && ((int)record.First(70, 0.0) & HiddenAttribute) != 0),
+        };
+    }
+}

@@ -1,0 +1,34 @@
+namespace Engraver.Core.Dxf.Writing;
+
+/// <summary>The handles that other objects of a written drawing point at; all others are handed out from <see cref="FirstFree"/> on.</summary>
+internal static class DxfHandles
+{
+    public const int None = 0;
+
+    public const int BlockRecordTable = 1;
+
+    public const int ModelSpace = 2;
+
+    public const int PaperSpace = 3;
+
+    public const int RootDictionary = 4;
+
+    public const int GroupDictionary = 5;
+
+    public const int LayoutDictionary = 6;
+
+    public const int ModelLayout = 7;
+
+    public const int PaperLayout = 8;
+
+    public const int FirstFree = 0x10;
+
+    /// <summary>Entities begin here unless there are very many layers or styles.</summary>
+    private const int FirstEntity = 0x400;
+
+    /// <summary>More than tables, blocks and objects take besides a handle for each layer and style.</summary>
+    private const int TableHandles = 0x80;
+
+    /// <summary>Where the handles of the entities begin.</summary>
+    public static int FirstEntityOf(DxfSheet sheet) => Math.Max(FirstEntity, TableHandles + sheet.Layers.Count + sheet.Styles.Count);
+}

@@ -1,0 +1,54 @@
+using Engraver.Core.Dxf.Records;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Writing;
+
+/// <summary>Spells a directed segment as LINE, ARC, CIRCLE, ELLIPSE or SPLINE, a run of them as LWPOLYLINE, so that its direction reads back from the geometry alone.</summary>
+/// <remarks>A DXF ARC always runs counter-clockwise in its own system. A clockwise one is therefore written under the extrusion 0,0,-1, whose system is the drawing seen
+/// from behind: x and angles are mirrored (x' = -x, angle' = 180 - angle; DXF reference, "Arbitrary Axis Algorithm"). A CIRCLE starts at angle 0 of its system; a
+/// circle that starts elsewhere is written as an ARC of a whole turn.</remarks>
+internal static class DxfSegmentWriter
+{
+    /// <summary>Degrees; readers take a smaller sweep for none, so such a speck of an arc is written as the line between its ends.</summary>
+    private const double SmallestSweep = 1e-8;
+
+    public static void Write(DxfTagWriter tags, in DxfSheetEntity entity)
+    {
+        var segment = entity.Segment;
+        if (entity.Heights is not null) DxfPolylineWriter.WriteInSpace(Begin(tags, "POLYLINE", entity), entity);
+        else if (entity.Run is not null) DxfPolylineWriter.Write(Begin(tags, "LWPOLYLINE", entity), entity);
+        else if (segment.IsFreeCurve) DxfCurveWriter.Write(Begin(tags, DxfCurveWriter.IsEllipse(segment.Curve) ? "ELLIPSE" : "SPLINE", entity), segment.Curve);
+        else if (segment.Kind == SegmentKind.Line || Math.Abs(segment.Arc.Sweep.Degrees) < SmallestSweep) Line(tags, entity);
+        else Round(tags, segment.Arc, entity);
+    }
+
+    private static void Line(DxfTagWriter tags, in DxfSheetEntity entity) =>
+        Begin(tags, "LINE", entity).Class("AcDbLine").Point(10, entity.Segment.Start, entity.Z.Start).Point(11, entity.Segment.End, entity.Z.End);
+
+    private static void Round(DxfTagWriter tags, ArcSegment arc, in DxfSheetEntity entity)
+    {
+        var mirrored = arc.Sweep.Degrees < 0.0;
+        var centre = mirrored ? new Point2D(-arc.Centre.X, arc.Centre.Y) : arc.Centre;
+        var start = (mirrored ? Angle.FromDegrees(180.0) - arc.Start : arc.Start).Positive();
+        var isCircle = arc.IsFullTurn && start.Degrees == 0.0;
+        Begin(tags, isCircle ? "CIRCLE" : "ARC", entity).Class("AcDbCircle").Point(10, centre, mirrored ? -entity.Z.Start : entity.Z.Start).Real(40, arc.Radius);
+        if (mirrored) tags.Real(210, 0.0).Real(220, 0.0).Real(230, -1.0);
+        if (!isCircle) tags.Class("AcDbArc").Real(50, start.Degrees).Real(51, End(start, arc));
+    }
+
+    /// <summary>Within one turn, except for a whole turn, which ends 360 behind its start.</summary>
+    private static double End(Angle start, ArcSegment arc)
+    {
+        var end = start.Degrees + Math.Abs(arc.Sweep.Degrees);
+        return arc.IsFullTurn || end <= 360.0 ? end : end - 360.0;
+    }
+
+    private static DxfTagWriter Begin(DxfTagWriter tags, string type, in DxfSheetEntity entity)
+    {
+        tags.Begin(type, DxfHandles.ModelSpace).Class("AcDbEntity").Text(8, entity.Layer);
+        if (!entity.Colour.IsByLayer && entity.Colour.Code62 is { } index) tags.Integer(62, index);
+        if (entity.Colour.Rgb is { } rgb) tags.Integer(EntityRecord.TrueColour, (int)rgb);
+        if (entity.Hidden) tags.Integer(60, 1);
+        return tags;
+    }
+}

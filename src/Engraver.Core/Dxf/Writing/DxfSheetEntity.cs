@@ -1,0 +1,35 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Writing;
+
+/// <summary>A curve of a written drawing: a segment with its direction, its layer, and what our own program wants to find again.</summary>
+/// <param name="Segment">In the unit of the sheet; written so that it reads back with this start, end and direction.</param>
+/// <param name="Layer">Name of one of the sheet's layers.</param>
+/// <param name="Role">First text of the extended data; null: none is written.</param>
+/// <param name="Sequence">Place in the order of cutting, 1 is first; 0 for what is not cut.</param>
+/// <param name="Stroke">The stroke it belongs to or leads to, 1 is first.</param>
+public readonly record struct DxfSheetEntity(Segment Segment, string Layer, string? Role, int Sequence, int Stroke)
+{
+    /// <summary>All segments of a polyline, lines and arcs end to start; null for a segment alone.</summary>
+    public IReadOnlyList<Segment>? Run { get; init; }
+
+    /// <summary>The polyline is a closed one: its last segment ends where the first begins.</summary>
+    public bool Closed { get; init; }
+
+    /// <summary>Heights (z) of a line's ends; an arc, a circle and a polyline lie at the first. Ellipses and splines have their own.</summary>
+    public (double Start, double End) Z { get; init; }
+
+    /// <summary>Heights of the vertices of a polyline of lines that does not lie level; null for every other.</summary>
+    public IReadOnlyList<double>? Heights { get; init; }
+
+    /// <summary>How many handles it takes: a polyline in space has vertices and an end with handles of their own.</summary>
+    internal int Handles => Heights is null ? 1 : Heights.Count + 2;
+
+    public DrawingColour Colour { get; init; }
+
+    /// <summary>Written as invisible (code 60).</summary>
+    public bool Hidden { get; init; }
+
+    public IReadOnlyList<Segment> Segments => Run ?? [Segment];
+}

@@ -1,0 +1,59 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Writing;
+
+/// <summary>Writes (group code, value) pairs as ASCII DXF; handles are handed out in order. Calls chain.</summary>
+/// <param name="output">LF or CR LF are both fine for DXF; LF is written.</param>
+/// <param name="firstHandle">The first handle that <see cref="NextHandle"/> gives away.</param>
+internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
+{
+    private int _nextHandle = firstHandle;
+
+    public DxfTagWriter Text(int code, string value)
+    {
+        output.Write(code.ToString(CultureInfo.InvariantCulture));
+        output.Write('\n');
+        output.Write(Ascii.IsValid(value) ? value : Escaped(value));
+        output.Write('\n');
+        return this;
+    }
+
+    /// <summary>Every other character as \U+XXXX, which AutoCAD and its kin read in any code page.</summary>
+    private static string Escaped(string value) =>
+        string.Concat(value.Select(unit => char.IsAscii(unit) ? unit.ToString() : string.Create(CultureInfo.InvariantCulture, $@"\U+{(int)unit:X4}")));
+
+    public DxfTagWriter Integer(int code, int value) => Text(code, value.ToString(CultureInfo.InvariantCulture));
+
+    public DxfTagWriter Handle(int code, int handle) => Text(code, handle.ToString("X", CultureInfo.InvariantCulture));
+
+    /// <summary>The shortest text that reads back as the same number, always with a point or an exponent; minus zero is zero.</summary>
+    public DxfTagWriter Real(int code, double value)
+    {
+        var text = (value + 0.0).ToString("R", CultureInfo.InvariantCulture);
+        return Text(code, text.AsSpan().ContainsAny('.', 'E') ? text : text + ".0");
+    }
+
+    /// <summary>A point: the code, code + 10 and code + 20.</summary>
+    public DxfTagWriter Point(int code, Point2D place, double z = 0.0) => Real(code, place.X).Real(code + 10, place.Y).Real(code + 20, z);
+
+    public DxfTagWriter Point(int code, Vector3D place) => Real(code, place.X).Real(code + 10, place.Y).Real(code + 20, place.Z);
+
+    /// <summary>Marker of an object's class, group 100.</summary>
+    public DxfTagWriter Class(string marker) => Text(100, marker);
+
+    /// <summary>Begins an object with the next free handle.</summary>
+    public DxfTagWriter Begin(string type, int owner) => Begin(type, owner, NextHandle());
+
+    public DxfTagWriter Begin(string type, int owner, int handle) => Text(0, type).Handle(type == "DIMSTYLE" ? 105 : 5, handle).Handle(330, owner);
+
+    public int NextHandle() => _nextHandle++;
+
+    public void Section(string name, Action<DxfTagWriter> content)
+    {
+        Text(0, "SECTION").Text(2, name);
+        content(this);
+        Text(0, "ENDSEC");
+    }
+}

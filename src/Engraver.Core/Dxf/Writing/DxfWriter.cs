@@ -1,0 +1,61 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Writing;
+
+/// <summary>Writes a drawing of lines, arcs, circles, ellipses, splines and texts as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader asks for.</summary>
+/// <remarks>Order and direction are kept: a clockwise arc stands under the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
+/// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
+public static class DxfWriter
+{
+    /// <summary>Name under which the extended data is registered.</summary>
+    public const string Application = "CNCENGRAVER";
+
+    /// <summary>Codes of $INSUNITS that are English.</summary>
+    private static readonly int[] s_english = [1, 2, 3, 8, 9, 10, 21, 22, 23, 24];
+
+    /// <summary>The same sheet gives the same text. LF line ends, ASCII.</summary>
+    public static void Write(DxfSheet sheet, TextWriter output)
+    {
+        var tags = new DxfTagWriter(output, DxfHandles.FirstFree);
+        tags.Section("HEADER", header => Header(header, sheet));
+        tags.Section("CLASSES", _ => { });
+        tags.Section("TABLES", tables => new DxfTableWriter(tables).Write(sheet.Layers, sheet.Styles));
+        tags.Section("BLOCKS", Blocks);
+        new DxfTagWriter(output, DxfHandles.FirstEntityOf(sheet)).Section("ENTITIES", entities => Entities(entities, sheet));
+        tags.Section("OBJECTS", DxfObjectWriter.Write);
+        tags.Text(0, "EOF");
+    }
+
+    private static void Header(DxfTagWriter tags, DxfSheet sheet)
+    {
+        var box = sheet.Bounds.IsEmpty ? Bounds2D.FromCorners(default, default) : sheet.Bounds;
+        tags.Text(9, "$ACADVER").Text(1, sheet.HasTrueColours ? "AC1018" : "AC1015");
+        tags.Text(9, "$DWGCODEPAGE").Text(3, "ANSI_1252");
+        tags.Text(9, "$INSUNITS").Integer(70, sheet.InsUnits);
+        tags.Text(9, "$MEASUREMENT").Integer(70, s_english.Contains(sheet.InsUnits) ? 0 : 1);
+        tags.Text(9, "$EXTMIN").Point(10, new Point2D(box.MinX, box.MinY));
+        tags.Text(9, "$EXTMAX").Point(10, new Point2D(box.MaxX, box.MaxY));
+        tags.Text(9, "$HANDSEED").Handle(5, DxfHandles.FirstEntityOf(sheet) + sheet.Handles);
+    }
+
+    private static void Blocks(DxfTagWriter tags)
+    {
+        foreach (var (name, owner) in new[] { ("*Model_Space", DxfHandles.ModelSpace), ("*Paper_Space", DxfHandles.PaperSpace) })
+        {
+            tags.Begin("BLOCK", owner).Class("AcDbEntity").Text(8, "0").Class("AcDbBlockBegin")
+                .Text(2, name).Integer(70, 0).Point(10, default).Text(3, name).Text(1, "");
+            tags.Begin("ENDBLK", owner).Class("AcDbEntity").Text(8, "0").Class("AcDbBlockEnd");
+        }
+    }
+
+    private static void Entities(DxfTagWriter tags, DxfSheet sheet)
+    {
+        foreach (var entity in sheet.Entities)
+        {
+            DxfSegmentWriter.Write(tags, entity);
+            if (entity.Role is { } role) tags.Text(1001, Application).Text(1000, role).Integer(1071, entity.Sequence).Integer(1071, entity.Stroke);
+        }
+
+        foreach (var text in sheet.Texts) DxfTextWriter.Write(tags, text);
+    }
+}

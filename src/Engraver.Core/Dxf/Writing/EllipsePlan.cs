@@ -1,0 +1,40 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Dxf.Writing;
+
+/// <summary>An ellipse or its arc in plan, as DXF writes it, found again from its rational parabolas.</summary>
+/// <param name="Major">From the centre to an end of the longer axis.</param>
+/// <param name="Ratio">Shorter over longer axis, above 0 and at most 1.</param>
+/// <param name="Start">Parameter at the start, radians, 0 to a turn.</param>
+/// <param name="End">Parameter at the end, above the start.</param>
+internal readonly record struct EllipsePlan(Point2D Centre, Vector2D Major, double Ratio, double Start, double End, bool CounterClockwise)
+{
+    /// <summary>AutoCAD takes no thinner ellipse.</summary>
+    private const double SmallestRatio = 1e-6;
+
+    public static EllipsePlan From(RationalCurve curve)
+    {
+        var (centre, first, second, half) = Halves(curve.Spans[0]);
+        var turn = 0.5 * Math.Atan2(2.0 * first.Dot(second), first.LengthSquared - second.LengthSquared);
+        var (major, minor) = ((first * Math.Cos(turn)) + (second * Math.Sin(turn)), (second * Math.Cos(turn)) - (first * Math.Sin(turn)));
+        if (minor.LengthSquared > major.LengthSquared) (major, minor, turn) = (minor, -major, turn + (Math.PI / 2.0));
+        var sweep = curve.Spans.ToArray().Sum(span => 2.0 * HalfAngle(span));
+        var start = Math.IEEERemainder(-half - turn, Math.Tau);
+        if (start < 0.0) start += Math.Tau;
+        var ratio = Math.Max(minor.Length / major.Length, SmallestRatio);
+        return new EllipsePlan(centre, major, ratio, start, start + (curve.IsClosed ? Math.Tau : sweep), major.Cross(minor) >= 0.0);
+    }
+
+    private static double HalfAngle(BezierSpan span) => Math.Acos(Math.Clamp(span.Weight(1) / Math.Sqrt(span.Weight(0) * span.Weight(2)), -1.0, 1.0));
+
+    /// <summary>The conjugate half-diameters of a span over the parameters -half to half: centre + first cos + second sin.</summary>
+    private static (Point2D Centre, Vector2D First, Vector2D Second, double Half) Halves(BezierSpan span)
+    {
+        var half = HalfAngle(span);
+        var (cos, sin) = (Math.Cos(half), Math.Sin(half));
+        var chord = span.End - span.Start;
+        var middle = span.Start + (chord * 0.5);
+        var first = (span.Control(1) - middle) * (cos / (sin * sin));
+        return (middle - (first * cos), first, chord * (0.5 / sin), half);
+    }
+}

@@ -1,0 +1,53 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+
+namespace Engraver.Core.EntityTables;
+
+/// <summary>What can be seen on the layers that are cut and gives no cut: texts, and construction such as hatches, dimensions and points. What was refused is told by the drawing's balance instead.</summary>
+/// <param name="Counts">By DXF type, in the order of their names, blocks expanded; empty when all that is seen is cut.</param>
+/// <param name="First">Where the first of them stands in the file.</param>
+public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, SourceRef First)
+{
+    public static NotCutFindings From(Drawing drawing, LayerSelection selection)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        ArgumentNullException.ThrowIfNull(selection);
+        var taken = selection.Taken(drawing.Layers);
+        var counts = new SortedDictionary<string, int>(StringComparer.Ordinal);
+        var first = default(SourceRef?);
+        foreach (var text in drawing.Texts)
+        {
+            if (!text.Hidden && taken[text.Layer]) Add(text.Type, 1, new SourceRef(text.SourceLine, text.Handle == 0 ? null : text.Handle.ToString("X", System.Globalization.CultureInfo.InvariantCulture)));
+        }
+
+        foreach (var (type, layer, count, source) in drawing.Construction)
+        {
+            if (taken[layer]) Add(type, count, source);
+        }
+
+        return new NotCutFindings(counts, first ?? default);
+
+        void Add(string type, int count, SourceRef source)
+        {
+            counts[type] = (int)Math.Min((long)counts.GetValueOrDefault(type) + count, int.MaxValue);
+            if (first is not { } known || source.Line < known.Line) first = source;
+        }
+    }
+
+    /// <summary>For example "1 HATCH and 2 TEXT are"; "" when nothing is left.</summary>
+    public string Subject
+    {
+        get
+        {
+            string[] parts = [.. Counts.Select(pair => FormattableString.Invariant($"{pair.Value} {pair.Key}"))];
+            if (parts.Length == 0) return "";
+            var list = parts.Length == 1 ? parts[0] : $"{string.Join(", ", parts[..^1])} and {parts[^1]}";
+            return $"{list} {Verb}";
+        }
+    }
+
+    /// <summary>The finding about it; null when nothing is left.</summary>
+    public Diagnostic? Finding => Counts.Count == 0 ? null : PreparationRules.NotCut.At(First, Subject, Verb);
+
+    private string Verb => Counts is { Count: 1 } && Counts.Values.First() == 1 ? "is" : "are";
+}

@@ -1,0 +1,55 @@
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Sequencing.ArcRecovery;
+
+/// <summary>Recognises the arcs and circles that a drawing holds as many short lines (an export flattened them) and puts true arcs in their place.</summary>
+public static class ArcRecoverer
+{
+    /// <summary>Part of the error that lines may stand apart and still be one run: separate LINE entities meet only to rounding.</summary>
+    private const double GapShare = 0.05;
+
+    /// <summary>A table in which lines that approximate an arc within <paramref name="maxError"/> (mm, both ways, proven at every chord) are one row. Nothing else changes.</summary>
+    /// <param name="analysed">Rows as drawn; lines, whether of polylines or alone, are joined end to end before they are looked at.</param>
+    /// <param name="maxError">Above 0.</param>
+    /// <returns>The rows in their old order, an arc in the place of its lowest row and with that row's entity; and what was replaced.</returns>
+    public static ArcRecoveryResult Recover(EntityTable analysed, double maxError)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxError);
+        return Recover(analysed, analysed.ToSegments(), maxError);
+    }
+
+    /// <param name="segments">Those of the table.</param>
+    internal static ArcRecoveryResult Recover(EntityTable analysed, Segment[] segments, double maxError)
+    {
+        var replacement = new ArcReplacement(analysed);
+        var contours = Contours(segments, maxError);
+        var junctions = contours.Where(contour => !contour.Closed).SelectMany(contour => new[] { contour.StartIn(segments), contour.EndIn(segments) }).ToHashSet();
+        foreach (var contour in contours)
+        {
+            if (contour.Pieces.Length >= ChordRun.FewestChords) new ContourArcs(contour, segments, analysed, junctions, (1.0 - GapShare) * maxError).FindInto(replacement);
+        }
+
+        return replacement.ToResult();
+    }
+
+    /// <summary>The contours in which an arc may be.</summary>
+    private static List<Contour> Contours(Segment[] segments, double maxError)
+    {
+        if (ChordJoints.RowsOf(segments, GapShare * maxError, maxError) is not { } rows || rows.Length == segments.Length) return new ContourWalker(segments, GapShare * maxError, EndHeights.Flat).WalkAll();
+        var contours = new ContourWalker([.. rows.Select(row => segments[row])], GapShare * maxError, EndHeights.Flat).WalkAll();
+        return contours.ConvertAll(contour => contour with { Pieces = contour.Pieces.ToArray().Select(piece => piece with { Row = rows[piece.Row] }).ToArray() });
+    }
+}
+
+/// <summary>One replacement: <paramref name="Lines"/> rows became the row <paramref name="Row"/> of the new table.</summary>
+/// <param name="Row">Row of the arc or circle.</param>
+/// <param name="Lines">How many lines it stands for.</param>
+/// <param name="Deviation">Largest distance between the lines and the arc, mm.</param>
+public readonly record struct ArcRecoveryNote(int Row, int Lines, double Deviation);
+
+/// <summary>A table with recovered arcs.</summary>
+/// <param name="Table">Fewer rows, the same path within the error.</param>
+/// <param name="Arcs">One for each arc, in row order.</param>
+public sealed record ArcRecoveryResult(EntityTable Table, IReadOnlyList<ArcRecoveryNote> Arcs);

@@ -1,0 +1,50 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.ArcRecovery;
+
+/// <summary>Straight pieces of a contour, end to start: takes the arcs out of them, each as long as it goes.</summary>
+internal static class ChordRun
+{
+    /// <summary>An arc needs five vertices: through three there is always a circle, and four are a coincidence.</summary>
+    public const int FewestChords = 4;
+
+    /// <summary>Hands every arc found to <paramref name="take"/>, with its first chord and the number of its chords.</summary>
+    /// <remarks>Longest first from each vertex, by galloping and bisection: the work is linear in the number of vertices but for a small factor.</remarks>
+    public static void Recover(ReadOnlySpan<Point2D> vertices, in ChordTolerances tolerances, Action<int, int, RecoveredArc> take)
+    {
+        for (var from = 0; from + FewestChords < vertices.Length;)
+        {
+            if (Longest(vertices[from..], tolerances) is { } found)
+            {
+                if (ArcFit.Rises(found.Arc, tolerances.MaxError)) take(from, found.Chords, found.Arc);
+                from += found.Chords;
+            }
+            else
+            {
+                from++;
+            }
+        }
+    }
+
+    private static (int Chords, RecoveredArc Arc)? Longest(ReadOnlySpan<Point2D> vertices, in ChordTolerances tolerances)
+    {
+        if (ArcFit.Arc(vertices[..(FewestChords + 1)], tolerances) is not { } best) return null;
+        var (good, bad) = (FewestChords, vertices.Length);
+        for (var step = FewestChords; good < bad - 1; step *= 2)
+        {
+            var chords = Math.Min(good + step, vertices.Length - 1);
+            if (ArcFit.Arc(vertices[..(chords + 1)], tolerances) is { } longer) (good, best) = (chords, longer);
+            else bad = chords;
+            if (bad < vertices.Length) break;
+        }
+
+        while (bad - good > 1)
+        {
+            var chords = (good + bad) / 2;
+            if (ArcFit.Arc(vertices[..(chords + 1)], tolerances) is { } longer) (good, best) = (chords, longer);
+            else bad = chords;
+        }
+
+        return (good, best);
+    }
+}

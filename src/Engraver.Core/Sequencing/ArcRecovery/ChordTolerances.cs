@@ -1,0 +1,36 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.ArcRecovery;
+
+/// <summary>How exactly chords must follow an arc, mm.</summary>
+/// <param name="MaxError">Largest distance between them, either way.</param>
+/// <param name="Rounding">By how much coordinates may be off because they were written with so many decimals; short chords turn by that.</param>
+internal readonly record struct ChordTolerances(double MaxError, double Rounding)
+{
+    private const double FinestRounding = 2e-6;
+    private const int MostDecimals = 5;
+
+    /// <summary>With the rounding that the vertices show: the fewest decimals (3 to 5) that write them all.</summary>
+    public static ChordTolerances For(ReadOnlySpan<Point2D> vertices, double maxError)
+    {
+        for (var decimals = 3; decimals <= MostDecimals; decimals++)
+        {
+            var step = Math.Pow(10.0, -decimals);
+            if (AreMultiples(vertices, 1.0 / step)) return new ChordTolerances(maxError, step);
+        }
+
+        return new ChordTolerances(maxError, FinestRounding);
+    }
+
+    private static bool AreMultiples(ReadOnlySpan<Point2D> vertices, double perUnit)
+    {
+        foreach (var vertex in vertices)
+        {
+            if (!IsWhole(vertex.X * perUnit) || !IsWhole(vertex.Y * perUnit)) return false;
+        }
+
+        return true;
+    }
+
+    private static bool IsWhole(double value) => Math.Abs(value - Math.Round(value)) <= 1e-4;
+}

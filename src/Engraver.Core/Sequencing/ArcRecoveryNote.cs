@@ -1,7 +1,0 @@
-namespace Engraver.Core.Sequencing;
-
-/// <summary>One replacement: <paramref name="Lines"/> rows became the row <paramref name="Row"/> of the new table.</summary>
-/// <param name="Row">Row of the arc or circle.</param>
-/// <param name="Lines">How many lines it stands for.</param>
-/// <param name="Deviation">Largest distance between the lines and the arc, mm.</param>
-public readonly record struct ArcRecoveryNote(int Row, int Lines, double Deviation);

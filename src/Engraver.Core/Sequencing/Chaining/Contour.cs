@@ -1,0 +1,33 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.Chaining;
+
+/// <summary>Segments joined end to start. An open contour begins at one of its ends, a closed one at its lowest row; both run in the direction of their lowest row.</summary>
+/// <param name="Pieces">At least one.</param>
+/// <param name="Closed">True when the last piece ends within the join tolerance of the start of the first.</param>
+public sealed record Contour(ReadOnlyMemory<ContourPiece> Pieces, bool Closed)
+{
+    public Point2D StartIn(ReadOnlySpan<Segment> segments) => Pieces.Span[0].StartIn(segments);
+
+    public Point2D EndIn(ReadOnlySpan<Segment> segments) => Pieces.Span[^1].EndIn(segments);
+
+    /// <summary>True for a whole circle drawn as one: it can start at either quadrant point.</summary>
+    public bool IsCircleIn(ReadOnlySpan<Segment> segments) => Pieces.Length == 1 && segments[Pieces.Span[0].Row].Kind == SegmentKind.Circle;
+}
+
+/// <summary>One segment of a contour: which row it is, and whether the contour runs it backwards.</summary>
+public readonly record struct ContourPiece(int Row, bool Reversed)
+{
+    /// <summary>Number of the end at which the contour comes into the piece: 2 x row is a segment's start, 2 x row + 1 its end.</summary>
+    public int StartNumber => (2 * Row) + (Reversed ? 1 : 0);
+
+    /// <summary>Number of the end at which the contour leaves it.</summary>
+    public int EndNumber => (2 * Row) + (Reversed ? 0 : 1);
+
+    /// <summary>The piece when the whole contour is turned round.</summary>
+    public ContourPiece Turned() => this with { Reversed = !Reversed };
+
+    public Point2D StartIn(ReadOnlySpan<Segment> segments) => Reversed ? segments[Row].End : segments[Row].Start;
+
+    public Point2D EndIn(ReadOnlySpan<Segment> segments) => Reversed ? segments[Row].Start : segments[Row].End;
+}

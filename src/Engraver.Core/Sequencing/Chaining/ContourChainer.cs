@@ -1,0 +1,34 @@
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.Chaining;
+
+/// <summary>The paper's AUTOSEQUENCE: loose, arbitrarily directed segments become contours (paper 000, figure 2).</summary>
+public static class ContourChainer
+{
+    /// <summary>Joins segments end to start within <paramref name="joinTolerance"/> (millimetres). Every segment lands in exactly one contour.</summary>
+    /// <returns>Contours in order of their lowest row, and one discontinuity for each end without a partner. Empty input gives an empty result.</returns>
+    /// <remarks>Linear in the number of segments (hash grid of ends); paper 000's repeated passes give the same contours. A contour grows from its lowest row
+    /// forwards, then, when it did not close, backwards. Two ends join when they lie within the tolerance of each other (not by way of a third).
+    /// At a branch: segments shorter than the tolerance first, nearest first (they lead nowhere else), then the straightest continuation, then the lowest row.</remarks>
+    public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance) => Chain(segments, joinTolerance, EndHeights.Flat);
+
+    /// <summary>The same for segments at different heights: ends at clearly different heights do not join, however near they are as seen from above.</summary>
+    public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance, EndHeights heights)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(joinTolerance);
+        var walker = new ContourWalker(segments.ToArray(), joinTolerance, heights);
+        var contours = walker.WalkAll();
+        return new ChainResult(contours, OpenEndSearch.Find(contours, segments, heights), walker.Branches) { Looks = walker.Looks };
+    }
+}
+
+/// <summary>What chaining found.</summary>
+/// <param name="Contours">In order of their lowest row.</param>
+/// <param name="Discontinuities">Two for every open contour, start before end, in contour order.</param>
+/// <param name="Branches">Times a contour had to choose between several continuations.</param>
+public sealed record ChainResult(IReadOnlyList<Contour> Contours, IReadOnlyList<Discontinuity> Discontinuities, int Branches)
+{
+    /// <summary>How many segment ends, and boxes of them, were looked at: what chaining cost.</summary>
+    public long Looks { get; init; }
+}

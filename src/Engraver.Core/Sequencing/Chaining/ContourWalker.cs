@@ -1,0 +1,187 @@
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.Chaining;
+
+/// <summary>Walks from segment to segment until every one stands in a contour. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
+internal sealed class ContourWalker
+{
+    /// <summary>Two continuations whose cosines differ by less are equally straight; the lower row decides.</summary>
+    private const double SameTurnCosine = 1e-9;
+
+    /// <summary>A contour no longer than twice the tolerance is closed when its ends are this much nearer to each other than it is long.</summary>
+    private const double SmallContourGap = 1e-3;
+
+    private readonly Segment[] _segments;
+    private readonly double _tolerance;
+    private readonly EndHeights _heights;
+    private readonly EndGrid _ends;
+    private readonly bool[] _used;
+    private readonly CrowdedJunctions _crowded;
+    private readonly List<int> _near = [];
+    private readonly Predicate<int> _counts;
+    private int _closingRow;
+    private int _level;
+
+    public ContourWalker(Segment[] segments, double joinTolerance, EndHeights heights)
+    {
+        _segments = segments;
+        _tolerance = joinTolerance;
+        _heights = heights;
+        _used = new bool[segments.Length];
+        var places = new Point2D[2 * segments.Length];
+        for (var row = 0; row < segments.Length; row++) (places[2 * row], places[(2 * row) + 1]) = (segments[row].Start, segments[row].End);
+        _ends = new EndGrid(places, joinTolerance);
+        _crowded = new CrowdedJunctions(_ends, places, joinTolerance);
+        _counts = end => (!_used[end / 2] || end / 2 == _closingRow) && (_heights.AreFlat || _heights.LevelOf(end) == _level);
+        for (var row = 0; row < segments.Length; row++)
+        {
+            if (segments[row].IsClosed) TakeEnds(row);
+        }
+    }
+
+    /// <summary>Times a continuation had to be chosen from several.</summary>
+    public int Branches { get; private set; }
+
+    /// <summary>How many ends and boxes of ends were looked at.</summary>
+    public long Looks => _ends.Looks + _crowded.Looks;
+
+    public List<Contour> WalkAll()
+    {
+        var contours = new List<Contour>();
+        for (var row = 0; row < _segments.Length; row++)
+        {
+            if (!_used[row]) contours.Add(_segments[row].IsClosed ? Alone(row) : WalkFrom(row));
+        }
+
+        return contours;
+    }
+
+    /// <summary>A circle, a whole ellipse, a closed spline.</summary>
+    private Contour Alone(int row)
+    {
+        _used[row] = true;
+        return new Contour(new[] { new ContourPiece(row, Reversed: false) }, Closed: true);
+    }
+
+    private Contour WalkFrom(int row)
+    {
+        var first = new ContourPiece(row, Reversed: false);
+        _used[row] = true;
+        _ends.Take((2 * row) + 1); // the start stays in the grid: coming back to it closes the contour
+        var ahead = new List<ContourPiece> { first };
+        if (Grow(ahead, row)) return new Contour(ahead.ToArray(), Closed: true);
+
+        _ends.Take(2 * row);
+        var behind = new List<ContourPiece> { first.Turned() };
+        Grow(behind, closingRow: -1);
+        var pieces = behind.Skip(1).Reverse().Select(piece => piece.Turned()).Concat(ahead).ToArray();
+        return new Contour(pieces, Closed: false);
+    }
+
+    /// <summary>Appends continuations until there is none. True when the contour came back to the start of <paramref name="closingRow"/>.</summary>
+    private bool Grow(List<ContourPiece> pieces, int closingRow)
+    {
+        var length = _segments[pieces[0].Row].Length;
+        while (Next(pieces[^1], length > 2.0 * _tolerance || EndsMeet(pieces, length) ? closingRow : -1) is { } next)
+        {
+            if (next.Row == closingRow)
+            {
+                _ends.Take(2 * closingRow);
+                return true;
+            }
+
+            pieces.Add(next);
+            length += _segments[next.Row].Length;
+            _used[next.Row] = true;
+            TakeEnds(next.Row);
+        }
+
+        return false;
+    }
+
+    private bool EndsMeet(List<ContourPiece> pieces, double length) => length > 0.0 && pieces[0].StartIn(_segments).DistanceTo(pieces[^1].EndIn(_segments)) <= SmallContourGap * length;
+
+    private void TakeEnds(int row)
+    {
+        _ends.Take(2 * row);
+        _ends.Take((2 * row) + 1);
+    }
+
+    /// <summary>The piece that follows, or null. In a contour no longer than twice the tolerance the start is near the end in any case: it closes only where they meet.</summary>
+    private ContourPiece? Next(ContourPiece last, int closingRow)
+    {
+        var here = last.EndIn(_segments);
+        (_closingRow, _level) = (closingRow, _heights.LevelOf(last.EndNumber));
+        if (!_ends.TryNear(here, _counts, CrowdedJunctions.Crowd, _near)) return NextInCrowd(here, TravelAtEnd(last));
+        if (_near.Count == 0) return null;
+        var isBranch = _near.Exists(end => end / 2 != _near[0] / 2);
+        if (isBranch) Branches++;
+        return PieceFrom(ShortestDetour(here) ?? (isBranch ? Straightest(here, TravelAtEnd(last)) : NearerEnd(here)));
+    }
+
+    private static ContourPiece PieceFrom(int end) => new(end / 2, Reversed: (end & 1) == 1);
+
+    /// <summary>The same choice where too many ends are about to look at each.</summary>
+    private ContourPiece? NextInCrowd(Point2D here, Vector2D travel)
+    {
+        var junctions = _crowded.Near(here, _level, IsAtLevel, IsShort, TravelInto);
+        var detour = _crowded.NearestShort(junctions, here, _counts);
+        var straightest = detour is null ? _crowded.Straightest(junctions, here, travel, SameTurnCosine, _counts) : null;
+        if ((detour ?? straightest?.End) is not { } end) return null;
+        var isBranch = _crowded.IsAny(junctions, here, other => other / 2 != end / 2 && _counts(other));
+        if (isBranch) Branches++;
+        return PieceFrom(detour ?? NearerOf(end, here, travel, isBranch ? straightest!.Value.Cosine - SameTurnCosine : double.NegativeInfinity));
+    }
+
+    /// <summary>An end, or the other one of its segment where that can be chosen as well, is nearer and no less straight than demanded.</summary>
+    private int NearerOf(int end, Point2D here, Vector2D travel, double leastCosine)
+    {
+        var other = end ^ 1;
+        var canBe = _counts(other) && !_ends.IsTaken(other) && PlaceOf(other).IsNear(here, _tolerance) && travel.Dot(TravelInto(other)) >= leastCosine;
+        return canBe && IsNearer(other, end, here) ? other : end;
+    }
+
+    private bool IsAtLevel(int end) => _heights.LevelOf(end) == _level;
+
+    private bool IsShort(int end) => _segments[end / 2].Length <= _tolerance;
+
+    private int? ShortestDetour(Point2D here)
+    {
+        int? best = null;
+        foreach (var end in _near)
+        {
+            if (IsShort(end) && (best is not { } other || IsNearer(end, other, here))) best = end;
+        }
+
+        return best;
+    }
+
+    /// <summary>The end of the only candidate segment that is nearer to here, its start when both are equally near.</summary>
+    private int NearerEnd(Point2D here) => _near.Count == 1 || IsNearer(_near[0], _near[1], here) ? _near[0] : _near[1];
+
+    private bool IsNearer(int end, int other, Point2D here)
+    {
+        var difference = here.DistanceTo(PlaceOf(end)) - here.DistanceTo(PlaceOf(other));
+        return difference < 0.0 || (difference == 0.0 && end < other);
+    }
+
+    private int Straightest(Point2D here, Vector2D travel)
+    {
+        var straightest = _near.Max(end => travel.Dot(TravelInto(end)));
+        var best = -1;
+        foreach (var end in _near)
+        {
+            if (travel.Dot(TravelInto(end)) < straightest - SameTurnCosine) continue;
+            if (best < 0 || end / 2 < best / 2 || (end / 2 == best / 2 && IsNearer(end, best, here))) best = end;
+        }
+
+        return best;
+    }
+
+    private Point2D PlaceOf(int end) => (end & 1) == 0 ? _segments[end / 2].Start : _segments[end / 2].End;
+
+    private Vector2D TravelAtEnd(ContourPiece piece) => piece.Reversed ? -_segments[piece.Row].StartTangent : _segments[piece.Row].EndTangent;
+
+    private Vector2D TravelInto(int end) => (end & 1) == 0 ? _segments[end / 2].StartTangent : -_segments[end / 2].EndTangent;
+}

@@ -1,0 +1,112 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.Chaining;
+
+/// <summary>Places where very many segments meet (the middle of a sunburst, a star smaller than the tolerance): the ends in such a square of the grid stand in trees, so that finding the next takes about a logarithm and not a look at each.</summary>
+internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double tolerance)
+{
+    /// <summary>So many ends about one place are looked at one by one.</summary>
+    public const int Crowd = 128;
+
+    /// <summary>Allowance for rounding, as a part of the tolerance: whether an end is near is decided by <see cref="Point2D.IsNear"/>.</summary>
+    private const double Rounding = 1e-9;
+
+    private readonly Dictionary<((long X, long Y) Cell, int Level), Junction> _junctions = [];
+    private readonly List<int> _setAside = [];
+    private long _looks;
+
+    /// <summary>How many ends and boxes were looked at.</summary>
+    public long Looks => _looks + _junctions.Values.Sum(junction => junction.Others.Looks);
+
+    /// <summary>The crowds in which ends near to here may stand.</summary>
+    /// <param name="here">Where the walk stands.</param>
+    /// <param name="level">At which height (a level of the ends).</param>
+    /// <param name="isAtLevel">True for the ends at that height.</param>
+    /// <param name="isShort">True for the ends of segments shorter than the tolerance.</param>
+    /// <param name="travelInto">Direction in which a segment is entered at an end, length 1.</param>
+    public Junction[] Near(Point2D here, int level, Predicate<int> isAtLevel, Predicate<int> isShort, Func<int, Vector2D> travelInto)
+    {
+        var found = new List<Junction>();
+        foreach (var cell in ends.CellsNear(here).OrderByDescending(cell => cell == ends.CellAt(here))) // the nearest stands there as a rule, and no farther one need be found elsewhere
+        {
+            if (!_junctions.TryGetValue((cell, level), out var junction))
+            {
+                var all = ends.PlacesIn(cell).Where(end => isAtLevel(end)).ToLookup(end => isShort(end));
+                int[] shorts = [.. all[true]];
+                junction = new Junction(shorts, BoxTree.Build([.. shorts.Select(end => places[end])]), DirectionTree.Of([.. all[false]], places, tolerance, travelInto));
+                _junctions.Add((cell, level), junction);
+            }
+
+            found.Add(junction);
+        }
+
+        return [.. found];
+    }
+
+    /// <summary>The nearest end of a short segment within the tolerance, ties to the lower number; null without one.</summary>
+    public int? NearestShort(Junction[] junctions, Point2D here, Predicate<int> counts)
+    {
+        int? best = null;
+        var within = tolerance * (1.0 + Rounding);
+        foreach (var junction in junctions)
+        {
+            if (NearestShort(junction, here, within, counts) is not { } end) continue;
+            var distance = here.DistanceTo(places[end]);
+            if (best is null || distance < within || end < best) best = end;
+            within = distance;
+        }
+
+        return best;
+    }
+
+    private int? NearestShort(Junction junction, Point2D here, double within, Predicate<int> counts)
+    {
+        var item = Nearest(junction, here, within);
+        while (item >= 0 && (ends.IsTaken(junction.Shorts[item]) || !counts(junction.Shorts[item])))
+        {
+            junction.ShortPlaces.Hide(item);
+            if (!ends.IsTaken(junction.Shorts[item])) _setAside.Add(item); // the first segment of the walk, which may be a goal later
+            item = Nearest(junction, here, within);
+        }
+
+        foreach (var hidden in _setAside) junction.ShortPlaces.Show(hidden);
+        _setAside.Clear();
+        return item >= 0 && places[junction.Shorts[item]].IsNear(here, tolerance) ? junction.Shorts[item] : null;
+    }
+
+    private int Nearest(Junction junction, Point2D here, double within) => junction.ShortPlaces.Nearest(here, (item, place) => Distance(junction.Shorts[item], place), within, out _);
+
+    private double Distance(int end, Point2D place)
+    {
+        _looks++;
+        return places[end].DistanceTo(place);
+    }
+
+    /// <summary>True when there is any end within the tolerance for which <paramref name="counts"/> holds.</summary>
+    public bool IsAny(Junction[] junctions, Point2D here, Predicate<int> counts) =>
+        NearestShort(junctions, here, counts) is not null || Straightest(junctions, here, default, 0.0, counts) is not null;
+
+    /// <summary>The end within the tolerance that leads straightest on; of equals that of the lowest number; null without one.</summary>
+    /// <param name="junctions">What <see cref="Near"/> gave.</param>
+    /// <param name="here">Where the walk stands.</param>
+    /// <param name="travel">Direction of travel, length 1.</param>
+    /// <param name="sameTurnCosine">Directions whose cosines differ by less are equally straight.</param>
+    /// <param name="counts">True for the ends that may be chosen.</param>
+    /// <returns>The end, and the cosine of the straightest.</returns>
+    public (int End, double Cosine)? Straightest(Junction[] junctions, Point2D here, Vector2D travel, double sameTurnCosine, Predicate<int> counts)
+    {
+        var query = new DirectionTree.Query(here, tolerance, travel, end => !ends.IsTaken(end) && counts(end), ends.IsTaken);
+        var straightest = double.NegativeInfinity;
+        foreach (var junction in junctions) straightest = junction.Others.Straightest(query, straightest);
+        if (double.IsNegativeInfinity(straightest)) return null;
+        var lowest = int.MaxValue;
+        foreach (var junction in junctions) lowest = junction.Others.Lowest(query, straightest - sameTurnCosine, lowest);
+        return (lowest, straightest);
+    }
+
+    /// <summary>The ends of one square at one height.</summary>
+    /// <param name="Shorts">Ends of segments shorter than the tolerance, ascending.</param>
+    /// <param name="ShortPlaces">Where they lie.</param>
+    /// <param name="Others">The ends of all other segments.</param>
+    public sealed record Junction(int[] Shorts, BoxTree ShortPlaces, DirectionTree Others);
+}

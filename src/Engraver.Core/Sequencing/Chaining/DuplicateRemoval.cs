@@ -1,0 +1,66 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.Chaining;
+
+/// <summary>The same line drawn twice is cut once: whole segments that lie on each other, in the same or the opposite direction.</summary>
+public static class DuplicateRemoval
+{
+    /// <summary>Places compared on each span of a curve.</summary>
+    private const int CurvePlaces = 8;
+
+    /// <summary>Rows that stay, ascending: of every group of duplicates the lowest row.</summary>
+    /// <param name="segments">Rows by index.</param>
+    /// <param name="tolerance">Millimetres. Ends and midpoint must agree within it (of circles the distance of the centres and the difference of the radii, together), or within a hundredth of the segment's length when
+    /// that is less, so that a curve of tiny steps keeps every step. What is left out lies no farther than this from what stays.</param>
+    public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance)
+    {
+        var middles = new Point2D[segments.Length];
+        for (var row = 0; row < middles.Length; row++) middles[row] = MiddleOf(segments[row]);
+        var grid = new EndGrid(middles, tolerance);
+        var kept = new List<int>(segments.Length);
+        var near = new List<int>();
+        var isDuplicate = new bool[segments.Length];
+        for (var row = 0; row < middles.Length; row++)
+        {
+            if (isDuplicate[row]) continue;
+            kept.Add(row);
+            grid.Take(row);
+            grid.Near(middles[row], near);
+            foreach (var other in near)
+            {
+                if (!AreSame(segments[row], segments[other], middles[row].DistanceTo(middles[other]), tolerance)) continue;
+                isDuplicate[other] = true;
+                grid.Take(other);
+            }
+        }
+
+        return [.. kept];
+    }
+
+    /// <summary>Of a circle its left quadrant point: concentric circles must not all stand in one place of the grid.</summary>
+    private static Point2D MiddleOf(Segment segment) => segment.Kind == SegmentKind.Circle ? segment.Arc.Centre - new Vector2D(segment.Arc.Radius, 0.0) : segment.PointAt(0.5);
+
+    private static bool AreSame(Segment a, Segment b, double middleDistance, double tolerance)
+    {
+        if (a.Kind != b.Kind) return false;
+        var within = Math.Min(tolerance, 0.01 * a.Length);
+        if (middleDistance > within) return false;
+        if (a.Kind == SegmentKind.Circle) return a.Arc.Centre.DistanceTo(b.Arc.Centre) + Math.Abs(a.Arc.Radius - b.Arc.Radius) <= within;
+        if (a.IsFreeCurve) return RunTogether(a, b, within, backwards: false) || RunTogether(a, b, within, backwards: true);
+        return (a.Start.IsNear(b.Start, within) && a.End.IsNear(b.End, within)) || (a.Start.IsNear(b.End, within) && a.End.IsNear(b.Start, within));
+    }
+
+    /// <summary>Curves written with the same spans: compared at places all along, since ends and middle do not tell two of them apart.</summary>
+    private static bool RunTogether(Segment a, Segment b, double within, bool backwards)
+    {
+        var places = CurvePlaces * a.Curve.Spans.Length;
+        if (a.Curve.Spans.Length != b.Curve.Spans.Length) return false;
+        for (var i = 0; i <= places; i++)
+        {
+            var fraction = (double)i / places;
+            if (!a.PointAt(fraction).IsNear(b.PointAt(backwards ? 1.0 - fraction : fraction), within)) return false;
+        }
+
+        return true;
+    }
+}

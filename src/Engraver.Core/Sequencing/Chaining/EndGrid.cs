@@ -1,0 +1,120 @@
+using System.Numerics;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Sequencing.Chaining;
+
+/// <summary>A hash grid of places (segment ends, midpoints) for the question "what lies within the tolerance of here", answered in constant time.</summary>
+/// <remarks>Cells are a little wider than twice the tolerance, so at most four are looked at. Taken places are unlinked as they are met.</remarks>
+internal sealed class EndGrid
+{
+    private const int None = -1;
+    private const double OutermostCell = 1L << 60;
+    private readonly Point2D[] _places;
+    private readonly int[] _heads;
+    private readonly int[] _next;
+    private readonly bool[] _taken;
+    private readonly double _tolerance;
+    private readonly double _cell;
+
+    /// <param name="places">Numbered by their index.</param>
+    /// <param name="tolerance">Millimetres, zero or more: zero finds exactly equal places only.</param>
+    public EndGrid(Point2D[] places, double tolerance)
+    {
+        _places = places;
+        _tolerance = tolerance;
+        _cell = Math.Max(2.5 * tolerance, 1e-6);
+        _heads = new int[(int)BitOperations.RoundUpToPowerOf2((uint)Math.Max(16, places.Length))];
+        _next = new int[places.Length];
+        _taken = new bool[places.Length];
+        Array.Fill(_heads, None);
+        for (var i = places.Length - 1; i >= 0; i--) Link(i);
+    }
+
+    /// <summary>How many places were looked at.</summary>
+    public long Looks { get; private set; }
+
+    public void Take(int place) => _taken[place] = true;
+
+    public bool IsTaken(int place) => _taken[place];
+
+    /// <summary>Replaces the content of <paramref name="found"/> by every place within the tolerance that is not taken.</summary>
+    public void Near(Point2D here, List<int> found) => TryNear(here, _ => true, int.MaxValue, found);
+
+    /// <summary>The same of the places that count; false when more than <paramref name="most"/> would have to be looked at: then <paramref name="found"/> is of no use.</summary>
+    public bool TryNear(Point2D here, Predicate<int> counts, int most, List<int> found)
+    {
+        found.Clear();
+        foreach (var (x, y) in CellsNear(here))
+        {
+            if (!TryNearInCell(x, y, here, counts, ref most, found)) return false;
+        }
+
+        return true;
+    }
+
+    /// <summary>The one, two or four cells in which places within the tolerance may lie.</summary>
+    public IEnumerable<(long X, long Y)> CellsNear(Point2D here)
+    {
+        var (left, right) = (CellOf(here.X - _tolerance), CellOf(here.X + _tolerance));
+        var (lower, upper) = (CellOf(here.Y - _tolerance), CellOf(here.Y + _tolerance));
+        for (var x = left; x <= right; x++)
+        {
+            for (var y = lower; y <= upper; y++) yield return (x, y);
+        }
+    }
+
+    public (long X, long Y) CellAt(Point2D here) => (CellOf(here.X), CellOf(here.Y));
+
+    /// <summary>The places of a cell that are not taken, in ascending order.</summary>
+    public int[] PlacesIn((long X, long Y) cell)
+    {
+        var found = new List<int>();
+        for (var i = _heads[Bucket(cell.X, cell.Y)]; i != None; i = _next[i])
+        {
+            Looks++;
+            if (!_taken[i] && IsIn(i, cell.X, cell.Y)) found.Add(i);
+        }
+
+        return [.. found];
+    }
+
+    private bool IsIn(int place, long x, long y) => CellOf(_places[place].X) == x && CellOf(_places[place].Y) == y;
+
+    private bool TryNearInCell(long x, long y, Point2D here, Predicate<int> counts, ref int most, List<int> found)
+    {
+        var previous = None;
+        var head = Bucket(x, y);
+        for (var i = _heads[head]; i != None; i = _next[i])
+        {
+            Looks++;
+            if (_taken[i])
+            {
+                if (previous == None) _heads[head] = _next[i];
+                else _next[previous] = _next[i];
+                continue;
+            }
+
+            previous = i;
+            if (most-- == 0) return false;
+            if (IsIn(i, x, y) && _places[i].IsNear(here, _tolerance) && counts(i)) found.Add(i);
+        }
+
+        return true;
+    }
+
+    private void Link(int i)
+    {
+        var bucket = Bucket(CellOf(_places[i].X), CellOf(_places[i].Y));
+        _next[i] = _heads[bucket];
+        _heads[bucket] = i;
+    }
+
+    /// <summary>Absurd coordinates share the outermost cell: a number that wrapped round would never be found again.</summary>
+    private long CellOf(double coordinate) => (long)Math.Floor(Math.Clamp(coordinate / _cell, -OutermostCell, OutermostCell));
+
+    private int Bucket(long x, long y)
+    {
+        var hash = ((ulong)x * 0x9E3779B97F4A7C15UL) ^ ((ulong)y * 0xC2B2AE3D27D4EB4FUL);
+        return (int)((hash ^ (hash >> 29)) * 0xBF58476D1CE4E5B9UL >> 33) & (_heads.Length - 1);
+    }
+}

@@ -1,0 +1,73 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Sequencing.Nesting;
+
+/// <summary>Which closed contour directly encloses which contour: the hard precedence of cutting (what is inside is cut before what holds it in place).</summary>
+public static class ContourNesting
+{
+    private const int Witnesses = 5;
+
+    /// <summary>For each contour the index of the closed contour that directly encloses it, -1 for none. Never a cycle.</summary>
+    /// <param name="contours">Open and closed.</param>
+    /// <param name="segments">Rows of the contours by index.</param>
+    /// <param name="tolerance">Millimetres by which a contour may reach over the box of the one around it (touching from inside).</param>
+    /// <remarks>A contour is inside when most of five places spread over it are (exact arcs). Contours that cross each other are inside by that majority.</remarks>
+    public static int[] Find(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, double tolerance)
+    {
+        var outlines = new ContourOutline[contours.Count];
+        for (var i = 0; i < outlines.Length; i++) outlines[i] = ContourOutline.From(contours[i], segments);
+        int[] closed = [.. Enumerable.Range(0, outlines.Length).Where(i => outlines[i].Region is not null)]; // the long lines of a drawing lie in each other's boxes by the thousand
+        var tree = BoxTree.Build([.. closed.Select(i => outlines[i].Bounds.Grown(tolerance))]);
+        var inside = new int[outlines.Length];
+        var candidates = new List<int>();
+        for (var i = 0; i < inside.Length; i++)
+        {
+            candidates.Clear();
+            tree.Containing(outlines[i].Bounds, candidates); // not what lies around one place: a star's contours all meet in its middle
+            for (var at = 0; at < candidates.Count; at++) candidates[at] = closed[candidates[at]];
+            inside[i] = DirectlyAround(i, outlines, candidates, tolerance);
+        }
+
+        return inside;
+    }
+
+    private static int DirectlyAround(int inner, ContourOutline[] outlines, List<int> candidates, double tolerance)
+    {
+        candidates.RemoveAll(outer => !outlines[outer].CanEnclose(outlines[inner], tolerance));
+        while (candidates.Count > 0)
+        {
+            var smallest = SmallestOf(candidates, outlines); // nearly always the answer, so a sort would be wasted on concentric rings
+            var outer = candidates[smallest];
+            if (HoldsMost(outlines[outer].Region!, outlines[inner])) return outer;
+            candidates[smallest] = candidates[^1];
+            candidates.RemoveAt(candidates.Count - 1);
+        }
+
+        return -1;
+    }
+
+    private static int SmallestOf(List<int> candidates, ContourOutline[] outlines)
+    {
+        var smallest = 0;
+        for (var i = 1; i < candidates.Count; i++)
+        {
+            var order = outlines[candidates[i]].CompareSize(outlines[candidates[smallest]]);
+            if (order < 0 || (order == 0 && candidates[i] < candidates[smallest])) smallest = i;
+        }
+
+        return smallest;
+    }
+
+    private static bool HoldsMost(ContourRegion region, ContourOutline inner)
+    {
+        var held = 0;
+        for (var i = 0; i < Witnesses; i++)
+        {
+            if (region.Contains(inner.Witness(i, Witnesses))) held++;
+            if (held > Witnesses / 2) return true;
+        }
+
+        return false;
+    }
+}

@@ -1,0 +1,61 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Sequencing.Ordering;
+
+/// <summary>Turns the operator's entering entity or place into a way to begin a contour.</summary>
+internal static class EntrySearch
+{
+    /// <summary>Null when the entity is not cut, or when nothing is.</summary>
+    public static StrokeEntry? Find(EnterAt enter, ChainedTable chained, Point2D toolStart) => enter switch
+    {
+        EnterAt.AtEntity { EntityIndex: var entity } => AtEntity(entity, chained, toolStart),
+        EnterAt.AtPlace { Place: var place } => Nearest(AllEntries(chained), place),
+        _ => throw new ArgumentOutOfRangeException(nameof(enter)),
+    };
+
+    /// <summary>Of the contours that hold the entity the start at it that is nearest to the tool; an open contour that has it only in the middle is entered at an end.</summary>
+    private static StrokeEntry? AtEntity(int entity, ChainedTable chained, Point2D toolStart)
+    {
+        var entries = AllEntries(chained).Where(entry => Holds(entry.Contour, entity, chained)).ToList();
+        var atEntity = entries.Where(entry => chained.Kept.EntityIndexOf(FirstRow(entry, chained)) == entity).ToList();
+        return Nearest(atEntity.Count > 0 ? atEntity : entries, toolStart);
+    }
+
+    private static StrokeEntry? Nearest(List<StrokeEntry> entries, Point2D place) =>
+        entries.Count == 0 ? null : entries.MinBy(entry => entry.Place.DistanceTo(place));
+
+    private static List<StrokeEntry> AllEntries(ChainedTable chained)
+    {
+        var entries = new List<StrokeEntry>();
+        var contours = chained.Chain.Contours;
+        for (var i = 0; i < contours.Count; i++) StrokeEntry.AddAll(i, contours[i], chained.Segments.Span, entries);
+        return entries;
+    }
+
+    private static bool Holds(int contour, int entity, ChainedTable chained)
+    {
+        foreach (var piece in chained.Chain.Contours[contour].Pieces.Span)
+        {
+            if (chained.Kept.EntityIndexOf(piece.Row) == entity) return true;
+        }
+
+        return false;
+    }
+
+    private static int FirstRow(StrokeEntry entry, ChainedTable chained) => chained.Chain.Contours[entry.Contour].Pieces.Span[entry.Piece].Row;
+}
+
+/// <summary>The entering entity of paper 000: the stroke that is cut first. (What lies inside it is cut before it all the same.)</summary>
+public abstract record EnterAt
+{
+    private EnterAt()
+    {
+    }
+
+    /// <summary>The stroke that holds this drawing entity, started at the entity where that is possible: at any of a closed stroke's joints, at an open one's ends.</summary>
+    public sealed record AtEntity(int EntityIndex) : EnterAt;
+
+    /// <summary>The stroke with the start point nearest to this place (millimetres), started there.</summary>
+    public sealed record AtPlace(Point2D Place) : EnterAt;
+}

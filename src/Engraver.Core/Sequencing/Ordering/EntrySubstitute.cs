@@ -1,0 +1,40 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Sequencing.Ordering;
+
+/// <summary>An entity that the operator names may be cut as another: its double, or the arc that was recovered from it. This finds that other one.</summary>
+internal static class EntrySubstitute
+{
+    /// <summary>The wish itself, unless it names an entity that was to be cut and is not in the table any more.</summary>
+    public static EnterAt Resolve(EnterAt wish, ChainedTable chained)
+    {
+        if (wish is not EnterAt.AtEntity { EntityIndex: var entity } || RowOf(entity, chained.Kept) >= 0) return wish;
+        var drawn = RowOf(entity, chained.Analysed);
+        return drawn < 0 || chained.Kept.Count == 0 ? wish : new EnterAt.AtEntity(Nearest(chained.Analysed[drawn].ToSegment(), chained));
+    }
+
+    private static int RowOf(int entity, EntityTables.EntityTable table)
+    {
+        for (var row = 0; row < table.Count; row++)
+        {
+            if (table.EntityIndexOf(row) == entity) return row;
+        }
+
+        return -1;
+    }
+
+    /// <summary>What replaces a segment lies on it all along, so ends and middle together find it even where other contours cross.</summary>
+    private static int Nearest(Segment drawn, ChainedTable chained)
+    {
+        var (nearest, least) = (0, double.PositiveInfinity);
+        var segments = chained.Segments.Span;
+        for (var row = 0; row < segments.Length; row++)
+        {
+            var off = segments[row].DistanceTo(drawn.Start) + segments[row].DistanceTo(drawn.PointAt(0.5)) + segments[row].DistanceTo(drawn.End);
+            if (off < least) (nearest, least) = (row, off);
+        }
+
+        return chained.Kept.EntityIndexOf(nearest);
+    }
+}

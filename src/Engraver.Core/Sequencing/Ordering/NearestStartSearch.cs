@@ -1,0 +1,117 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Sequencing.Ordering;
+
+/// <summary>The starts that may be chosen next: those of contours with nothing uncut inside them, found by nearness.</summary>
+internal sealed class NearestStartSearch
+{
+    private readonly IReadOnlyList<Contour> _contours;
+    private readonly Segment[] _segments;
+    private readonly int[] _inside;
+    private readonly int[] _uncutInside;
+    private readonly bool[] _done;
+    private readonly StrokeEntry[] _entries;
+    private readonly int[] _firstEntry;
+    private readonly BoxTree _tree;
+    private readonly BoxTree.Measure _measure;
+
+    public NearestStartSearch(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside)
+    {
+        _contours = contours;
+        _segments = segments.ToArray();
+        _inside = inside.ToArray();
+        _done = new bool[contours.Count];
+        _uncutInside = new int[contours.Count];
+        foreach (var outer in inside)
+        {
+            if (outer >= 0) _uncutInside[outer]++;
+        }
+
+        _firstEntry = new int[contours.Count + 1];
+        _entries = AllEntries();
+        _tree = BoxTree.Build([.. _entries.Select(entry => entry.Place)]);
+        _measure = (entry, place) => _entries[entry].Place.DistanceTo(place);
+        ForEach(_ => true, contour => Set(contour, _uncutInside[contour] == 0));
+    }
+
+    /// <summary>The nearest start, or null when nothing is left to choose.</summary>
+    public StrokeEntry? Next(Point2D tool)
+    {
+        var entry = _tree.Nearest(tool, _measure, double.PositiveInfinity, out _);
+        return entry < 0 ? null : _entries[entry];
+    }
+
+    /// <summary>Takes a contour out of the choice and frees the one around it when this was the last inside.</summary>
+    public void Done(int contour)
+    {
+        _done[contour] = true;
+        Set(contour, false);
+        var outer = _inside[contour];
+        if (outer >= 0 && --_uncutInside[outer] == 0 && !_done[outer]) Set(outer, true);
+    }
+
+    /// <summary>Until further notice only what lies inside <paramref name="contour"/>, at any depth, can be chosen.</summary>
+    public void RestrictTo(int contour)
+    {
+        var within = WithinFlags(contour);
+        ForEach(other => !within[other], other => Set(other, false));
+        _done[contour] = true; // it is entered by the caller, not chosen here
+        Set(contour, false);
+    }
+
+    public void Unrestrict() => ForEach(contour => !_done[contour] && _uncutInside[contour] == 0, contour => Set(contour, true));
+
+    public Point2D EndOf(StrokeEntry entry) => TravelOrder.EndOf(entry, _contours[entry.Contour], _segments);
+
+    private StrokeEntry[] AllEntries()
+    {
+        var entries = new List<StrokeEntry>();
+        for (var contour = 0; contour < _contours.Count; contour++)
+        {
+            StrokeEntry.AddAll(contour, _contours[contour], _segments, entries);
+            _firstEntry[contour + 1] = entries.Count;
+        }
+
+        return [.. entries];
+    }
+
+    private bool[] WithinFlags(int contour)
+    {
+        var within = new bool[_contours.Count];
+        var known = new bool[_contours.Count];
+        var path = new List<int>();
+        for (var i = 0; i < within.Length; i++)
+        {
+            path.Clear();
+            var up = i;
+            while (up >= 0 && up != contour && !known[up])
+            {
+                path.Add(up);
+                up = _inside[up];
+            }
+
+            var isWithin = up >= 0 && (up == contour || within[up]);
+            foreach (var passed in path) (within[passed], known[passed]) = (isWithin, true);
+        }
+
+        return within;
+    }
+
+    private void ForEach(Func<int, bool> chosen, Action<int> action)
+    {
+        for (var contour = 0; contour < _contours.Count; contour++)
+        {
+            if (chosen(contour)) action(contour);
+        }
+    }
+
+    private void Set(int contour, bool shown)
+    {
+        for (var entry = _firstEntry[contour]; entry < _firstEntry[contour + 1]; entry++)
+        {
+            if (shown) _tree.Show(entry);
+            else _tree.Hide(entry);
+        }
+    }
+}

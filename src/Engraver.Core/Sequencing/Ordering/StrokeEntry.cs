@@ -1,0 +1,52 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Sequencing.Ordering;
+
+/// <summary>One way to begin a contour: at the start of one of its pieces, at its far end (turned round), or at a circle's left quadrant point.</summary>
+/// <param name="Contour">Index of the contour.</param>
+/// <param name="Piece">The piece that is cut first.</param>
+/// <param name="Kind">How it is begun.</param>
+/// <param name="Place">Where the tool goes down, millimetres.</param>
+public readonly record struct StrokeEntry(int Contour, int Piece, StrokeEntryKind Kind, Point2D Place)
+{
+    /// <summary>Every way to begin a contour, the drawn way first: an open one at both ends, a closed one at each joint, a circle at its right and left quadrant points.</summary>
+    public static void AddAll(int index, Contour contour, ReadOnlySpan<Segment> segments, List<StrokeEntry> entries)
+    {
+        entries.Add(AsDrawn(index, contour, segments));
+        if (!contour.Closed)
+        {
+            entries.Add(new StrokeEntry(index, contour.Pieces.Length - 1, StrokeEntryKind.Turned, contour.EndIn(segments)));
+        }
+        else if (contour.IsCircleIn(segments))
+        {
+            entries.Add(LeftOf(index, segments[contour.Pieces.Span[0].Row].Arc));
+        }
+        else
+        {
+            for (var piece = 1; piece < contour.Pieces.Length; piece++)
+            {
+                entries.Add(new StrokeEntry(index, piece, StrokeEntryKind.Forward, contour.Pieces.Span[piece].StartIn(segments)));
+            }
+        }
+    }
+
+    public static StrokeEntry AsDrawn(int index, Contour contour, ReadOnlySpan<Segment> segments) =>
+        new(index, 0, StrokeEntryKind.Forward, contour.StartIn(segments));
+
+    private static StrokeEntry LeftOf(int index, ArcSegment circle) =>
+        new(index, 0, StrokeEntryKind.LeftQuadrant, circle.Centre - new Vector2D(circle.Radius, 0.0));
+}
+
+/// <summary>How a contour is begun.</summary>
+public enum StrokeEntryKind : byte
+{
+    /// <summary>At the start of a piece, in the contour's own direction (circles: at the right quadrant point).</summary>
+    Forward,
+
+    /// <summary>At the end of an open contour, every piece reversed.</summary>
+    Turned,
+
+    /// <summary>At a circle's left quadrant point, in the drawn direction.</summary>
+    LeftQuadrant,
+}

@@ -1,0 +1,47 @@
+using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>What a job finds in the controller and has to give back: its own findings, or those of an earlier run that died and left our program standing there.</summary>
+internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemory memory, MachineProfile profile, JobOptions options, JobLog log)
+{
+    private CrashRecovery? _earlier;
+
+    /// <summary>What nobody can give back any more, a sentence each.</summary>
+    public List<string> Lost { get; } = [];
+
+    /// <summary>Looks, writes down and only then changes the program memory.</summary>
+    /// <returns>The refusal, or null when <paramref name="resident"/> stands in the memory.</returns>
+    /// <exception cref="IOException">The journal or the copy of the program cannot be written.</exception>
+    public async Task<Rejected?> BorrowAsync(string resident, CancellationToken stop)
+    {
+        var look = await memory.LookAsync(stop).ConfigureAwait(false);
+        if (look is not Accepted { Data: var program }) return look as Rejected;
+        var serial = (await session.Commands.ReadAsync("_BN", stop).ConfigureAwait(false)).OrNothing;
+        var now = new JournalFound(options.Address, session.Identity.Model, serial, session.Found);
+        if (ResidentServer.IsOurs(program, profile)) Inherit(now);
+        log.Found(now with { State = session.Found });
+        var copy = options.JournalPath is { } journal ? CrashRecovery.CopyOf(journal) : null;
+        return await memory.BorrowAsync(resident, _earlier?.Program ?? program, copy, stop).ConfigureAwait(false);
+    }
+
+    /// <summary>Program and settings are given back: the earlier run counts as ended.</summary>
+    /// <exception cref="IOException">Its journal cannot be written.</exception>
+    public void GivenBack()
+    {
+        if (_earlier is null || _earlier.JournalPath == options.JournalPath) return;
+        using var journal = new JobJournal(_earlier.JournalPath);
+        journal.Write(new JournalGivenBack(options.JournalPath ?? ""));
+    }
+
+    private void Inherit(JournalFound now)
+    {
+        _earlier = options.JournalPath is { } journal ? CrashRecovery.Last(journal, now) : null;
+        if (_earlier is not null) session.Inherit(_earlier.Found.State);
+        else Lost.Add("A run that died has left its program and its settings in the controller, and no journal beside this one tells what stood there before; download your own program and set VS VA VD VR SP AC DC again, or switch the controller off and on.");
+    }
+}

@@ -1,0 +1,85 @@
+using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Language;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Resident;
+using Engraver.Galil.Programs.Timing;
+using Engraver.Galil.Protocol;
+using static Engraver.Galil.Jobs.JobMachine;
+
+namespace Engraver.Galil.Jobs.Execution;
+
+/// <summary>The paper's method made right (paper 001; galil-dmc.md F.0, EX11): #LINEAR and #CIRC in the controller are called for each segment with assigned variables,
+/// relative to where the machine really stands; a full stop after each. Progress is <c>seq</c>, for <c>done</c> alone races (F.3).</summary>
+internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISequenceStrategy
+{
+    private readonly AngleQuantum _quantum = new(machine.Profile.AngleQuantumDegrees);
+
+    /// <summary>The server clears go and the arguments when it starts, and then sets the machine up: an empty call that comes back says that it has done both.</summary>
+    public async ValueTask<JobStep> StartAsync()
+    {
+        if (await machine.AwaitAsync(ResidentProgram.Variables.Done, value => value != 0).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.SendAsync(ResidentServer.GoCommand).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        return await machine.PollUntilAsync(state => state.Calls != 0).ConfigureAwait(false);
+    }
+
+    public async ValueTask<JobStep> CutAsync(VectorSequence sequence)
+    {
+        if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } end) return end;
+        var start = sequence.Start;
+        foreach (var segment in sequence.Segments)
+        {
+            if (await CallAsync(segment, start, sequence.Speed).ConfigureAwait(false) is { Ends: true } broken) return broken;
+            start = segment.End;
+        }
+
+        return JobStep.Done;
+    }
+
+    /// <summary>A call that the stop cut short is not counted: the program counts it up all the same, when its motion has come to rest.</summary>
+    public void StoppedAt(int counter)
+    {
+    }
+
+    private async ValueTask<JobStep> CallAsync(VectorSegment planned, CountsPoint start, int speed)
+    {
+        var here = machine.Here;
+        var segment = SegmentFromHere.Aim(planned, start, here, _quantum);
+        if (segment.Kind == VectorSegmentKind.Line && segment.End == here)
+        {
+            ledger.Confirm(segment);
+            return JobStep.Done;
+        }
+
+        var arguments = ResidentServer.Arguments(segment, here, speed);
+        var where = Text($" Drawing entity {segment.EntityIndex}.");
+        if (await machine.SendAsync(arguments, where).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        if (await SettingCheck.ReadBackAsync(machine, ResidentServer.Held(segment, here, speed)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        if (await machine.Tool.OnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        var calls = machine.State.Calls;
+        if (await machine.SendAsync(ResidentServer.GoCommand, where).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        ledger.Sent++;
+        var watch = machine.Watch(here, [segment], speed);
+        machine.Expectation = state => state.SequenceRunning ? watch.Look(0, machine.Here) : JobStep.Done;
+        try
+        {
+            if (await machine.PollUntilAsync(state => state.Calls != calls, MotionTime.Trapezoid(segment.Length, speed, machine.Profile.AccelerationCounts)).ConfigureAwait(false) is { Ends: true } broken) return broken;
+        }
+        finally
+        {
+            machine.Expectation = null;
+        }
+
+        return Check(segment, watch);
+    }
+
+    private JobStep Check(in VectorSegment segment, PathWatch watch)
+    {
+        var state = machine.State;
+        if (state.StopCode != StopCodes.SequenceEnded)
+            return JobStep.Broken(Text($"The call for drawing entity {segment.EntityIndex} ended at {state.Position.X},{state.Position.Y} ({StopCodes.Text(state.StopCode)}); find out what stopped it."));
+        if (watch.LookAtEnd(machine.Here) is { Ends: true } elsewhere) return elsewhere;
+        ledger.Confirm(segment);
+        return JobStep.Done;
+    }
+}

@@ -1,0 +1,59 @@
+using Engraver.Galil.Language;
+using Engraver.Galil.Programs.Posting;
+using static Engraver.Galil.Jobs.JobMachine;
+
+namespace Engraver.Galil.Jobs.Execution;
+
+/// <summary>What the numbers of a running chunk mean for the job: seq and _CSS as segments, a line of the program as an entity.</summary>
+/// <param name="chunk">The program in the controller.</param>
+/// <param name="before">Segments that earlier chunks have cut.</param>
+internal sealed class ChunkProgress(ProgramChunk chunk, int before)
+{
+    private readonly VectorSegment[] _segments = [.. chunk.Segments];
+    private readonly int[] _sequenceStarts = Starts(chunk);
+    private readonly int _endMark = SupervisedProgram.EndMark(chunk);
+
+    public bool IsEnd(int mark) => mark == _endMark;
+
+    /// <summary>What the chunk wants of the tool: on while a sequence runs, off in a rapid, which is the motion between two sequences; null where that depends on the line it is at.</summary>
+    public static bool? IsToolWanted(MachineState state) => (state.Calls % 2 != 0, state.SequenceRunning, state.AxesRunning) switch
+    {
+        (true, true, _) => true,
+        (false, false, true) => false,
+        _ => null,
+    };
+
+    /// <summary>Segments of the job that are done.</summary>
+    /// <param name="mark">seq: two for each sequence that is done, one more while one is under way.</param>
+    /// <param name="counter">_CSS; belongs to a sequence only while one is under way.</param>
+    public int Executed(int mark, int counter)
+    {
+        var sequence = Math.Clamp(mark / 2, 0, _sequenceStarts.Length - 1);
+        var within = mark % 2 != 0 && !IsEnd(mark) ? Math.Clamp(counter, 0, _sequenceStarts[sequence + 1] - _sequenceStarts[sequence]) : 0;
+        return before + _sequenceStarts[sequence] + within;
+    }
+
+    /// <summary>The entity of the sequence under way, as a sentence of its own.</summary>
+    public string PlaceAt(int mark) => Entity(_sequenceStarts[Math.Clamp(mark / 2, 0, _sequenceStarts.Length - 1)]);
+
+    /// <summary>The text of a program line and the entity it cuts, or the next one that is cut behind it.</summary>
+    /// <param name="line">Line of the program, from 0.</param>
+    public string PlaceOf(int line)
+    {
+        var lines = chunk.Text.Split('\n');
+        if (line < 0 || line >= lines.Length) return "";
+        var first = lines.Take(line).Sum(Segments);
+        return Text($" The line is '{lines[line]}'.") + Entity(first);
+    }
+
+    private string Entity(int segment) => segment < _segments.Length ? Text($" Drawing entity {_segments[segment].EntityIndex}.") : "";
+
+    private static int Segments(string line) => line.Split(';').Count(statement => statement.StartsWith("VP ", StringComparison.Ordinal) || statement.StartsWith("CR ", StringComparison.Ordinal));
+
+    private static int[] Starts(ProgramChunk chunk)
+    {
+        var starts = new List<int> { 0 };
+        foreach (var sequence in chunk.Parts.SelectMany(part => part.Sequences)) starts.Add(starts[^1] + sequence.Segments.Count);
+        return [.. starts];
+    }
+}

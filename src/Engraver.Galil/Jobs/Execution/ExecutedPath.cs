@@ -1,0 +1,33 @@
+using Engraver.Galil.Programs;
+
+namespace Engraver.Galil.Jobs.Execution;
+
+/// <summary>Walks a motion program in the order of cutting, as far as the controller says that it has come.</summary>
+internal sealed class ExecutedPath(MotionProgram program, JobLedger ledger, JobLog log)
+{
+    private int _stroke;
+    private int _sequence;
+    private int _segment;
+
+    /// <summary>Segments confirmed so far.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Confirms every segment before <paramref name="count"/>, none twice; journals each sequence that is thereby done.</summary>
+    public void ConfirmUpTo(int count)
+    {
+        while (Count < Math.Min(count, ledger.SegmentCount)) ConfirmNext();
+    }
+
+    private void ConfirmNext()
+    {
+        var stroke = program.Strokes[_stroke];
+        var sequence = stroke.Sequences[_sequence];
+        ledger.Confirm(sequence.Segments[_segment]);
+        Count++;
+        if (++_segment < sequence.Segments.Count) return;
+        log.SequenceDone();
+        _segment = 0;
+        if (++_sequence == stroke.Sequences.Count) (_stroke, _sequence) = (_stroke + 1, 0);
+        if (_stroke < program.Strokes.Count) (ledger.Stroke, ledger.Sequence) = (_stroke, _sequence);
+    }
+}

@@ -1,0 +1,120 @@
+using Engraver.Galil.Language;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Posting;
+using Engraver.Galil.Programs.Resident;
+using Engraver.Galil.Programs.Timing;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+using static Engraver.Galil.Jobs.JobMachine;
+
+namespace Engraver.Galil.Jobs.Execution;
+
+/// <summary>The job runs in the controller, a chunk after the other; the next one is loaded while the machine rests with the tool off (galil-dmc.md F.1 method 2).</summary>
+/// <remarks>
+/// No operand tells how many lines the program memory holds (galil-dmc.md 0.3: 1000, not confirmed), so the controller is asked by the download itself: where it refuses
+/// for too many lines, what is left is packed for half as many.
+/// </remarks>
+internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine, JobLedger ledger, JobLog log, ProgramMemory memory, JobOptions options) : IJobStrategy
+{
+    private readonly ExecutedPath _path = new(program, ledger, log);
+    private int _memoryLines = DmcLimits.ProgramLines;
+    private ChunkProgress? _chunk;
+
+    public ValueTask<JobStep> StartAsync() => new(JobStep.Done);
+
+    public async ValueTask<JobStep> CutAsync()
+    {
+        if (program.Strokes.Count == 0) return JobStep.Done;
+        var frame = new ControllerFrame(program.Start, machine.State.Position);
+        if (!program.Strokes.All(stroke => frame.Holds(stroke.Start)))
+            return JobStep.Broken(Text($"From {frame.ControllerAtStart.X},{frame.ControllerAtStart.Y}, where the machine stands, the controller cannot count to all of the drawing; set its position (DP) nearer to 0,0."));
+        var job = new SupervisedProgram(program, frame, options.DryRun);
+        var waiting = Packed(job, program.Strokes);
+        while (waiting.TryPeek(out var chunk))
+        {
+            if (await LoadAsync(chunk).ConfigureAwait(false) is not { Ends: true } loaded) waiting.Dequeue();
+            else if (IsTooLong(loaded) && _memoryLines / 2 >= job.FewestLines)
+            {
+                _memoryLines /= 2;
+                waiting = Packed(job, [.. waiting.SelectMany(later => later.Parts)]);
+                continue;
+            }
+            else return Refused(loaded);
+
+            if (await RunAsync(chunk).ConfigureAwait(false) is { Ends: true } end) return end;
+        }
+
+        return JobStep.Done;
+    }
+
+    public async ValueTask StoppedAsync(int counter)
+    {
+        if (_chunk is null || await machine.AskAtRestAsync(ResidentProgram.Variables.Sequence).ConfigureAwait(false) is not { } mark) return;
+        _path.ConfirmUpTo(_chunk.Executed((int)mark, counter));
+    }
+
+    private Queue<ProgramChunk> Packed(SupervisedProgram job, IReadOnlyList<MotionStroke> strokes)
+    {
+        var packed = job.Pack(strokes, _memoryLines, options.SourceOf);
+        if (_path.Count == 0) ledger.Diagnostics.Clear();
+        ledger.Diagnostics.AddRange(packed.Diagnostics);
+        return new Queue<ProgramChunk>(packed.Chunks);
+    }
+
+    /// <summary>No thread may run while the memory changes: the watchdog rests with the machine.</summary>
+    private async ValueTask<JobStep> LoadAsync(ProgramChunk chunk)
+    {
+        _chunk = null;
+        if (await machine.HaltProgramAsync().ConfigureAwait(false) is { Ends: true } running) return running;
+        return await memory.SwapAsync(chunk.Text, machine.Stop).ConfigureAwait(false) is { } refused ? JobStep.Refused(refused, "") : JobStep.Done;
+    }
+
+    private static bool IsTooLong(JobStep loaded) => loaded.Refusal is { Code: TcCode.DownloadError, Command: "DL" };
+
+    private JobStep Refused(JobStep loaded)
+    {
+        if (loaded.Refusal is { Command: "DL" }) ledger.Rejected++;
+        return loaded;
+    }
+
+    private async ValueTask<JobStep> RunAsync(ProgramChunk chunk)
+    {
+        var progress = new ChunkProgress(chunk, _path.Count);
+        machine.PlaceInProgram = progress.PlaceOf;
+        machine.Tool.WantedByProgram = ChunkProgress.IsToolWanted;
+        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Profile), Text($"XQ {SupervisedProgram.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        _chunk = progress;
+        ledger.Sent += chunk.Segments.Count();
+        if (await machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
+        var end = await WatchedAsync(chunk).ConfigureAwait(false);
+        return end.Ends && machine.State.ProgramError == SupervisedProgram.Strayed ? end with { Sentence = end.Sentence + progress.PlaceAt(machine.State.Calls) } : end;
+    }
+
+    /// <summary>The program was read back before it ran; the path is watched all the same, for somebody else may move the axes. Over a serial line the sequence and the position are asked one after the other, and only the end is looked at.</summary>
+    private async ValueTask<JobStep> WatchedAsync(ProgramChunk chunk)
+    {
+        var watches = chunk.Parts.SelectMany(part => part.Sequences).Select(sequence => machine.Watch(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
+        if (machine.Line is null) machine.Expectation = state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Look(state.Counter, machine.Here) : JobStep.Done;
+        try
+        {
+            var end = await machine.PollUntilAsync(IsDone, Seconds(chunk)).ConfigureAwait(false);
+            return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here);
+        }
+        finally
+        {
+            machine.Expectation = null;
+        }
+    }
+
+    /// <summary>What the chunk takes at the least: the motion of its sequences, without rapids and settles.</summary>
+    private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => MotionTime.Trapezoid(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts));
+
+    /// <summary>An odd mark belongs to a sequence under way.</summary>
+    private static bool IsCutting(MachineState state) => state.SequenceRunning && state.Calls % 2 != 0;
+
+    private bool IsDone(MachineState state)
+    {
+        _path.ConfirmUpTo(_chunk!.Executed(state.Calls, state.SequenceRunning ? state.Counter : 0));
+        return _chunk.IsEnd(state.Calls);
+    }
+}

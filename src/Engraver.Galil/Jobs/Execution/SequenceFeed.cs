@@ -1,0 +1,255 @@
+using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Language;
+using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Timing;
+using Engraver.Galil.Protocol;
+using static Engraver.Galil.Jobs.JobMachine;
+
+namespace Engraver.Galil.Jobs.Execution;
+
+/// <summary>One VM ... VE on the wire: fills the segment buffer, begins, keeps feeding by _CSS, slows down when the lead gets short, ends with VE (galil-dmc.md B.7, F.1).</summary>
+internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
+{
+    /// <summary>Free places that are left alone: one command is on its way, and the controller's count is as old as the last poll.</summary>
+    private const int SpareSegments = 5;
+
+    /// <summary>A sequence begins when this many segments are buffered, or this many seconds of motion.</summary>
+    private const int StartSegments = 200;
+    private const double StartSeconds = 1.0;
+
+    /// <summary>Segments shorter than this come slower over the wire than they are cut: the whole buffer is filled first (galil-dmc.md A.4: 1.6 ms a command).</summary>
+    private const double ShortSegmentSeconds = 0.004;
+
+    /// <summary>While the buffer is full the host rests for this share of what is in it.</summary>
+    private const double RestShare = 4.0;
+
+    /// <summary>CR and prompt.</summary>
+    private const int FrameBytes = 2;
+
+    /// <summary>Shorter delays between two commands are nothing to look into.</summary>
+    private const double HeldUpSeconds = 0.05;
+
+    /// <summary>How far the controller's path length may differ from the planned one, counts: it is cut off to whole counts, and how it is kept from segment to segment is not known (galil-dmc.md B.1).</summary>
+    private const double LengthAllowance = 2.0;
+    private const double LengthPerSegment = 0.5;
+
+    private readonly FeedPace _pace = FeedPace.From(machine.Line);
+    private readonly FeedThrottle _throttle = new((double)sequence.Speed / machine.Profile.AccelerationCounts, FeedPace.From(machine.Line).ReactionSeconds);
+    private long _begunAt;
+    private int _capacity;
+    private int _sent;
+    private int _executed;
+    private int _sentAtWatch;
+    private int _bytesSinceWatch;
+    private int _skipped;
+    private double _countsAhead;
+    private bool _begun;
+    private CountsPoint _origin;
+    private PathWatch? _watch;
+
+    /// <summary>The first segment that this feed has not dealt with.</summary>
+    public int Next => first + _skipped + _executed;
+
+    /// <summary>What is buffered lasts this long at full speed.</summary>
+    private double SecondsAhead => _countsAhead / sequence.Speed;
+
+    /// <summary>By the trapezoid of the whole path and what has passed of it.</summary>
+    private double SecondsLeft => MotionTime.Trapezoid(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
+
+    private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
+
+    public async ValueTask<JobStep> RunAsync()
+    {
+        try
+        {
+            return await FeedAsync().ConfigureAwait(false);
+        }
+        finally
+        {
+            machine.Expectation = null;
+        }
+    }
+
+    private async ValueTask<JobStep> FeedAsync()
+    {
+        if (await OpenAsync().ConfigureAwait(false) is { Ends: true } unopened) return unopened;
+        if (Remaining == 0) return JobStep.Done;
+        while (Remaining > 0)
+        {
+            if (IsTimeToWatch && await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
+            if (_begun && HasRunDry) return await CloseDryAsync().ConfigureAwait(false);
+            if (await SendNextAsync().ConfigureAwait(false) is { Ends: true } refused) return refused;
+            if (!_begun && IsReadyToBegin && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
+        }
+
+        return await CloseAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>Confirms the segments before <paramref name="counter"/>, never one twice and never one that was not sent.</summary>
+    public void ConfirmUpTo(int counter)
+    {
+        for (; _executed < Math.Min(counter, _sent); _executed++)
+        {
+            var segment = sequence.Segments[first + _skipped + _executed];
+            _countsAhead -= segment.Length;
+            ledger.Confirm(segment);
+        }
+    }
+
+    /// <summary>Every few segments; and when this computer was held up for long enough that the buffer may have run dry, before the next segment hides it.</summary>
+    private bool IsTimeToWatch => _begun && (_sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds + UsualSeconds));
+
+    /// <summary>What was sent since the last look takes so long on a serial line, with a heartbeat for each command at the worst: no hold-up, however long.</summary>
+    private double UsualSeconds => machine.Line is { } line ? 2.0 * line.Time(_bytesSinceWatch).TotalSeconds : 0.0;
+
+    private bool IsReadyToBegin =>
+        _sent >= _capacity - SpareSegments
+        || (!_pace.FillsFirst && Remaining > 0 && SecondsAhead / _sent >= ShortSegmentSeconds && (_sent >= StartSegments || SecondsAhead >= StartSeconds));
+
+    /// <summary>Everything sent was executed before VE: the controller stood still at once, with the sequence open (galil-dmc.md B.7).</summary>
+    private bool HasRunDry => _sentAtWatch == _sent && (machine.State.Counter >= _sent || (machine.State.Counter == _sent - 1 && machine.State.PathSpeed == 0 && _executed > 0));
+
+    private async ValueTask<JobStep> OpenAsync()
+    {
+        if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } end) return end;
+        _origin = machine.Here;
+        while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
+        if (Remaining == 0) return JobStep.Done;
+        var acceleration = machine.Profile.AccelerationCounts;
+        var opened = await machine.SendAllAsync(["CSS", "VMAB", Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
+        if (opened.Ends) return opened;
+        if (await SettingCheck.ReadBackAsync(
+            machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration), ("_VRS", 1.0, SettingCheck.Exact)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        return await AskCapacityAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>What this feed cuts; it begins where the machine stands.</summary>
+    private IReadOnlyList<VectorSegment> Ahead => [.. sequence.Segments.Skip(first + _skipped)];
+
+    private JobStep OnPath(MachineState state) => state.SequenceRunning ? _watch!.Look(state.Counter, machine.Here) : JobStep.Done;
+
+    /// <summary>A line that ends where the machine stands has no length for the controller (TC 30): it is done before it is sent.</summary>
+    private bool IsAlreadyThere(in VectorSegment segment) => segment.Kind == VectorSegmentKind.Line && segment.End == _origin;
+
+    private void SkipOne() => ledger.Confirm(sequence.Segments[first + _skipped++]);
+
+    private async ValueTask<JobStep> AskCapacityAsync()
+    {
+        var (capacity, end) = await machine.AskAsync("_LMS").ConfigureAwait(false);
+        _capacity = (int)capacity;
+        return end;
+    }
+
+    /// <summary>Sends one segment; while the buffer is full the same one is sent again (TC 32).</summary>
+    private async ValueTask<JobStep> SendNextAsync()
+    {
+        var segment = sequence.Segments[first + _skipped + _sent];
+        var command = DmcFormat.Command(segment, _origin);
+        while (true)
+        {
+            while (_begun && _capacity - (_sent - _executed) < SpareSegments)
+            {
+                if (await WatchAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+                await machine.RestAsync(SecondsAhead / RestShare).ConfigureAwait(false);
+            }
+
+            var reply = await machine.ReplyAsync(command).ConfigureAwait(false);
+            if (reply is Accepted) break;
+            if (reply is Rejected rejected && !(rejected.Code == TcCode.SegmentBufferFull && _begun)) return machine.Refuse(rejected, Text($" Drawing entity {segment.EntityIndex}."));
+            if (await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
+        }
+
+        _sent++;
+        _bytesSinceWatch += command.Length + FrameBytes;
+        ledger.Sent++;
+        _countsAhead += segment.Length;
+        return JobStep.Done;
+    }
+
+    private async ValueTask<JobStep> BeginAsync()
+    {
+        if (await machine.Tool.OnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        _watch = machine.Watch(_origin, Ahead, sequence.Speed);
+        machine.Expectation = OnPath;
+        _begun = true;
+        _begunAt = machine.Time.GetTimestamp();
+        return await machine.SendAsync("BGS").ConfigureAwait(false);
+    }
+
+    /// <summary>Looks at the counter.</summary>
+    private async ValueTask<JobStep> WatchAsync()
+    {
+        if (await machine.GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        ConfirmUpTo(machine.State.Counter);
+        (_sentAtWatch, _bytesSinceWatch) = (_sent, 0);
+        if (!machine.State.SequenceRunning) return EndedEarly();
+        return _throttle.Ratio(_sent - _executed, SecondsAhead, Remaining) is { } ratio ? await ThrottleAsync(ratio).ConfigureAwait(false) : JobStep.Done;
+    }
+
+    private async ValueTask<JobStep> CloseAsync()
+    {
+        if (await machine.SendAsync("VE").ConfigureAwait(false) is { Ends: true } refused) return refused;
+        if (!_begun && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
+        if (_throttle.Release() is { } ratio && await ThrottleAsync(ratio).ConfigureAwait(false) is { Ends: true } unreleased) return unreleased;
+        if (await machine.GlanceUntilAsync(HasEnded, SecondsLeft).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (machine.State.StopCode != StopCodes.SequenceEnded) return EndedEarly();
+        if (_watch!.LookAtEnd(machine.Here) is { Ends: true } elsewhere) return elsewhere;
+        if (await CheckLengthAsync().ConfigureAwait(false) is { Ends: true } another) return another;
+        ConfirmUpTo(_sent);
+        return JobStep.Done;
+    }
+
+    private async ValueTask<JobStep> ThrottleAsync(double ratio)
+    {
+        if (await machine.SendAsync(FeedThrottle.Command(ratio)).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        return await SettingCheck.ReadBackAsync(machine, ("_VRS", ratio, SettingCheck.Exact)).ConfigureAwait(false);
+    }
+
+    /// <summary>A closed contour ends where it began, also where nothing of it was cut or a turn was shorter: the length of the path tells (_AVS counts from the start of the sequence, galil-dmc.md B.1).
+    /// On a serial line every command was compared with its echo, which a question would be slower than.</summary>
+    private async ValueTask<JobStep> CheckLengthAsync()
+    {
+        if (machine.Line is not null) return JobStep.Done;
+        var (travelled, end) = await machine.AskAsync("_AVS").ConfigureAwait(false);
+        if (end.Ends) return end;
+        var planned = Ahead.Sum(segment => segment.Length);
+        return Math.Abs(travelled - planned) <= LengthAllowance + (LengthPerSegment * _sent)
+            ? JobStep.Done
+            : JobStep.Deviated(Text($"The controller went {travelled:0} counts along its path where {planned:0} were planned, up to drawing entity {sequence.Segments[^1].EntityIndex}, at {machine.Here.X},{machine.Here.Y} of the drawing (counts); what was sent has not arrived as it was sent. Look at the work piece and the cable."));
+    }
+
+    private bool HasEnded(MachineState state)
+    {
+        if (state.SequenceRunning) ConfirmUpTo(state.Counter);
+        return state.Stands;
+    }
+
+    /// <summary>Tool off at once, then the only documented way out of an open sequence: AB1, wait, CSS.</summary>
+    private async ValueTask<JobStep> CloseDryAsync()
+    {
+        ledger.Underruns++;
+        ConfirmUpTo(_sent);
+        if (await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.SendAsync("AB 1").ConfigureAwait(false) is { Ends: true } refused) return refused;
+        return await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false);
+    }
+
+    private JobStep EndedEarly()
+    {
+        var at = machine.State.Position;
+        return JobStep.Broken(Text($"The vector sequence ended at {at.X},{at.Y} before its last segment ({StopCodes.Text(machine.State.StopCode)}); find out what stopped it."));
+    }
+}
+
+/// <summary>How the segment buffer is fed over this kind of link.</summary>
+/// <param name="SegmentsBetweenPolls">Segments between two looks at the counter.</param>
+/// <param name="FillsFirst">The buffer is filled before the machine starts, however long the segments are: over a slow wire it cannot be filled later.</param>
+/// <param name="ReactionSeconds">What passes between seeing that the lead is short and saying so, seconds.</param>
+internal sealed record FeedPace(int SegmentsBetweenPolls, bool FillsFirst, double ReactionSeconds)
+{
+    /// <summary>1.6 ms a command (galil-dmc.md A.4): two polls and a heartbeat.</summary>
+    private static FeedPace Network { get; } = new(16, FillsFirst: false, 0.06);
+
+    public static FeedPace From(SerialLine? line) => line is null ? Network : new FeedPace(LinkFeedLimit.SegmentsBetweenPolls, FillsFirst: true, LinkFeedLimit.ReactionSeconds(line));
+}

@@ -1,0 +1,99 @@
+using System.Text.Json;
+using System.Text.Json.Serialization;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Jobs.Journal;
+
+/// <summary>The journal file: one JSON object a line, each flushed to the file before the job goes on, so that a crash leaves every line but the last readable.</summary>
+internal sealed class JobJournal : IDisposable
+{
+    /// <summary>Generated at build time: reflection on first use would hold up the heartbeat.</summary>
+    private static readonly JsonSerializerOptions Json = new(JsonSerializerDefaults.Web)
+    {
+        Converters = { new JsonStringEnumConverter<JobMode>(JsonNamingPolicy.CamelCase), new JsonStringEnumConverter<JobOutcome>(JsonNamingPolicy.CamelCase) },
+        TypeInfoResolver = JournalJson.Default,
+    };
+
+    private readonly StreamWriter? _file;
+
+    /// <param name="path">Appended to; null for no journal.</param>
+    public JobJournal(string? path) => _file = path is null ? null : new StreamWriter(path, append: true) { AutoFlush = true, NewLine = "\n" };
+
+    /// <summary>The lines of a journal, also of one that is being written.</summary>
+    public static IEnumerable<string> ReadLines(string path)
+    {
+        using var file = new StreamReader(new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite));
+        while (file.ReadLine() is { } line) yield return line;
+    }
+
+    public static T? Read<T>(string line) => JsonSerializer.Deserialize<T>(line, Json);
+
+    public void Write<T>(T line) => _file?.WriteLine(JsonSerializer.Serialize(line, Json));
+
+    /// <summary>Each line was flushed as it was written: what the disk refuses now, it has refused before, and the job has said so.</summary>
+    public void Dispose()
+    {
+        try
+        {
+            _file?.Dispose();
+        }
+        catch (IOException)
+        {
+        }
+    }
+}
+
+/// <summary>Last line of a job in the journal; a job without it died.</summary>
+/// <param name="LeftAsFound">Program, settings and motors of the controller are again as they were found; otherwise the next run gives them back.</param>
+public sealed record JournalEnd(JobOutcome Outcome, string Sentence, int SegmentsExecuted, int? X, int? Y, double Time, bool LeftAsFound)
+{
+    public string Kind { get; } = "end";
+}
+
+/// <summary>The controller as a job found it, written before anything in it is changed: if this program dies, the next run gives it back (<see cref="CrashRecovery"/>).</summary>
+/// <param name="Address">Where the controller was reached.</param>
+/// <param name="Controller">Its model string.</param>
+/// <param name="SerialNumber">_BN; null where the controller cannot say.</param>
+/// <param name="State">Settings; the program memory lies beside the journal.</param>
+public sealed record JournalFound(string Address, string Controller, double? SerialNumber, FoundState State)
+{
+    public string Kind { get; } = "found";
+
+    /// <summary>True when both tell of the same controller.</summary>
+    internal bool IsSameController(JournalFound other) => (Address, Controller, SerialNumber) == (other.Address, other.Controller, other.SerialNumber);
+}
+
+/// <summary>A later run has given the controller back in the name of the one that died.</summary>
+/// <param name="By">Journal of the later run.</param>
+public sealed record JournalGivenBack(string By)
+{
+    public string Kind { get; } = "givenBack";
+}
+
+/// <summary>First line of a job in the journal.</summary>
+/// <param name="StartX">_RPA when the job began.</param>
+/// <param name="FrameX">Job frame: what was added to drawing counts to get the controller's.</param>
+public sealed record JournalHeader(string Drawing, string Controller, JobMode Mode, int SegmentCount, int StartX, int StartY, int FrameX, int FrameY, DateTimeOffset StartedAt)
+{
+    public string Kind { get; } = "job";
+}
+
+/// <summary>The lines of the journal.</summary>
+[JsonSourceGenerationOptions(GenerationMode = JsonSourceGenerationMode.Metadata)]
+[JsonSerializable(typeof(JournalHeader))]
+[JsonSerializable(typeof(JournalProgress))]
+[JsonSerializable(typeof(JournalEnd))]
+[JsonSerializable(typeof(JournalFound))]
+[JsonSerializable(typeof(JournalGivenBack))]
+internal sealed partial class JournalJson : JsonSerializerContext;
+
+/// <summary>A sequence that is done, or how far a long one is.</summary>
+/// <param name="Sequence">Place of the sequence in its stroke.</param>
+/// <param name="Entity">Drawing entity of the last executed segment, -1 before the first.</param>
+/// <param name="SegmentsExecuted">Since the job began, as the controller counted.</param>
+/// <param name="X">_RPA.</param>
+/// <param name="Time">Controller seconds since the job began.</param>
+public sealed record JournalProgress(int Stroke, int Sequence, int Entity, int SegmentsExecuted, int X, int Y, double Time)
+{
+    public string Kind { get; } = "progress";
+}

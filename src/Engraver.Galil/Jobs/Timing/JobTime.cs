@@ -1,0 +1,20 @@
+using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Timing;
+
+namespace Engraver.Galil.Jobs.Timing;
+
+/// <summary>How long a job will take on a link of this kind and in this mode: <see cref="MotionTime"/> with the command times of both.</summary>
+public static class JobTime
+{
+    /// <param name="program">As it will be run: made fit for the line (<see cref="LinkFeedFit"/>).</param>
+    /// <param name="line">The serial line it goes over; null for a network or the simulated controller.</param>
+    public static MotionTimes Estimate(MotionProgram program, SerialLine? line, JobMode mode) => MotionTime.Calculate(program, Commands(line, mode));
+
+    private static CommandTimes Commands(SerialLine? line, JobMode mode) => (line, mode) switch
+    {
+        (_, JobMode.Program) => new ProgramTimes(line),
+        (null, _) => CommandTimes.Ethernet,
+        _ => new SerialTimes(line),
+    };
+}

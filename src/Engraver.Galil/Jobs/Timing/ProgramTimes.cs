@@ -1,0 +1,40 @@
+using Engraver.Galil.Language;
+using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Posting;
+using Engraver.Galil.Programs.Timing;
+
+namespace Engraver.Galil.Jobs.Timing;
+
+/// <summary>A job that runs in the controller: loading takes its bytes, both ways, for what was downloaded is read back; then only the controller's own statements take time.</summary>
+/// <param name="line">Null for a network, on which loading is nothing beside the cutting.</param>
+internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
+{
+    /// <summary>Around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the question for the watchdog; the answer to the poll before it, and about half a poll until
+    /// its end is seen by the first question of a poll, whose second one is still to be asked.</summary>
+    private const int BytesAroundChunk = 290;
+
+    /// <summary>The line that assigns x and y and calls #RAPID, and the lines of that.</summary>
+    private const int RapidStatements = 10;
+
+    /// <summary>SB or CB, and WT.</summary>
+    private const int ToolStatements = 2;
+
+    /// <summary>CSS, the mark, VM, VS, VE, BGS, JS#CUT and its five lines.</summary>
+    private const int SequenceStatements = 12;
+
+    internal override double Loading(MotionProgram program)
+    {
+        if (line is null) return 0.0;
+        var frame = new ControllerFrame(program.Start, program.Start);
+        var chunks = new SupervisedProgram(program, frame, dryRun: false).Pack(program.Strokes, DmcLimits.ProgramLines, null).Chunks;
+        return chunks.Sum(chunk => (BytesAroundChunk + (2.0 * chunk.Text.Length) + chunk.Text.AsSpan().Count('\n')) * line.ByteSeconds); // an upload ends each line with two characters
+    }
+
+    internal override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program) => RapidStatements * SecondsPerStatement;
+
+    internal override double Sequence(VectorSequence sequence, double moving, MotionProgram program) =>
+        (SequenceStatements + Math.Min(sequence.Segments.Count, SequenceWriter.SentBeforeStart)) * SecondsPerStatement;
+
+    internal override double Tool(CountsPoint at, MotionProgram program) => (program.Profile.ToolSettleMilliseconds / 1000.0) + (ToolStatements * SecondsPerStatement);
+}

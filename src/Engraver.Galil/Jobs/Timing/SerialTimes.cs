@@ -1,0 +1,100 @@
+using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Language;
+using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Timing;
+using Engraver.Galil.Protocol;
+using static Engraver.Galil.Jobs.JobMachine;
+
+namespace Engraver.Galil.Jobs.Timing;
+
+/// <summary>A job led over a serial line: every byte of a question, a command and an answer takes its time (galil-dmc.md A.2), and an end is noticed by the next question only.</summary>
+/// <remarks>For one estimate: what a step takes depends on those before it, which are told in the order of cutting.</remarks>
+internal sealed class SerialTimes(SerialLine line) : CommandTimes
+{
+    private const int CapacityDigits = 3;
+
+    private readonly SerialConversation _talk = new(line);
+
+    internal override double Loading(MotionProgram program) => 0.0;
+
+    internal override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program)
+    {
+        var begun = _talk.Now;
+        _talk.Poll(from);
+        if (from == to) return _talk.Now - begun;
+        if (from.X != to.X) SayAll(Text($"SPA={program.Profile.RapidSpeedX}"), Text($"PAA={to.X}"));
+        if (from.Y != to.Y) SayAll(Text($"SPB={program.Profile.RapidSpeedY}"), Text($"PAB={to.Y}"));
+        _talk.Command(from.X != to.X && from.Y != to.Y ? "BGAB" : "BGA");
+        var end = _talk.Heard + moving;
+        _talk.Moves(end, 0);
+        PollUntil(to, end, moving);
+        _talk.StopCode = StopCodes.AtTarget;
+        return _talk.Now - begun - moving;
+    }
+
+    internal override double Sequence(VectorSequence sequence, double moving, MotionProgram program)
+    {
+        var begun = _talk.Now;
+        _talk.Poll(sequence.Start);
+        if (program.Style == MotionStyle.Calls) Call(sequence, moving);
+        else Stream(sequence, moving, program.Profile.AccelerationCounts);
+        _talk.StopCode = StopCodes.SequenceEnded;
+        return _talk.Now - begun - moving;
+    }
+
+    internal override double Tool(CountsPoint at, MotionProgram program)
+    {
+        var begun = _talk.Now;
+        _talk.Command("SB 1");
+        var switched = _talk.Glance(at).At;
+        var (pause, start) = (Pause(program.Profile.ToolSettleSeconds), _talk.Now);
+        while (_talk.Glance(at).At - switched < Settle(program)) _talk.Rest(pause.Next(_talk.Now - start));
+        return _talk.Now - begun;
+    }
+
+    /// <summary>The server works a little before and behind the motion; the end is seen by a whole poll, for it is <c>seq</c> that tells it.</summary>
+    private void Call(VectorSequence sequence, double moving)
+    {
+        SayAll(ResidentServer.Arguments(sequence.Segments[0], sequence.Start, sequence.Speed), ResidentServer.GoCommand);
+        var end = _talk.Heard + SecondsPerCall + moving;
+        _talk.Moves(end, sequence.Speed);
+        PollUntil(sequence.End, end, moving);
+        _talk.Calls++;
+    }
+
+    /// <summary>The buffer is filled before the machine starts; what does not fit, and then VE, is sent while it moves.</summary>
+    private void Stream(VectorSequence sequence, double moving, int acceleration)
+    {
+        SayAll("CSS", "VMAB", Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1");
+        _talk.Ask("_LMS", CapacityDigits);
+        _talk.Counter = 0;
+        var fits = sequence.Segments.Count <= LinkFeedLimit.Places;
+        foreach (var segment in sequence.Segments.Take(LinkFeedLimit.Places)) _talk.Command(DmcFormat.Command(segment, sequence.Start));
+        if (fits) _talk.Command("VE");
+        var begun = _talk.Now;
+        _talk.Command("BGS");
+        _talk.Moves(_talk.Heard + moving, sequence.Speed);
+        foreach (var segment in sequence.Segments.Skip(LinkFeedLimit.Places)) _talk.Command(DmcFormat.Command(segment, sequence.Start));
+        if (!fits) _talk.Command("VE");
+        _talk.Counter = sequence.Segments.Count;
+        var (pause, start) = (Pause(moving - (_talk.Now - begun)), _talk.Now);
+        while (!_talk.Glance(sequence.End).Stands) _talk.Rest(pause.Next(_talk.Now - start));
+    }
+
+    private void SayAll(params ReadOnlySpan<string> commands)
+    {
+        foreach (var command in commands) _talk.Command(command);
+    }
+
+    /// <param name="atLeast">As the job knows it, seconds from now: it rests until then.</param>
+    private void PollUntil(CountsPoint at, double end, double atLeast)
+    {
+        var (pause, start) = (Pause(atLeast), _talk.Now);
+        while (_talk.Poll(at).Program < end) _talk.Rest(pause.Next(_talk.Now - start));
+    }
+
+    private static PollPause Pause(double atLeast) => new(JobOptions.UsualPollInterval, atLeast);
+}

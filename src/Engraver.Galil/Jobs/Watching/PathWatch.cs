@@ -1,0 +1,84 @@
+using Engraver.Core.Geometry;
+using Engraver.Galil.Language;
+using static Engraver.Galil.Jobs.JobMachine;
+
+namespace Engraver.Galil.Jobs.Watching;
+
+/// <summary>Holds polled positions against the planned path while a sequence runs: a command that arrived as another one drives the machine beside it.</summary>
+/// <remarks>
+/// A polled position is a reference (_RP), so no servo lag is in it; but the two axes are read one after the other, and a sample of the motion may lie between (galil-dmc.md C: 1 ms at TM 1000).
+/// That puts a point that is right beside the path by up to speed x sample x |sin x cos| of the path's direction, at a joint half of speed x sample. Beyond that the first poll decides; within it
+/// only <see cref="MostInARow"/> polls in a row do, for the sample lies between the two readings now and then and not always.
+/// </remarks>
+/// <param name="start">Where the first segment begins, job frame.</param>
+/// <param name="segments">In the order of cutting.</param>
+/// <param name="speed">VS, counts/s.</param>
+/// <param name="sampleSeconds">Of the controller's motion.</param>
+internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed, double sampleSeconds)
+{
+    /// <summary>How far a point of the right path may lie from the planned one, counts: the position is rounded in both axes, and so is the place where an arc is taken to begin.</summary>
+    public const double Allowance = 2.0;
+
+    /// <summary>Off by no more than two readings at different times can explain, so often in a row, is off.</summary>
+    private const int MostInARow = 8;
+
+    /// <summary>The counter may be so much older than the position, seconds.</summary>
+    private const double LongestReply = 0.01;
+
+    private int _inARow;
+
+    /// <param name="executed">Segments that were done when the position was asked.</param>
+    /// <param name="place">Job frame.</param>
+    public JobStep Look(int executed, CountsPoint place)
+    {
+        var (off, explained) = Nearest(Math.Clamp(executed, 0, segments.Count - 1), new Point2D(place.X, place.Y));
+        if (off <= Allowance) _inARow = 0;
+        else if (off > Allowance + explained || ++_inARow >= MostInARow) return Left(off, place, segments[Math.Clamp(executed, 0, segments.Count - 1)].EntityIndex);
+        return JobStep.Done;
+    }
+
+    /// <summary>Where the machine rests behind the last of the segments.</summary>
+    public JobStep LookAtEnd(CountsPoint place)
+    {
+        var off = new Point2D(place.X, place.Y).DistanceTo(new Point2D(segments[^1].End.X, segments[^1].End.Y));
+        return off <= Allowance ? JobStep.Done : Left(off, place, segments[^1].EntityIndex);
+    }
+
+    private static JobStep Left(double off, CountsPoint place, int entity) => JobStep.Deviated(Text(
+        $"The machine stood at {place.X},{place.Y} of the drawing (counts), {off:0} counts beside the planned path, at drawing entity {entity}; what was sent has not arrived as it was sent, or something else moves the axes. Look at the work piece, the cable and who else uses the controller."));
+
+    /// <summary>Distance to the path about where the machine should be, and how much of it two readings at different times explain.</summary>
+    private (double Off, double Explained) Nearest(int at, Point2D place)
+    {
+        var (off, explained) = (double.PositiveInfinity, 0.0);
+        var ahead = -2.0 * speed * LongestReply;
+        for (var i = Math.Max(0, at - 1); i < segments.Count && ahead <= 0.0; i++)
+        {
+            var segment = segments[i];
+            var from = i == 0 ? start : segments[i - 1].End;
+            var piece = Piece(new Point2D(from.X, from.Y), segment);
+            var distance = piece.DistanceTo(place);
+            if (distance < off) (off, explained) = (distance, Explained(piece, place));
+            if (i >= at) ahead += segment.Length;
+        }
+
+        return (off, explained);
+    }
+
+    private static Segment Piece(Point2D from, in VectorSegment segment)
+    {
+        if (segment.Kind == VectorSegmentKind.Line) return Segment.FromLine(from, new Point2D(segment.End.X, segment.End.Y));
+        var theta = Angle.FromDegrees(segment.ThetaDegrees);
+        return Segment.FromArc(new ArcSegment(from - Vector2D.FromPolar(segment.Radius, theta), segment.Radius, theta, Angle.FromDegrees(segment.DeltaDegrees)));
+    }
+
+    private double Explained(Segment piece, Point2D place)
+    {
+        var way = speed * sampleSeconds;
+        var (begin, end) = (piece.PointAt(0.0), piece.PointAt(1.0));
+        if (Math.Min(begin.DistanceTo(place), end.DistanceTo(place)) <= 2.0 * way) return way / 2.0;
+        var direction = piece.Kind == SegmentKind.Line ? end - begin : place - piece.Arc.Centre;
+        var length = direction.Length;
+        return length == 0.0 ? way / 2.0 : way * Math.Abs(direction.X * direction.Y) / (length * length);
+    }
+}

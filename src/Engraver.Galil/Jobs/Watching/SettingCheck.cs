@@ -1,0 +1,37 @@
+using static Engraver.Galil.Jobs.JobMachine;
+
+namespace Engraver.Galil.Jobs.Watching;
+
+/// <summary>Reads back what was set before anything relies on it. Over a network only: on a serial line every command is compared with its echo already, and a question would take its time.</summary>
+internal static class SettingCheck
+{
+    /// <summary>The controller keeps speeds and accelerations in steps (galil-dmc.md B.4: VS 2, VA 1024); a share of the value and this much is no harm, counts/s or counts/s2.</summary>
+    private const double Share = 0.02;
+
+    /// <param name="wanted">Operand, what was sent, and the step in which the controller keeps it.</param>
+    public static async ValueTask<JobStep> ReadBackAsync(JobMachine machine, params IReadOnlyList<(string Operand, double Value, double Step)> wanted)
+    {
+        if (machine.Line is not null || wanted.Count == 0) return JobStep.Done;
+        var (values, end) = await machine.AskAllAsync(string.Join(',', wanted.Select(one => one.Operand))).ConfigureAwait(false);
+        if (end.Ends) return end;
+        for (var i = 0; i < wanted.Count; i++)
+        {
+            var (operand, value, step) = wanted[i];
+            if (Math.Abs(values[i] - value) > step + (step > Exact ? Share * Math.Abs(value) : 0.0)) return Another(operand, value, values[i]);
+        }
+
+        return JobStep.Done;
+    }
+
+    /// <summary>For a number that must be held as it was sent; what is left is the fourth decimal that the controller cuts off.</summary>
+    public const double Exact = 0.0002;
+
+    /// <summary>Steps of SP and VS, counts/s.</summary>
+    public const double Speed = 2.0;
+
+    /// <summary>Steps of AC, DC, VA and VD, counts/s2.</summary>
+    public const double Acceleration = 1024.0;
+
+    private static JobStep Another(string operand, double sent, double held) => JobStep.LinkLost(Text(
+        $"The controller holds {held:0.####} for {operand} where {sent:0.####} was sent: the link does not carry what is said. Look at the cable, and at who else uses the controller."));
+}

@@ -1,0 +1,18 @@
+using System.Globalization;
+
+namespace Engraver.Galil.Language;
+
+/// <summary>How numbers and vector segments are spelled for the controller: invariant point, no exponent, at most four decimals (galil-dmc.md F.5).</summary>
+public static class DmcFormat
+{
+    /// <summary>A number with at most four decimals; what the controller then keeps is the caller's business (angle quantum).</summary>
+    public static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
+
+    /// <summary>VP or CR for one segment; VP is written relative to the start of its sequence, as the controller understands it (galil-dmc.md B.2).</summary>
+    public static string Command(in VectorSegment segment, CountsPoint sequenceStart) => segment.Kind switch
+    {
+        VectorSegmentKind.Line => string.Create(CultureInfo.InvariantCulture, $"VP {(long)segment.End.X - sequenceStart.X},{(long)segment.End.Y - sequenceStart.Y}"),
+        VectorSegmentKind.Arc => string.Create(CultureInfo.InvariantCulture, $"CR {segment.Radius},{Number(segment.ThetaDegrees)},{Number(segment.DeltaDegrees)}"),
+        _ => throw new ArgumentOutOfRangeException(nameof(segment)),
+    };
+}

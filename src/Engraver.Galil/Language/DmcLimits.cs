@@ -1,0 +1,37 @@
+namespace Engraver.Galil.Language;
+
+/// <summary>What the controller refuses, checked before a byte is sent (galil-dmc.md F.5 and B.1).</summary>
+public static class DmcLimits
+{
+    /// <summary>Counts. Newer manuals allow 8,388,607; the older text is planned with.</summary>
+    public const int LongestSegment = 8_000_000;
+
+    /// <summary>Counts of path in one sequence must stay below this (TC 31).</summary>
+    public const double LongestSequence = 2e9;
+
+    public const int SmallestRadius = 10;
+
+    public const int LargestRadius = 6_000_000;
+
+    /// <summary>Radius in counts times sweep in degrees must stay below this.</summary>
+    public const double RadiusTimesDegrees = 4.5e8;
+
+    public const int SlowestSpeed = 2;
+
+    /// <summary>VS and SP of servo axes, counts/s.</summary>
+    public const int FastestSpeed = 12_000_000;
+
+    /// <summary>VA, VD, AC and DC are multiples of this, counts/s2.</summary>
+    public const int AccelerationStep = 1024;
+
+    public const int LargestAcceleration = 67_107_840;
+
+    /// <summary>Segments that one plane holds.</summary>
+    public const int SegmentBuffer = 511;
+
+    public const int ProgramLines = 1000;
+
+    public const int LineLength = 80;
+
+    public const int Outputs = 8;
+}

@@ -1,0 +1,111 @@
+using Engraver.Core.Geometry;
+using Engraver.Galil.Language;
+
+namespace Engraver.Galil.Programs.Generation;
+
+/// <summary>Chooses the CR that follows a wanted arc from where the controller really stands, or none when a single CR would leave it.</summary>
+/// <remarks>All lengths are counts. The radius is the wanted one rounded; what is left to choose is theta and delta.</remarks>
+/// <param name="Quantum">How the controller keeps angles.</param>
+internal readonly record struct ArcAim(AngleQuantum Quantum)
+{
+    /// <summary>A path may leave the wanted arc by less than one count; the rest of the count is for the arithmetic of the controller.</summary>
+    private const double MostOff = 0.98;
+
+    /// <summary>The first aim that is this good is taken, so that arcs on whole counts keep the numbers of the drawing.</summary>
+    private const double GoodEnough = 0.75;
+
+    /// <summary>An end this near to the border between two counts might be rounded either way by the controller.</summary>
+    private const double UnsureHalf = 0.02;
+
+    /// <summary>An inner piece may end ahead of or behind its mark by this part of its length: the next piece starts from there.</summary>
+    private const double InnerMiss = 0.25;
+
+    private const double ShortestArc = 2.0;
+
+    /// <summary>The CR that cuts the whole wanted arc and ends within a count of <paramref name="trueEnd"/>, at a place whose rounding is beyond doubt.</summary>
+    public ArcPrediction? ToEnd(Point2D from, ArcSegment wanted, Point2D target, Point2D trueEnd)
+    {
+        return Best(from, wanted, target, arc => IsSurelyRounded(arc.End) ? Math.Max(arc.DeviationFrom(wanted), arc.End.DistanceTo(trueEnd)) : double.PositiveInfinity);
+    }
+
+    /// <summary>The CR for a piece that is followed by another piece of the same arc.</summary>
+    public ArcPrediction? ToMark(Point2D from, ArcSegment wanted)
+    {
+        var mark = wanted.EndPoint;
+        return Best(from, wanted, mark, arc => arc.End.DistanceTo(mark) <= InnerMiss * wanted.Length ? arc.DeviationFrom(wanted) : double.PositiveInfinity);
+    }
+
+    /// <summary>True when the controller takes a CR of this radius at all.</summary>
+    public static bool CanHold(double radius) => Math.Round(radius) is >= DmcLimits.SmallestRadius and <= DmcLimits.LargestRadius;
+
+    private ArcPrediction? Best(Point2D from, ArcSegment wanted, Point2D target, Func<ArcPrediction, double> off)
+    {
+        var best = default(ArcPrediction?);
+        var bestOff = MostOff;
+        foreach (var aim in Candidates(from, wanted, target))
+        {
+            if (!IsLegal(aim)) continue;
+            var aimOff = off(aim);
+            if (aimOff <= GoodEnough) return aim;
+            if (aimOff > bestOff) continue;
+            (best, bestOff) = (aim, aimOff);
+        }
+
+        return best;
+    }
+
+    /// <summary>As drawn; towards the drawn centre; through both ends.</summary>
+    private IEnumerable<ArcPrediction> Candidates(Point2D from, ArcSegment wanted, Point2D target)
+    {
+        var radius = (int)Math.Round(wanted.Radius, MidpointRounding.AwayFromZero);
+        yield return new ArcPrediction(from, radius, KeptTheta(wanted.Start.Degrees), Quantum.Keep(wanted.Sweep.Degrees));
+        yield return Aimed(from, radius, (from - wanted.Centre).Direction, wanted, target);
+        if (CentreThrough(from, target, radius, wanted) is { } centre) yield return Aimed(from, radius, (from - centre).Direction, wanted, target);
+    }
+
+    private ArcPrediction Aimed(Point2D from, int radius, Angle theta, ArcSegment wanted, Point2D target)
+    {
+        var kept = KeptTheta(theta.Degrees);
+        var sweep = wanted.Sweep.Degrees;
+        if (wanted.IsFullTurn) return new ArcPrediction(from, radius, kept, sweep);
+        var centre = new ArcPrediction(from, radius, kept, 0.0).Centre;
+        var turn = (target - centre).Direction.Degrees - kept;
+        return new ArcPrediction(from, radius, kept, Quantum.Keep(sweep + Math.IEEERemainder(turn - sweep, 360.0)));
+    }
+
+    /// <summary>The centre at <paramref name="radius"/> from both places, on the side where the wanted arc has it; none when they are too far apart or one.</summary>
+    private static Point2D? CentreThrough(Point2D from, Point2D to, int radius, ArcSegment wanted)
+    {
+        var chord = to - from;
+        var length = chord.Length;
+        if (length < 1.0 || length > 2.0 * radius) return null;
+        var height = Math.Sqrt(((double)radius * radius) - (length * length / 4.0));
+        var left = wanted.Sweep.Degrees > 0.0 == Math.Abs(wanted.Sweep.Degrees) < 180.0;
+        var normal = new Vector2D(-chord.Y, chord.X) * ((left ? height : -height) / length);
+        return from + (chord * 0.5) + normal;
+    }
+
+    private double KeptTheta(double degrees) => Quantum.Keep(Angle.FromDegrees(degrees).Positive().Degrees) is var kept && kept >= 360.0 ? kept - 360.0 : kept;
+
+    private static bool IsLegal(ArcPrediction aim) => aim.Length >= ShortestArc && aim.Radius * Math.Abs(aim.DeltaDegrees) < DmcLimits.RadiusTimesDegrees;
+
+    private static bool IsSurelyRounded(Point2D place) => IsSurelyRounded(place.X) && IsSurelyRounded(place.Y);
+
+    private static bool IsSurelyRounded(double value) => Math.Abs(value - Math.Floor(value) - 0.5) >= UnsureHalf;
+}
+
+/// <summary>What becomes of an angle on its way into the controller: four decimals in the text, cut off at 1/65536 like every number (0.6 becomes 0.59999), then the steps in which CR holds it (galil-dmc.md B.3, E).</summary>
+/// <param name="Degrees">The controller's step, 1/65536 or, in older manuals, 1/256 degree.</param>
+public readonly record struct AngleQuantum(double Degrees)
+{
+    private const decimal NumberSteps = 65536;
+    private const int DecimalsInText = 4;
+
+    /// <summary>The angle that the controller keeps when it is sent this one. On a circle of 700,000 counts one such step is a fifth of a count, and a chain of arcs adds them up.</summary>
+    public double Keep(double degrees)
+    {
+        var text = Math.Round((decimal)degrees, DecimalsInText, MidpointRounding.AwayFromZero);
+        var number = (double)(decimal.Truncate(text * NumberSteps) / NumberSteps);
+        return Math.Round(number / Degrees, MidpointRounding.AwayFromZero) * Degrees;
+    }
+}

@@ -1,0 +1,44 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Core.Verification;
+using Engraver.Galil.Profiles;
+
+namespace Engraver.Galil.Programs.Generation;
+
+/// <summary>Gaps that the join tolerance lets a stroke run across, straight from the true end of one move to the true start of the next. In the middle of one the tool is half of it from either end, and nothing is drawn there.</summary>
+public static class BridgedGaps
+{
+    /// <summary>The gaps as lines, millimetres, in the order of cutting: those in which the tool may be farther from the drawing than <paramref name="deviation"/>.</summary>
+    public static IReadOnlyList<StrokeMove> Beyond(Toolpath toolpath, double deviation)
+    {
+        var gaps = new List<StrokeMove>();
+        foreach (var moves in toolpath.Strokes.Select(stroke => stroke.Moves))
+        {
+            for (var i = 1; i < moves.Count; i++)
+            {
+                var (from, to) = (moves[i - 1].Segment.End, moves[i].Segment.Start);
+                if (from.DistanceTo(to) > 2.0 * deviation) gaps.Add(new StrokeMove(Segment.FromLine(from, to), moves[i].EntityIndex));
+            }
+        }
+
+        return gaps;
+    }
+
+    /// <summary>Null when no gap takes the tool farther from the drawing than rounding and curve error do.</summary>
+    internal static Diagnostic? Warning(Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef> sourceOf)
+    {
+        var gaps = Beyond(toolpath, AllowedDeviation(profile, maxErrorMm));
+        if (gaps.Count == 0) return null;
+        var widest = gaps.MaxBy(gap => gap.Segment.Length);
+        var (length, place) = (widest.Segment.Length, widest.Segment.Start);
+        return MotionRules.GapsBridged.At(sourceOf(widest.EntityIndex), gaps.Count.ToString(CultureInfo.InvariantCulture), Text(length / 2.0), Text(length), Text(place.X), Text(place.Y));
+    }
+
+    private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) =>
+        (TraceTolerances.Default with { Count = 1.0 / Math.Min(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY)), MaxError = maxErrorMm }).Deviation;
+
+    private static string Text(double value) => value.ToString("0.#####", CultureInfo.InvariantCulture);
+}

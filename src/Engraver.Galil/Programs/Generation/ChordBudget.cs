@@ -1,0 +1,39 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Galil.Language;
+
+namespace Engraver.Galil.Programs.Generation;
+
+/// <summary>Counts the chords that arcs will need before any is made: arcs of huge radius need so many that time and memory would not end.</summary>
+internal static class ChordBudget
+{
+    /// <summary>Chords for the whole drawing; a program of so many lines is beyond what is ever posted or sent.</summary>
+    public const int Most = 1_000_000;
+
+    /// <summary>The error that names the arc with the most chords, or null while the drawing needs no more than <see cref="Most"/>.</summary>
+    /// <param name="toolpath">Finite, and countable at this scale.</param>
+    /// <param name="scale">Counts per millimetre.</param>
+    /// <param name="maxErrorMm">How far chords may leave an arc, millimetres.</param>
+    /// <param name="source">Where an entity stands in the drawing.</param>
+    public static Diagnostic? Refusal(Toolpath toolpath, CountsScale scale, double maxErrorMm, Func<int, SourceRef> source)
+    {
+        var error = ArcChords.ErrorOf(maxErrorMm, scale);
+        var (all, most, worst) = (0.0, 0.0, default(StrokeMove));
+        foreach (var move in toolpath.Strokes.SelectMany(stroke => stroke.Moves))
+        {
+            if (move.Segment.Kind == SegmentKind.Line || (scale.KeepsCircles && ArcAim.CanHold(scale.Exact(move.Segment.Arc).Radius))) continue;
+            var count = ArcChords.Count(move.Segment.Arc, error);
+            all += count;
+            if (count > most) (most, worst) = (count, move);
+        }
+
+        if (all <= Most) return null;
+        var arcs = scale.KeepsCircles ? $"arcs up to the radius {Text(DmcLimits.LargestRadius / scale.Largest)} mm as arcs" : "no arcs as arcs, because its axes have unequal counts per mm";
+        return MotionRules.TooManyChords.At(source(worst.EntityIndex), Text(all), Text(Most), Text(worst.Segment.Arc.Radius), Text(most), arcs);
+    }
+
+    private static string Text(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,85 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Galil.Language;
+using Engraver.Galil.Profiles;
+
+namespace Engraver.Galil.Programs.Generation;
+
+/// <summary>Toolpath in millimetres to motion program in counts. What the controller cannot do as drawn is converted (split, chords); what cannot be converted is refused with the entity named.</summary>
+/// <remarks>
+/// Every end point is the rounded drawing point; arcs are aimed from the predicted position of the controller and stay within one count of the drawn arc (galil-dmc.md B.3).
+/// A move without length in counts gives no segment: its entity counts as done when the next segment of the stroke is, or when the stroke ends.
+/// </remarks>
+public static class MotionProgramGenerator
+{
+    /// <summary>Generates the program for one machine.</summary>
+    /// <param name="toolpath">Strokes in order, millimetres.</param>
+    /// <param name="profile">The machine; a setting outside the controller's limits is an error.</param>
+    /// <param name="maxErrorMm">How far chords may leave an arc that CR cannot cut, millimetres, above 0.</param>
+    /// <param name="sourceOf">Where an entity stands in the drawing; diagnostics name it.</param>
+    /// <param name="style">How the segments are put into sequences.</param>
+    public static MotionGeneration Generate(
+        Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style = MotionStyle.Continuous)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxErrorMm);
+        var findings = new List<Diagnostic>(MachineProfileValidation.Check(profile));
+        if (findings.Count > 0) return new MotionGeneration(null, findings);
+        if (!IsCountable(toolpath.ToolStart, profile.Scale)) findings.Add(MotionRules.ToolStartUnusable.At(default, Text(toolpath.ToolStart.X), Text(toolpath.ToolStart.Y)));
+        if (findings.Count > 0) return new MotionGeneration(null, findings);
+
+        var start = profile.Scale.ToCounts(toolpath.ToolStart);
+        SourceRef Source(int entity) => sourceOf?.Invoke(entity) ?? default;
+        findings.AddRange(toolpath.Strokes.SelectMany(stroke => stroke.Moves).Select(move => Refusal(move, profile.Scale, start, Source)).OfType<Diagnostic>());
+        if (findings.Count == 0 && ChordBudget.Refusal(toolpath, profile.Scale, maxErrorMm, Source) is { } unbounded) findings.Add(unbounded);
+        if (findings.Count > 0) return new MotionGeneration(null, findings);
+
+        if (BridgedGaps.Warning(toolpath, profile, maxErrorMm, Source) is { } beside) findings.Add(beside);
+        if (!profile.Scale.KeepsCircles && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
+        var strokes = new List<MotionStroke>(toolpath.Strokes.Count);
+        foreach (var stroke in toolpath.Strokes)
+        {
+            var motion = StrokeGenerator.Generate(stroke, profile, maxErrorMm, style);
+            if (motion.Sequences.Count > 0) strokes.Add(motion);
+            else findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), Text(stroke.Start.X), Text(stroke.Start.Y)));
+        }
+
+        return new MotionGeneration(new MotionProgram(profile, start, strokes) { Style = style }, findings);
+    }
+
+    private static Diagnostic? Refusal(in StrokeMove move, CountsScale scale, CountsPoint start, Func<int, SourceRef> source)
+    {
+        var box = move.Segment.Bounds;
+        if (!double.IsFinite(box.MinX + box.MinY + box.MaxX + box.MaxY)) return MotionRules.NotFinite.At(source(move.EntityIndex));
+        if (scale.Holds(box, start)) return null;
+        var x = Math.Abs(box.MinX) > Math.Abs(box.MaxX) ? box.MinX : box.MaxX;
+        var y = Math.Abs(box.MinY) > Math.Abs(box.MaxY) ? box.MinY : box.MaxY;
+        return MotionRules.OutsideCounts.At(source(move.EntityIndex), Text(x), Text(y), Text(scale.X), Text(scale.Y));
+    }
+
+    private static bool IsCountable(Point2D place, CountsScale scale) => place.IsFinite && scale.Holds(Bounds2D.FromCorners(place, place), default);
+
+    private static bool HasArcs(Toolpath toolpath) => toolpath.Strokes.Any(stroke => stroke.Moves.Any(move => move.Segment.Kind != SegmentKind.Line));
+
+    private static Diagnostic ChordsNote(CountsScale scale, double maxErrorMm) =>
+        MotionRules.ArcsBecomeChords.At(default, Text(scale.X), Text(scale.Y), Text(maxErrorMm));
+
+    private static string Text(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
+}
+
+/// <summary>What came of a toolpath.</summary>
+/// <param name="Program">Null when something cannot be cut at all; the errors among <paramref name="Diagnostics"/> say what.</param>
+/// <param name="Diagnostics">Errors, warnings and notes, in the order of the strokes.</param>
+public sealed record MotionGeneration(MotionProgram? Program, IReadOnlyList<Diagnostic> Diagnostics);
+
+/// <summary>How the segments of a stroke are put into sequences; what a sequence starts from decides how its arcs are aimed.</summary>
+public enum MotionStyle : byte
+{
+    /// <summary>Sequences go on until a sharp corner (stream, program).</summary>
+    Continuous,
+
+    /// <summary>Every segment is a sequence of its own: the paper's calls of #LINEAR and #CIRC, with a standstill after each.</summary>
+    Calls,
+}

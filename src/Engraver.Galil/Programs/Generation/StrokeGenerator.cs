@@ -1,0 +1,139 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Galil.Language;
+using Engraver.Galil.Profiles;
+
+namespace Engraver.Galil.Programs.Generation;
+
+/// <summary>Turns one stroke into vector sequences.</summary>
+internal sealed class StrokeGenerator
+{
+    /// <summary>An arc is halved this often before it is cut as chords.</summary>
+    private const int MostHalvings = 8;
+
+    private const double ShortestPiece = 8.0;
+
+    private readonly CountsScale _scale;
+    private readonly double _maxErrorMm;
+    private readonly ArcAim _aim;
+    private readonly SequenceBuilder _builder;
+    private readonly CornerDetector _corners;
+    private CountsPoint _reached;
+    private int _entity;
+
+    private StrokeGenerator(CountsPoint start, MachineProfile profile, double maxErrorMm, MotionStyle style)
+    {
+        _scale = profile.Scale;
+        _maxErrorMm = ArcChords.ErrorOf(maxErrorMm, _scale);
+        _aim = new ArcAim(new AngleQuantum(profile.AngleQuantumDegrees));
+        _builder = new SequenceBuilder(start, profile.VectorSpeed, style);
+        _corners = new CornerDetector(profile);
+        _reached = start;
+    }
+
+    /// <summary>The stroke in counts; without sequences when all of it is smaller than a count.</summary>
+    public static MotionStroke Generate(ToolpathStroke stroke, MachineProfile profile, double maxErrorMm, MotionStyle style)
+    {
+        var start = profile.Scale.ToCounts(stroke.Start);
+        var generator = new StrokeGenerator(start, profile, maxErrorMm, style);
+        foreach (var move in stroke.Moves) generator.Move(move);
+        return new MotionStroke(stroke.Index, start, generator._builder.Finish());
+    }
+
+    private void Move(in StrokeMove move)
+    {
+        var segment = move.Segment;
+        if (Vanishes(segment))
+        {
+            _corners.Skip(segment);
+            return;
+        }
+
+        _entity = move.EntityIndex;
+        if (_corners.IsCornerBefore(segment)) _builder.EndSequence();
+        BridgeGapTo(_scale.ToCounts(segment.Start));
+        Cut(segment);
+        _reached = _scale.ToCounts(segment.End);
+        _corners.Cut(segment);
+    }
+
+    /// <summary>Shorter than a count, and not the one that completes a count after others like it.</summary>
+    private bool Vanishes(in Segment segment) =>
+        segment.Length * _scale.Largest < 1.0 && _builder.Position.DistanceTo(_scale.Exact(segment.End)) < 1.0;
+
+    /// <summary>Cuts across a gap within the join tolerance. Compared with where the last move was drawn to, not with where its arc came out.</summary>
+    private void BridgeGapTo(CountsPoint start)
+    {
+        if (start != _reached) _builder.Line(start, _entity);
+    }
+
+    private void Cut(in Segment segment)
+    {
+        if (segment.Kind == SegmentKind.Line)
+        {
+            _builder.Line(_scale.ToCounts(segment.End), _entity);
+        }
+        else if (!_scale.KeepsCircles)
+        {
+            foreach (var vertex in ArcChords.Vertices(segment.Arc, _maxErrorMm)) _builder.Line(_scale.ToCounts(vertex), _entity);
+        }
+        else
+        {
+            Arc(_scale.Exact(segment.Arc), _scale.Exact(segment.End));
+        }
+    }
+
+    private void Arc(ArcSegment wanted, Point2D trueEnd)
+    {
+        if (ArcAim.CanHold(wanted.Radius)) LastPiece(wanted, trueEnd, MostHalvings);
+        else Chords(wanted);
+    }
+
+    /// <summary>The piece that ends where the move ends: one CR, or all but half of it and the same question again.</summary>
+    private void LastPiece(ArcSegment wanted, Point2D trueEnd, int halvings)
+    {
+        var target = CountsScale.Round(trueEnd);
+        if (_aim.ToEnd(_builder.Position, wanted, new Point2D(target.X, target.Y), trueEnd) is { } aimed)
+        {
+            _builder.Arc(aimed, _entity);
+        }
+        else if (CanHalve(wanted, halvings))
+        {
+            InnerPiece(FirstHalf(wanted), halvings - 1);
+            LastPiece(SecondHalf(wanted), trueEnd, halvings - 1);
+        }
+        else
+        {
+            Chords(wanted);
+        }
+    }
+
+    private void InnerPiece(ArcSegment wanted, int halvings)
+    {
+        if (_aim.ToMark(_builder.Position, wanted) is { } aimed)
+        {
+            _builder.Arc(aimed, _entity);
+        }
+        else if (CanHalve(wanted, halvings))
+        {
+            InnerPiece(FirstHalf(wanted), halvings - 1);
+            InnerPiece(SecondHalf(wanted), halvings - 1);
+        }
+        else
+        {
+            Chords(wanted);
+        }
+    }
+
+    private void Chords(ArcSegment wanted)
+    {
+        foreach (var vertex in ArcChords.Vertices(wanted, _maxErrorMm * _scale.Largest)) _builder.Line(CountsScale.Round(vertex), _entity);
+    }
+
+    private static bool CanHalve(ArcSegment wanted, int halvings) => halvings > 0 && wanted.Length >= 2.0 * ShortestPiece;
+
+    private static ArcSegment FirstHalf(ArcSegment arc) => arc with { Sweep = arc.Sweep * 0.5 };
+
+    private static ArcSegment SecondHalf(ArcSegment arc) => arc with { Start = arc.Start + (arc.Sweep * 0.5), Sweep = arc.Sweep * 0.5 };
+}

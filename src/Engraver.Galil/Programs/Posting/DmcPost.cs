@@ -1,0 +1,118 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Language;
+using Engraver.Galil.Programs.Generation;
+using static Engraver.Galil.Programs.Subprograms;
+
+namespace Engraver.Galil.Programs.Posting;
+
+/// <summary>Writes a motion program as self-contained controller programs, started with XQ #JOB.</summary>
+/// <remarks>Where the machine stands when the job starts is the drawing's start point, whatever the controller's position reads there: the first chunk keeps that
+/// position in ox and oy, rapids count from it, and later chunks find it still there, for a download leaves the variables alone.</remarks>
+public static class DmcPost
+{
+    private const string CountCall = "seq=seq+1";
+    private const string TakeOrigin = "ox=_RPA;oy=_RPB";
+    private const string TravelFromOrigin = "PAA=ox+x;PAB=oy+y";
+
+    /// <summary>The paper's way (section 5.2): variables are assigned and #LINEAR or #CIRC is called, a line for each; seq counts the calls, rapids and tool changes included.</summary>
+    /// <param name="program">Generated with <see cref="MotionStyle.Calls"/>: every call ends at rest, so its arcs must be aimed from there.</param>
+    /// <param name="options">The controller's memory.</param>
+    /// <param name="sourceOf">Where an entity stands in the drawing, for diagnostics.</param>
+    public static DmcPostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
+    {
+        if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
+        var form = new PostForm(done => CallsOpening(program, done), stroke => CallsStroke(stroke, FromStart(program)), CallsClosing(program));
+        return Posted(program, form, options, sourceOf);
+    }
+
+    /// <summary>Continuous vector sequences (galil-dmc.md F.1 method 2): the machine stops only where the motion program does.</summary>
+    public static DmcPostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
+    {
+        var spelling = new SequenceSpelling(
+            string.Empty, "AMS", place => Text($"PAA=ox{place.X:+0;-0};PAB=oy{place.Y:+0;-0};BGAB;AMAB"), [ToolOn(program.Profile), Settle(program.Profile)]);
+        var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
+        var form = new PostForm(done => Opening(program, done, string.Empty), writer.Stroke, SequencesClosing(program));
+        return Posted(program, form, options, sourceOf);
+    }
+
+    private static DmcPostText Posted(MotionProgram program, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    {
+        var packed = ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
+        return new DmcPostText([.. packed.Chunks.Select(chunk => chunk.Text)], packed.Diagnostics);
+    }
+
+    /// <summary>Places relative to where the machine stands when the job starts.</summary>
+    private static ControllerFrame FromStart(MotionProgram program) => new(program.Start, default);
+
+    private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables)
+    {
+        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SHAB", done == 0 ? TakeOrigin : string.Empty);
+        foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
+        return lines.Line(variables).Lines;
+    }
+
+    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done) => Opening(program, done, Text($"f={program.Profile.VectorSpeed};seq={done}"));
+
+    private static IReadOnlyList<string> CallsStroke(MotionStroke stroke, ControllerFrame frame)
+    {
+        var (x, y) = frame.Of(stroke.Start);
+        var lines = new ProgramLines().Line(Text($"x={x}"), Text($"y={y}"), $"JS{Rapid}").Line("JS#TOOLON");
+        foreach (var sequence in stroke.Sequences)
+        {
+            foreach (var segment in sequence.Segments) lines.Line(Call(segment, sequence.Start));
+        }
+
+        return lines.Line("JS#TOOLOFF").Lines;
+    }
+
+    private static string Call(in VectorSegment segment, CountsPoint start) => segment.Kind == VectorSegmentKind.Line
+        ? Text($"x={(long)segment.End.X - start.X};y={(long)segment.End.Y - start.Y};JS{Linear}")
+        : Text($"r={segment.Radius};th={DmcFormat.Number(segment.ThetaDegrees)};da={DmcFormat.Number(segment.DeltaDegrees)};JS{Circ}");
+
+    private static IReadOnlyList<string> CallsClosing(MotionProgram program)
+    {
+        var profile = program.Profile;
+        return
+        [
+            .. End(program),
+            .. LinearLines(CountCall),
+            .. CircLines(CountCall),
+            .. RapidLines(TravelFromOrigin, CountCall),
+            .. new ProgramLines().Line("#TOOLON").Line(ToolOn(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
+            .. new ProgramLines().Line("#TOOLOFF").Line(ToolOff(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
+            .. CommandErrorEndsTheJob(program),
+        ];
+    }
+
+    private static IReadOnlyList<string> SequencesClosing(MotionProgram program) => [.. End(program), .. SequenceWriter.RoomLines(string.Empty), .. CommandErrorEndsTheJob(program)];
+
+    private static IReadOnlyList<string> End(MotionProgram program) => new ProgramLines().Line(ToolOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
+
+    /// <summary>Without HX0 the controller would go on behind the refused command, from a place the program does not expect (galil-dmc.md C.3).</summary>
+    private static IReadOnlyList<string> CommandErrorEndsTheJob(MotionProgram program) =>
+        new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line("HX0").Line("EN").Lines;
+}
+
+/// <summary>What a post needs to know beside the motion program.</summary>
+public sealed record DmcPostOptions
+{
+    public static DmcPostOptions Default { get; } = new();
+
+    /// <summary>Lines the controller's program memory holds, subprograms included; a longer job comes in chunks.</summary>
+    public int MemoryLines { get; init; } = DmcLimits.ProgramLines;
+}
+
+/// <summary>A job as program text: one or more chunks, each complete with its subprograms, to be downloaded and run (XQ #JOB) one after the other without moving the machine in between.</summary>
+/// <param name="Chunks">Each ends with a line end (LF); with more than one, each begins with a comment line "'CHUNK 2 OF 3".</param>
+/// <param name="Diagnostics">Strokes that had to be cut to fit the memory.</param>
+public sealed record DmcPostText(IReadOnlyList<string> Chunks, IReadOnlyList<Diagnostic> Diagnostics)
+{
+    public string Text => string.Concat(Chunks);
+}
+
+/// <summary>How one way of posting spells its parts; packing them into chunks is the same for all.</summary>
+/// <param name="Opening">From the label #JOB to before the first stroke; the argument is how many stroke lines earlier chunks have run.</param>
+/// <param name="Stroke">Rapid, tool on, cut, tool off.</param>
+/// <param name="Closing">End of the job and every subprogram.</param>
+internal sealed record PostForm(
+    Func<int, IReadOnlyList<string>> Opening, Func<MotionStroke, IReadOnlyList<string>> Stroke, IReadOnlyList<string> Closing);

@@ -1,0 +1,96 @@
+using Engraver.Galil.Language;
+using Engraver.Galil.Profiles;
+using static Engraver.Galil.Programs.Subprograms;
+
+namespace Engraver.Galil.Programs.Posting;
+
+/// <summary>Spells the strokes of a motion program as vector sequences, several segments a line.</summary>
+internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame frame, SequenceSpelling spelling)
+{
+    /// <summary>Buffered before the machine starts; the rest follows while it moves.</summary>
+    internal const int SentBeforeStart = 480;
+
+    /// <summary>Between two looks at the buffer no more segments are sent than #ROOM has waited for.</summary>
+    private const int RoomWaitedFor = 50;
+
+    /// <summary>Waits until the buffer has room (never tests for equality: what an empty buffer reads differs between manuals, galil-dmc.md 0.3).</summary>
+    /// <param name="check">Statement before each look, or empty.</param>
+    public static IReadOnlyList<string> RoomLines(string check) => new ProgramLines().Line("#ROOM").Line(check).Line(Text($"JP#ROOM,_LMS<{RoomWaitedFor}")).Line("EN").Lines;
+
+    /// <summary>Rapid, sequences, tool off. The tool goes on when the first sequence is in the buffer, so that it does not burn a spot meanwhile.</summary>
+    public IReadOnlyList<string> Stroke(MotionStroke stroke)
+    {
+        var lines = new ProgramLines().Line(spelling.Rapid(frame.Of(stroke.Start)));
+        for (var i = 0; i < stroke.Sequences.Count; i++) Sequence(lines, stroke.Sequences[i], i == 0 ? spelling.ToolOn : []);
+        return lines.Line(ToolOff(profile), Settle(profile)).Lines;
+    }
+
+    private void Sequence(ProgramLines lines, VectorSequence sequence, IReadOnlyList<string> toolOn)
+    {
+        lines.Line(spelling.Open, "VMAB", Text($"VS {sequence.Speed}"));
+        var (sent, sinceRoom, started) = (0, 0, false);
+        foreach (var group in Groups(sequence))
+        {
+            if (!started && sent + group.Count > SentBeforeStart)
+            {
+                lines.Line([.. toolOn, "BGS"]);
+                (started, sinceRoom) = (true, RoomWaitedFor);
+            }
+
+            if (started && sinceRoom + group.Count > RoomWaitedFor)
+            {
+                lines.Line("JS#ROOM");
+                sinceRoom = 0;
+            }
+
+            lines.Line([.. group]);
+            (sent, sinceRoom) = (sent + group.Count, sinceRoom + group.Count);
+        }
+
+        string[] ending = started ? ["VE", spelling.AwaitEnd] : ["VE", .. toolOn, "BGS", spelling.AwaitEnd];
+        lines.Line(ending);
+    }
+
+    /// <summary>The segments' commands, as many together as a line holds.</summary>
+    private static IEnumerable<List<string>> Groups(VectorSequence sequence)
+    {
+        var group = new List<string>();
+        var length = -1;
+        foreach (var segment in sequence.Segments)
+        {
+            var command = DmcFormat.Command(segment, sequence.Start);
+            if (length + 1 + command.Length > DmcLimits.LineLength)
+            {
+                yield return group;
+                group = [];
+                length = -1;
+            }
+
+            group.Add(command);
+            length += 1 + command.Length;
+        }
+
+        yield return group;
+    }
+}
+
+/// <summary>From the job's frame to the controller's own coordinates, which rapids (PA) need: both meet where the machine stands when the job starts.</summary>
+/// <param name="JobStart">That place in the job's frame.</param>
+/// <param name="ControllerAtStart">What the controller's position reads there.</param>
+public readonly record struct ControllerFrame(CountsPoint JobStart, CountsPoint ControllerAtStart)
+{
+    /// <summary>True when the controller can count to this place of the job's frame.</summary>
+    public bool Holds(CountsPoint job) => Math.Max(Math.Abs((long)job.X - JobStart.X + ControllerAtStart.X), Math.Abs((long)job.Y - JobStart.Y + ControllerAtStart.Y)) <= int.MaxValue;
+
+    /// <summary>Throws <see cref="OverflowException"/> when the controller could not count that far from where it stands.</summary>
+    public CountsPoint Of(CountsPoint job) => new(
+        checked((int)((long)job.X - JobStart.X + ControllerAtStart.X)),
+        checked((int)((long)job.Y - JobStart.Y + ControllerAtStart.Y)));
+}
+
+/// <summary>Where two ways of writing vector sequences differ.</summary>
+/// <param name="Open">Statements before VM; may be empty.</param>
+/// <param name="AwaitEnd">The statement that waits for the end of the sequence.</param>
+/// <param name="Rapid">The line that travels to a place in the controller's coordinates, tool off, and waits.</param>
+/// <param name="ToolOn">Tool on and its settle; empty for a dry run.</param>
+internal sealed record SequenceSpelling(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, IReadOnlyList<string> ToolOn);

@@ -1,0 +1,76 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Language;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs.Resident;
+using static Engraver.Galil.Programs.Resident.ResidentProgram;
+using static Engraver.Galil.Programs.Subprograms;
+
+namespace Engraver.Galil.Programs.Posting;
+
+/// <summary>A job as programs that cut on their own while a host watches (paper 001's own use; galil-dmc.md F.1 method 2): counted, checked after every motion, with the watchdog, #POSERR and #CMDERR.</summary>
+/// <remarks>
+/// <c>seq</c> is counted twice for each vector sequence: odd while it is under way, so that <c>_CSS</c> is known to belong to it, even in between; once more when the chunk
+/// is done and the tool has settled. A motion that did not end where it should (a limit switch, an ST from elsewhere) ends in #STRAY: tool off, stop, <c>errcode</c> -1; without this check the
+/// program would go on from the wrong place.
+/// </remarks>
+internal sealed class SupervisedProgram
+{
+    /// <summary>Value of the error code when a motion ended early; TC codes are positive.</summary>
+    public const int Strayed = -1;
+
+    public const string Entry = "#JOB";
+
+    private const string Stray = "#STRAY";
+    private const string CountSequence = $"{Variables.Sequence}={Variables.Sequence}+1";
+
+    private readonly MachineProfile _profile;
+    private readonly PostForm _form;
+
+    /// <param name="program">Continuous or calls, as generated.</param>
+    /// <param name="frame">Where the controller's zero stands.</param>
+    /// <param name="dryRun">The tool is never switched on.</param>
+    public SupervisedProgram(MotionProgram program, ControllerFrame frame, bool dryRun)
+    {
+        _profile = program.Profile;
+        var spelling = new SequenceSpelling(
+            $"CSS;{CountSequence}", "JS#CUT", place => Text($"x={place.X};y={place.Y};JS{Rapid}"), dryRun ? [] : [ToolOn(_profile), Settle(_profile)]);
+        _form = new PostForm(_ => Opening(_profile), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile));
+    }
+
+    /// <summary>The smallest memory that the job can be packed for, lines.</summary>
+    public int FewestLines => ChunkPacker.FewestLines(_form);
+
+    /// <summary>What seq reads when the chunk is done.</summary>
+    public static int EndMark(ProgramChunk chunk) => (2 * chunk.Parts.Sum(part => part.Sequences.Count)) + 1;
+
+    public PackedJob Pack(IEnumerable<MotionStroke> strokes, int memoryLines, Func<int, SourceRef>? sourceOf) =>
+        ChunkPacker.Pack(strokes, _form, DmcPostOptions.Default with { MemoryLines = memoryLines }, sourceOf);
+
+    /// <summary>True for a chunk of such a job on this machine: its subprograms are these.</summary>
+    public static bool IsChunk(string program, MachineProfile profile)
+    {
+        var lines = program.Split('\n', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
+        var closing = Closing(profile);
+        return lines.Length > closing.Count && lines.Skip(lines.Length - closing.Count).SequenceEqual(closing);
+    }
+
+    private static IReadOnlyList<string> Opening(MachineProfile profile) =>
+    [
+        Entry,
+        $"{CommandErrorProgram.ClearStatement};{Variables.Sequence}=0",
+        WatchdogProgram.StartStatement,
+        ToolOff(profile),
+        .. SetUpLines(profile),
+    ];
+
+    private static IReadOnlyList<string> Closing(MachineProfile profile) =>
+    [
+        CountSequence,
+        "JP#HALT",
+        .. new ProgramLines().Line("#CUT").Line("AMS").Line($"JP{Stray},_SCA<>101").Line(CountSequence).Line("EN").Lines,
+        .. RapidLines($"JP{Stray},(_RPA<>x)|(_RPB<>y)"),
+        .. SequenceWriter.RoomLines($"JP{Stray},_BGS=0"),
+        .. new ProgramLines().Line(Stray).Line(StopEverything(profile)).Line(Text($"{Variables.ErrorCode}={Strayed}")).Line("ZS").Line("JP#HALT").Lines,
+        .. Guards(profile),
+    ];
+}

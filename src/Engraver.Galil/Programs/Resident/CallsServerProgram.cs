@@ -1,0 +1,42 @@
+using Engraver.Galil.Language;
+using Engraver.Galil.Profiles;
+using static Engraver.Galil.Programs.Resident.ResidentProgram;
+
+namespace Engraver.Galil.Programs.Resident;
+
+/// <summary>The paper's way live (galil-dmc.md EX11 made safe): the host assigns variables, then go=1; thread 0 calls the subprogram and advances seq.</summary>
+/// <remarks>go is cleared when it is seen, not afterwards, and seq advances last: a host that sends the next call as soon as seq has advanced can lose neither a go nor have a call run twice.</remarks>
+public static class CallsServerProgram
+{
+    public const string Entry = "#SERVER";
+
+    public static string Text(MachineProfile profile) => string.Join('\n', Lines(profile)) + "\n";
+
+    internal static IReadOnlyList<string> Lines(MachineProfile profile) =>
+    [
+        Entry,
+        "op=0;x=0;y=0;r=0;th=0;da=0",
+        Subprograms.Text($"f={profile.VectorSpeed};go=0;done=1;seq=0"),
+        CommandErrorProgram.ClearStatement,
+        WatchdogProgram.StartStatement,
+        "SHAB",
+        .. Subprograms.SetUpLines(profile),
+        "#SLOOP",
+        "WT 2",
+        "JP#SLOOP,go=0",
+        "go=0;done=0",
+        .. Dispatch(Operations.Line, Subprograms.Linear),
+        .. Dispatch(Operations.Arc, Subprograms.Circ),
+        .. Dispatch(Operations.Rapid, Subprograms.Rapid),
+        .. Dispatch(Operations.Tool, "#TOOL"),
+        "done=1;seq=seq+1",
+        "JP#SLOOP",
+        "EN",
+        .. Subprograms.LinearLines(string.Empty),
+        .. Subprograms.CircLines(string.Empty),
+        .. Subprograms.RapidLines(string.Empty),
+        .. new ProgramLines().Line("#TOOL").Line(Subprograms.Text($"OB {profile.ToolOutput},x"), Subprograms.Settle(profile)).Line("EN").Lines,
+    ];
+
+    private static IReadOnlyList<string> Dispatch(int operation, string label) => [Subprograms.Text($"JS{label},op={operation}")];
+}

@@ -1,0 +1,52 @@
+using Engraver.Galil.Language;
+using Engraver.Galil.Programs.Generation;
+
+namespace Engraver.Galil.Programs.Timing;
+
+/// <summary>A job led over the network: every command, whatever its length, takes the same time.</summary>
+internal sealed class EthernetTimes : CommandTimes
+{
+    /// <summary>One command and its reply over Ethernet (galil-dmc.md A.4).</summary>
+    private const double SecondsPerCommand = 0.0016;
+
+    /// <summary>An end is noticed by the next poll, half a command later on average.</summary>
+    private const double NoticeSeconds = SecondsPerCommand / 2.0;
+
+    /// <summary>Poll before a rapid, SP and PA of an axis that moves, BG.</summary>
+    private const int RapidCommands = 2;
+    private const int RapidCommandsOfAxis = 2;
+
+    /// <summary>SB or CB, and the poll from which the settle counts.</summary>
+    private const int ToolCommands = 2;
+
+    /// <summary>A poll, CSS, VM, VS, VA, VD, VR, the question for free places, VE and BGS.</summary>
+    private const int SequenceCommands = 10;
+
+    /// <summary>The stream begins to move when so much motion is buffered; what follows is sent meanwhile.</summary>
+    private const double SecondsBufferedAtStart = 1.0;
+
+    /// <summary>A poll, the arguments and go.</summary>
+    private const int CallCommands = 3;
+
+    internal override double Loading(MotionProgram program) => 0.0;
+
+    internal override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program)
+    {
+        if (from == to) return SecondsPerCommand;
+        var commands = RapidCommands + (from.X != to.X ? RapidCommandsOfAxis : 0) + (from.Y != to.Y ? RapidCommandsOfAxis : 0);
+        return (commands * SecondsPerCommand) + NoticeSeconds;
+    }
+
+    internal override double Sequence(VectorSequence sequence, double moving, MotionProgram program) => NoticeSeconds + (program.Style == MotionStyle.Calls
+        ? (CallCommands * SecondsPerCommand) + SecondsPerCall
+        : (SequenceCommands + SegmentsBeforeStart(sequence)) * SecondsPerCommand);
+
+    internal override double Tool(CountsPoint at, MotionProgram program) => (ToolCommands * SecondsPerCommand) + Settle(program) + NoticeSeconds;
+
+    private static int SegmentsBeforeStart(VectorSequence sequence)
+    {
+        var (sent, counts) = (0, 0.0);
+        while (sent < Math.Min(sequence.Segments.Count, DmcLimits.SegmentBuffer) && counts < SecondsBufferedAtStart * sequence.Speed) counts += sequence.Segments[sent++].Length;
+        return sent;
+    }
+}

@@ -1,0 +1,100 @@
+using Engraver.Galil.Language;
+using Engraver.Galil.Links;
+
+namespace Engraver.Galil.Programs.Timing;
+
+/// <summary>What a serial line carries of a vector sequence: the buffer is full when the machine starts, and from then on every segment must be there in time (galil-dmc.md A.4, B.7).</summary>
+public static class LinkFeedLimit
+{
+    /// <summary>Segments between two looks at the counter: a look costs the time of five segments.</summary>
+    public const int SegmentsBetweenPolls = 64;
+
+    /// <summary>Buffer places in use; the feeder leaves a few alone.</summary>
+    internal const int Places = DmcLimits.SegmentBuffer - 5;
+
+    /// <summary>Bytes of a look at the path and its answer.</summary>
+    private const int PollBytes = 100;
+
+    /// <summary>CR and prompt.</summary>
+    private const int FrameBytes = 2;
+
+    /// <summary>What the polls, the heartbeat and the digits of a far place in the answers add to the time of a segment; generous, for a hold-up is worse than a slow cut.</summary>
+    private const double Overhead = 1.2;
+
+    /// <summary>What the controller takes to execute a command, seconds (galil-dmc.md A.4).</summary>
+    private const double ExecutionSeconds = 0.001;
+
+    /// <summary>Four looks pass between seeing that the lead is short and saying so, seconds.</summary>
+    public static double ReactionSeconds(SerialLine line)
+    {
+        ArgumentNullException.ThrowIfNull(line);
+        return 4.0 * PollBytes * line.ByteSeconds;
+    }
+
+    /// <summary>The speed itself, or the fastest even one at which every segment is in the buffer in time (counts/s).</summary>
+    /// <param name="acceleration">VA and VD, counts/s2.</param>
+    public static int FastestSpeed(VectorSequence sequence, SerialLine line, int acceleration)
+    {
+        ArgumentNullException.ThrowIfNull(sequence);
+        ArgumentNullException.ThrowIfNull(line);
+        if (sequence.Segments.Count <= Places) return sequence.Speed;
+        var costs = Costs(sequence, line);
+        var latency = PollBytes * line.ByteSeconds;
+        bool IsInTime(int speed) => IsFedInTime(sequence.Segments, costs, speed, latency, 2.0 * (((double)speed / acceleration) + ReactionSeconds(line)));
+        return IsInTime(sequence.Speed) ? sequence.Speed : 2 * LargestHalf(sequence.Speed / 2, half => IsInTime(2 * half));
+    }
+
+    /// <summary>Segments a second that the densest full buffer of the sequence needs at its speed, and how many of them the line carries.</summary>
+    public static (double Needed, double Carried) Rates(VectorSequence sequence, SerialLine line)
+    {
+        ArgumentNullException.ThrowIfNull(sequence);
+        ArgumentNullException.ThrowIfNull(line);
+        var costs = Costs(sequence, line);
+        var window = Math.Min(DmcLimits.SegmentBuffer, costs.Length);
+        var (length, time) = (0.0, 0.0);
+        var (shortest, timeThere) = (double.PositiveInfinity, 0.0);
+        for (var i = 0; i < costs.Length; i++)
+        {
+            length += sequence.Segments[i].Length - (i >= window ? sequence.Segments[i - window].Length : 0.0);
+            time += costs[i] - (i >= window ? costs[i - window] : 0.0);
+            if (i >= window - 1 && length < shortest) (shortest, timeThere) = (length, time);
+        }
+
+        return (window * sequence.Speed / shortest, window / timeThere);
+    }
+
+    /// <summary>Seconds on the wire for each segment.</summary>
+    private static double[] Costs(VectorSequence sequence, SerialLine line) =>
+        [.. sequence.Segments.Select(segment => (Overhead * (DmcFormat.Command(segment, sequence.Start).Length + FrameBytes) * line.ByteSeconds) + ExecutionSeconds)];
+
+    /// <summary>Sends segment by segment, each as soon as the one before it is through and a place is free, and looks whether it comes <paramref name="margin"/> before the path needs it.</summary>
+    /// <remarks>The path is taken to run at full speed from its first moment: the ramp is to the good.</remarks>
+    private static bool IsFedInTime(IReadOnlyList<VectorSegment> segments, double[] costs, int speed, double latency, double margin)
+    {
+        var (sent, freed, needed) = (0.0, 0.0, 0.0);
+        for (var i = 0; i < Places; i++) needed += segments[i].Length / speed;
+        for (var i = Places; i < segments.Count; i++)
+        {
+            freed += segments[i - Places].Length / speed;
+            sent = Math.Max(sent, freed + latency) + costs[i];
+            if (sent + margin > needed) return false;
+            needed += segments[i].Length / speed;
+        }
+
+        return true;
+    }
+
+    /// <summary>The largest whole number up to <paramref name="most"/> for which the condition holds; at least 1. It holds for every smaller one.</summary>
+    private static int LargestHalf(int most, Func<int, bool> holds)
+    {
+        var (low, high) = (DmcLimits.SlowestSpeed / 2, most);
+        while (low < high)
+        {
+            var middle = (int)(((long)low + high + 1) / 2);
+            if (holds(middle)) low = middle;
+            else high = middle - 1;
+        }
+
+        return low;
+    }
+}

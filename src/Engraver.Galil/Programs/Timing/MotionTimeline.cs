@@ -1,0 +1,101 @@
+using Engraver.Galil.Language;
+
+namespace Engraver.Galil.Programs.Timing;
+
+/// <summary>A motion program laid out in time, by the same trapezoids, settle times and command times as <see cref="MotionTime"/>.</summary>
+/// <remarks>The tool is on from the settle before the first to the settle after the last sequence of a stroke.</remarks>
+public sealed class MotionTimeline
+{
+    private readonly List<MotionSpan> _spans = [];
+
+    private MotionTimeline(MotionProgram program) => Program = program;
+
+    public MotionProgram Program { get; }
+
+    /// <summary>Without gaps, in the order of time; spans of no time are left out.</summary>
+    public IReadOnlyList<MotionSpan> Spans => _spans;
+
+    /// <summary>Seconds of the whole job; 0 when there is nothing to cut.</summary>
+    public double Seconds => _spans.Count == 0 ? 0.0 : _spans[^1].End;
+
+    public static MotionTimeline From(MotionProgram program, CancellationToken cancellation)
+    {
+        var timeline = new MotionTimeline(program);
+        var at = program.Start;
+        for (var stroke = 0; stroke < program.Strokes.Count; stroke++)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            timeline.AddStroke(stroke, at);
+            at = program.Strokes[stroke].Sequences[^1].End;
+        }
+
+        return timeline;
+    }
+
+    /// <summary>The span at a moment; moments before and after the job belong to the first and the last.</summary>
+    /// <returns>Its index; -1 when there is none.</returns>
+    public int SpanAt(double seconds)
+    {
+        var (low, high) = (0, _spans.Count - 1);
+        while (low < high)
+        {
+            var middle = (low + high + 1) / 2;
+            if (_spans[middle].Start <= seconds) low = middle;
+            else high = middle - 1;
+        }
+
+        return high;
+    }
+
+    private void AddStroke(int index, CountsPoint from)
+    {
+        var stroke = Program.Strokes[index];
+        var rapid = MotionTime.RapidTo(stroke.Start, from, Program, CommandTimes.Ethernet);
+        Add(MotionSpanKind.Dwell, rapid.Dwell, index, 0, from, from, toolOn: false);
+        Add(MotionSpanKind.Rapid, rapid.Rapid, index, 0, from, stroke.Start, toolOn: false);
+        var settle = MotionTime.ToolAt(stroke.Start, Program, CommandTimes.Ethernet).Dwell;
+        for (var i = 0; i < stroke.Sequences.Count; i++)
+        {
+            var sequence = stroke.Sequences[i];
+            var cut = MotionTime.Cut(sequence, Program, CommandTimes.Ethernet);
+            Add(MotionSpanKind.Dwell, cut.Dwell, index, i, sequence.Start, sequence.Start, toolOn: i > 0);
+            if (i == 0) Add(MotionSpanKind.Dwell, settle, index, 0, sequence.Start, sequence.Start, toolOn: true);
+            Add(MotionSpanKind.Cut, cut.Cutting, index, i, sequence.Start, sequence.End, toolOn: true);
+        }
+
+        var last = stroke.Sequences.Count - 1;
+        Add(MotionSpanKind.Dwell, settle, index, last, stroke.Sequences[last].End, stroke.Sequences[last].End, toolOn: false);
+    }
+
+    private void Add(MotionSpanKind kind, double seconds, int stroke, int sequence, CountsPoint from, CountsPoint to, bool toolOn)
+    {
+        if (seconds > 0.0) _spans.Add(new MotionSpan(kind, Seconds, seconds, stroke, sequence, from, to, toolOn));
+    }
+}
+
+/// <summary>A stretch of planned time in which the machine does one thing.</summary>
+/// <param name="Kind">What.</param>
+/// <param name="Start">Seconds since the job began.</param>
+/// <param name="Seconds">How long.</param>
+/// <param name="Stroke">Place of the stroke in the motion program.</param>
+/// <param name="Sequence">Place of the sequence in its stroke that is cut or comes next.</param>
+/// <param name="From">Where it begins, counts of the job frame.</param>
+/// <param name="To">Where it ends.</param>
+/// <param name="ToolOn">The tool output is on in it.</param>
+public readonly record struct MotionSpan(MotionSpanKind Kind, double Start, double Seconds, int Stroke, int Sequence, CountsPoint From, CountsPoint To, bool ToolOn)
+{
+    public double End => Start + Seconds;
+}
+
+/// <summary>What the machine does in a span of planned time.</summary>
+public enum MotionSpanKind : byte
+{
+    /// <summary>It stands: commands are exchanged, or the tool settles.</summary>
+    Dwell,
+
+    /// <summary>It moves between strokes with the tool off, each axis on its own.</summary>
+    Rapid,
+
+    /// <summary>It runs a vector sequence.</summary>
+    Cut,
+}

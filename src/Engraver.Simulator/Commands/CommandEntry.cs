@@ -1,7 +1,0 @@
-using Engraver.Simulator.Language;
-
-namespace Engraver.Simulator.Commands;
-
-/// <summary>One row of the dispatch table.</summary>
-/// <param name="TakesLetter">The form mnemonic + letter + "=" belongs to the command and not to a variable.</param>
-internal sealed record CommandEntry(string Mnemonic, CommandScope Scope, Action<StatementReader> Run, bool TakesLetter = false);

@@ -1,4 +1,0 @@
-namespace Engraver.Simulator;
-
-/// <summary>The link of a handle (0 = A) is cut after this many commands on it; the controller lives on.</summary>
-public readonly record struct HandleDrop(int Handle, long AfterCommands);

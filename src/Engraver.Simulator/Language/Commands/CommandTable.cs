@@ -1,0 +1,65 @@
+using System.Collections.Frozen;
+
+namespace Engraver.Simulator.Language.Commands;
+
+/// <summary>Every command this controller knows; what is not here is answered "?" with TC 1 and listed in docs/simulator-fidelity.md.</summary>
+internal static class CommandTable
+{
+    private static readonly FrozenDictionary<string, CommandEntry> Table = new[]
+    {
+        FlowCommands.Entries,
+        TrippointCommands.Entries,
+        IndependentCommands.Entries,
+        AxisParameters.Entries,
+        VectorCommands.Entries,
+        SegmentCommands.Entries,
+        PlaneSettings.Entries,
+        HomingCommands.Entries,
+        GearCommands.Entries,
+        CamCommands.Entries,
+        ContourCommands.Entries,
+        CaptureCommands.Entries,
+        InterruptCommands.Entries,
+        StopCommands.Entries,
+        IoCommands.Entries,
+        ReportCommands.Entries,
+        MemoryCommands.Entries,
+        LinkCommands.Entries,
+        SystemCommands.Entries,
+    }.SelectMany(e => e).ToFrozenDictionary(e => e.Mnemonic, StringComparer.Ordinal);
+
+    private static readonly FrozenDictionary<string, CommandEntry>.AlternateLookup<ReadOnlySpan<char>> Lookup =
+        Table.GetAlternateLookup<ReadOnlySpan<char>>();
+
+    /// <summary>Commands that a DMC-21x3 has and this controller does not (galil-dmc.md 0.4). They must be known, because EAC=1 would else pass for a variable.</summary>
+    private static readonly FrozenSet<string> Absent = (
+        "AF AG AO AQ AU BA BC BD BI BK BM BR BZ DV ED EW GD HS IA IK LC MB MW NB NF NZ "
+        + "OC PL QH QS SL TA TZ YA YB YC YR YS").Split(' ').ToFrozenSet(StringComparer.Ordinal);
+
+    public static IEnumerable<string> Mnemonics => Table.Keys;
+
+    public static IEnumerable<string> NotModelled => Absent;
+
+    public static bool IsNotModelled(string mnemonic) => Absent.Contains(mnemonic);
+
+    /// <summary>The command a statement begins with; the long words first, because ENDIF must not be read as EN (L.2 point 9).</summary>
+    public static CommandEntry? Find(ReadOnlySpan<char> statement) =>
+        statement.StartsWith("ENDIF") ? Get("ENDIF")
+        : statement.StartsWith("ELSE") ? Get("ELSE")
+        : statement.Length >= 2 ? Get(statement[..2])
+        : null;
+
+    private static CommandEntry? Get(ReadOnlySpan<char> mnemonic) => Lookup.TryGetValue(mnemonic, out var entry) ? entry : null;
+}
+
+/// <summary>One row of the dispatch table.</summary>
+/// <param name="TakesLetter">The form mnemonic + letter + "=" belongs to the command and not to a variable.</param>
+internal sealed record CommandEntry(string Mnemonic, CommandScope Scope, Action<StatementReader> Run, bool TakesLetter = false);
+
+/// <summary>Where a command may be given (galil-dmc.md E).</summary>
+internal enum CommandScope
+{
+    Both,
+    Host,
+    Program,
+}

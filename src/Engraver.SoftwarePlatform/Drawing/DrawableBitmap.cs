@@ -1,0 +1,26 @@
+using Avalonia;
+using Avalonia.Platform;
+using Engraver.SoftwarePlatform.Bitmaps;
+using Engraver.SoftwarePlatform.Rasteriser;
+
+namespace Engraver.SoftwarePlatform.Drawing;
+
+/// <summary>A bitmap that is drawn on: a render target, and a layer that is copied to where it belongs.</summary>
+public sealed unsafe class DrawableBitmap(PixelSize size, Vector dpi) : SoftwareBitmap(size, dpi), IRenderTargetBitmapImpl, IDrawingContextLayerImpl
+{
+    public bool CanBlit => true;
+
+    public bool IsCorrupted => false;
+
+    public IDrawingContextImpl CreateDrawingContext() => OpenContext();
+
+    public void Blit(IDrawingContextImpl context)
+    {
+        if (context is not SoftwareDrawingContext target)
+            throw new NotSupportedException("A layer can only be copied to a context of the same platform.");
+        target.CopyFrom(this);
+    }
+
+    /// <summary>The same as <see cref="CreateDrawingContext"/>, as what it is.</summary>
+    internal SoftwareDrawingContext OpenContext() => new(new PixelSurface(Pixels, PixelSize.Width, Bounds), Dpi, Changed);
+}

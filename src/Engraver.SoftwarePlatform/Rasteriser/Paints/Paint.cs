@@ -1,0 +1,28 @@
+using Avalonia.Media.Imaging;
+
+namespace Engraver.SoftwarePlatform.Rasteriser.Paints;
+
+/// <summary>Where the colours of a filled shape come from.</summary>
+internal abstract class Paint
+{
+    /// <summary>Every pixel it gives has full alpha.</summary>
+    public abstract bool IsOpaque { get; }
+
+    /// <summary>How its pixels are mixed with what is beneath; only bitmaps have other modes than over.</summary>
+    public BitmapBlendingMode Mode { get; init; } = BitmapBlendingMode.SourceOver;
+
+    public bool IsPlainOver => Mode is BitmapBlendingMode.SourceOver or BitmapBlendingMode.Unspecified;
+
+    /// <summary>Gives the premultiplied pixels of a device row from <paramref name="x"/> on, as seen at the pixels' centres.</summary>
+    public abstract void Shade(int x, int y, Span<uint> row);
+}
+
+/// <summary>One premultiplied colour.</summary>
+internal sealed class SolidPaint(uint color) : Paint
+{
+    public uint Color { get; } = color;
+
+    public override bool IsOpaque => Color >> 24 == 255;
+
+    public override void Shade(int x, int y, Span<uint> row) => row.Fill(Color);
+}

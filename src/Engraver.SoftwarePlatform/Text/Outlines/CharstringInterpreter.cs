@@ -1,0 +1,106 @@
+using Engraver.SoftwarePlatform.Rasteriser.Paths;
+
+namespace Engraver.SoftwarePlatform.Text.Outlines;
+
+/// <summary>Runs the program of one glyph (Adobe TN 5177, "The Type 2 charstring format"). Hints are skipped.</summary>
+/// <remarks>Not supported, and the glyph then stays blank: arithmetic operators, and accented letters composed by endchar. No font of today uses them.</remarks>
+internal sealed class CharstringInterpreter(VectorPath path, CffIndex globalSubroutines, CffIndex localSubroutines)
+{
+    private const int DeepestCall = 10;
+    private const int MostOperands = 513;
+
+    private readonly double[] _stack = new double[MostOperands];
+    private readonly CharstringPen _pen = new(path);
+    private int _count;
+    private int _hints;
+    private bool _isEnded;
+
+    public void Run(FontBytes charstring)
+    {
+        Run(charstring, 0);
+        _pen.EndFigure();
+    }
+
+    private void Run(FontBytes code, int depth)
+    {
+        if (depth > DeepestCall)
+            throw new BrokenFontException("The subroutines of a glyph call each other too deeply.");
+        for (var offset = 0; offset < code.Length && !_isEnded;)
+        {
+            int first = code.Byte(offset++);
+            if (first >= 32 || first == (int)CharstringOperator.Short)
+            {
+                Push(Number(code, first, ref offset));
+                continue;
+            }
+            var operation = (CharstringOperator)(first == 12 ? 1200 + code.Byte(offset++) : first);
+            if (operation == CharstringOperator.Return)
+                return;
+            Perform(operation, code, ref offset, depth);
+        }
+    }
+
+    private void Perform(CharstringOperator operation, FontBytes code, ref int offset, int depth)
+    {
+        switch (operation)
+        {
+            case CharstringOperator.HStem or CharstringOperator.VStem or CharstringOperator.HStemHm or CharstringOperator.VStemHm:
+                _hints += _count / 2;
+                _count = 0;
+                break;
+            case CharstringOperator.HintMask or CharstringOperator.CounterMask:
+                _hints += _count / 2;
+                _count = 0;
+                offset += (_hints + 7) / 8;
+                break;
+            case CharstringOperator.CallSubroutine:
+                Call(localSubroutines, depth);
+                break;
+            case CharstringOperator.CallGlobalSubroutine:
+                Call(globalSubroutines, depth);
+                break;
+            case CharstringOperator.EndChar:
+                _isEnded = true;
+                break;
+            default:
+                _pen.Draw(operation, _stack.AsSpan(0, _count));
+                _count = 0;
+                break;
+        }
+    }
+
+    /// <summary>Numbers of subroutines are stored less a bias that depends on how many there are.</summary>
+    private void Call(CffIndex subroutines, int depth)
+    {
+        if (_count == 0)
+            throw new BrokenFontException("A glyph calls a subroutine without saying which.");
+        var bias = subroutines.Count < 1240 ? 107 : subroutines.Count < 33900 ? 1131 : 32768;
+        Run(subroutines[(int)_stack[--_count] + bias], depth + 1);
+    }
+
+    private void Push(double value)
+    {
+        if (_count == MostOperands)
+            throw new BrokenFontException("A glyph has too many operands.");
+        _stack[_count++] = value;
+    }
+
+    private static double Number(FontBytes code, int first, ref int offset)
+    {
+        switch (first)
+        {
+            case (int)CharstringOperator.Short:
+                offset += 2;
+                return code.Int16(offset - 2);
+            case <= 246:
+                return first - 139;
+            case <= 250:
+                return (first - 247) * 256 + code.Byte(offset++) + 108;
+            case <= 254:
+                return -(first - 251) * 256 - code.Byte(offset++) - 108;
+            default:
+                offset += 4;
+                return (int)code.UInt32(offset - 4) / 65536.0;
+        }
+    }
+}

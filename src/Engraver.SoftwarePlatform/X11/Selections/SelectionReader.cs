@@ -1,0 +1,71 @@
+using Engraver.SoftwarePlatform.X11.Protocol;
+
+namespace Engraver.SoftwarePlatform.X11.Selections;
+
+/// <summary>Reads one selection of another program (the clipboard, or what is being dragged), whole or in pieces, on the event thread.</summary>
+internal sealed class SelectionReader(XConnection connection, nint helper, nint selection, nint property, nint incr)
+{
+    private Action<byte[]?>? _done;
+    private Action? _heard;
+    private IncrReceive? _pieces;
+    private nint _target;
+
+    /// <summary>Asks the owner. The answer is null when it has nothing of the kind. A newer question ends an older one with null.</summary>
+    /// <param name="heard">Called when a piece of a long answer has come.</param>
+    public void Ask(nint target, nint time, Action<byte[]?> done, Action? heard = null)
+    {
+        Finish(null);
+        (_target, _done, _heard) = (target, done, heard);
+        Xlib.XConvertSelection(connection.Display, selection, target, property, helper, time);
+    }
+
+    public void OnNotify(ref XEvent notice)
+    {
+        if (notice.Selection != selection || _done is null || notice.Target != _target) return; // an answer to an older question comes too late
+        if (notice.AnswerProperty == XAtoms.None)
+        {
+            Finish(null);
+            return;
+        }
+
+        var (type, bytes) = connection.TakeBytes(helper, property);
+        if (type != incr) Finish(bytes);
+        else
+        {
+            _pieces = new IncrReceive();
+            _heard?.Invoke();
+        }
+    }
+
+    /// <summary>A property of the helper window has a new value.</summary>
+    public void OnPropertyNew(nint changed)
+    {
+        if (changed != property || _pieces is null) return;
+        var (_, bytes) = connection.TakeBytes(helper, property);
+        _heard?.Invoke();
+        if (_pieces.Take(bytes)) Finish(_pieces.Bytes);
+    }
+
+    private void Finish(byte[]? bytes)
+    {
+        var done = _done;
+        (_done, _heard, _pieces) = (null, null, null);
+        done?.Invoke(bytes);
+    }
+}
+
+/// <summary>Data that comes in pieces (ICCCM 2.7.2): each piece is a property, and one of no length ends it.</summary>
+internal sealed class IncrReceive
+{
+    private readonly List<byte> _bytes = [];
+
+    /// <summary>Everything so far.</summary>
+    public byte[] Bytes => [.. _bytes];
+
+    /// <returns>True when this was the end.</returns>
+    public bool Take(ReadOnlySpan<byte> piece)
+    {
+        _bytes.AddRange(piece);
+        return piece.IsEmpty;
+    }
+}

@@ -1,0 +1,40 @@
+using System.Globalization;
+using Engraver.Core.Drawings;
+
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>How colours are typed and told: the names that AutoCAD has for the first seven, numbers for the rest, red,green,blue for true colours.</summary>
+public static class ColourName
+{
+    private static readonly string[] s_names = ["red", "yellow", "green", "cyan", "blue", "magenta", "white"];
+
+    /// <summary>Names of the colours 1 to 7.</summary>
+    public static IReadOnlyList<string> Known => s_names;
+
+    /// <summary>Null for what is no colour that a layer may have.</summary>
+    public static DrawingColour? Parse(string typed)
+    {
+        ArgumentNullException.ThrowIfNull(typed);
+        var word = typed.Trim();
+        var named = Array.FindIndex(s_names, name => name.Equals(word, StringComparison.OrdinalIgnoreCase));
+        if (named >= 0) return DrawingColour.FromCode62(named + 1);
+        byte[] channels = [.. word.Split(',').Select(Channel).TakeWhile(channel => channel is not null).Select(channel => channel!.Value)];
+        if (channels.Length != word.Count(letter => letter == ',') + 1) return null;
+        return channels switch
+        {
+            [> 0 and var index] => DrawingColour.FromCode62(index),
+            [var red, var green, var blue] => DrawingColour.FromCode420((red << 16) | (green << 8) | blue),
+            _ => null,
+        };
+    }
+
+    /// <summary>As it can be typed.</summary>
+    public static string Format(DrawingColour colour)
+    {
+        if (colour.Rgb is { } rgb) return FormattableString.Invariant($"{(rgb >> 16) & 0xFF},{(rgb >> 8) & 0xFF},{rgb & 0xFF}");
+        var index = colour.OrForeground().Index!.Value;
+        return index <= s_names.Length ? s_names[index - 1] : index.ToString(CultureInfo.InvariantCulture);
+    }
+
+    private static byte? Channel(string text) => byte.TryParse(text.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : null;
+}

@@ -1,0 +1,75 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>The last act of every command that edits: one document step, nothing selected afterwards.</summary>
+internal static class DrawingChange
+{
+    /// <exception cref="CommandException">A coordinate would leave the range of a drawing.</exception>
+    public static void Transform(CommandContext context, IReadOnlyList<int> selected, Transform2D map, bool copy)
+    {
+        var drawing = context.Drawing;
+        var fits = copy ? DrawingEdit.TryCopy(drawing, selected, map, out var edited) : DrawingEdit.TryTransform(drawing, selected, map, out edited);
+        if (!fits) throw new CommandException(CommandFailure.Usage, "That would move objects out of range; nothing was changed.");
+        var along = TextsAlong(context, selected);
+        Take(context, edited with { Texts = copy ? EditedTexts.Copied(drawing, along, [map]) : EditedTexts.Moved(drawing, along, map) }, selected);
+    }
+
+    /// <summary>Erases objects; those that are hidden keep their places in mind.</summary>
+    /// <param name="asDoubles">Others lie on them: one of those takes the place of the entering entity.</param>
+    public static void Erase(CommandContext context, IReadOnlyList<int> erased, bool asDoubles = false)
+    {
+        var gone = erased.Distinct().Order().ToList();
+        var hidden = context.Document.Current.HiddenObjects.Except(gone).Select(index => index - BelowIn(gone, index));
+        var left = DrawingEdit.Erase(context.Drawing, gone) with { Texts = asDoubles ? context.Drawing.Texts : EditedTexts.Without(context.Drawing, TextsAlong(context, gone)) };
+        Take(context, left, [], [.. hidden], asDoubles ? Enumerable.Range(0, left.Entities.Count) : []);
+    }
+
+    /// <param name="previous">What the command worked on, by its index in the rebuilt drawing.</param>
+    public static void Take(CommandContext context, DrawingRebuild rebuilt, IReadOnlyList<int> previous) =>
+        Take(context, rebuilt.Finish(), previous, rebuilt.Places(context.Document.Current.HiddenObjects), previous);
+
+    /// <summary>For an edit that leaves every object in its place.</summary>
+    /// <param name="previous">What the command worked on, by its index in the edited drawing.</param>
+    public static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Take(context, edited, previous, context.Document.Current.HiddenObjects, []);
+
+    /// <summary>The texts that go along with these curves; says how many do not.</summary>
+    public static IReadOnlyList<PlacedText> TextsAlong(CommandContext context, IReadOnlyList<int> selected)
+    {
+        var along = EditedTexts.Along(context.Drawing, selected);
+        if (context.Drawing.Texts.Count - along.Count is > 0 and var left) context.Say($"{CountText.Format(left, "text")} left as before: texts go along only with every visible curve of the drawing.");
+        return along;
+    }
+
+    public static Drawing WithHidden(Drawing drawing, IEnumerable<int> indices, bool hidden) =>
+        drawing with { Entities = drawing.Entities.With(indices.Select(index => (index, drawing.Entities[index] with { Hidden = hidden })), []) };
+
+    private static int BelowIn(List<int> sorted, int index) => ~sorted.BinarySearch(index) is >= 0 and var below ? below : throw new ArgumentOutOfRangeException(nameof(index));
+
+    /// <param name="standIns">What may have taken the place of objects that are gone.</param>
+    private static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden, IEnumerable<int> standIns)
+    {
+        var state = context.Document.Current;
+        var settings = state.Settings with { Enter = EnteringAfter(context, edited, standIns) };
+        context.Take(state with { Drawing = edited, Settings = settings, Selection = [], Previous = previous, HiddenObjects = hidden });
+    }
+
+    /// <summary>Follows the entering entity into what it has become, and says so.</summary>
+    private static EnteringPlace? EnteringAfter(CommandContext context, Drawing edited, IEnumerable<int> standIns)
+    {
+        var place = context.Document.Current.Settings.Enter;
+        if (place is not EnteringPlace.ByHandle { Handle: var handle } || edited.IndexOfHandle(handle) is not null) return place;
+        if (EnteringSubstitute.HandleOf(context.Drawing, handle, edited, standIns) is { } other)
+        {
+            context.Say($"The entering entity {handle} is {other} now; cutting begins there.");
+            return new EnteringPlace.ByHandle(other);
+        }
+
+        context.Say($"The entering entity {handle} is gone; the order is free again.");
+        return null;
+    }
+}

@@ -1,0 +1,13 @@
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>ERASE: Removes objects from the drawing.</summary>
+internal sealed class EraseCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("ERASE", CommandGroup.Drawing, "Removes objects from the drawing.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        DrawingChange.Erase(context, selected);
+    }
+}

@@ -1,0 +1,21 @@
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>JOIN: Puts lines, arcs and open polylines whose ends meet (within CNCJOINTOL) together into polylines.</summary>
+internal sealed class JoinCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("JOIN", CommandGroup.Drawing, "Puts lines, arcs and open polylines whose ends meet (within CNCJOINTOL) together into polylines.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var tolerance = context.Document.Current.Settings.JoinToleranceMm / drawing.Unit.ToMillimetres;
+        var (rebuilt, joined, count) = PolylineEdit.Join(drawing, selected, tolerance);
+        if (count == 0) throw new CommandException(CommandFailure.Usage, "No two of these objects meet end to end.");
+        DrawingChange.Take(context, rebuilt, joined);
+        context.Say($"{CountText.Format(count, "object")} became {CountText.Format(joined.Count, "polyline")}.");
+    }
+}

@@ -1,0 +1,27 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>MOVE: Moves objects.</summary>
+internal sealed class MoveCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("MOVE", CommandGroup.Drawing, "Moves objects.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        DrawingChange.Transform(context, selected, Transform2D.Move(await Displacement.AskAsync(context).ConfigureAwait(false)), copy: false);
+    }
+}
+
+/// <summary>COPY: Copies objects to another place.</summary>
+internal sealed class CopyCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("COPY", CommandGroup.Drawing, "Copies objects to another place.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        DrawingChange.Transform(context, selected, Transform2D.Move(await Displacement.AskAsync(context).ConfigureAwait(false)), copy: true);
+    }
+}

@@ -1,0 +1,25 @@
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>ORIGIN: Moves the whole drawing so that a place of it becomes 0,0.</summary>
+internal sealed class OriginCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("ORIGIN", CommandGroup.Drawing, "Moves the whole drawing so that a place of it becomes 0,0.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var answer = await context.AskAsync(new PointPrompt("Specify place that becomes 0,0") { Options = Keyword.List("Lowerleft", "Center") }).ConfigureAwait(false);
+        var box = context.View.ExtentsOf(drawing);
+        if (answer is Answer<Point2D>.Chosen && box.IsEmpty) throw new CommandException(CommandFailure.Usage, "Nothing of the drawing is to be seen.");
+        var place = answer switch
+        {
+            Answer<Point2D>.Value { Of: var point } => point,
+            Answer<Point2D>.Chosen { Option: "Center" } => new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0),
+            _ => new Point2D(box.MinX, box.MinY),
+        };
+        DrawingChange.Transform(context, [.. Enumerable.Range(0, drawing.Entities.Count)], Transform2D.Move(Point2D.Origin - place), copy: false);
+    }
+}

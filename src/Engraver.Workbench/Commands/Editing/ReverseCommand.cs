@@ -1,0 +1,16 @@
+using Engraver.Core.Drawings;
+
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>REVERSE: Turns the direction of objects round.</summary>
+internal sealed class ReverseCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("REVERSE", CommandGroup.Drawing, "Turns the direction of objects round.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        DrawingChange.Take(context, DrawingEdit.Reverse(drawing, selected), selected);
+    }
+}

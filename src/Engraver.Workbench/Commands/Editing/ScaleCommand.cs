@@ -1,0 +1,25 @@
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Editing;
+
+/// <summary>SCALE: Enlarges or shrinks objects from a point.</summary>
+internal sealed class ScaleCommand : ICommand
+{
+    private const double Smallest = 1e-6;
+    private const double Largest = 1e6;
+
+    public CommandInfo Info { get; } = new("SCALE", CommandGroup.Drawing, "Enlarges or shrinks objects from a point.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var basePoint = await context.ValueAsync(new PointPrompt("Specify base point")).ConfigureAwait(false);
+        var amount = await AmountPrompts.AskAsync(context, Length("Specify scale factor", context.Remembered("SCALE", "1"), basePoint), Length("Specify reference length", "1", null), Length("Specify new length", null, basePoint)).ConfigureAwait(false);
+        var factor = amount.Value / (amount.Reference ?? 1.0);
+        if (amount.Reference is null) context.Remember("SCALE", NumberPrompt.Show(factor));
+        DrawingChange.Transform(context, selected, Transform2D.ScaleFrom(basePoint, factor), amount.Copy);
+    }
+
+    private static AmountPrompt Length(string instruction, string? standard, Point2D? from) => new(instruction, way => way.Length) { Default = standard, Least = Smallest, Most = Largest, From = from };
+}

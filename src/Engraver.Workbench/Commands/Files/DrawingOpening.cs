@@ -1,0 +1,56 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Commands.Files;
+
+/// <summary>What OPEN and RECENT do with a file: one document step, the view as it was left or all of it, the file remembered.</summary>
+internal static class DrawingOpening
+{
+    /// <param name="name">As the operator wrote it.</param>
+    /// <exception cref="CommandException">Nothing could be read.</exception>
+    public static void Open(CommandContext context, string name, string path, CancellationToken cancellation)
+    {
+        var state = context.Document.Current;
+        var drawing = Read(context, path, cancellation);
+        FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
+        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {CommandWording.Translate(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message}");
+        Leave(context);
+        context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
+        context.Document.MarkKept();
+        context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
+        Show(context, drawing);
+        context.Say($"{CountText.Format(drawing.Entities.Count, "curve")} on {CountText.Format(drawing.Layers.Count, "layer")}, unit {drawing.Unit.Name}.");
+    }
+
+    /// <summary>Keeps the view of the drawing that is left, and says so when its edits are in no file.</summary>
+    public static void Leave(CommandContext context)
+    {
+        if (context.Document.Current.Drawing is not { } drawing) return;
+        if (context.Document.IsEdited) context.Say($"{Path.GetFileName(drawing.FileName)} was edited and is not saved; UNDO brings it back.", MessageKind.Warning);
+        var path = Path.GetFullPath(drawing.FileName);
+        if (!context.Settings.Current.RecentFiles.Contains(path)) return;
+        var view = context.View.Current;
+        context.Settings.Change(settings => settings.WithView(path, new SavedView(view.Centre.X, view.Centre.Y, view.Height)));
+    }
+
+    private static Drawing Read(CommandContext context, string path, CancellationToken cancellation)
+    {
+        try
+        {
+            return DrawingFile.Open(path, context.Document.Current.Settings, cancellation, context.Progress);
+        }
+        finally
+        {
+            context.Progress.End();
+        }
+    }
+
+    private static void Show(CommandContext context, Drawing drawing)
+    {
+        if (context.Settings.Current.Views.GetValueOrDefault(Path.GetFullPath(drawing.FileName)) is { Height: > 0.0 } saved) context.View.SetCentre(new(saved.CentreX, saved.CentreY), saved.Height);
+        else context.View.ZoomExtents(drawing);
+    }
+}

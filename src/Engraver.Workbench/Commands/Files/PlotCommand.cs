@@ -1,0 +1,20 @@
+using Engraver.Core.Plots;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Files;
+
+/// <summary>PLOT: Draws the drawing, or the path over it, as SVG.</summary>
+internal sealed class PlotCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("PLOT", CommandGroup.Output, "Draws the drawing, or the path over it, as SVG.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var what = await context.ChoiceAsync("Enter what to draw", Keyword.List("Drawing", "Path"), context.Remembered("PLOT", "Path")).ConfigureAwait(false);
+        context.Remember("PLOT", what);
+        var plot = DrawingPlot.Create(drawing, context.Document.Current.Settings, asDrawn: what == "Drawing");
+        await ResultFile.WriteAsync(context, output => SvgPlotWriter.Write(plot, output)).ConfigureAwait(false);
+    }
+}

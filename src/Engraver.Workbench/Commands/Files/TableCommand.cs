@@ -1,0 +1,25 @@
+using Engraver.Core.EntityTables;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Files;
+
+/// <summary>TABLE: The fixed-slot entity table of 16 columns, in sequence order or as drawn.</summary>
+internal sealed class TableCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("TABLE", CommandGroup.Ask, "The fixed-slot entity table of 16 columns, in sequence order or as drawn.");
+
+    private static readonly IReadOnlyList<Keyword> s_formats = Keyword.List("Text", "Csv", "Json");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var settings = context.Document.Current.Settings;
+        var order = await context.ChoiceAsync("Enter order of rows", Keyword.List("Sequenced", "Drawn"), "Sequenced").ConfigureAwait(false);
+        var format = (await context.ChoiceAsync("Enter format", s_formats, context.Remembered("TABLE", "Text")).ConfigureAwait(false));
+        context.Remember("TABLE", format);
+        var analysed = JobPreparation.Analyse(drawing, settings);
+        var table = order == "Drawn" ? analysed : JobPreparation.Sequence(drawing, analysed, settings).Table;
+        await ResultFile.WriteAsync(context, output => EntityTableFormat.Write(format.ToLowerInvariant(), table, output)).ConfigureAwait(false);
+    }
+}

@@ -1,0 +1,18 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Reports;
+
+namespace Engraver.Workbench.Commands;
+
+/// <summary>Says what the stages found, worst first.</summary>
+internal static class FindingMessages
+{
+    public static void Say(CommandContext context, string file, IEnumerable<Diagnostic> diagnostics, Severity least)
+    {
+        foreach (var found in diagnostics.Where(found => found.Severity >= least).OrderByDescending(found => found.Severity))
+        {
+            var kind = found.Severity switch { Severity.Error => MessageKind.Error, Severity.Warning => MessageKind.Warning, _ => MessageKind.Note };
+            context.Say(DiagnosticLine.Format(file, CommandWording.Translate(found)), kind);
+        }
+    }
+}

@@ -1,0 +1,35 @@
+using Engraver.Core.Drawings;
+using Engraver.Workbench.Reports;
+
+namespace Engraver.Workbench.Commands.Inquiry;
+
+/// <summary>PROPERTIES: Says what the selected objects have in common; with nothing selected, what is in the drawing.</summary>
+internal sealed class PropertiesCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("PROPERTIES", CommandGroup.Ask, "Says what the selected objects have in common; with nothing selected, what is in the drawing.");
+
+    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var selected = context.Document.Current.Selection;
+        context.SayResult(output =>
+        {
+            if (selected.Count == 0) DrawingText.Write(output, drawing, DrawingSummary.From(drawing));
+            else EntityText.WriteTogether(drawing, selected, output);
+        });
+        return Task.CompletedTask;
+    }
+}
+
+/// <summary>LIST: Says what the selected objects are, with handle, layer, coordinates and length.</summary>
+internal sealed class ListCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("LIST", CommandGroup.Ask, "Says what the selected objects are, with handle, layer, coordinates and length.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        context.SayResult(output => EntityText.Write(drawing, selected, output));
+    }
+}

@@ -1,0 +1,69 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Jobs;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Arming;
+using Engraver.Workbench.Machines.Runs;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>CNCARM: Checks everything that must be so before a start, and lets START work for 60 s or until anything changes.</summary>
+internal sealed class CncArmCommand : ICommand
+{
+    private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List([.. Enum.GetNames<JobMode>(), "Dryrun", "oFf"]);
+
+    public CommandInfo Info { get; } = new("CNCARM", CommandGroup.Machine, "Checks everything that must be so before a start, and lets START work for 60 s or until anything changes.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
+        _ = context.Drawing;
+        if (await ModeAsync(context).ConfigureAwait(false) is not { } mode)
+        {
+            context.Say(context.Machine.Disarm() ? "Disarmed." : "Nothing was armed.");
+            return;
+        }
+
+        var job = await JobAsync(context, mode.Mode, cancellation).ConfigureAwait(false);
+        var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
+        var accepted = hasErrors && await context.ConfirmAsync("The drawing has errors. Go on all the same?").ConfigureAwait(false);
+        var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, context.Machine.LastStart(job.Drawing));
+        foreach (var check in checklist.Checks) Say(context, check);
+        if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, "Not armed.");
+        var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);
+        context.Say(FormattableString.Invariant($"Armed until {TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone):HH:mm:ss}: {mode.Mode}{(mode.DryRun ? ", tool off" : "")}. START or CNCRUN begins."));
+    }
+
+    private static void Say(CommandContext context, ArmingCheck check)
+    {
+        if (check.IsWarning) context.Say($"LOOK   {check.Sentence}", MessageKind.Warning);
+        else context.Say($"{(check.Passed ? "ok     " : "NOT OK ")}{check.Sentence}", check.Passed ? MessageKind.Result : MessageKind.Error);
+    }
+
+    /// <returns>Null: take START back.</returns>
+    private static async Task<(JobMode Mode, bool DryRun)?> ModeAsync(CommandContext context)
+    {
+        var dryRun = false;
+        while (true)
+        {
+            var answer = await context.ChoiceAsync($"Enter mode{(dryRun ? " (tool off)" : "")}", s_answers, context.Remembered("CNCARM", nameof(JobMode.Stream))).ConfigureAwait(false);
+            if (answer == "oFf") return null;
+            if (answer == "Dryrun")
+            {
+                dryRun = true;
+                continue;
+            }
+
+            context.Remember("CNCARM", answer);
+            return (Enum.Parse<JobMode>(answer), dryRun);
+        }
+    }
+
+    /// <summary>What was derived already when that is of the same mode; otherwise prepared off the caller's thread.</summary>
+    private static async Task<PreparedJob> JobAsync(CommandContext context, JobMode mode, CancellationToken cancellation)
+    {
+        if (context.Derivation is { IsCurrent: true, Current.Job: { } derived } && context.Derivation.Mode == mode && ReferenceEquals(derived.Drawing, context.Drawing)) return derived;
+        var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
+        return await Task.Run(() => JobPreparation.PrepareUnlessCancelled(drawing, settings, JobPlan.StyleOf(mode), cancellation), cancellation).ConfigureAwait(false);
+    }
+}

@@ -1,0 +1,63 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Jobs;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>CNCRUN: Runs the armed job (CNCARM) on the connected controller, in a script too; on a simulated one it also runs unarmed and asks first.</summary>
+internal sealed class CncRunCommand : ICommand
+{
+    private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List(["Yes", "No", "Dryrun", .. Enum.GetNames<JobMode>()]);
+
+    public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine, "Runs the armed job (CNCARM) on the connected controller, in a script too; on a simulated one it also runs unarmed and asks first. In the desktop a script does not start a real machine.") { StartsMotion = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
+        _ = context.Drawing;
+        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, "A script does not start a real machine from the desktop; START does, or CNCRUN typed by hand.");
+        if (context.Machine.Armed is { } armed)
+        {
+            await RunAsync(context, armed.Job, armed.Mode, armed.DryRun, cancellation).ConfigureAwait(false);
+            return;
+        }
+
+        if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, $"Nothing is armed for {machine}; CNCARM first.");
+        var (mode, dryRun) = (JobMode.Stream, false);
+        while (true)
+        {
+            var job = await JobStart.PrepareAsync(context, mode).ConfigureAwait(false);
+            var answer = await context.ChoiceAsync($"Start {(dryRun ? "with the tool off" : "cutting")} on {machine} in mode {mode}?", s_answers, "No").ConfigureAwait(false);
+            if (answer == "No") return;
+            if (answer == "Dryrun") dryRun = true;
+            else if (Enum.TryParse<JobMode>(answer, out var chosen)) mode = chosen;
+            else
+            {
+                await RunAsync(context, job, mode, dryRun, cancellation).ConfigureAwait(false);
+                return;
+            }
+        }
+    }
+
+    private static async Task RunAsync(CommandContext context, PreparedJob job, JobMode mode, bool dryRun, CancellationToken cancellation)
+    {
+        var fit = context.Machine.FitToLink(job.Motion.Program!, mode, job.Drawing);
+        FindingMessages.Say(context, job.Drawing.FileName, fit.Diagnostics, Severity.Warning);
+        var report = await context.Machine.RunAsync(job, fit.Program, address => JobStart.Options(context, job, address, mode, dryRun), cancellation).ConfigureAwait(false);
+        JobStart.Conclude(context, job, report);
+    }
+}
+
+/// <summary>CNCSIM: Runs the drawing on a simulated controller and says how well it was cut; no machine moves.</summary>
+internal sealed class CncSimCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("CNCSIM", CommandGroup.Machine, "Runs the drawing on a simulated controller and says how well it was cut; no machine moves.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
+        var report = await context.Machine.SimulateAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Starts = null }, cancellation).ConfigureAwait(false);
+        JobStart.Conclude(context, job, report);
+    }
+}

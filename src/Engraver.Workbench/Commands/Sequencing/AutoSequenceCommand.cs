@@ -1,0 +1,24 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Sequencing.Ordering;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
+
+namespace Engraver.Workbench.Commands.Sequencing;
+
+/// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first, and says what came of it.</summary>
+internal sealed class AutoSequenceCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("AUTOSEQUENCE", CommandGroup.Sequence, "Chains and orders the drawing, nearest stroke first, and says what came of it.");
+
+    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var state = context.Document.Current;
+        var settings = state.Settings with { Order = StrokeOrder.Nearest };
+        var result = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings);
+        FindingMessages.Say(context, drawing.FileName, result.Diagnostics, Severity.Warning);
+        context.SayResult(output => SequenceText.Write(output, result));
+        context.Take(state with { Settings = settings });
+        return Task.CompletedTask;
+    }
+}

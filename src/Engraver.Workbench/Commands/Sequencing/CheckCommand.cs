@@ -1,0 +1,24 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Sequencing;
+
+/// <summary>CHECK: The drawing doctor: everything that is wrong or doubtful between the drawing and its motion; fails when something is an error.</summary>
+internal sealed class CheckCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("CHECK", CommandGroup.Ask, "The drawing doctor: everything that is wrong or doubtful between the drawing and its motion; fails when something is an error.");
+
+    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var job = JobPreparation.PrepareUnlessCancelled(drawing, context.Document.Current.Settings, MotionStyle.Continuous, cancellation);
+        FindingMessages.Say(context, drawing.FileName, job.Diagnostics, Severity.Info);
+        var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
+        var warnings = job.Diagnostics.Count(found => found.Severity == Severity.Warning);
+        context.Say($"{CountText.Format(errors, "error")}, {CountText.Format(warnings, "warning")}.", MessageKind.Result);
+        if (errors > 0) throw new CommandException(CommandFailure.Drawing, $"The drawing has {CountText.Format(errors, "error")}.");
+        return Task.CompletedTask;
+    }
+}

@@ -1,0 +1,47 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Commands.Sequencing;
+
+/// <summary>ENTER: Names the entity where cutting begins.</summary>
+internal sealed class EnterCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("ENTER", CommandGroup.Sequence, "Names the entity where cutting begins.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var answer = await context.AskAsync(new PointPrompt("Select entering entity") { Options = Keyword.List("Handle", "Point", "None"), Use = PointUse.Object }).ConfigureAwait(false);
+        var place = answer switch
+        {
+            Answer<Point2D>.Value { Of: var point } => AtEntity(drawing, ObjectSelection.At(context, point) ?? throw new CommandException(CommandFailure.Usage, "No object there.")),
+            Answer<Point2D>.Chosen { Option: "Handle" } => new EnteringPlace.ByHandle(await HandleAsync(context).ConfigureAwait(false)),
+            Answer<Point2D>.Chosen { Option: "Point" } => new EnteringPlace.ByPoint(DrawingUnits.ToMillimetres(drawing, await context.ValueAsync(new PointPrompt("Specify entering point")).ConfigureAwait(false))),
+            _ => null,
+        };
+        var state = context.Document.Current;
+        context.Take(state with { Settings = state.Settings with { Enter = place } });
+    }
+
+    /// <summary>By handle where that names this very curve; copies of a block's curve share one.</summary>
+    private static EnteringPlace AtEntity(Drawing drawing, int entity) =>
+        drawing.SourceOf(entity).Handle is { } handle && drawing.IndexOfHandle(handle) == entity
+            ? new EnteringPlace.ByHandle(handle)
+            : new EnteringPlace.ByPoint(DrawingUnits.ToMillimetres(drawing, DrawingPick.Segments(drawing, entity).First().Start));
+
+    private static async Task<string> HandleAsync(CommandContext context)
+    {
+        var handle = await context.ValueAsync(new TextPrompt("Enter handle")).ConfigureAwait(false);
+        return context.Drawing.IndexOfHandle(handle) is null ? throw new CommandException(CommandFailure.Usage, $"No object has the handle {handle}.") : handle;
+    }
+}
+
+/// <summary>Points at the prompts are in drawing units, as the operator sees them; settings of the stages are millimetres.</summary>
+internal static class DrawingUnits
+{
+    public static Point2D ToMillimetres(Drawing drawing, Point2D point) => new(point.X * drawing.Unit.ToMillimetres, point.Y * drawing.Unit.ToMillimetres);
+
+    public static Point2D FromMillimetres(Drawing drawing, Point2D point) => new(point.X / drawing.Unit.ToMillimetres, point.Y / drawing.Unit.ToMillimetres);
+}

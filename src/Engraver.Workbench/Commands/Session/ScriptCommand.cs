@@ -1,0 +1,15 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Session;
+
+/// <summary>SCRIPT: Runs the commands of a script file (.scr).</summary>
+internal sealed class ScriptCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("SCRIPT", CommandGroup.File, "Runs the commands of a script file (.scr).");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var name = await context.ValueAsync(new TextPrompt("Enter script file name")).ConfigureAwait(false);
+        context.QueueScript(context.FileToRead(name), await File.ReadAllTextAsync(context.FileToRead(name), cancellation).ConfigureAwait(false));
+    }
+}

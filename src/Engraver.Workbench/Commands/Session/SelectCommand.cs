@@ -1,0 +1,13 @@
+namespace Engraver.Workbench.Commands.Session;
+
+/// <summary>SELECT: Selects objects for the next command.</summary>
+internal sealed class SelectCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("SELECT", CommandGroup.Ask, "Selects objects for the next command.");
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var selected = await ObjectSelection.PickAsync(context).ConfigureAwait(false);
+        context.Document.Select(selected, selected);
+    }
+}

@@ -1,0 +1,27 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Settings;
+
+/// <summary>OPTIONS: Lists every setting with its value and meaning; a name changes it.</summary>
+internal sealed class OptionsCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("OPTIONS", CommandGroup.File, "Lists every setting with its value and meaning; a name changes it.") { Transparent = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        context.SayResult(output => Write(context, output));
+        var prompt = new TextPrompt("Enter name of setting to change, or Enter to end") { EnterEnds = true };
+        if (await context.AskAsync(prompt).ConfigureAwait(false) is not Answer<string>.Value { Of: var name }) return;
+        if (context.Catalog.Find(name) is not { Info.Group: CommandGroup.Setting } setting) throw new CommandException(CommandFailure.Usage, $"There is no setting '{name}'.");
+        await setting.RunAsync(context, cancellation).ConfigureAwait(false);
+    }
+
+    private static void Write(CommandContext context, TextWriter output)
+    {
+        foreach (var info in context.Catalog.All.Where(info => info.Group == CommandGroup.Setting))
+        {
+            var value = context.Catalog.Find(info.Name) is ISettingCommand setting ? setting.ValueText(context) : "";
+            output.WriteLine($"{info.Name,-14}{value,-14}{info.Summary}");
+        }
+    }
+}

@@ -1,0 +1,35 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Settings;
+
+/// <summary>GRID and SNAP: a spacing, or on, or off. Kept between sessions.</summary>
+internal sealed class SpacingCommand : ICommand
+{
+    private static readonly IReadOnlyList<Keyword> s_modes = Keyword.List("ON", "OFF");
+
+    private readonly string _switch;
+    private readonly string _spacing;
+
+    private SpacingCommand(string name, string onOff, string spacing, string summary)
+    {
+        Info = new CommandInfo(name, CommandGroup.View, summary) { Transparent = true };
+        (_switch, _spacing) = (onOff, spacing);
+    }
+
+    public static IReadOnlyList<ICommand> All { get; } =
+    [
+        new SpacingCommand("GRID", "GRIDMODE", "GRIDUNIT", "Lines behind the drawing: their distance, on or off."),
+        new SpacingCommand("SNAP", "SNAPMODE", "SNAPUNIT", "The crosshair jumps to places of a raster: their distance, on or off."),
+    ];
+
+    public CommandInfo Info { get; }
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var spacing = SystemVariables.Find(_spacing);
+        var prompt = new NumberPrompt($"Specify {Info.Name.ToLowerInvariant()} spacing") { Options = s_modes, Default = NumberPrompt.Show(spacing.Read(context)), Least = 1e-6, Most = 1e6 };
+        var answer = await context.AskAsync(prompt).ConfigureAwait(false);
+        if (answer is Answer<double>.Value { Of: var value }) spacing.Write(context, value);
+        SystemVariables.Find(_switch).Write(context, answer is Answer<double>.Chosen { Option: "OFF" } ? 0.0 : 1.0);
+    }
+}

@@ -1,0 +1,31 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Settings;
+
+/// <summary>A system variable typed by its name: asks for a new value, with the one it has as default.</summary>
+internal sealed class SystemVariableCommand : ISettingCommand
+{
+    private readonly SystemVariable _variable;
+
+    private SystemVariableCommand(SystemVariable variable)
+    {
+        _variable = variable;
+        Info = new CommandInfo(variable.Name, CommandGroup.Setting, variable.Summary) { Transparent = true };
+    }
+
+    /// <summary>One for each variable that is not a command of another kind.</summary>
+    public static IEnumerable<ICommand> All => SystemVariables.All.Select(variable => new SystemVariableCommand(variable));
+
+    public CommandInfo Info { get; }
+
+    public string ValueText(CommandContext context) => NumberPrompt.Show(_variable.Read(context));
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var prompt = new NumberPrompt($"Enter new value for {_variable.Name}")
+        {
+            Default = ValueText(context), Least = _variable.Least, Most = _variable.Most, Whole = _variable.Whole,
+        };
+        _variable.Write(context, await context.ValueAsync(prompt).ConfigureAwait(false));
+    }
+}

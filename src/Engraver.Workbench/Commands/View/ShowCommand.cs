@@ -1,0 +1,44 @@
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Views;
+
+namespace Engraver.Workbench.Commands.View;
+
+/// <summary>SHOW: Switches the layers of meaning over the drawing: contours, order, rapids, findings and the others.</summary>
+internal sealed class ShowCommand : ICommand
+{
+    private static readonly IReadOnlyList<CanvasLayers> s_layers = [.. Enum.GetValues<CanvasLayers>().Where(layer => layer is not (CanvasLayers.None or CanvasLayers.All))];
+
+    /// <summary>Spelled so that every capital form is its own.</summary>
+    private static readonly IReadOnlyList<Keyword> s_options =
+        Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "recordeD", "All", "None");
+
+    public CommandInfo Info { get; } = new("SHOW", CommandGroup.View, "Switches the layers of meaning over the drawing: contours, order, rapids, findings and the others.") { Transparent = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var option = await context.ChoiceAsync("Enter what to show or hide", s_options, "?").ConfigureAwait(false);
+        if (option == "?")
+        {
+            context.SayResult(output => Write(context.View.Current.Shown, output));
+            return;
+        }
+
+        if (option is "All" or "None")
+        {
+            Change(context, option == "All" ? CanvasLayers.All : CanvasLayers.Drawing);
+            return;
+        }
+
+        var layer = Enum.Parse<CanvasLayers>(option, ignoreCase: true);
+        var shown = context.View.Current.Shown;
+        var mode = await context.ChoiceAsync("Enter mode", Keyword.List("ON", "OFF"), shown.HasFlag(layer) ? "OFF" : "ON").ConfigureAwait(false);
+        Change(context, mode == "ON" ? shown | layer : shown & ~layer);
+    }
+
+    private static void Change(CommandContext context, CanvasLayers shown) => context.View.Change(view => view with { Shown = shown });
+
+    private static void Write(CanvasLayers shown, TextWriter output)
+    {
+        foreach (var layer in s_layers) output.WriteLine($"{(shown.HasFlag(layer) ? "on " : "off")}  {layer}");
+    }
+}

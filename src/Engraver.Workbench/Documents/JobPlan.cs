@@ -1,0 +1,28 @@
+using Engraver.Core.Drawings;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Jobs.Timing;
+using Engraver.Galil.Links;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Timing;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>What a job will be on the machine that it is meant for, before any is connected: its style, its feed over the link, its time.</summary>
+public static class JobPlan
+{
+    /// <summary>The style in which a job must be prepared for a mode.</summary>
+    public static MotionStyle StyleOf(JobMode mode) => mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous;
+
+    /// <summary>The program as it will be run over this link: on a serial line that is too slow for its feed it is cut slower, and the finding says so before the start.</summary>
+    /// <param name="address">Null for none: nothing limits the feed.</param>
+    public static LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, JobMode mode, Drawing drawing) => (address, mode) is (SerialAddress serial, JobMode.Stream)
+        ? LinkFeedFit.Create(program, new SerialLine(serial.Baud), drawing.SourceOf)
+        : new LinkFeedFit(program, []);
+
+    /// <summary>How long the program will take over this link.</summary>
+    /// <param name="program">Made fit for the link (<see cref="FitToLink"/>).</param>
+    /// <param name="address">Null for none: as over a network.</param>
+    public static MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, JobMode mode) =>
+        JobTime.Estimate(program, address is SerialAddress serial ? new SerialLine(serial.Baud) : null, mode);
+}

@@ -1,0 +1,49 @@
+using System.Runtime.InteropServices;
+using System.Text;
+
+namespace Engraver.Workbench.Files;
+
+/// <summary>What stands at a path: a file, which may be replaced, or a way to somebody else (a named pipe, a device, an open file of a process), into which is written.</summary>
+public static class FileKind
+{
+    /// <summary>S_IFMT and S_IFREG of stat(2).</summary>
+    private const int KindMask = 0xF000;
+    private const int RegularFile = 0x8000;
+
+    /// <summary>True when something stands there, also behind a link, that must be written into as it stands. Nothing is opened: opening a pipe already tells its other end something.</summary>
+    public static bool IsWay(string path)
+    {
+        var full = Path.GetFullPath(path);
+        if (OperatingSystem.IsWindows() || !File.Exists(full)) return false;
+        return IsAmongDevices(full) || (OperatingSystem.IsLinux() && Mode(full) is { } mode && (mode & KindMask) != RegularFile);
+    }
+
+    /// <summary>The standard output may itself lead to an ordinary file; that of a process is written on, not replaced.</summary>
+    private static bool IsAmongDevices(string full) =>
+        (full.StartsWith("/dev/", StringComparison.Ordinal) && !full.StartsWith("/dev/shm/", StringComparison.Ordinal)) || full.StartsWith("/proc/", StringComparison.Ordinal);
+
+    /// <summary>By statx(2), the one form of stat that is laid out alike on every processor.</summary>
+    /// <returns>Null when it cannot be asked.</returns>
+    private static int? Mode(string full)
+    {
+        const int WorkingFolder = -100;
+        const uint KindWanted = 1;
+        const int ModeOffset = 28;
+        Span<byte> found = stackalloc byte[256];
+        try
+        {
+            return NativeMethods.Stat(WorkingFolder, Encoding.UTF8.GetBytes(full + '\0'), 0, KindWanted, ref found[0]) == 0 ? BitConverter.ToUInt16(found[ModeOffset..]) : null;
+        }
+        catch (EntryPointNotFoundException)
+        {
+            return null; // a C library from before 2018
+        }
+    }
+
+    private static class NativeMethods
+    {
+        [DllImport("libc", EntryPoint = "statx")]
+        [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
+        public static extern int Stat(int folder, byte[] path, int flags, uint mask, ref byte found);
+    }
+}

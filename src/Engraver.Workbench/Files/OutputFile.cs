@@ -1,0 +1,34 @@
+using System.Text;
+
+namespace Engraver.Workbench.Files;
+
+/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed. What leads to somebody else, a device or a named pipe, is written as it stands, for a rename would put a file in its place.</summary>
+public static class OutputFile
+{
+    /// <summary>Writes UTF-8 text with LF line ends.</summary>
+    /// <exception cref="IOException">The place cannot be written; nothing is left behind.</exception>
+    /// <exception cref="UnauthorizedAccessException">The place may not be written; nothing is left behind.</exception>
+    public static void Write(string path, Action<TextWriter> write)
+    {
+        if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException($"There is no folder {folder}.");
+        if (Directory.Exists(path)) throw new IOException("That is a folder.");
+        var target = new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
+        if (FileKind.IsWay(path) || FileKind.IsWay(target)) WriteInPlace(path, write);
+        else Replace(target, write);
+    }
+
+    private static void WriteInPlace(string path, Action<TextWriter> write)
+    {
+        using var writer = Text(new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite));
+        write(writer);
+    }
+
+    private static void Replace(string path, Action<TextWriter> write)
+    {
+        using var temporary = new TemporaryFile(path);
+        using (var writer = Text(temporary.Create())) write(writer);
+        temporary.TakePlace();
+    }
+
+    private static StreamWriter Text(Stream stream) => new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)) { NewLine = "\n" };
+}

@@ -1,0 +1,32 @@
+namespace Engraver.Workbench.Machines.Alarms;
+
+/// <summary>What alarms are grouped by, so that one trouble is one line.</summary>
+public enum AlarmCause
+{
+    /// <summary>The link was lost, idle or in a job.</summary>
+    LinkLost,
+
+    /// <summary>The controller refused a command.</summary>
+    Refused,
+
+    /// <summary>The watchdog in the controller stopped the machine.</summary>
+    WatchdogTripped,
+
+    /// <summary>A limit switch is hit.</summary>
+    Limit,
+
+    /// <summary>An axis was switched off or stands too far from its command.</summary>
+    FollowingError,
+
+    /// <summary>The abort input is or was active.</summary>
+    AbortInput,
+
+    /// <summary>A job ended before its end.</summary>
+    JobStopped,
+
+    /// <summary>What a job cut is not the drawing, by what the controller said.</summary>
+    Deviated,
+
+    /// <summary>A bug of ours: in a command or in the program around it; the machine was stopped.</summary>
+    InternalError,
+}

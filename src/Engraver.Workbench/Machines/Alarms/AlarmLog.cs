@@ -1,0 +1,115 @@
+namespace Engraver.Workbench.Machines.Alarms;
+
+/// <summary>The alarms since the program began, oldest first. One trouble is one alarm with a count, never a flood; the first of a series is marked and stays so.</summary>
+/// <remarks>Any thread. Nothing here touches the machine: acknowledging never resets it.</remarks>
+public sealed class AlarmLog(TimeProvider time)
+{
+    /// <summary>Alarms that are gone and seen are forgotten beyond this number.</summary>
+    private const int MostKept = 500;
+
+    private readonly Lock _guard = new();
+    private readonly List<Alarm> _alarms = [];
+    private int _number;
+
+    /// <summary>Raised after an alarm was raised, acknowledged or cleared; on any thread.</summary>
+    public event EventHandler? Changed;
+
+    public IReadOnlyList<Alarm> All
+    {
+        get
+        {
+            lock (_guard) return [.. _alarms];
+        }
+    }
+
+    /// <summary>What the operator must look at now: standing, or gone but not seen.</summary>
+    public IReadOnlyList<Alarm> Open => [.. All.Where(alarm => alarm.State != AlarmState.Cleared)];
+
+    /// <summary>Of those open, the one that came first.</summary>
+    public Alarm? FirstOut => Open.LastOrDefault(alarm => alarm.IsFirstOut) ?? (Open.Count > 0 ? Open[0] : null);
+
+    /// <summary>Raises an alarm, or counts it up when the same cause at the same place is open already. A cause that comes back after it was acknowledged must be acknowledged again.</summary>
+    public Alarm Raise(AlarmCause cause, string what, string where, string toDo)
+    {
+        Alarm raised;
+        lock (_guard)
+        {
+            var at = _alarms.FindLastIndex(alarm => alarm.Cause == cause && alarm.Where == where && alarm.State != AlarmState.Cleared);
+            raised = at >= 0 ? Again(_alarms[at], what, toDo) : First(cause, what, where, toDo);
+            if (at >= 0) _alarms[at] = raised;
+            else _alarms.Add(raised);
+            Forget();
+        }
+
+        Changed?.Invoke(this, EventArgs.Empty);
+        return raised;
+    }
+
+    /// <summary>The cause is gone. An alarm that nobody has seen stays open.</summary>
+    public void Clear(AlarmCause cause) => Replace(alarm => alarm.Cause == cause && alarm.IsActive ? Gone(alarm) : alarm);
+
+    /// <summary>"Seen." Resets nothing.</summary>
+    /// <returns>False when there is no such alarm, or it needs none.</returns>
+    public bool Acknowledge(int number) => Replace(alarm => alarm.Number == number ? Seen(alarm) : alarm) > 0;
+
+    /// <returns>How many were acknowledged.</returns>
+    public int AcknowledgeAll() => Replace(Seen);
+
+    private Alarm First(AlarmCause cause, string what, string where, string toDo) =>
+        new(++_number, time.GetUtcNow(), cause, what, where, toDo) { IsFirstOut = _alarms.TrueForAll(alarm => alarm.State == AlarmState.Cleared) };
+
+    private Alarm Again(Alarm alarm, string what, string toDo) => alarm with
+    {
+        What = what,
+        ToDo = toDo,
+        Count = alarm.Count + 1,
+        LastTime = time.GetUtcNow(),
+        State = alarm.State == AlarmState.Acknowledged ? AlarmState.Acknowledged : AlarmState.Unacknowledged,
+    };
+
+    private static Alarm Gone(Alarm alarm) => alarm with { State = alarm.State == AlarmState.Acknowledged ? AlarmState.Cleared : AlarmState.ClearedUnacknowledged };
+
+    private static Alarm Seen(Alarm alarm) => alarm.State switch
+    {
+        AlarmState.Unacknowledged => alarm with { State = AlarmState.Acknowledged },
+        AlarmState.ClearedUnacknowledged => alarm with { State = AlarmState.Cleared },
+        _ => alarm,
+    };
+
+    private int Replace(Func<Alarm, Alarm> change)
+    {
+        var changed = 0;
+        lock (_guard)
+        {
+            for (var i = 0; i < _alarms.Count; i++)
+            {
+                var next = change(_alarms[i]);
+                if (next == _alarms[i]) continue;
+                _alarms[i] = next;
+                changed++;
+            }
+        }
+
+        if (changed > 0) Changed?.Invoke(this, EventArgs.Empty);
+        return changed;
+    }
+
+    private void Forget()
+    {
+        while (_alarms.Count > MostKept && _alarms.FindIndex(alarm => alarm.State == AlarmState.Cleared) is >= 0 and var oldest) _alarms.RemoveAt(oldest);
+    }
+}
+
+/// <summary>The states of ISA-18.2 that an alarm goes through. Acknowledging says "seen" and resets nothing.</summary>
+public enum AlarmState
+{
+    Unacknowledged,
+
+    Acknowledged,
+
+    /// <summary>The cause is gone, nobody has said "seen" yet: it stays in the list.</summary>
+    ClearedUnacknowledged,
+
+    /// <summary>Gone and seen.</summary>
+    Cleared,
+}

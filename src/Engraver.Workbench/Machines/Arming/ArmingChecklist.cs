@@ -1,0 +1,74 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Jobs;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Reports;
+
+namespace Engraver.Workbench.Machines.Arming;
+
+/// <summary>What was checked before START works, in the order in which an operator would look.</summary>
+public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
+{
+    public bool Passed => Checks.All(check => check.Passed);
+
+    /// <param name="errorsAccepted">The operator has said that the drawing's errors do not matter.</param>
+    /// <param name="lastStart">The last run of the drawing on this controller; null when none is known.</param>
+    public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, RunStart? lastStart = null)
+    {
+        var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
+        return new ArmingChecklist(
+        [
+            Check(errors == 0 || errorsAccepted, errors == 0 ? "The drawing has no errors" : $"The drawing has {CountText.Format(errors, "error")}{(errorsAccepted ? ", accepted by the operator" : "; CHECK lists them")}"),
+            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {CountText.Format(program.SegmentCount, "segment")}" : job.WithoutProgram),
+            Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? $"The link to {link} stands" : "No controller is connected; CNCCONNECT"),
+            Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, $"The controller is {Word(status)}"),
+            Check(status.MotorsOn == true, status.MotorsOn == true ? "The motors are on" : "The motors are off; CNCMOTORS ON"),
+            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? "No limit is hit" : $"{status.Limit} is hit; move the machine off it"),
+            .. job.Findings.Where(found => found.Severity == Severity.Warning).Select(found => Warning(CommandWording.Translate(found).Message.TrimEnd('.'))),
+            .. StartWarning(job, status, lastStart),
+        ]);
+    }
+
+    /// <summary>A job takes the place where the machine stands for the drawing's start, wherever the last one left it.</summary>
+    private static IEnumerable<ArmingCheck> StartWarning(PreparedJob job, MachineStatus status, RunStart? lastStart)
+    {
+        var last = status.LastOutcome is { } outcome and not JobOutcome.Complete ? $"The last job on this machine {(outcome == JobOutcome.Deviated ? "did not cut what was drawn" : "ended early")} ({OutcomeText.Word(outcome)}). " : "";
+        var start = PointPrompt.Show(job.Settings.Start);
+        if (status.WorkPosition is not { } at)
+        {
+            var elsewhere = status.MachinePosition is { } here ? StartPlace.Compare(lastStart, job, job.Settings.Machine.Scale.ToCounts(here)) : null;
+            if (elsewhere is not null) yield return Warning($"{last}{CommandWording.Translate(elsewhere).Message.TrimEnd('.')}");
+            else if (last.Length > 0) yield return Warning($"{last}Where it left the machine is not known any more: the place where it stands now is taken for the drawing's start {start}; look there first");
+            yield break;
+        }
+
+        var away = at.DistanceTo(job.Settings.Start);
+        if (away * job.Settings.Machine.Scale.Largest < 1.0) yield break;
+        yield return Warning(string.Create(CultureInfo.InvariantCulture, $"{last}The place where the machine stands now is taken for the drawing's start {start}; by the last job it stands at {at.X:0.###},{at.Y:0.###}, {away:0.###} mm from there. Move it back or set TOOLSTART, unless this is another work piece"));
+    }
+
+    private static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };
+
+    private static ArmingCheck Check(bool passed, string sentence) => new(passed, sentence + ".");
+
+    private static string Word(MachineStatus status) => status.State switch
+    {
+        MachineState.Ready or MachineState.Armed => "ready",
+        MachineState.MotorsOff => "at rest",
+        MachineState.Busy or MachineState.Fault => $"not ready: {status.Reason}",
+        MachineState.EmergencyStopOpen => "held by its abort input; release the emergency stop",
+        MachineState.Running or MachineState.Stopping => "running a job",
+        _ => "not heard yet",
+    };
+}
+
+/// <summary>One thing that must be so before a job may start.</summary>
+/// <param name="Passed">True when it is so.</param>
+/// <param name="Sentence">What was looked at, and when it is not so, what to do.</param>
+public sealed record ArmingCheck(bool Passed, string Sentence)
+{
+    /// <summary>It does not stand in the way, but the operator must have read it.</summary>
+    public bool IsWarning { get; init; }
+}

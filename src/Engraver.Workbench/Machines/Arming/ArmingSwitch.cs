@@ -1,0 +1,62 @@
+using Engraver.Galil.Jobs;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Machines.Arming;
+
+/// <summary>Holds an armed job until it is started, taken back, or its time is over.</summary>
+internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposable
+{
+    public static readonly TimeSpan Lasts = TimeSpan.FromSeconds(60);
+
+    private readonly Lock _guard = new();
+    private ArmedJob? _armed;
+    private ITimer? _end;
+
+    /// <summary>Null while nothing is armed.</summary>
+    public ArmedJob? Armed
+    {
+        get
+        {
+            lock (_guard) return _armed is { } armed && time.GetUtcNow() < armed.Until ? armed : null;
+        }
+    }
+
+    public ArmedJob Arm(PreparedJob job, JobMode mode, bool dryRun, ArmingChecklist checklist)
+    {
+        var armed = new ArmedJob(job, mode, dryRun, checklist, time.GetUtcNow() + Lasts);
+        lock (_guard)
+        {
+            _end?.Dispose();
+            _armed = armed;
+            _end = time.CreateTimer(_ => Disarm(), null, Lasts, Timeout.InfiniteTimeSpan);
+        }
+
+        changed();
+        return armed;
+    }
+
+    /// <returns>False when nothing was armed.</returns>
+    public bool Disarm()
+    {
+        lock (_guard)
+        {
+            if (_armed is null) return false;
+            _armed = null;
+            _end?.Dispose();
+            _end = null;
+        }
+
+        changed();
+        return true;
+    }
+
+    public void Dispose()
+    {
+        lock (_guard) _end?.Dispose();
+    }
+}
+
+/// <summary>A job that was checked and may be started until a moment, or until anything it was checked against changes.</summary>
+/// <param name="Job">Prepared in the style of the mode.</param>
+/// <param name="Until">When arming ends by itself.</param>
+public sealed record ArmedJob(PreparedJob Job, JobMode Mode, bool DryRun, ArmingChecklist Checklist, DateTimeOffset Until);

@@ -1,0 +1,17 @@
+using Engraver.Galil.Jobs;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>How a job ended, as reports, JSON and lists spell it.</summary>
+public static class OutcomeText
+{
+    /// <summary>The outcome in the words of the runner's contract.</summary>
+    public static string Word(JobOutcome outcome) => outcome switch
+    {
+        JobOutcome.Complete => "complete",
+        JobOutcome.Stopped => "stopped",
+        JobOutcome.Refused => "refused",
+        JobOutcome.Deviated => "deviated",
+        _ => "linkLost",
+    };
+}

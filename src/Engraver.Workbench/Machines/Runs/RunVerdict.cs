@@ -1,0 +1,53 @@
+using System.Globalization;
+using Engraver.Core.Geometry;
+using Engraver.Core.Verification;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>A run whose own measure is out of tolerance is never complete, whatever the controller counted.</summary>
+internal static class RunVerdict
+{
+    /// <summary>Nominal sample of the controller's motion, seconds: two axes that are asked one after the other may be so far apart in time (galil-dmc.md C).</summary>
+    private const double SampleSeconds = 0.001;
+
+    /// <returns>The result as it was, or as <see cref="JobOutcome.Deviated"/> with place and size.</returns>
+    public static JobResult Judge(PreparedJob job, MotionProgram program, JobResult result, RunJudgement judgement)
+    {
+        if (result.Outcome != JobOutcome.Complete) return result;
+        var tolerances = RunJudge.Tolerances(job);
+        if (judgement.MaxDeviationMm is { } deviation && deviation > AllowedDeviation(job, program, judgement, tolerances))
+            return Deviated(result, $"The run was at worst {Millimetres(deviation)} mm beside the drawing{At(judgement.DeviationAt)}");
+        if (judgement.MissingLengthMm is { } missing && missing > AllowedMissing(judgement, tolerances))
+            return Deviated(result, $"{Millimetres(missing)} mm of the drawing were not cut{At(judgement.MissingAt)}");
+        return result;
+    }
+
+    private static JobResult Deviated(JobResult result, string what) => result with
+    {
+        Outcome = JobOutcome.Deviated,
+        Sentence = $"{what}, by what the controller itself said; the part is not as it was drawn. Look at the work piece, the cable and who else uses the controller before another start.",
+    };
+
+    /// <summary>Where the join tolerance bridges gaps, the middle of a bridge is right though it lies off the drawing.</summary>
+    private static double AllowedDeviation(PreparedJob job, MotionProgram program, RunJudgement judgement, TraceTolerances tolerances)
+    {
+        var bridges = BridgedGaps.Beyond(job.Toolpath, tolerances.Deviation);
+        var bridged = tolerances.Deviation + (bridges.Count == 0 ? 0.0 : bridges.Max(bridge => bridge.Segment.Length) / 2.0);
+        return judgement.Source == "polled" ? bridged + Skew(program, tolerances) : bridged;
+    }
+
+    /// <summary>By how much a polled position may lie beside the path because its two numbers are a sample apart: half of the way of a sample, in a slanting direction. Nearer than that it is the job that watches (PathWatch).</summary>
+    private static double Skew(MotionProgram program, TraceTolerances tolerances) =>
+        program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max() * SampleSeconds / 2.0 * tolerances.Count;
+
+    /// <summary>A record is judged place by place; polled, the length is a sum of segments, of which an arc that was aimed anew is a little shorter or longer.</summary>
+    private static double AllowedMissing(RunJudgement judgement, TraceTolerances tolerances) => judgement.Source == "record" ? tolerances.Deviation : tolerances.LargestStep;
+
+    private static string At(Point2D? place) => place is { } at ? string.Create(CultureInfo.InvariantCulture, $", at {at.X:0.###},{at.Y:0.###}") : "";
+
+    private static string Millimetres(double length) => length.ToString("0.####", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,54 @@
+namespace Engraver.Workbench.Machines.Terminals;
+
+/// <summary>The terminal's page on the connection that stands: what was typed, answered and printed, oldest first. The lines outlive the connection.</summary>
+/// <remarks>Any thread. Nothing is sent while a job runs, and what the <see cref="CommandGuard"/> withholds is not sent at all.</remarks>
+public sealed class LiveTerminal
+{
+    /// <summary>Older lines are forgotten.</summary>
+    private const int MostLines = 2000;
+
+    private readonly Lock _guard = new();
+    private readonly List<TerminalEntry> _lines = [];
+    private readonly TimeProvider _time;
+    private readonly Func<string, CancellationToken, Task<IReadOnlyList<TerminalAnswer>>> _answer;
+
+    internal LiveTerminal(TimeProvider time, Func<string, CancellationToken, Task<IReadOnlyList<TerminalAnswer>>> answer) => (_time, _answer) = (time, answer);
+
+    /// <summary>Raised after lines have come; on any thread.</summary>
+    public event EventHandler? Changed;
+
+    public IReadOnlyList<TerminalEntry> Lines
+    {
+        get
+        {
+            lock (_guard) return [.. _lines];
+        }
+    }
+
+    /// <summary>Takes a typed line and shows it with its answer.</summary>
+    /// <exception cref="Engraver.Galil.Links.ControllerException">The link failed; the line stays on the page.</exception>
+    public async Task<IReadOnlyList<TerminalAnswer>> TypeAsync(string line, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(line);
+        Add(null, line.Trim());
+        var answers = await _answer(line, cancellation).ConfigureAwait(false);
+        foreach (var answer in answers) Add(answer.Kind, answer.Text);
+        return answers;
+    }
+
+    internal void Add(TerminalAnswerKind? kind, string text)
+    {
+        lock (_guard)
+        {
+            _lines.Add(new TerminalEntry(_time.GetUtcNow(), kind, text));
+            if (_lines.Count > MostLines) _lines.RemoveRange(0, _lines.Count - MostLines);
+        }
+
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
+}
+
+/// <summary>A line of the terminal's page.</summary>
+/// <param name="Time">When it was typed or heard.</param>
+/// <param name="Kind">Null for what the operator typed; otherwise where it comes from.</param>
+public sealed record TerminalEntry(DateTimeOffset Time, TerminalAnswerKind? Kind, string Text);

@@ -1,7 +1,0 @@
-namespace Engraver.Workbench.Views;
-
-public enum DesktopTheme
-{
-    Dark,
-    Light,
-}

@@ -1,0 +1,81 @@
+using System.Text;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Writing;
+using Engraver.Core.Geometry;
+using Engraver.TestKit;
+using FsCheck;
+using FsCheck.Fluent;
+
+namespace Engraver.Core.Tests.Dxf.Writing;
+
+/// <summary>Ellipses and splines are written as what they are and read back as the same curve.</summary>
+public class DxfCurveWriterTests
+{
+    [Fact]
+    public void Every_elliptical_arc_reads_back_with_its_course_and_direction() =>
+        Prop.ForAll(Numbers(), Numbers(), Numbers(), (centre, axes, angles) =>
+        {
+            var (major, minor) = (new Vector3D(3.0 + axes.A, axes.B, 0.0), new Vector3D(axes.C, 0.5 + (axes.D / 10.0), 0.0));
+            if (Math.Abs((major.X * minor.Y) - (major.Y * minor.X)) < 0.05) return;
+            var ellipse = new EllipseArc(new Vector3D(centre.A, centre.B, 0.0), major, minor, Angle.FromDegrees(angles.A * 30.0), Angle.FromDegrees(Sweep(angles.B)));
+            AssertSame(ellipse.ToCurve(), CurveType.Ellipse);
+        }).QuickCheckThrowOnFailure();
+
+    [Theory]
+    [InlineData(360.0)]
+    [InlineData(-360.0)]
+    public void A_whole_ellipse_keeps_where_it_starts_and_which_way_round_it_goes(double sweep) =>
+        AssertSame(new EllipseArc(new Vector3D(5, -3, 0), new Vector3D(7, 2, 0), new Vector3D(-0.4, 1.4, 0), Angle.FromDegrees(70), Angle.FromDegrees(sweep)).ToCurve(), CurveType.Ellipse);
+
+    [Fact]
+    public void Splines_read_back_exactly_rational_or_not_forwards_or_backwards()
+    {
+        var drawing = Reading.Entities([.. OddDrawings.Spline, .. OddDrawings.FitSpline, (0, "SPLINE"), (71, 2), (40, 0), (40, 0), (40, 0), (40, 1), (40, 3), (40, 3), (40, 3), (10, 0), (20, 0), (10, 1), (20, 4), (10, 5), (20, 4), (10, 6), (20, 0)]);
+        foreach (var curve in drawing.Curves)
+        {
+            AssertSame(curve, CurveType.Spline);
+            AssertSame(curve.Reversed(), CurveType.Spline);
+        }
+    }
+
+    [Fact]
+    public void A_layer_name_in_any_script_is_written_in_ascii_and_reads_back()
+    {
+        const string Name = "Größe 切断 \uD83D\uDE00";
+        var text = Written(new DxfSheet([new DxfSheetLayer(Name, 3)], [new DxfSheetEntity(Segment.FromLine(default, new Point2D(1, 0)), Name, "cut", 1, 1)]));
+        var drawing = Reading.Of(text);
+
+        Assert.True(Ascii.IsValid(text));
+        Assert.Equal(Name, drawing.Layers[drawing.Entities[0].Layer].Name);
+        Assert.Contains("\\U+00F6", text, StringComparison.Ordinal);
+    }
+
+    /// <summary>15 to 315 degrees, either way round.</summary>
+    private static double Sweep(double number) => number < 0.0 ? (number * 30.0) - 15.0 : (number * 30.0) + 15.0;
+
+    private static void AssertSame(RationalCurve curve, CurveType type)
+    {
+        var drawing = Reading.Of(Written(new DxfSheet([], [new DxfSheetEntity(Segment.FromCurve(curve), "0", null, 0, 0)])));
+        Assert.DoesNotContain(drawing.Diagnostics, found => found.Id != "DXF0041");
+        Assert.Equal(type, Assert.Single(Reading.Curves(drawing)).Type);
+        var found = drawing.SegmentOf(drawing.Parts[0]);
+        var tolerance = 1e-7 * (1.0 + curve.PlanLength);
+        Assert.Equal(curve.PlanLength, found.Length, tolerance);
+        Assert.True(curve.Start.IsNear(found.Start, tolerance) && curve.End.IsNear(found.End, tolerance), $"{curve.Start} {found.Start} {curve.End} {found.End}");
+        Assert.True((curve.StartTangent * (1.0 / curve.StartTangent.Length)).Dot(found.StartTangent * (1.0 / found.StartTangent.Length)) > 1.0 - 1e-6, "it sets off in another direction");
+        for (var i = 1; i < 8; i++) Assert.True(found.DistanceTo(curve.PointAt(i / 8.0)) <= tolerance, $"{i}");
+    }
+
+    private static string Written(DxfSheet sheet)
+    {
+        using var output = new StringWriter();
+        DxfWriter.Write(sheet, output);
+        return output.ToString();
+    }
+
+    private static Arbitrary<(double A, double B, double C, double D)> Numbers()
+    {
+        var number = Gen.Choose(-1000, 1000).Select(n => n / 100.0);
+        return Arb.From(number.SelectMany(a => number.SelectMany(b => number.SelectMany(c => Gen.Choose(0, 1000).Select(d => (a, b, c / 10.0, d / 100.0))))));
+    }
+}

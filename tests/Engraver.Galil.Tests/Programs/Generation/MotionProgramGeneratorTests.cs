@@ -1,0 +1,263 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+using Engraver.Core.Toolpaths;
+using Engraver.Galil.Language;
+using Engraver.Galil.Profiles;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Generation;
+
+namespace Engraver.Galil.Tests.Programs.Generation;
+
+public class MotionProgramGeneratorTests
+{
+    private const double MaxError = 0.001;
+
+    [Fact]
+    public void Counts_are_rounded_half_away_from_zero()
+    {
+        var scale = new CountsScale(1000.0, -1000.0);
+
+        Assert.Equal(new CountsPoint(1, 1), scale.ToCounts(new Point2D(0.0005, -0.0005)));
+        Assert.Equal(new CountsPoint(-1, -1), scale.ToCounts(new Point2D(-0.0005, 0.0005)));
+    }
+
+    [Fact]
+    public void End_points_are_rounded_not_increments()
+    {
+        var thirds = Enumerable.Range(0, 3000).Select(i => Toolpaths.Line(i / 3.0, 0, (i + 1) / 3.0, 0)).ToArray();
+
+        Assert.Equal(new CountsPoint(1_000_000, 0), Only(Program(Toolpaths.OfStroke(thirds))).Sequences[^1].End);
+    }
+
+    [Fact]
+    public void The_papers_part_becomes_two_corners_and_one_arc_with_the_numbers_of_the_drawing()
+    {
+        var stroke = Only(Program(Toolpaths.Paper));
+
+        Assert.Equal(new CountsPoint(50_000, 50_000), stroke.Start);
+        Assert.Equal(["VP 100000,0"], Commands(stroke.Sequences[0]));
+        Assert.Equal(["VP 0,100000", "CR 50000,0,180", "VP -100000,0"], Commands(stroke.Sequences[1]));
+        Assert.Equal([1, 2, 3], stroke.Sequences[1].Segments.Select(segment => segment.EntityIndex));
+        Assert.Equal(20_000, stroke.Sequences[1].Speed);
+    }
+
+    [Theory]
+    [InlineData(-1, 1, "CR 10000,150,-90")]
+    [InlineData(1, -1, "CR 10000,330,-90")]
+    [InlineData(-1, -1, "CR 10000,210,90")]
+    public void Mirrored_axes_turn_the_angles_and_the_sense(int x, int y, string command)
+    {
+        var profile = MachineProfile.Default with { CountsPerMillimetreX = 1000 * x, CountsPerMillimetreY = 1000 * y };
+
+        Assert.Equal([command], Commands(Only(Program(Toolpaths.OfStroke(Toolpaths.Arc(0, 0, 10, 30, 90)), profile)).Sequences[0]));
+    }
+
+    /// <summary>50 m at 1000 counts per mm is beyond CR (galil-dmc.md F.5): 350 degrees of it are about 24,000 chords.</summary>
+    [Fact]
+    public void Arcs_that_need_more_chords_than_any_job_can_use_are_refused_before_a_chord_is_made()
+    {
+        var arcs = Enumerable.Range(0, 10_000).Select(i => new[] { Toolpaths.Arc(i % 100, i / 100, i == 77 ? 60_000 : 50_000, 0, 350) }).ToArray();
+
+        var made = MotionProgramGenerator.Generate(Toolpaths.OfStrokes(arcs), MachineProfile.Default, MaxError, entity => new SourceRef(entity));
+
+        Assert.Null(made.Program);
+        var finding = Assert.Single(made.Diagnostics);
+        Assert.Equal(("MOT0012", 77), (finding.Id, finding.Source.Line));
+        Assert.Contains("radius 60000 mm", finding.Message, StringComparison.Ordinal);
+        Assert.Contains("up to the radius 6000 mm", finding.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_few_arcs_beyond_the_controllers_radius_are_cut_as_chords()
+    {
+        var arcs = Enumerable.Range(0, 10).Select(i => new[] { Toolpaths.Arc(i, 0, 50_000, 0, 90) }).ToArray();
+
+        Assert.All(Program(Toolpaths.OfStrokes(arcs)).Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments), segment => Assert.Equal(VectorSegmentKind.Line, segment.Kind));
+    }
+
+    [Theory]
+    [InlineData(9.0, 1)]
+    [InlineData(10.0, 1)]
+    [InlineData(11.0, 2)]
+    [InlineData(-11.0, 2)]
+    public void The_machine_stops_only_where_the_path_turns_by_more_than_the_profile_says(double turn, int sequences)
+    {
+        var (cos, sin) = (Math.Cos(turn * Math.PI / 180.0), Math.Sin(turn * Math.PI / 180.0));
+        var bend = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10, 0, 10 + (10 * cos), 10 * sin));
+
+        Assert.Equal(sequences, Only(Program(bend)).Sequences.Count);
+    }
+
+    [Fact]
+    public void A_bend_of_pieces_around_a_count_long_is_no_corner()
+    {
+        var places = Enumerable.Range(0, 31).Select(i => new Point2D(0.005 * Math.Sin(i * Math.PI / 20.0), 0.005 * (1 - Math.Cos(i * Math.PI / 20.0)))).ToList();
+        var bend = places.Zip(places.Skip(1), Segment.FromLine).ToArray();
+
+        Assert.Single(Only(Program(Toolpaths.OfStroke(bend))).Sequences);
+    }
+
+    /// <summary>At full feed a motor sample comes every 20 counts: it would pass the small bend inside, farther away than anything may be from the drawing.</summary>
+    [Theory]
+    [InlineData(0.006, 2)]
+    [InlineData(0.050, 1)]
+    public void A_smooth_bend_that_fits_between_two_samples_is_a_corner(double radius, int sequences)
+    {
+        var stroke = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Arc(10, radius, radius, -90, 90), Toolpaths.Line(10 + radius, radius, 10 + radius, 10));
+
+        Assert.Equal(sequences, Only(Program(stroke)).Sequences.Count);
+    }
+
+    [Fact]
+    public void A_speck_of_another_direction_inside_a_straight_is_no_corner()
+    {
+        var stroke = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10, 0, 10, 0.0004), Toolpaths.Line(10, 0.0004, 20, 0.0004));
+
+        Assert.Equal(["VP 10000,0", "VP 20000,0"], Commands(Assert.Single(Only(Program(stroke)).Sequences)));
+    }
+
+    [Fact]
+    public void A_corner_with_a_vanishing_chamfer_is_a_corner()
+    {
+        var stroke = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10, 0, 10.0003, 0.0003), Toolpaths.Line(10.0003, 0.0003, 10.0003, 10));
+
+        Assert.Equal(2, Only(Program(stroke)).Sequences.Count);
+    }
+
+    [Fact]
+    public void Many_moves_below_a_count_are_cut_when_they_add_up_to_counts()
+    {
+        var crawl = Toolpaths.OfStroke([.. Enumerable.Range(0, 100).Select(i => Toolpaths.Line(i * 0.0003, 0, (i + 1) * 0.0003, 0))]);
+
+        Assert.Equal(new CountsPoint(30, 0), Only(Program(crawl)).Sequences[^1].End);
+    }
+
+    [Fact]
+    public void A_gap_within_the_join_tolerance_is_cut_across()
+    {
+        var stroke = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10.004, 0, 20, 0));
+
+        Assert.Equal(["VP 10000,0", "VP 10004,0", "VP 20000,0"], Commands(Only(Program(stroke)).Sequences[0]));
+    }
+
+    [Fact]
+    public void A_line_longer_than_the_controller_takes_is_split_evenly()
+    {
+        var stroke = Only(Program(Toolpaths.OfStroke(Toolpaths.Line(0, 0, 20_000, 0))));
+
+        Assert.Equal(3, stroke.Sequences[0].Segments.Count);
+        Assert.All(stroke.Sequences[0].Segments, segment => Assert.InRange(segment.Length, 1, 8_000_000));
+        Assert.Equal(new CountsPoint(20_000_000, 0), stroke.Sequences[0].End);
+    }
+
+    [Fact]
+    public void A_path_longer_than_a_sequence_may_be_is_broken_into_sequences()
+    {
+        var toAndFro = Toolpaths.OfStroke([.. Enumerable.Range(0, 500).Select(i => Toolpaths.Line(4000 * (i % 2), 0, 4000 * ((i + 1) % 2), 0))]);
+        var profile = MachineProfile.Default with { SharpCornerDegrees = 180 };
+
+        var sequences = Only(Program(toAndFro, profile)).Sequences;
+
+        Assert.Equal(2, sequences.Count);
+        Assert.All(sequences, sequence => Assert.True(sequence.Length < 2e9));
+    }
+
+    [Theory]
+    [InlineData(0.009, "below ten counts")]
+    [InlineData(6001.0, "above six million counts")]
+    public void An_arc_whose_radius_CR_does_not_take_is_cut_as_chords_within_the_error(double radius, string why)
+    {
+        var arc = Toolpaths.Arc(0, 0, radius, 10, 25);
+        var stroke = Only(Program(Toolpaths.OfStroke(arc)));
+
+        Assert.All(stroke.Sequences[0].Segments, segment => Assert.True(segment.Kind == VectorSegmentKind.Line, why));
+        Assert.InRange(WorstOff(stroke, place => arc.DistanceTo(new Point2D(place.X / 1000, place.Y / 1000))), 0.0, MaxError + 0.00071);
+    }
+
+    [Fact]
+    public void With_unequal_axes_arcs_are_chords_within_the_error_and_a_note_says_so()
+    {
+        var profile = MachineProfile.Default with { CountsPerMillimetreX = 1000, CountsPerMillimetreY = -400 };
+        var arc = Toolpaths.Arc(3, 4, 25, 10, 300);
+        var generation = MotionProgramGenerator.Generate(Toolpaths.OfStroke(arc), profile, MaxError, null);
+
+        Assert.Equal(["MOT0005"], generation.Diagnostics.Select(finding => finding.Id));
+        var stroke = Only(generation.Program!);
+        Assert.All(stroke.Sequences[0].Segments, segment => Assert.Equal(VectorSegmentKind.Line, segment.Kind));
+        Assert.InRange(WorstOff(stroke, place => arc.DistanceTo(new Point2D(place.X / 1000, place.Y / -400))), 0.0, MaxError + 0.00136);
+    }
+
+    [Fact]
+    public void Segments_that_the_buffer_could_not_be_fed_with_slow_the_sequence_down()
+    {
+        var profile = MachineProfile.Default with { SharpCornerDegrees = 180 };
+        var fine = Toolpaths.OfStroke([.. Enumerable.Range(0, 1000).Select(i => Toolpaths.Line(i * 0.02, 0, (i + 1) * 0.02, 0))]);
+        var shortFine = Toolpaths.OfStroke([.. Enumerable.Range(0, 400).Select(i => Toolpaths.Line(i * 0.02, 0, (i + 1) * 0.02, 0))]);
+
+        Assert.Equal(8_000, Only(Program(fine, profile)).Sequences[0].Speed);
+        Assert.Equal(20_000, Only(Program(shortFine, profile)).Sequences[0].Speed);
+    }
+
+    [Fact]
+    public void Calls_stop_after_every_segment_and_aim_the_next_from_whole_counts()
+    {
+        var stroke = Only(MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default, MaxError, null, MotionStyle.Calls).Program!);
+
+        Assert.Equal([1, 1, 1, 1], stroke.Sequences.Select(sequence => sequence.Segments.Count));
+        Assert.Equal(stroke.Sequences.Skip(1).Select(sequence => sequence.Start), stroke.Sequences.SkipLast(1).Select(sequence => sequence.End));
+    }
+
+    [Fact]
+    public void A_stroke_smaller_than_a_count_is_left_out_and_named()
+    {
+        var speck = Toolpaths.OfStrokes([Toolpaths.Arc(5, 5, 0.0001, 0, 360)], [Toolpaths.Line(0, 0, 1, 0)]);
+        var generation = MotionProgramGenerator.Generate(speck, MachineProfile.Default, MaxError, entity => new SourceRef(70 + entity));
+
+        Assert.Equal([("MOT0004", 70L)], generation.Diagnostics.Select(finding => (finding.Id, finding.Source.Line)));
+        Assert.Equal(1, Only(generation.Program!).Index);
+    }
+
+    [Theory]
+    [InlineData(3e6, "MOT0001")]
+    [InlineData(-2147484.0, "MOT0001")]
+    [InlineData(double.NaN, "MOT0002")]
+    [InlineData(double.PositiveInfinity, "MOT0002")]
+    public void An_entity_that_cannot_be_counted_is_named_and_there_is_no_program(double x, string id)
+    {
+        var toolpath = Toolpaths.OfStroke(Toolpaths.Line(0, 0, 1, 1), Toolpaths.Line(1, 1, x, 1));
+        var generation = MotionProgramGenerator.Generate(toolpath, MachineProfile.Default, MaxError, entity => new SourceRef(100 + entity, "2F"));
+
+        Assert.Null(generation.Program);
+        Assert.Equal((id, new SourceRef(101, "2F")), (generation.Diagnostics[0].Id, generation.Diagnostics[0].Source));
+    }
+
+    [Fact]
+    public void An_arc_that_bulges_out_of_the_counts_is_refused_though_its_ends_are_inside() =>
+        Assert.Equal("MOT0001", MotionProgramGenerator.Generate(Toolpaths.OfStroke(Toolpaths.Arc(2_147_400, 0, 200, -90, 180)), MachineProfile.Default, MaxError, null).Diagnostics[0].Id);
+
+    [Fact]
+    public void A_tool_start_that_cannot_be_counted_is_refused() =>
+        Assert.Equal("MOT0003", MotionProgramGenerator.Generate(Toolpaths.Paper with { ToolStart = new Point2D(0, double.NaN) }, MachineProfile.Default, MaxError, null).Diagnostics[0].Id);
+
+    [Fact]
+    public void A_profile_beyond_the_controller_gives_no_program() =>
+        Assert.Equal("MOT0006", MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default with { AccelerationCounts = 100_000 }, MaxError, null).Diagnostics[0].Id);
+
+    [Fact]
+    public void An_empty_toolpath_is_an_empty_program() =>
+        Assert.Empty(Program(new Toolpath(new Point2D(1, 2), [])).Strokes);
+
+    private static MotionProgram Program(Toolpath toolpath, MachineProfile? profile = null) =>
+        MotionProgramGenerator.Generate(toolpath, profile ?? MachineProfile.Default, MaxError, null).Program ?? throw new InvalidOperationException("The toolpath should be good.");
+
+    private static MotionStroke Only(MotionProgram program) => Assert.Single(program.Strokes);
+
+    private static IEnumerable<string> Commands(VectorSequence sequence) => sequence.Segments.Select(segment => DmcFormat.Command(segment, sequence.Start));
+
+    private static double WorstOff(MotionStroke stroke, Func<Point2D, double> off)
+    {
+        var replay = new SegmentReplay(MachineProfile.Default.AngleQuantumDegrees);
+        foreach (var sequence in stroke.Sequences) replay.Run(sequence);
+        return replay.Track.Max(at => off(at.Place));
+    }
+}

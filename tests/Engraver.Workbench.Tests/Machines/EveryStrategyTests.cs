@@ -1,0 +1,68 @@
+using Engraver.Galil.Jobs;
+using Engraver.TestKit;
+
+namespace Engraver.Workbench.Tests.Machines;
+
+/// <summary>The main job three ways over both kinds of link, judged by every motor sample of the simulated controller.</summary>
+public class EveryStrategyTests
+{
+    /// <summary>2.5 counts at 1000 counts/mm and the default curve tolerance, millimetres.</summary>
+    private const double AllowedDeviation = 0.0025 + 0.001;
+
+    private static readonly string[] s_links = ["tcp", "serial"];
+
+    /// <summary>Ten drawings by nine programs: arcs, ellipses, splines, bulges, old polylines; inches, no unit; blocks nested, in arrays, turned and mirrored; binary; versions from R10 to 2013.</summary>
+    private static readonly string[] s_corpus =
+    [
+        "LibreCAD+LibreCAD/ef60f822f95b_Transform-output.dxf",
+        "qcad+qcad/30ad99da4be0_ArcCircleArea.dxf",
+        "mikedh+trimesh/6afcde272958_ae.r2010b.dxf",
+        "joco-nz+dxf2gcode-plasma/29a098baf38b_problem_with_arc_in_blockqcad.dxf",
+        "KLayout+klayout/633e57271740_dxf5_au.dxf",
+        "qcad+qcad/5806efabed39_splines.dxf",
+        "openscad+openscad/8d1d4192a988_transform-insert.dxf",
+        "panzergame+dxfplotter/503f79462339_branche.dxf",
+        "LibreDWG+libredwg/2c8bc7de7ab9_entities-2d.dxf",
+        "qcad+qcad/f3a3b16e210a_ExplodeTest02_000.dxf",
+    ];
+
+    public static TheoryData<string, JobMode, string> Samples =>
+        Crossed(Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal));
+
+    public static TheoryData<string, JobMode, string> Corpus => Crossed(s_corpus);
+
+    [Theory]
+    [MemberData(nameof(Samples))]
+    public Task Every_sample_is_cut_on_its_lines_and_whole(string name, JobMode mode, string link) => AssertCutAsync(Path.Combine(RepositoryFolder.Samples, name), mode, link);
+
+    [CorpusTheory]
+    [MemberData(nameof(Corpus))]
+    public Task Drawings_of_other_programs_are_cut_on_their_lines_and_whole(string name, JobMode mode, string link) =>
+        AssertCutAsync(Path.Combine(RepositoryFolder.Corpus!, "files", name), mode, link);
+
+    private static async Task AssertCutAsync(string drawing, JobMode mode, string link)
+    {
+        await using var controller = await ServedController.StartAsync(link);
+        var (result, judged) = await controller.CutAsync(drawing, mode);
+
+        Assert.Equal((JobOutcome.Complete, ""), (result.Outcome, string.Join('\n', result.NotRestored)));
+        Assert.InRange(judged.MaxDeviationMm!.Value, 0.0, AllowedDeviation);
+        Assert.Equal(0.0, judged.MissingLengthMm);
+        Assert.Equal(result.SegmentsSent, result.SegmentsExecuted);
+        Assert.Equal((0, 0), (result.Underruns, result.Rejected));
+    }
+
+    private static TheoryData<string, JobMode, string> Crossed(IEnumerable<string> drawings)
+    {
+        var runs = new TheoryData<string, JobMode, string>();
+        foreach (var drawing in drawings)
+        {
+            foreach (var mode in Enum.GetValues<JobMode>())
+            {
+                foreach (var link in s_links) runs.Add(drawing, mode, link);
+            }
+        }
+
+        return runs;
+    }
+}

@@ -1,0 +1,80 @@
+using Engraver.Galil.Links;
+using Engraver.Galil.Sessions;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Terminals;
+
+namespace Engraver.Workbench.Tests.Machines.Terminals;
+
+public class MachineTerminalTests
+{
+    [Fact]
+    public async Task Replies_refusals_and_silent_commands_are_told_apart()
+    {
+        await using var connection = Simulated();
+        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, CancellationToken.None);
+
+        Assert.Equal([new TerminalAnswer(TerminalAnswerKind.Reply, "3.0000")], await terminal.AnswerAsync("MG 1+2", CancellationToken.None));
+        Assert.Equal([new TerminalAnswer(TerminalAnswerKind.Reply, ":")], await terminal.AnswerAsync("x=4", CancellationToken.None));
+        Assert.Equal(
+            [new TerminalAnswer(TerminalAnswerKind.Refusal, "? 1 Unrecognized command: this firmware does not know the command (commands are upper case)")],
+            await terminal.AnswerAsync("bg", CancellationToken.None));
+        Assert.Equal(TerminalAnswerKind.Withheld, (await terminal.AnswerAsync("RS", CancellationToken.None)).Single().Kind);
+        Assert.Equal(["MG 1+2", "x=4", "bg", "RS"], terminal.History);
+    }
+
+    [Fact]
+    public async Task What_a_program_prints_comes_as_a_message_before_the_next_answer()
+    {
+        await using var connection = Simulated();
+        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, CancellationToken.None);
+        await terminal.Session.Commands.DownloadAsync("#HELLO\nMG \"HELLO\"\nEN\n", CancellationToken.None);
+
+        var answers = (await terminal.AnswerAsync("XQ#HELLO", CancellationToken.None)).ToList();
+        for (var i = 0; i < 20 && !answers.Exists(answer => answer.Kind == TerminalAnswerKind.Message); i++) answers.AddRange(await terminal.PollAsync(CancellationToken.None));
+
+        Assert.Contains(new TerminalAnswer(TerminalAnswerKind.Message, "HELLO"), answers);
+    }
+
+    [Fact]
+    public async Task The_program_in_the_controller_can_be_listed()
+    {
+        await using var connection = Simulated();
+        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, CancellationToken.None);
+        await terminal.Session.Commands.DownloadAsync("#A\nEN\n", CancellationToken.None);
+
+        Assert.Equal([new TerminalAnswer(TerminalAnswerKind.Reply, "#A\nEN")], await terminal.AnswerAsync("UL", CancellationToken.None));
+    }
+
+    [Fact]
+    public async Task The_operators_stop_brings_a_jogging_axis_to_rest()
+    {
+        await using var connection = Simulated();
+        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, CancellationToken.None);
+        foreach (var line in new[] { "SHC", "JGC=1000", "BGC" }) Assert.Equal(":", (await terminal.AnswerAsync(line, CancellationToken.None)).Single().Text);
+
+        await terminal.StopAsync(toolOutput: 1, TimeSpan.Zero);
+
+        for (var i = 0; i < 100 && (await terminal.Session.Commands.ReadAsync("_BGC", CancellationToken.None)).OrNothing != 0.0; i++) await terminal.PollAsync(CancellationToken.None);
+        Assert.Equal(0.0, (await terminal.Session.Commands.ReadAsync("_BGC", CancellationToken.None)).OrNothing);
+    }
+
+    /// <summary>ADR 4: the tool goes off before anything brakes.</summary>
+    [Fact]
+    public async Task The_operators_stop_switches_the_tool_off_before_an_axis_brakes()
+    {
+        await using var connection = MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System, keepsRecord: true);
+        using var clock = connection.TakeClock(); // no time passes but by commands
+        await using var terminal = await MachineTerminal.OpenAsync(connection, clock.Time, CancellationToken.None);
+        foreach (var line in new[] { "SB 1", "SHC", "JGC=20000", "BGC" }) Assert.Equal(":", (await terminal.AnswerAsync(line, CancellationToken.None)).Single().Text);
+        connection.Simulator!.Advance(TimeSpan.FromSeconds(1));
+        var pressedAt = connection.Simulator.Status.Sample;
+
+        await terminal.StopAsync(toolOutput: 1, TimeSpan.Zero);
+
+        var after = connection.Simulator.Record.Snapshot().Where(row => row.Sample > pressedAt).ToList();
+        Assert.NotEmpty(after);
+        Assert.All(after, row => Assert.Equal(0, row.Outputs));
+    }
+
+    private static MachineConnection Simulated() => MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System);
+}
