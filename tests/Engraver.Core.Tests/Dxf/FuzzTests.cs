@@ -19,16 +19,16 @@ public class FuzzTests
     private const int MostCurves = 20_000;
 
     [CorpusFact]
-    public Task No_damage_makes_the_reader_throw_lose_count_or_give_a_number_that_is_none() => JudgeAllAsync([.. Made(), .. Real()], Setting("ENGRAVER_FUZZ_CASES", 20_000));
+    public Task No_damage_makes_the_reader_throw_lose_count_or_give_a_number_that_is_none() => JudgeAllAsync([.. Made(), .. Real()], TestExtent.Cases(perCommit: 5_000, full: 100_000, "ENGRAVER_FUZZ_CASES"));
 
     /// <summary>The same where no corpus is at hand: drawings of our own only, and fewer of them.</summary>
     [Fact]
-    public Task No_damage_to_drawings_of_our_own_does_either() => JudgeAllAsync(Made(), 2_000);
+    public Task No_damage_to_drawings_of_our_own_does_either() => JudgeAllAsync(Made(), TestExtent.IsFull ? 20_000 : 2_000);
 
     private static async Task JudgeAllAsync(List<byte[]> originals, int cases)
     {
         var fuzzer = new DrawingFuzzer(originals);
-        var first = Setting("ENGRAVER_FUZZ_FIRST", 1);
+        var first = TestExtent.Number("ENGRAVER_FUZZ_FIRST", 1);
         for (var seed = first; seed < first + cases; seed++)
         {
             await JudgeAsync(fuzzer.Case(seed), seed);
@@ -81,6 +81,4 @@ public class FuzzTests
 
     private static IEnumerable<byte[]> Small(string folder, SearchOption depth) =>
         Directory.GetFiles(folder, "*.dxf", depth).Order(StringComparer.Ordinal).Where(path => new FileInfo(path).Length <= LargestOriginal).Select(File.ReadAllBytes);
-
-    private static int Setting(string name, int otherwise) => int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : otherwise;
 }

@@ -1,6 +1,6 @@
-using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Core.Verification;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
@@ -101,11 +101,11 @@ public class TraceJudgeTests
         Assert.Equal(0.0, judge.Verdict().MissingLength);
     }
 
-    /// <summary>All 200 seeds by <c>ENGRAVER_JUDGE_SEEDS=200</c>, or more.</summary>
+    /// <summary>More seeds by <c>ENGRAVER_JUDGE_SEEDS=1000</c>.</summary>
     [Fact]
     public void Spans_and_the_samples_they_stand_for_are_judged_alike()
     {
-        var seeds = int.TryParse(Environment.GetEnvironmentVariable("ENGRAVER_JUDGE_SEEDS"), NumberStyles.None, CultureInfo.InvariantCulture, out var wanted) ? wanted : 40;
+        var seeds = TestExtent.Cases(perCommit: 40, full: 200, "ENGRAVER_JUDGE_SEEDS");
         for (var seed = 0; seed < seeds; seed++)
         {
             var random = new Random(seed);

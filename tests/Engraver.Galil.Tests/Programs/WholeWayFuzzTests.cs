@@ -18,7 +18,7 @@ public class WholeWayFuzzTests
 {
     private const double MaxError = 0.01;
 
-    /// <summary>Small drawings: twenty thousand of them are a matter of seconds.</summary>
+    /// <summary>Small drawings, so that many are damaged in a second.</summary>
     private const int LargestOriginal = 6_000;
 
     private const int MostCurves = 500;
@@ -35,9 +35,10 @@ public class WholeWayFuzzTests
     public async Task No_damage_makes_a_stage_throw_or_run_on_for_ever()
     {
         var fuzzer = new DrawingFuzzer(Originals());
-        var first = Setting("ENGRAVER_FUZZ_FIRST", 1);
+        var first = TestExtent.Number("ENGRAVER_FUZZ_FIRST", 1);
         var log = Environment.GetEnvironmentVariable("ENGRAVER_FUZZ_LOG");
-        for (var seed = first; seed < first + Setting("ENGRAVER_FUZZ_CASES", 20_000); seed++)
+        var cases = TestExtent.Cases(perCommit: 4_000, full: 40_000, "ENGRAVER_FUZZ_CASES");
+        for (var seed = first; seed < first + cases; seed++)
         {
             var file = fuzzer.Case(seed);
             try
@@ -77,6 +78,4 @@ public class WholeWayFuzzTests
         files.AddRange(Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Order(StringComparer.Ordinal).Select(File.ReadAllBytes).Where(file => file.Length <= LargestOriginal));
         return files;
     }
-
-    private static int Setting(string name, int otherwise) => int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : otherwise;
 }

@@ -4,6 +4,7 @@ using Engraver.TestKit;
 namespace Engraver.Workbench.Tests.Machines;
 
 /// <summary>The main job three ways over both kinds of link, judged by every motor sample of the simulated controller.</summary>
+/// <remarks>A commit tries each pair of drawing, strategy and link; <c>./test --full</c> every combination.</remarks>
 public class EveryStrategyTests
 {
     /// <summary>2.5 counts at 1000 counts/mm and the default curve tolerance, millimetres.</summary>
@@ -27,9 +28,9 @@ public class EveryStrategyTests
     ];
 
     public static TheoryData<string, JobMode, string> Samples =>
-        Crossed(Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal));
+        Combined([.. Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal)]);
 
-    public static TheoryData<string, JobMode, string> Corpus => Crossed(s_corpus);
+    public static TheoryData<string, JobMode, string> Corpus => Combined(s_corpus);
 
     [Theory]
     [MemberData(nameof(Samples))]
@@ -52,17 +53,10 @@ public class EveryStrategyTests
         Assert.Equal((0, 0), (result.Underruns, result.Rejected));
     }
 
-    private static TheoryData<string, JobMode, string> Crossed(IEnumerable<string> drawings)
+    private static TheoryData<string, JobMode, string> Combined(IReadOnlyList<string> drawings)
     {
         var runs = new TheoryData<string, JobMode, string>();
-        foreach (var drawing in drawings)
-        {
-            foreach (var mode in Enum.GetValues<JobMode>())
-            {
-                foreach (var link in s_links) runs.Add(drawing, mode, link);
-            }
-        }
-
+        foreach (var (drawing, mode, link) in TestExtent.Combinations(drawings, Enum.GetValues<JobMode>(), s_links)) runs.Add(drawing, mode, link);
         return runs;
     }
 }

@@ -12,7 +12,7 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Tests.Machines;
 
 /// <summary>A wire that harms one byte: whatever it does to the job, it never ends as complete with something else than the drawing cut, and it ends.</summary>
-/// <remarks>ENGRAVER_HARM_CASES=200 runs as many seeds; ENGRAVER_HARM_FIRST=N begins at another.</remarks>
+/// <remarks>ENGRAVER_HARM_CASES=1000 runs as many seeds; ENGRAVER_HARM_FIRST=N begins at another.</remarks>
 public sealed class HarmedByteTests : IDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-test-");
@@ -58,7 +58,7 @@ public sealed class HarmedByteTests : IDisposable
             lines[mode] = wire.Harmable;
         }
 
-        var (first, cases) = (Setting("ENGRAVER_HARM_FIRST", 1), Setting("ENGRAVER_HARM_CASES", 30));
+        var (first, cases) = (TestExtent.Number("ENGRAVER_HARM_FIRST", 1), TestExtent.Cases(perCommit: 20, full: 200, "ENGRAVER_HARM_CASES"));
         var wrong = new List<string>();
         var outcomes = new SortedDictionary<string, int>(StringComparer.Ordinal);
         for (var seed = first; seed < first + cases; seed++)
@@ -114,8 +114,6 @@ public sealed class HarmedByteTests : IDisposable
     }
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
-
-    private static int Setting(string name, int otherwise) => int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out var value) ? value : otherwise;
 
     /// <summary>How a run ended by its own account, and what the motors did.</summary>
     private sealed record HarmedRun(string Outcome, string Sentence, RunJudgement Record, double Tolerance)

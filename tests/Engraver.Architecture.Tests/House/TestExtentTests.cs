@@ -1,0 +1,68 @@
+using Engraver.Architecture.Tests.Sources;
+using Engraver.TestKit;
+
+namespace Engraver.Architecture.Tests.House;
+
+/// <summary>What a commit is tried with must hold every pair, and the switch of the full run has one home.</summary>
+public class TestExtentTests
+{
+    private static readonly string[] s_modes = ["stream", "calls", "program"];
+
+    private static readonly string[] s_links = ["tcp", "serial"];
+
+    [Theory]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(16)]
+    public void A_commit_tries_every_pair_of_choices(int subjects)
+    {
+        var drawings = Enumerable.Range(0, subjects).ToArray();
+        var runs = TestExtent.Pairwise(drawings, s_modes, s_links).ToList();
+
+        Assert.Equal(subjects * s_modes.Length, runs.Distinct().Count());
+        Assert.Equal(subjects * s_modes.Length, runs.Select(run => (run.Subject, run.First)).Distinct().Count());
+        Assert.Equal(subjects * s_links.Length, runs.Select(run => (run.Subject, run.Second)).Distinct().Count());
+        Assert.Equal(s_modes.Length * s_links.Length, runs.Select(run => (run.First, run.Second)).Distinct().Count());
+    }
+
+    [Fact]
+    public void The_full_run_tries_every_combination_once()
+    {
+        var runs = TestExtent.Crossed([1, 2, 3, 4], s_modes, s_links).ToList();
+
+        Assert.Equal(24, runs.Count);
+        Assert.Equal(24, runs.Distinct().Count());
+    }
+
+    [Theory]
+    [InlineData(null, 7)]
+    [InlineData("", 7)]
+    [InlineData("0", 0)]
+    [InlineData("200", 200)]
+    public void A_number_of_cases_may_be_named(string? text, int expected) => Assert.Equal(expected, TestExtent.Parse("ENGRAVER_HARM_CASES", text, 7));
+
+    [Theory]
+    [InlineData("many")]
+    [InlineData("1e6")]
+    [InlineData("-1")]
+    [InlineData("2_000")]
+    public void A_number_that_cannot_be_read_is_refused_by_its_name(string text)
+    {
+        var refused = Assert.Throws<FormatException>(() => TestExtent.Parse("ENGRAVER_HARM_CASES", text, 7));
+        Assert.Contains("ENGRAVER_HARM_CASES", refused.Message, StringComparison.Ordinal);
+        Assert.Contains(text, refused.Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>Pictures and a log are places for output, not extents.</summary>
+    [Fact]
+    public void The_extent_is_read_in_one_place()
+    {
+        const string Reading = "GetEnvironmentVariable(";
+        string[] outputs = [Reading + "\"ENGRAVER_PICTURES\"", Reading + "\"ENGRAVER_FUZZ_LOG\"", Reading + "\"ENGRAVER_UPDATE_GOLDEN\"", Reading + "\"PATH\""];
+        var readers = SourceFile.Under("tests", ".cs")
+            .Where(file => outputs.Aggregate(file.Text, (text, output) => text.Replace(output, "", StringComparison.Ordinal)).Contains(Reading, StringComparison.Ordinal))
+            .Select(file => Path.GetFileName(file.Name));
+
+        Assert.Equal(["TestExtent.cs", "TestExtentTests.cs"], readers.Order(StringComparer.Ordinal));
+    }
+}

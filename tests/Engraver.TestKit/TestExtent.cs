@@ -1,0 +1,49 @@
+using System.Globalization;
+
+namespace Engraver.TestKit;
+
+/// <summary>How much one run of the tests tries: what every commit is tried with, or everything. <c>./test --full</c> sets ENGRAVER_FULL=1; nothing else reads it.</summary>
+/// <remarks>No test is left out of the smaller run: it takes fewer seeds, or each pair of choices once instead of every combination.</remarks>
+public static class TestExtent
+{
+    /// <summary>Whether everything is tried: every combination and the large numbers of seeds.</summary>
+    public static bool IsFull { get; } = Environment.GetEnvironmentVariable("ENGRAVER_FULL") == "1";
+
+    /// <summary>How many cases a test takes.</summary>
+    /// <param name="perCommit">In <c>./test</c>.</param>
+    /// <param name="full">In <c>./test --full</c>.</param>
+    /// <param name="variable">The environment variable that names another number, in either run.</param>
+    public static int Cases(int perCommit, int full, string variable) => Number(variable, IsFull ? full : perCommit);
+
+    /// <summary>The number in an environment variable, or <paramref name="otherwise"/> where it is not set. Text that is no number throws: a run of a million seeds must not shrink in silence.</summary>
+    public static int Number(string variable, int otherwise) => Parse(variable, Environment.GetEnvironmentVariable(variable), otherwise);
+
+    /// <summary>The same of a text that was already read.</summary>
+    public static int Parse(string variable, string? text, int otherwise)
+    {
+        if (string.IsNullOrEmpty(text)) return otherwise;
+        if (int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var value)) return value;
+        throw new FormatException($"{variable} is '{text}', which is no whole number.");
+    }
+
+    /// <summary>Every pair of (subject, first choice), (subject, second choice) and (first choice, second choice) at least once; in the full run every combination.</summary>
+    /// <remarks>The smaller run has as many combinations as subjects times first choices: no fewer can hold all pairs when there are no more second choices than first ones.</remarks>
+    public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> Combinations<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second) =>
+        IsFull ? Crossed(subjects, first, second) : Pairwise(subjects, first, second);
+
+    /// <summary>The combinations of the smaller run.</summary>
+    public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> Pairwise<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second)
+    {
+        for (var i = 0; i < subjects.Count; i++)
+        {
+            for (var j = 0; j < first.Count; j++) yield return (subjects[i], first[j], second[(i + j) % second.Count]);
+        }
+    }
+
+    /// <summary>Every combination.</summary>
+    public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> Crossed<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second) =>
+        from subject in subjects
+        from one in first
+        from other in second
+        select (subject, one, other);
+}
