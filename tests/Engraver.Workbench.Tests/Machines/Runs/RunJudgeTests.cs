@@ -114,7 +114,8 @@ public class RunJudgeTests
         var drawing = DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
         var job = JobPreparation.Prepare(drawing, settings, MotionStyle.Continuous);
         await using var connection = MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System, keepsRecord: true);
-        await using var session = await Galil.Sessions.ControllerSession.OpenAsync(connection.OpenLinkAsync, new(), TimeProvider.System, CancellationToken.None);
+        using var clock = connection.TakeClock();
+        await using var session = await clock.OpenSessionAsync(connection, new(), CancellationToken.None);
         var result = await JobRunner.RunAsync(job.Motion.Program!, session, new JobOptions(), progress: null, CancellationToken.None);
         Assert.Equal(JobOutcome.Complete, result.Outcome);
         return (job, connection.Simulator!.Record.Snapshot());
