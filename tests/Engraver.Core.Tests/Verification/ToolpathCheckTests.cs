@@ -18,10 +18,10 @@ public class ToolpathCheckTests
     public void A_toolpath_as_planned_is_right()
     {
         Assert.Empty(Check(Planned(Mixed())));
-        foreach (var drawn in DrawnCurves.Known.Concat(DrawnCurves.Random(seed: 21, count: 40))) Assert.True(Check(Planned(Of(drawn.Curve))) is [], $"{drawn}: {Text(Planned(Of(drawn.Curve)))}");
+        foreach (var drawn in DrawnCurves.Known.Concat(DrawnCurves.Random(seed: 21, count: TestExtent.IsFull ? 120 : 12))) Assert.True(Check(Planned(Of(drawn.Curve))) is [], $"{drawn}: {Text(Planned(Of(drawn.Curve)))}");
         foreach (var size in new[] { 0.01, 1e4, 1e7 })
         {
-            foreach (var drawn in DrawnCurves.Random(seed: 22, count: 12, size)) Assert.True(Check(Planned(Of(drawn.Curve))) is [], $"{drawn} of {size}: {Text(Planned(Of(drawn.Curve)))}");
+            foreach (var drawn in DrawnCurves.Random(seed: 22, count: TestExtent.IsFull ? 12 : 4, size)) Assert.True(Check(Planned(Of(drawn.Curve))) is [], $"{drawn} of {size}: {Text(Planned(Of(drawn.Curve)))}");
         }
     }
 
