@@ -9,6 +9,9 @@ namespace Engraver.App.Tests.RealWindow;
 [Collection(DesktopCollection.Name)]
 public sealed class RealJobTests(DesktopFixture fixture)
 {
+    /// <summary>Twenty times real time: at speed 1 the part takes longer than the test waits for a title on a busy computer.</summary>
+    private const string Machine = "sim:?speed=20";
+
     private static readonly Size s_size = new(1200, 760);
 
     [XServerFact]
@@ -18,7 +21,7 @@ public sealed class RealJobTests(DesktopFixture fixture)
         using var desktop = new ShownDesktop();
         desktop.Enter("OPEN", Path.Combine(RepositoryFolder.Samples, "nameplate.dxf"));
         desktop.WaitForTitle("nameplate.dxf - CNC");
-        desktop.Enter("CNCCONNECT", "sim:");
+        desktop.Enter("CNCCONNECT", Machine);
         desktop.WaitForTitle("nameplate.dxf - READY");
         desktop.Click(arm);
         desktop.WaitForTitle("nameplate.dxf - ARMED");
@@ -53,7 +56,7 @@ public sealed class RealJobTests(DesktopFixture fixture)
         await fixture.WithOperator(here =>
         {
             here.Hands.Resize(s_size);
-            here.Enter("CNCCONNECT", "sim:");
+            here.Enter("CNCCONNECT", Machine);
             var canvas = new Rect(here.Window.Canvas.Bounds.Size).TransformToAABB(here.Window.Canvas.TransformToVisual(here.Window)!.Value);
             places = (here.MiddleOf(here.Find<Button>("ArmKey")), here.MiddleOf(here.Find<Button>("StartKey")), canvas);
         });

@@ -122,14 +122,15 @@ public class SignalTests
         if (OperatingSystem.IsWindows()) return; // no signals
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 0.5 }); // the dead man waits two seconds of the wall, so that a busy computer does not set it off
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 1.0 });
+        var clock = await controller.ListenClockAsync(patience.Token); // the host takes it, so that a busy computer does not set off the dead man
         var place = await controller.ListenTcpAsync(0, patience.Token);
         var slow = folder.WithFile("slow.json", """{ "accelerationCounts": 10240 }""");
         using var host = EngraverProcess.Start(
-            "run", SampleDrawing.PathOf("paper-001"), "--connect", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}"), "--machine", slow, "--json", "--journal", folder.PathOf("run.jsonl"));
+            "run", SampleDrawing.PathOf("paper-001"), "--connect", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{place.Port}?clock={clock.Port}"), "--machine", slow, "--json", "--journal", folder.PathOf("run.jsonl"));
         await controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0 && controller.Record[controller.Record.Count - 1].A > 80000, patience.Token);
         host.Signal(PosixSignal.SIGINT);
-        await controller.WaitUntilAsync(status => (status.Outputs & Tool) == 0, patience.Token); // it brakes for two seconds of the controller, four of the wall
+        await controller.WaitUntilAsync(status => (status.Outputs & Tool) == 0, patience.Token); // it brakes for two seconds of the controller
         host.Signal(PosixSignal.SIGINT);
         host.Signal(PosixSignal.SIGTERM);
         var report = JsonDocument.Parse(await host.Out.ReadToEndAsync(patience.Token)).RootElement;
