@@ -33,7 +33,7 @@ public sealed class TextsTests
         var names = Names;
         var asked = from file in Directory.EnumerateFiles(s_app, "*.*", SearchOption.AllDirectories)
                     where file.EndsWith(".axaml", StringComparison.Ordinal) || file.EndsWith(".cs", StringComparison.Ordinal)
-                    from Match match in Regex.Matches(File.ReadAllText(file), """(?:\{t:Say |Text\.Of\(")([A-Za-z0-9.]+)(?:\}|"[,)])""")
+                    from Match match in Regex.Matches(File.ReadAllText(file), """(?:\{t:Say |Text\.Get\(")([A-Za-z0-9.]+)(?:\}|"[,)])""")
                     select match.Groups[1].Value;
 
         Assert.DoesNotContain(asked, name => !names.Contains(name));

@@ -1,0 +1,94 @@
+using System.Net;
+using System.Net.Sockets;
+using Engraver.Galil.Links;
+
+namespace Engraver.Galil.Tests.Links;
+
+/// <summary>What stands at the port of <c>clock=</c> may be nobody, somebody else, or gone in the middle.</summary>
+public sealed class OfferedClockTests : IDisposable
+{
+    private readonly TcpListener _other = new(IPAddress.Loopback, 0);
+
+    public OfferedClockTests() => _other.Start();
+
+    public void Dispose() => _other.Dispose();
+
+    private int Port => ((IPEndPoint)_other.LocalEndpoint).Port;
+
+    [Fact]
+    public void A_port_at_which_nobody_listens_is_refused_by_its_number_with_what_to_do()
+    {
+        var port = Port;
+        _other.Stop();
+
+        var refused = Assert.Throws<ControllerLinkException>(() => OfferedClock.Take(port));
+        Assert.StartsWith($"No clock at port {port} of this computer: ", refused.Message, StringComparison.Ordinal);
+        Assert.EndsWith("or leave clock= out.", refused.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("220 mail.example ready\n", "what answers there is no clock.")]
+    [InlineData("-5\n", "what answers there is no clock.")]
+    [InlineData("\n", "what answers there is no clock.")]
+    [InlineData("", "the other end closed the clock.")]
+    [InlineData("17", "the other end closed the clock.")]
+    [InlineData("0000000000000000000000000000000000000000000000000000000000000000000000", "the other end closed the clock.")]
+    public async Task Somebody_who_is_no_clock_is_refused_and_the_reason_is_told(string answer, string reason)
+    {
+        var taking = Task.Run(() => OfferedClock.Take(Port));
+        using (var other = await _other.AcceptSocketAsync())
+        {
+            await AnswerAsync(other, answer);
+            other.Shutdown(SocketShutdown.Send);
+            var refused = await Assert.ThrowsAsync<ControllerLinkException>(() => taking);
+            Assert.Contains(reason, refused.Message, StringComparison.Ordinal);
+        }
+    }
+
+    /// <summary>Its own words for the time: whole microseconds since the controller was switched on.</summary>
+    [Fact]
+    public async Task The_time_is_what_the_other_end_says()
+    {
+        var taking = Task.Run(() => OfferedClock.Take(Port));
+        using var other = await _other.AcceptSocketAsync();
+        await AnswerAsync(other, "2500000\n");
+        using var clock = await taking;
+        var asking = Task.Run(clock.GetTimestamp);
+        await AnswerAsync(other, "4000000\n");
+
+        Assert.Equal(TimeSpan.FromSeconds(4), clock.GetElapsedTime(0, await asking));
+    }
+
+    /// <summary>Nobody would end the wait otherwise: the host would hang with its machine.</summary>
+    [Fact]
+    public async Task A_wait_ends_by_the_wall_when_the_other_end_is_gone()
+    {
+        var taking = Task.Run(() => OfferedClock.Take(Port));
+        using var other = await _other.AcceptSocketAsync();
+        await AnswerAsync(other, "1000000\n");
+        using var clock = await taking;
+        var waited = new TaskCompletionSource();
+        clock.Heard();
+        var starting = Task.Run(() => clock.CreateTimer(_ => waited.SetResult(), null, TimeSpan.FromMilliseconds(20), Timeout.InfiniteTimeSpan));
+        await AnswerAsync(other, "1000000\n");
+        await using var timer = await starting;
+        Assert.Equal("wait 20000\n", await HeardAsync(other));
+        other.Dispose();
+
+        await waited.Task;
+        Assert.True(clock.GetElapsedTime(0, clock.GetTimestamp()) >= TimeSpan.FromMilliseconds(1020));
+    }
+
+    private static async Task AnswerAsync(Socket other, string answer)
+    {
+        Assert.Equal("now\n", await HeardAsync(other));
+        if (answer.Length > 0) await other.SendAsync(System.Text.Encoding.ASCII.GetBytes(answer));
+    }
+
+    private static async Task<string> HeardAsync(Socket other)
+    {
+        var line = new byte[64];
+        var count = await other.ReceiveAsync(line);
+        return System.Text.Encoding.ASCII.GetString(line, 0, count);
+    }
+}
