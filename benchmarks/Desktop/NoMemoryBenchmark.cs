@@ -9,5 +9,5 @@ namespace Engraver.Benchmarks.Desktop;
 internal static class MemoryBenchmark
 {
     /// <returns>The sentence that says so.</returns>
-    public static string? Run(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, TextWriter output) => Texts.Text.Get("Start.NoHeadless");
+    public static string? Run(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, TextWriter output) => App.Texts.Text.Get("Start.NoHeadless");
 }
