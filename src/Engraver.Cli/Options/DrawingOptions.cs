@@ -72,7 +72,7 @@ internal sealed class DrawingOptions
     /// <summary>Name, argument and help come from the one description of the setting.</summary>
     private static Option<T> Described<T>(SettingDescription setting, Func<ArgumentResult, T>? parser = null)
     {
-        var option = new Option<T>(setting.Flag!) { Description = SettingWording.OnConsole(setting.Help) };
+        var option = new Option<T>(setting.Flag!) { Description = SettingWording.OnConsole(setting.Meaning) };
         if (setting.Argument is { } argument) option.HelpName = argument;
         if (parser is not null) option.CustomParser = parser;
         return option;
@@ -80,7 +80,7 @@ internal sealed class DrawingOptions
 
     private static Option<string> Choice(SettingDescription setting, string standard)
     {
-        var option = new Option<string>(setting.Flag!) { Description = setting.Help, DefaultValueFactory = _ => standard };
+        var option = new Option<string>(setting.Flag!) { Description = setting.Meaning, DefaultValueFactory = _ => standard };
         option.AcceptOnlyFromAmong(setting.Argument!.Split('|'));
         return option;
     }

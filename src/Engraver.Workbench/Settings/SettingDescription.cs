@@ -3,8 +3,8 @@ namespace Engraver.Workbench.Settings;
 /// <summary>One setting of a job, described once: the console's options, the commands, the advice of findings and docs/settings.md take name, unit, range, default and help from here.</summary>
 /// <param name="Key">Permanent name; advice names a setting by it, in brackets.</param>
 /// <param name="Name">What it is called in a list.</param>
-/// <param name="Help">One sentence with a full stop; other settings in brackets.</param>
-public sealed record SettingDescription(string Key, string Name, string Help)
+/// <param name="Meaning">One sentence with a full stop; other settings in brackets.</param>
+public sealed record SettingDescription(string Key, string Name, string Meaning)
 {
     /// <summary>Unit of the value; empty for a choice or a switch.</summary>
     public string Unit { get; init; } = "";

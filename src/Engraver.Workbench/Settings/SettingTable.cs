@@ -92,7 +92,7 @@ public static class SettingTable
         page.Append("| Key | Setting | Unit | Default | Option | Command | Range of the command | JSON | Meaning |\n|---|---|---|---|---|---|---|---|---|\n");
         foreach (var setting in All)
         {
-            page.Append("| ").AppendJoin(" | ", setting.Key, setting.Name, setting.Unit, setting.Default, Code(Option(setting)), Code(setting.Command), Range(setting), Code(setting.JsonField), setting.Help).Append(" |\n");
+            page.Append("| ").AppendJoin(" | ", setting.Key, setting.Name, setting.Unit, setting.Default, Code(Option(setting)), Code(setting.Command), Range(setting), Code(setting.JsonField), setting.Meaning).Append(" |\n");
         }
 
         return page.ToString();

@@ -58,7 +58,7 @@ public sealed class HarmedByteTests : IDisposable
             lines[mode] = wire.Harmable;
         }
 
-        var (first, cases) = (TestExtent.Number("ENGRAVER_HARM_FIRST", 1), TestExtent.Cases(perCommit: 20, full: 200, "ENGRAVER_HARM_CASES"));
+        var (first, cases) = (TestExtent.Number("ENGRAVER_HARM_FIRST", 1), TestExtent.Cases(perCommit: 200, full: 1_000, "ENGRAVER_HARM_CASES"));
         var wrong = new List<string>();
         var outcomes = new SortedDictionary<string, int>(StringComparer.Ordinal);
         for (var seed = first; seed < first + cases; seed++)

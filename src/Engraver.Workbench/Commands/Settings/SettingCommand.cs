@@ -15,7 +15,7 @@ internal sealed class SettingCommand : ISettingCommand
 
     private SettingCommand(SettingDescription setting, Func<DrawingSettings, double> read, Func<DrawingSettings, double, DrawingSettings> write)
     {
-        Info = new CommandInfo(setting.Command!, CommandGroup.Setting, setting.CommandHelp ?? setting.Help);
+        Info = new CommandInfo(setting.Command!, CommandGroup.Setting, setting.CommandHelp ?? setting.Meaning);
         _limits = new NumberPrompt($"Enter new value for {setting.Command}") { Least = setting.Least, Most = setting.Most, Whole = setting.Whole };
         (_read, _write) = (read, write);
     }
