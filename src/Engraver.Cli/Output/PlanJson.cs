@@ -1,6 +1,6 @@
 namespace Engraver.Cli.Output;
 
-/// <summary>What <c>engraver plan --json</c> prints; names, units and meanings are the runner's contract. Null: nothing that this machine can cut.</summary>
+/// <summary>What <c>engraver plan --json</c> prints; names, units and meanings are the runner's contract. Null: the machine cannot cut what is drawn.</summary>
 /// <param name="CutLength">Drawn length to be cut, mm.</param>
 /// <param name="Travel">Between strokes, mm.</param>
 /// <param name="PeakSpeed">While cutting, mm/s along the path.</param>

@@ -45,10 +45,10 @@ internal sealed class RunVerb
         var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
         {
-            return NotStarted(parsed, job, job.Motion.Program is null ? WithoutProgram(job) : "the drawing has errors; look at them, then start with --accept-errors");
+            return NotStarted(parsed, job, job.Motion.Program is null ? job.WithoutProgram : "the drawing has errors; look at them, then start with --accept-errors");
         }
 
-        if (fit is null || program.SegmentCount == 0) return NotStarted(parsed, job, "no curve on the selected layers");
+        if (fit is null || program.SegmentCount == 0) return NotStarted(parsed, job, job.WithoutProgram);
         var ended = await RunOnMachineAsync(parsed, job, fit, mode, stop).ConfigureAwait(false);
 
         // Accepted errors are errors all the same: the job was done as far as it can be (docs/pipeline.md).
@@ -130,12 +130,10 @@ internal sealed class RunVerb
         };
     }
 
-    private static string WithoutProgram(PreparedJob job) => job.Faults.Count > 0 ? char.ToLowerInvariant(job.WithoutProgram[0]) + job.WithoutProgram[1..] : "nothing that this machine can cut";
-
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)
     {
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job.Settings, job, JobOutcome.Refused), ContractJson.Default.RunJson);
-        _host.Error.WriteLine($"engraver: not started: {why}.");
+        _host.Error.WriteLine($"engraver: not started: {char.ToLowerInvariant(why[0])}{why[1..]}.");
         return ExitCode.DrawingError;
     }
 

@@ -71,12 +71,6 @@ public sealed class BoxTree
         if (_items.Length > 0) Collect(_boxes.Length - 1, 0, box, found);
     }
 
-    /// <summary>Adds every shown item whose box comes within <paramref name="reach"/> of a line (or a little more, round its ends), in no particular order: a long diagonal does not meet all that lies in its box.</summary>
-    public void Along(LineSegment line, double reach, List<int> found)
-    {
-        if (_items.Length > 0) CollectAlong(_boxes.Length - 1, 0, new Strip(line, reach), found);
-    }
-
     /// <summary>Adds every shown item whose box contains <paramref name="box"/> to <paramref name="found"/>, in no particular order.</summary>
     public void Containing(Bounds2D box, List<int> found)
     {
@@ -178,19 +172,6 @@ public sealed class BoxTree
         for (var child = index * Fanout; child < end; child++) Collect(level - 1, child, box, found);
     }
 
-    private void CollectAlong(int level, int index, in Strip strip, List<int> found)
-    {
-        if (_lowest[level][index] == Nobody || !strip.Overlaps(_boxes[level][index])) return;
-        if (level == 0)
-        {
-            found.Add(_items[index]);
-            return;
-        }
-
-        var end = Math.Min((index + 1) * Fanout, _boxes[level - 1].Length);
-        for (var child = index * Fanout; child < end; child++) CollectAlong(level - 1, child, strip, found);
-    }
-
     private void CollectAround(int level, int index, in Bounds2D box, List<int> found)
     {
         if (_lowest[level][index] == Nobody || !_boxes[level][index].Contains(box)) return;
@@ -202,23 +183,6 @@ public sealed class BoxTree
 
         var end = Math.Min((index + 1) * Fanout, _boxes[level - 1].Length);
         for (var child = index * Fanout; child < end; child++) CollectAround(level - 1, child, box, found);
-    }
-
-    /// <summary>What is within reach of a line. A box misses it when it misses the line's box, or lies on one side of the line farther than the reach.</summary>
-    private readonly struct Strip(LineSegment line, double reach)
-    {
-        private readonly Bounds2D _box = Bounds2D.FromCorners(line.Start, line.End).Grown(reach);
-        private readonly Point2D _start = line.Start;
-        private readonly Vector2D _way = line.End - line.Start;
-        private readonly double _reach = reach * (line.End - line.Start).Length;
-
-        public bool Overlaps(in Bounds2D box)
-        {
-            if (!Overlap(box, _box)) return false;
-            var middle = new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0);
-            var half = ((box.MaxX - box.MinX) * Math.Abs(_way.Y)) + ((box.MaxY - box.MinY) * Math.Abs(_way.X));
-            return Math.Abs(_way.Cross(middle - _start)) <= (half / 2.0) + _reach;
-        }
     }
 
     internal struct Best(int item, double distance)

@@ -15,4 +15,7 @@ public static class DmcFormat
         VectorSegmentKind.Arc => string.Create(CultureInfo.InvariantCulture, $"CR {segment.Radius},{Number(segment.ThetaDegrees)},{Number(segment.DeltaDegrees)}"),
         _ => throw new ArgumentOutOfRangeException(nameof(segment)),
     };
+
+    /// <summary>LI: a line by its increments, for a sequence in LM (galil-dmc.md B.1).</summary>
+    public static string Increment(CountsPoint from, CountsPoint to) => string.Create(CultureInfo.InvariantCulture, $"LI {(long)to.X - from.X},{(long)to.Y - from.Y}");
 }

@@ -9,6 +9,9 @@ public static class DmcLimits
     /// <summary>Counts of path in one sequence must stay below this (TC 31).</summary>
     public const double LongestSequence = 2e9;
 
+    /// <summary>Counts of LI path that may be buffered before BGS (B.1).</summary>
+    public const double LongestIncrements = 1L << 30;
+
     public const int SmallestRadius = 10;
 
     public const int LargestRadius = 6_000_000;

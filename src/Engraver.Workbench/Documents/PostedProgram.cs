@@ -18,7 +18,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     public const string Galil = "galil";
 
     /// <summary>Why there is no text, without a full stop.</summary>
-    public string WithoutProgram { get; init; } = PreparedJob.Without([]);
+    public string WithoutProgram { get; init; } = "";
 
     public const string GalilCalls = "galil-calls";
 
@@ -32,7 +32,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
     public static PostedProgram Create(Drawing drawing, DrawingSettings settings, string target)
     {
-        if (drawing.Entities.Count == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? drawing.Diagnostics : [.. drawing.Diagnostics, DocumentRules.NothingToPost.At(default)]);
+        if (drawing.Entities.Count == 0) return NothingCut(drawing, settings, drawing.Diagnostics);
         if (target == CutterLocation)
         {
             var analysed = JobPreparation.Analyse(drawing, settings);
@@ -46,7 +46,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     public static PostedProgram OfJob(PreparedJob job)
     {
         ArgumentNullException.ThrowIfNull(job);
-        if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]);
+        if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]) { WithoutProgram = job.WithoutProgram };
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { WithoutProgram = job.WithoutProgram };
         var post = program.Style == MotionStyle.Calls
             ? DmcPost.Calls(program, DmcPostOptions.Default, job.Drawing.SourceOf)
@@ -61,11 +61,14 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     {
         ArgumentNullException.ThrowIfNull(sequence);
         IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics];
-        if (sequence.Contours == 0) return new PostedProgram(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]);
+        if (sequence.Contours == 0) return NothingCut(drawing, settings, found);
         var path = new Toolpath(settings.Start, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]);
-        if (JobPreparation.FaultsOf(drawing, settings, analysed, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { WithoutProgram = PreparedJob.Without(faults) };
+        if (JobPreparation.FaultsOf(drawing, settings, analysed, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { WithoutProgram = PreparedJob.NotAsDrawn(faults) };
         using var text = new StringWriter { NewLine = "\n" };
         ClData.Write(sequence, settings.Start, text);
         return new PostedProgram(text.ToString(), found);
     }
+
+    private static PostedProgram NothingCut(Drawing drawing, DrawingSettings settings, IReadOnlyList<Diagnostic> found) =>
+        new(null, DrawingFile.IsUnreadable(drawing) ? found : [.. found, DocumentRules.NothingToPost.At(default)]) { WithoutProgram = PreparedJob.NothingCut(NotCutFindings.From(drawing, JobPreparation.SelectionOf(settings))) };
 }

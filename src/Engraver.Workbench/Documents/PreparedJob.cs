@@ -26,11 +26,19 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
 
     public IReadOnlyList<Diagnostic> Diagnostics => [.. Drawing.Diagnostics, .. Findings, .. Sequence.Diagnostics, .. Motion.Diagnostics, .. Faults];
 
-    /// <summary>Why there is no motion program, without a full stop.</summary>
-    public string WithoutProgram => Without(Faults);
+    /// <summary>Why there is no motion program or nothing in it, without a full stop.</summary>
+    public string WithoutProgram => (Faults.Count, Motion.Program) switch
+    {
+        ( > 0, _) => NotAsDrawn(Faults),
+        (_, null) => $"This machine cannot cut what is drawn ({Ids(Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error))})",
+        _ => NothingCut(NotCut),
+    };
 
-    /// <summary>Why there is no program when the toolpath has these faults, without a full stop.</summary>
-    internal static string Without(IReadOnlyList<Diagnostic> faults) => faults.Count > 0
-        ? $"The toolpath is not what is drawn ({string.Join(", ", faults.Select(fault => fault.Id).Distinct())})"
-        : "There is nothing that this machine can cut";
+    /// <summary>The toolpath has these faults; without a full stop.</summary>
+    internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => $"The toolpath is not what is drawn ({Ids(faults)})";
+
+    /// <summary>No curve is left on the layers that are cut; without a full stop.</summary>
+    internal static string NothingCut(NotCutFindings notCut) => notCut.Counts.Count == 0 ? "No curve of the drawing is cut" : $"No curve of the drawing is cut; {notCut.Clause}";
+
+    private static string Ids(IEnumerable<Diagnostic> findings) => string.Join(", ", findings.Select(finding => finding.Id).Distinct());
 }

@@ -23,7 +23,7 @@ public static class RunText
 
     private static string Verdict(RunJudgement judgement, int leftOut, NotCutFindings notCut)
     {
-        var unseen = notCut.Counts.Count == 0 ? "" : $"; {notCut.Subject} visible and NOT CUT";
+        var unseen = notCut.Counts.Count == 0 ? "" : $"; {notCut.Clause}";
         if (judgement.MaxDeviationMm is not { } deviation) return "nothing is known about the cut" + unseen;
         var who = judgement.Source == "record" ? "the simulated motors were" : "the polled positions were";
         var missing = judgement.MissingLengthMm switch

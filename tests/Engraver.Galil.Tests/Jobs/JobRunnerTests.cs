@@ -169,4 +169,25 @@ public class JobRunnerTests
         Assert.Equal(new CountsPoint(96000, 0), result.FinalPosition);
         CutRecord.AssertWholePathWasCut(bench, program);
     }
+
+    /// <summary>A circle that arrived as two turns of it ends where it should: only the length of the path tells, also where the sequence ran dry behind it.</summary>
+    [Fact]
+    public async Task A_sequence_that_ran_dry_is_not_taken_up_again_when_its_path_was_longer_than_planned()
+    {
+        await using var bench = new SimulatedBench();
+        var links = new List<WithheldLink>();
+        await using var session = await bench.OpenAsync(opened: links.Add);
+        links[0].Harm = line => line.Replace("CR 1500,180,360", "CR 1500,180,720", StringComparison.Ordinal);
+        links[0].Sending = line =>
+        {
+            if (line.StartsWith("MG _BGS", StringComparison.Ordinal) && bench.Controller.Status is { IsMoving: true, Underruns: 0 } && bench.Last.A > 3000) bench.Controller.Advance(TimeSpan.FromSeconds(0.7));
+        };
+
+        var result = await JobRunner.RunAsync(MotionPrograms.CircleAndShortLines(1600), session, SimulatedBench.Job, null, CancellationToken.None);
+
+        Assert.Equal((JobOutcome.Deviated, 1, 0), (result.Outcome, result.Underruns, bench.Controller.Status.Outputs));
+        Assert.Contains("counts along its path", result.Sentence, StringComparison.Ordinal);
+        Assert.Equal(1, bench.Controller.Status.Underruns); // it ended there
+        Assert.True(bench.Last.A < 96000);
+    }
 }

@@ -26,6 +26,10 @@ internal static class MotionPrograms
     public static MotionProgram ShortLines(int count, int step = 60) => One(Sequence(
         new(0, 0), [.. Enumerable.Range(1, count).Select(i => Line(i * step, i % 2, i - 1, Math.Sqrt((step * step) + 1)))]));
 
+    /// <summary>One sequence of a full circle of radius 1500 and the same short lines behind it.</summary>
+    public static MotionProgram CircleAndShortLines(int count, int step = 60) => One(Sequence(
+        new(0, 0), [Arc(0, 0, 1500, 180, 360, 0), .. Enumerable.Range(1, count).Select(i => Line(i * step, i % 2, i, Math.Sqrt((step * step) + 1)))]));
+
     /// <summary>Two strokes with a rapid between them.</summary>
     public static MotionProgram TwoStrokes => new(MachineProfile.Default, default,
     [

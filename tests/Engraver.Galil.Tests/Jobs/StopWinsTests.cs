@@ -9,6 +9,7 @@ public class StopWinsTests
     public static TheoryData<JobMode, string> Steps => new()
     {
         { JobMode.Stream, "BG" }, // the rapid
+        { JobMode.Stream, "LI " },
         { JobMode.Stream, "VP " },
         { JobMode.Stream, "SB 1" },
         { JobMode.Stream, "BGS" },

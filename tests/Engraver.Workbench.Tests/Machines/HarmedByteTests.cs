@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text.RegularExpressions;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Simulator;
@@ -32,7 +33,8 @@ public sealed class HarmedByteTests : IDisposable
 
     /// <summary>As found on a proxy: a line ten times as long, a turn cut short, a speed, a tool that is not the tool.</summary>
     [Theory]
-    [InlineData(JobMode.Stream, "VP ", 3)]
+    [InlineData(JobMode.Stream, "LI ", 3)]
+    [InlineData(JobMode.Stream, "VP ", 1)]
     [InlineData(JobMode.Stream, "CR ", 1)]
     [InlineData(JobMode.Stream, "SB ", 1)]
     [InlineData(JobMode.Stream, "CB ", 2)]
@@ -45,6 +47,29 @@ public sealed class HarmedByteTests : IDisposable
 
         Assert.True(wire.Harmed is not null, $"no line begins with {command}");
         Assert.False(run is { Outcome: "complete", IsCutRight: false }, run.ToString());
+    }
+
+    /// <summary>One vertex among segments that are shorter than the way between two polls: no poll sees it, and the path is hardly longer.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task One_vertex_moved_by_a_few_counts_is_never_called_complete_when_the_part_is_wrong(JobMode mode)
+    {
+        var wrong = new List<string>();
+        foreach (var counts in new[] { 3, 5, 8, 12, 20, 40 })
+        {
+            foreach (var (x, y) in new[] { (counts, 0), (0, counts), (-counts, 0) })
+            {
+                var wire = new VertexWire(mode == JobMode.Program ? 3 : 23 + counts, x, y);
+                var run = await RunAsync(mode, wire, ShortChords());
+
+                Assert.True(wire.Harmed is not null, "no vertex was sent");
+                if (run is { Outcome: "complete", IsCutRight: false }) wrong.Add(Text($"'{wire.Harmed?.Was}' -> '{wire.Harmed?.Became}': {run}"));
+            }
+        }
+
+        Assert.True(wrong.Count == 0, string.Join('\n', wrong));
     }
 
     [Fact]
@@ -74,11 +99,11 @@ public sealed class HarmedByteTests : IDisposable
         Assert.True(cases < 20 || outcomes.Count >= 3, string.Join(' ', outcomes)); // a wire that harms nothing would prove nothing
     }
 
-    private async Task<HarmedRun> RunAsync(JobMode mode, HarmingWire wire)
+    private async Task<HarmedRun> RunAsync(JobMode mode, HarmingWire wire, byte[]? part = null)
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
         await using var connection = MachineConnection.Through("memory", _ => Task.FromResult<IControllerLink>(new HarmingLink(new StreamLink(controller.OpenConnection(), "memory"), wire)), () => MachineClock.FromSimulator(controller.JoinClock()));
-        var job = Job(mode);
+        var job = Job(mode, part ?? Part());
         var options = new MachineRunOptions(new TcpAddress("memory", 1), mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
         try
         {
@@ -91,10 +116,10 @@ public sealed class HarmedByteTests : IDisposable
         }
     }
 
-    private PreparedJob Job(JobMode mode)
+    private PreparedJob Job(JobMode mode, byte[] part)
     {
         var path = Path.Combine(_folder.FullName, "part.dxf");
-        if (!File.Exists(path)) File.WriteAllBytes(path, Part());
+        File.WriteAllBytes(path, part);
         return JobPreparation.Prepare(DrawingFile.Open(path, new DrawingSettings(), CancellationToken.None), new DrawingSettings(), JobPlan.StyleOf(mode));
     }
 
@@ -110,6 +135,17 @@ public sealed class HarmedByteTests : IDisposable
         part.AddRange([(0, "CIRCLE"), (8, "0"), (10, 11.0), (20, 9.0), (40, 1.5)]);
         Line(-2, -3, -9, -6);
         for (var i = 0; i < 30; i++) Line(20 + (6 * Math.Cos(i * 0.08)), 6 * Math.Sin(i * 0.08), 20 + (6 * Math.Cos((i + 1) * 0.08)), 6 * Math.Sin((i + 1) * 0.08));
+        return DxfText.WithEntities([.. part]).ToAscii();
+    }
+
+    /// <summary>Chords of 0.06 mm, 3 ms each at the profile's speed, on a bow that turns by a tenth of a degree from one to the next.</summary>
+    private static byte[] ShortChords()
+    {
+        const double Radius = 30.0;
+        const double Turn = 0.002;
+        var part = new List<(int Code, object Value)>();
+        (double X, double Y) At(int i) => (Radius * Math.Sin(i * Turn), Radius * Math.Cos(i * Turn));
+        for (var i = 0; i < 100; i++) part.AddRange([(0, "LINE"), (8, "0"), (10, At(i).X), (20, At(i).Y), (11, At(i + 1).X), (21, At(i + 1).Y)]);
         return DxfText.WithEntities([.. part]).ToAscii();
     }
 
@@ -131,6 +167,20 @@ public sealed class HarmedByteTests : IDisposable
             if (!line.StartsWith(command, StringComparison.Ordinal) || ++_seen != which) return null;
             var digit = line.IndexOfAny([.. "0123456789"]) + 1;
             return line.Insert(digit, "0");
+        }
+    }
+
+    /// <summary>Moves one vertex of a line by whole counts.</summary>
+    private sealed class VertexWire(int which, int x, int y) : HarmingWire(-1, 0)
+    {
+        private int _seen;
+
+        protected override string? Harm(string line)
+        {
+            var vertex = Regex.Match(line, @"^(VP |LI |x=)(-?\d+)(,|;y=)(-?\d+)", RegexOptions.CultureInvariant);
+            if (!vertex.Success || ++_seen != which) return null;
+            int Number(int group, int more) => int.Parse(vertex.Groups[group].Value, CultureInfo.InvariantCulture) + more;
+            return Text($"{vertex.Groups[1]}{Number(2, x)}{vertex.Groups[3]}{Number(4, y)}{line[vertex.Length..]}");
         }
     }
 }

@@ -43,12 +43,17 @@ public class ProgramVerificationTests
         Assert.Equal((0.0035, 0.0, 0.0), (report.ToleranceMm, report.MissingLengthMm, report.ExtraLengthMm));
     }
 
-    /// <summary>A sample of the real drawings, posted and verified; tests/verify-corpus does it for all of them, with limits of time and memory.</summary>
-    [CorpusFact]
-    public async Task Every_thirtieth_small_drawing_of_the_corpus_is_cut_as_drawn_or_refused_with_a_reason()
+    /// <summary>A sample of the corpus, posted and verified: real drawings of every size, and those that were made to be difficult or damaged. tests/verify-corpus does it for all of them, with limits of time and memory.</summary>
+    [CorpusTheory]
+    [InlineData("files", 0, 60_000, 12)]
+    [InlineData("files", 60_000, 250_000, 40)]
+    [InlineData("files", 250_000, 2_000_000, 50)]
+    [InlineData("pathological", 0, 250_000, 4)]
+    public async Task A_sample_of_the_corpus_is_cut_as_drawn_or_refused_with_a_reason(string folder, int from, int to, int every)
     {
-        var files = Directory.GetFiles(Path.Combine(RepositoryFolder.Corpus!, "files"), "*.dxf", SearchOption.AllDirectories).Where(file => new FileInfo(file).Length < 60_000).Order(StringComparer.Ordinal).Where((_, number) => number % 30 == 0).ToList();
-        Assert.True(files.Count >= 5);
+        var files = Directory.GetFiles(Path.Combine(RepositoryFolder.Corpus!, folder), "*.dxf", SearchOption.AllDirectories)
+            .Where(file => new FileInfo(file).Length is var size && size >= from && size < to).Order(StringComparer.Ordinal).Where((_, number) => number % every == 0).ToList();
+        Assert.NotEmpty(files);
         foreach (var file in files)
         {
             var drawing = DrawingFile.Open(file, new DrawingSettings(), CancellationToken.None);

@@ -9,6 +9,10 @@ using static Engraver.Galil.Jobs.JobMachine;
 namespace Engraver.Galil.Jobs.Execution;
 
 /// <summary>One VM ... VE on the wire: fills the segment buffer, begins, keeps feeding by _CSS, slows down when the lead gets short, ends with VE (galil-dmc.md B.7, F.1).</summary>
+/// <remarks>
+/// Over a network nothing repeats to us what arrived. There a sequence of lines goes as increments (LM, LI): one that arrived as another moves all of the path behind it, up to its end, where the position tells.
+/// A VP is absolute in its sequence: a moved vertex is left again by the next one, and where segments are shorter than the way between two polls nobody sees it.
+/// </remarks>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
 {
     /// <summary>Free places that are left alone: one command is on its way, and the controller's count is as old as the last poll.</summary>
@@ -45,6 +49,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private int _skipped;
     private double _countsAhead;
     private bool _begun;
+    private bool _byIncrements;
     private CountsPoint _origin;
     private PathWatch? _watch;
 
@@ -116,8 +121,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         _origin = machine.Here;
         while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
         if (Remaining == 0) return JobStep.Done;
+        _byIncrements = machine.Line is null && Ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && Ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
         var acceleration = machine.Profile.AccelerationCounts;
-        var opened = await machine.SendAllAsync(["CSS", "VMAB", Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
+        var opened = await machine.SendAllAsync(["CSS", _byIncrements ? "LMAB" : "VMAB", Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
         if (opened.Ends) return opened;
         if (await SettingCheck.ReadBackAsync(
             machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration), ("_VRS", 1.0, SettingCheck.Exact)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
@@ -145,7 +151,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private async ValueTask<JobStep> SendNextAsync()
     {
         var segment = sequence.Segments[first + _skipped + _sent];
-        var command = DmcFormat.Command(segment, _origin);
+        var command = _byIncrements ? DmcFormat.Increment(_sent == 0 ? _origin : sequence.Segments[first + _skipped + _sent - 1].End, segment.End) : DmcFormat.Command(segment, _origin);
         while (true)
         {
             while (_begun && _capacity - (_sent - _executed) < SpareSegments)
@@ -194,8 +200,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (_throttle.Release() is { } ratio && await ThrottleAsync(ratio).ConfigureAwait(false) is { Ends: true } unreleased) return unreleased;
         if (await machine.GlanceUntilAsync(HasEnded, SecondsLeft).ConfigureAwait(false) is { Ends: true } end) return end;
         if (machine.State.StopCode != StopCodes.SequenceEnded) return EndedEarly();
-        if (_watch!.LookAtEnd(machine.Here) is { Ends: true } elsewhere) return elsewhere;
-        if (await CheckLengthAsync().ConfigureAwait(false) is { Ends: true } another) return another;
+        if (await CheckCutAsync().ConfigureAwait(false) is { Ends: true } another) return another;
         ConfirmUpTo(_sent);
         return JobStep.Done;
     }
@@ -206,17 +211,18 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return await SettingCheck.ReadBackAsync(machine, ("_VRS", ratio, SettingCheck.Exact)).ConfigureAwait(false);
     }
 
-    /// <summary>A closed contour ends where it began, also where nothing of it was cut or a turn was shorter: the length of the path tells (_AVS counts from the start of the sequence, galil-dmc.md B.1).
-    /// On a serial line every command was compared with its echo, which a question would be slower than.</summary>
-    private async ValueTask<JobStep> CheckLengthAsync()
+    /// <summary>Where the machine came to rest behind everything that was sent, and how long the path was: a closed contour ends where it began, also where nothing of it was cut or a turn was shorter
+    /// (_AVS counts from the start of the sequence, galil-dmc.md B.1). The length is not asked on a serial line, where every command was compared with its echo, which a question would be slower than.</summary>
+    private async ValueTask<JobStep> CheckCutAsync()
     {
+        if (_watch!.LookAtEnd(_sent, machine.Here) is { Ends: true } elsewhere) return elsewhere;
         if (machine.Line is not null) return JobStep.Done;
         var (travelled, end) = await machine.AskAsync("_AVS").ConfigureAwait(false);
         if (end.Ends) return end;
-        var planned = Ahead.Sum(segment => segment.Length);
+        var planned = Ahead.Take(_sent).Sum(segment => segment.Length);
         return Math.Abs(travelled - planned) <= LengthAllowance + (LengthPerSegment * _sent)
             ? JobStep.Done
-            : JobStep.Deviated(Text($"The controller went {travelled:0} counts along its path where {planned:0} were planned, up to drawing entity {sequence.Segments[^1].EntityIndex}, at {machine.Here.X},{machine.Here.Y} of the drawing (counts); what was sent has not arrived as it was sent. Look at the work piece and the cable."));
+            : JobStep.Deviated(Text($"The controller went {travelled:0} counts along its path where {planned:0} were planned, up to drawing entity {Ahead[_sent - 1].EntityIndex}, at {machine.Here.X},{machine.Here.Y} of the drawing (counts); what was sent has not arrived as it was sent. Look at the work piece and the cable."));
     }
 
     private bool HasEnded(MachineState state)
@@ -225,14 +231,16 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return state.Stands;
     }
 
-    /// <summary>Tool off at once, then the only documented way out of an open sequence: AB1, wait, CSS.</summary>
+    /// <summary>Tool off at once; then, after a look at what was cut, the only documented way out of an open sequence: AB1, wait, CSS.</summary>
     private async ValueTask<JobStep> CloseDryAsync()
     {
         ledger.Underruns++;
-        ConfirmUpTo(_sent);
         if (await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        var cut = await CheckCutAsync().ConfigureAwait(false);
+        if (!cut.Ends) ConfirmUpTo(_sent);
         if (await machine.SendAsync("AB 1").ConfigureAwait(false) is { Ends: true } refused) return refused;
-        return await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false);
+        if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } broken) return broken;
+        return cut;
     }
 
     private JobStep EndedEarly()

@@ -38,10 +38,14 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
     }
 
     /// <summary>Where the machine rests behind the last of the segments.</summary>
-    public JobStep LookAtEnd(CountsPoint place)
+    public JobStep LookAtEnd(CountsPoint place) => LookAtEnd(segments.Count, place);
+
+    /// <param name="executed">Segments behind which it rests, at least 1.</param>
+    public JobStep LookAtEnd(int executed, CountsPoint place)
     {
-        var off = new Point2D(place.X, place.Y).DistanceTo(new Point2D(segments[^1].End.X, segments[^1].End.Y));
-        return off <= Allowance ? JobStep.Done : Left(off, place, segments[^1].EntityIndex);
+        var last = segments[executed - 1];
+        var off = new Point2D(place.X, place.Y).DistanceTo(new Point2D(last.End.X, last.End.Y));
+        return off <= Allowance ? JobStep.Done : Left(off, place, last.EntityIndex);
     }
 
     private static JobStep Left(double off, CountsPoint place, int entity) => JobStep.Deviated(Text(

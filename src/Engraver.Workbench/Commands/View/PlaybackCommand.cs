@@ -13,7 +13,7 @@ internal sealed class PlaybackCommand : ICommand
     {
         _ = context.Drawing;
         var derived = await context.Derivation.ForCurrentAsync(cancellation).ConfigureAwait(false);
-        if (derived.Motion is not { } motion) throw new CommandException(CommandFailure.Drawing, derived.Problem ?? "There is nothing that this machine can cut.");
+        if (derived.Motion is not { } motion) throw new CommandException(CommandFailure.Drawing, derived.Problem ?? $"{derived.Job?.WithoutProgram}.");
         if (!ReferenceEquals(context.Playback.Motion, motion)) context.Playback.Load(motion);
         var option = await context.ChoiceAsync("Enter an option", s_options, context.Playback.IsPlaying ? "PAuse" : "PLay").ConfigureAwait(false);
         switch (option)

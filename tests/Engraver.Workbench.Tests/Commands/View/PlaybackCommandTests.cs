@@ -44,6 +44,8 @@ public class PlaybackCommandTests
     {
         await using var talk = CommandTalk.WithDrawing();
 
-        Assert.Equal(CommandFailure.Drawing, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("LA", "OFF", "*", "", "PLAYBACK")).Why);
+        var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("LA", "OFF", "*", "", "PLAYBACK"));
+
+        Assert.Equal((CommandFailure.Drawing, "No curve of the drawing is cut."), (failed.Why, failed.Sentence));
     }
 }
