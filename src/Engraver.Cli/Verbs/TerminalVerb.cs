@@ -24,7 +24,7 @@ internal static class TerminalVerb
     private static async Task<int> RunAsync(VerbHost host, ControllerAddress address, CancellationToken stop)
     {
         await using var connection = MachineConnection.To(address, TimeProvider.System);
-        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, stop).ConfigureAwait(false);
+        await using var terminal = await MachineTerminal.OpenAsync(connection.OpenLinkAsync, TimeProvider.System, stop).ConfigureAwait(false);
         var screen = new TerminalScreen(host.Out, host.Interactive && Environment.GetEnvironmentVariable("NO_COLOR") is null or "");
         var conversation = new TerminalConversation(terminal, screen, TimeProvider.System);
         try

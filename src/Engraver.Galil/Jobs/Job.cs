@@ -205,7 +205,7 @@ internal sealed class Job
         FinalPosition = standstill is { } rest ? new CountsPoint(rest.X, rest.Y) : _machine.Known?.Position,
         FrameOrigin = _machine.FrameTaken,
         IsEndKnown = standstill is not null || !_touched,
-        Refusal = step.Refusal,
+        Refusal = step.Refusal?.ToRefusal(),
         PolledTrace = _ledger.Trace,
         ExecutedEntityIndices = _ledger.Entities,
         ExecutedByStroke = _ledger.ExecutedByStroke,

@@ -1,8 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
-using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Jobs;
 
@@ -44,7 +42,7 @@ public sealed record JobResult
     public bool IsEndKnown { get; init; } = true;
 
     /// <summary>The refused command that ended the job, when one did.</summary>
-    public Rejected? Refusal { get; init; }
+    public CommandRefusal? Refusal { get; init; }
 
     /// <summary>Positions polled during the run, job frame.</summary>
     public required IReadOnlyList<TracePoint> PolledTrace { get; init; }
@@ -64,7 +62,9 @@ public sealed record JobResult
     /// <summary>What could not be left as it was found, a sentence each.</summary>
     public IReadOnlyList<string> NotRestored { get; init; } = [];
 
-    internal static JobResult NotStarted(MotionProgram program, string sentence) => new()
+    /// <summary>A job that ended before the controller was told anything.</summary>
+    /// <param name="strokes">Of the program.</param>
+    public static JobResult NotStarted(int strokes, string sentence) => new()
     {
         Outcome = JobOutcome.Refused,
         Sentence = sentence,
@@ -77,8 +77,8 @@ public sealed record JobResult
         FrameOrigin = null,
         PolledTrace = [],
         ExecutedEntityIndices = [],
-        ExecutedByStroke = new int[program.Strokes.Count],
-        LengthByStroke = new double[program.Strokes.Count],
+        ExecutedByStroke = new int[strokes],
+        LengthByStroke = new double[strokes],
     };
 }
 
@@ -108,3 +108,40 @@ public enum LinkLoss
     /// <summary>The watchdog in the controller did not hear from this program in time and stopped the machine; the link may stand.</summary>
     Watchdog,
 }
+
+/// <summary>How a job is run on the controller (galil-dmc.md F.1).</summary>
+public enum JobMode
+{
+    /// <summary>Vector sequences fed live into the segment buffer; progress by _CS.</summary>
+    Stream,
+
+    /// <summary>The paper's way: a program in the controller is called for each entity with assigned variables; progress by seq.</summary>
+    Calls,
+
+    /// <summary>The job itself as programs in the controller, one chunk after the other; progress by seq and _CS.</summary>
+    Program,
+}
+
+/// <summary>Where a job is, from what the controller said last.</summary>
+/// <param name="Stroke">Index of the stroke under way.</param>
+/// <param name="X">Counts, job frame.</param>
+/// <param name="Seconds">Controller time since the job began.</param>
+/// <param name="Outputs">Outputs 1 to 8 (_OP0), bit 0 is output 1; null where nobody asked.</param>
+public readonly record struct JobProgress(int Stroke, int SegmentsSent, int SegmentsExecuted, int SegmentCount, int X, int Y, bool ToolOn, double Seconds, int? Outputs = null);
+
+/// <summary>A polled position.</summary>
+/// <param name="Seconds">Controller time since the job began.</param>
+/// <param name="X">Counts, job frame.</param>
+/// <param name="ToolOn">Whether the tool output was on, as the controller said.</param>
+public readonly record struct TracePoint(double Seconds, int X, int Y, bool ToolOn)
+{
+    /// <summary>Segments that were known to be done before this poll: the tool is on the next of them, or further.</summary>
+    public int Executed { get; init; }
+}
+
+/// <summary>A command that the controller refused.</summary>
+/// <param name="Code">The controller's number for the reason; compare this, never the text.</param>
+/// <param name="Text">The controller's own words for it.</param>
+/// <param name="Command">What was refused.</param>
+/// <param name="Sentence">For the operator: what was refused, why, and what that means here.</param>
+public sealed record CommandRefusal(int Code, string Text, string Command, string Sentence);

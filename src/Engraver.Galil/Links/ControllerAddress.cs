@@ -98,3 +98,30 @@ public sealed record SimulatedAddress(double Speed) : ControllerAddress
 }
 
 public sealed record TcpAddress(string Host, int Port) : ControllerAddress;
+
+/// <summary>How the two ends of a serial line hold each other back.</summary>
+public enum SerialFlow : byte
+{
+    /// <summary>The lines RTS and CTS: what the controller expects; without it characters are lost in bursts (galil-dmc.md A.2).</summary>
+    RtsCts,
+
+    /// <summary>Nothing: a cable of three wires.</summary>
+    None,
+
+    /// <summary>The characters Ctrl-S and Ctrl-Q. Binary records (QR) do not survive it.</summary>
+    XonXoff,
+}
+
+/// <summary>What a serial line means for those who talk over it: one wire for everything, characters echoed while EO is 1, and every byte takes its time.</summary>
+/// <param name="Baud">Bits per second; one of <see cref="Rates"/>.</param>
+public sealed record SerialLine(int Baud)
+{
+    /// <summary>The rates of galil-dmc.md A.2.</summary>
+    public static IReadOnlyList<int> Rates { get; } = [1200, 9600, 19200, 38400, 57600, 115200];
+
+    /// <summary>Seconds a byte takes: a start bit, eight data bits, a stop bit.</summary>
+    public double ByteSeconds => 10.0 / Baud;
+
+    /// <summary>Seconds that a number of bytes take.</summary>
+    public TimeSpan Time(long bytes) => TimeSpan.FromSeconds(bytes * ByteSeconds);
+}

@@ -1,6 +1,5 @@
 using Engraver.Galil.Language;
 using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs.Generation;
 
 namespace Engraver.Galil.Programs;
 
@@ -43,4 +42,36 @@ public sealed record VectorSequence(CountsPoint Start, int Speed, IReadOnlyList<
     public CountsPoint End => Segments[^1].End;
 
     public double Length => Segments.Sum(segment => segment.Length);
+}
+
+/// <summary>One VP or CR of a vector sequence, in counts of the job's frame.</summary>
+/// <remarks>Line: only <see cref="End"/> counts. Arc: radius, theta and delta exactly as they will be sent (already rounded to what the controller keeps);
+/// <see cref="End"/> is where the controller is predicted to stand after it, rounded to counts (galil-dmc.md B.3).</remarks>
+/// <param name="Kind">VP or CR.</param>
+/// <param name="End">End point, job frame.</param>
+/// <param name="Radius">CR radius, whole counts; 0 for a line.</param>
+/// <param name="ThetaDegrees">CR theta: direction from the centre to the current point.</param>
+/// <param name="DeltaDegrees">CR delta: signed sweep, counter-clockwise positive.</param>
+/// <param name="EntityIndex">The drawing entity this piece engraves.</param>
+/// <param name="Length">Path length in counts.</param>
+public readonly record struct VectorSegment(
+    VectorSegmentKind Kind, CountsPoint End, int Radius, double ThetaDegrees, double DeltaDegrees, int EntityIndex, double Length);
+
+public enum VectorSegmentKind : byte
+{
+    /// <summary>VP x,y.</summary>
+    Line,
+
+    /// <summary>CR radius,theta,delta.</summary>
+    Arc,
+}
+
+/// <summary>How the segments of a stroke are put into sequences; what a sequence starts from decides how its arcs are aimed.</summary>
+public enum MotionStyle : byte
+{
+    /// <summary>Sequences go on until a sharp corner (stream, program).</summary>
+    Continuous,
+
+    /// <summary>Every segment is a sequence of its own: the paper's calls of #LINEAR and #CIRC, with a standstill after each.</summary>
+    Calls,
 }

@@ -144,14 +144,14 @@ internal sealed class MachineStatusModel : IDisposable
 
     public void JobEnds(JobResult result)
     {
-        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Explain() ?? facts.LastRefusal, LastOutcome = result.Outcome });
+        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal, LastOutcome = result.Outcome });
         MachineAlarms.Ended(Alarms, result, Link);
     }
 
     /// <summary>A move by hand has ended: the place of the drawing and the end of the last job are as they were.</summary>
     public void MoveEnds(JobResult result)
     {
-        Change(facts => facts with { LastRefusal = result.Refusal?.Explain() ?? facts.LastRefusal });
+        Change(facts => facts with { LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal });
         MachineAlarms.Ended(Alarms, result, Link);
     }
 

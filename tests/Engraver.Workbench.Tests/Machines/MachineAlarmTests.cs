@@ -39,7 +39,7 @@ public class MachineAlarmTests
         var log = new AlarmLog(new ManualTimeProvider());
         MachineAlarms.Ended(log, Result(JobOutcome.Complete), Link);
         Assert.Empty(log.All);
-        MachineAlarms.Ended(log, Result(JobOutcome.Refused) with { Refusal = new Rejected(TcCode.BeginNotValidWithMotorOff, "Begin not valid with motor off", "BGS") }, Link);
+        MachineAlarms.Ended(log, Result(JobOutcome.Refused) with { Refusal = new Rejected(TcCode.BeginNotValidWithMotorOff, "Begin not valid with motor off", "BGS").ToRefusal() }, Link);
 
         Assert.Equal(AlarmCause.Refused, Assert.Single(log.All).Cause);
     }

@@ -63,7 +63,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         machine.Expectation = state => state.SequenceRunning ? watch.Look(0, machine.Here) : JobStep.Done;
         try
         {
-            if (await machine.PollUntilAsync(state => state.Calls != calls, MotionTime.Trapezoid(segment.Length, speed, machine.Profile.AccelerationCounts)).ConfigureAwait(false) is { Ends: true } broken) return broken;
+            if (await machine.PollUntilAsync(state => state.Calls != calls, SpeedTrapezoid.Time(segment.Length, speed, machine.Profile.AccelerationCounts)).ConfigureAwait(false) is { Ends: true } broken) return broken;
         }
         finally
         {

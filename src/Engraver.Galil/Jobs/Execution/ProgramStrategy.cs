@@ -107,7 +107,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
     }
 
     /// <summary>What the chunk takes at the least: the motion of its sequences, without rapids and settles.</summary>
-    private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => MotionTime.Trapezoid(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts));
+    private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => SpeedTrapezoid.Time(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts));
 
     /// <summary>An odd mark belongs to a sequence under way.</summary>
     private static bool IsCutting(MachineState state) => state.SequenceRunning && state.Calls % 2 != 0;

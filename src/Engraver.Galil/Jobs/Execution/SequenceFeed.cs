@@ -55,7 +55,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private double SecondsAhead => _countsAhead / sequence.Speed;
 
     /// <summary>By the trapezoid of the whole path and what has passed of it.</summary>
-    private double SecondsLeft => MotionTime.Trapezoid(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
+    private double SecondsLeft => SpeedTrapezoid.Time(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
 
     private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
 

@@ -73,13 +73,3 @@ public static class MotionProgramGenerator
 /// <param name="Program">Null when something cannot be cut at all; the errors among <paramref name="Diagnostics"/> say what.</param>
 /// <param name="Diagnostics">Errors, warnings and notes, in the order of the strokes.</param>
 public sealed record MotionGeneration(MotionProgram? Program, IReadOnlyList<Diagnostic> Diagnostics);
-
-/// <summary>How the segments of a stroke are put into sequences; what a sequence starts from decides how its arcs are aimed.</summary>
-public enum MotionStyle : byte
-{
-    /// <summary>Sequences go on until a sharp corner (stream, program).</summary>
-    Continuous,
-
-    /// <summary>Every segment is a sequence of its own: the paper's calls of #LINEAR and #CIRC, with a standstill after each.</summary>
-    Calls,
-}

@@ -9,7 +9,7 @@ public readonly record struct SpeedTrapezoid(double Distance, double TopSpeed, d
     /// <summary>Seconds up to <see cref="Peak"/>, and again down to rest.</summary>
     public double RampSeconds => Peak / Acceleration;
 
-    public double Seconds => MotionTime.Trapezoid(Distance, TopSpeed, Acceleration);
+    public double Seconds => Time(Distance, TopSpeed, Acceleration);
 
     /// <summary>How far it has come after some seconds; within 0 and <see cref="Distance"/>.</summary>
     public double DistanceAt(double seconds)
@@ -35,4 +35,9 @@ public readonly record struct SpeedTrapezoid(double Distance, double TopSpeed, d
         if (distance < rampDistance) return Math.Sqrt(2.0 * distance / Acceleration);
         return left < rampDistance ? Seconds - Math.Sqrt(2.0 * left / Acceleration) : ramp + ((distance - rampDistance) / peak);
     }
+
+    /// <summary>Seconds for a distance at a speed with the same acceleration and deceleration; a triangle when the distance is short.</summary>
+    public static double Time(double distance, double speed, double acceleration) => distance >= speed * speed / acceleration
+        ? (distance / speed) + (speed / acceleration)
+        : 2.0 * Math.Sqrt(distance / acceleration);
 }

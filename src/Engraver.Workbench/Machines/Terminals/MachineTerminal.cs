@@ -25,7 +25,7 @@ public sealed class MachineTerminal : IAsyncDisposable
     public IReadOnlyList<string> History => _history;
 
     /// <exception cref="ControllerException">The link never came up.</exception>
-    public static async Task<MachineTerminal> OpenAsync(MachineConnection connection, TimeProvider time, CancellationToken cancellation)
+    public static async Task<MachineTerminal> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, TimeProvider time, CancellationToken cancellation)
     {
         var messages = new ConcurrentQueue<string>();
         var options = new SessionOptions
@@ -34,7 +34,7 @@ public sealed class MachineTerminal : IAsyncDisposable
             SecondHandle = false, // text of programs then comes with the replies
             MessageReceived = messages.Enqueue,
         };
-        var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, options, time, cancellation).ConfigureAwait(false);
+        var session = await ControllerSession.OpenAsync(openLink, options, time, cancellation).ConfigureAwait(false);
         if (session.Found.Wire.NumberFormatCommand is { } format) await session.Commands.SendAsync(format, cancellation).ConfigureAwait(false);
         return new MachineTerminal(session, messages);
     }
@@ -95,28 +95,4 @@ public sealed class MachineTerminal : IAsyncDisposable
     {
         while (_messages.TryDequeue(out var message)) yield return new TerminalAnswer(TerminalAnswerKind.Message, message);
     }
-}
-
-/// <summary>What the terminal shows.</summary>
-/// <param name="Kind">Decides the colour.</param>
-/// <param name="Text">One line or more, LF between them.</param>
-public readonly record struct TerminalAnswer(TerminalAnswerKind Kind, string Text);
-
-/// <summary>Where a line of the terminal comes from.</summary>
-public enum TerminalAnswerKind : byte
-{
-    /// <summary>The controller's data, or its prompt when it has nothing to say.</summary>
-    Reply,
-
-    /// <summary>The controller refused the command.</summary>
-    Refusal,
-
-    /// <summary>A program in the controller printed it.</summary>
-    Message,
-
-    /// <summary>The terminal itself: help, history.</summary>
-    Help,
-
-    /// <summary>The terminal did not send the command.</summary>
-    Withheld,
 }
