@@ -1,10 +1,9 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Terminals;
-using Engraver.Galil.Links;
-using Engraver.Galil.Profiles;
-using Engraver.Workbench.Machines;
-using Engraver.Workbench.Machines.Terminals;
+using Engraver.Core.Machines;
+using Engraver.Galil.Terminals;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Cli.Verbs;
 

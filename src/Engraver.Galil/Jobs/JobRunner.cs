@@ -1,6 +1,6 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
@@ -25,7 +25,7 @@ public static class JobRunner
     {
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(session);
-        string off = string.Concat(session.Found.MotorsOff.Where("AB".Contains));
+        string off = string.Concat(session.Found.MotorsOff.Where(DmcAxes.Plane.Contains));
         return off.Length > 0
             ? JobResult.NotStarted(program.Strokes.Count, $"The motor of axis {string.Join(" and ", off.AsEnumerable())} is off; switch the motors on before a move.")
             : await RunAsync(program, goal, session, options with { DryRun = true }, progress, stop).ConfigureAwait(false);

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.IO.Pipelines;
 using System.Runtime.InteropServices;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Engraver.Core.Machines;
 using static Engraver.Galil.Links.SerialNative;
 
 namespace Engraver.Galil.Links;

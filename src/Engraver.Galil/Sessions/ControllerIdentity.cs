@@ -1,3 +1,6 @@
+using Engraver.Core.Machines;
+using Engraver.Galil.Language;
+
 namespace Engraver.Galil.Sessions;
 
 /// <summary>Who answers on the link.</summary>
@@ -7,10 +10,8 @@ namespace Engraver.Galil.Sessions;
 /// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9); null when the controller refuses to say, for nothing in a job needs it.</param>
 public sealed record ControllerIdentity(string Model, int Axes, string Handle, int? RecordBytes, ControllerLimits Limits) : MachineIdentity(Model, Axes)
 {
-    private const string AxisLetters = "ABCDEFGH";
-
     /// <summary>The letters of the axes: ABCD for four.</summary>
-    public string Letters => AxisLetters[..Axes];
+    public string Letters => DmcAxes.All[..Axes];
 }
 
 /// <summary>What the controller says it has left, asked and not assumed (galil-dmc.md J 16). Null where it does not know the question.</summary>

@@ -1,7 +1,7 @@
 using System.Text.RegularExpressions;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Posting;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;

@@ -1,8 +1,8 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Resident;
-using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using static Engraver.Galil.Jobs.JobMachine;

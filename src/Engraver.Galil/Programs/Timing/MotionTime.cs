@@ -1,4 +1,5 @@
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 
 namespace Engraver.Galil.Programs.Timing;
 

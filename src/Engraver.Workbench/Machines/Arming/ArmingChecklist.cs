@@ -1,10 +1,9 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
-using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Machines.Arming;
 

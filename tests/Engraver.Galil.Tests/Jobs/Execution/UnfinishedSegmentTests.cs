@@ -1,7 +1,5 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 

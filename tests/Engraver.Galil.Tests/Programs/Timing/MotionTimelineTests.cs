@@ -1,5 +1,5 @@
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
 

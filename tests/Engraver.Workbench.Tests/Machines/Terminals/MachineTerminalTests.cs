@@ -1,7 +1,7 @@
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Galil.Sessions;
-using Engraver.Workbench.Machines;
-using Engraver.Workbench.Machines.Terminals;
+using Engraver.Galil.Terminals;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Tests.Machines.Terminals;
 
