@@ -1,6 +1,6 @@
 using Engraver.Samples.Dxf;
 using Engraver.Samples.Geometry;
-using Engraver.Workbench.Benchmarks;
+using Engraver.Benchmarks.Stages;
 
 namespace Engraver.Samples.Drawings;
 

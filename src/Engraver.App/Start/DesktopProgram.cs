@@ -2,7 +2,7 @@ using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Controls.ApplicationLifetimes;
 using Avalonia.Threading;
-using Engraver.App.Benchmarks;
+using Engraver.Benchmarks.Desktop;
 using Engraver.App.Platforms;
 using Engraver.App.Sessions;
 using Engraver.App.Shell;

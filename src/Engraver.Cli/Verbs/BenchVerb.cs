@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
-using Engraver.Workbench.Benchmarks;
+using Engraver.Benchmarks.Stages;
 
 namespace Engraver.Cli.Verbs;
 

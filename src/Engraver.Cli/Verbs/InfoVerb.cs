@@ -32,7 +32,7 @@ internal static class InfoVerb
             else DrawingText.Write(host.Out, read, summary);
             // The second reading knows curves only, not the outlines of --cut.
             var curves = settings.Cut == CutChoice.None ? summary : DrawingSummary.From(DrawingFile.Open(read.FileName, settings with { Cut = CutChoice.None }, stop));
-            var agrees = !parsed.GetValue(twice) || SecondOpinionReport.Write(host.Error, read, curves);
+            var agrees = !parsed.GetValue(twice) || CrossCheckReport.Write(host.Error, read, curves);
             var code = host.Report(parsed, read.FileName, found);
             return Task.FromResult(agrees ? code : ExitCode.DrawingError);
         });

@@ -3,7 +3,7 @@ using System.Text;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
-using Engraver.Core.Minimising;
+using Engraver.Tools.Minimising;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>The figures of a drawing, in drawing units, all layers, hidden curves included.</summary>
+/// <summary>Counts, lengths and extents of a drawing, in drawing units, over all layers, hidden curves included.</summary>
 /// <param name="Leaf">Curves after expansion by the type they were written as; types that do not occur are missing. A curve without length counts.</param>
 /// <param name="Primitives">Lines, arcs and so on, parts of polylines included.</param>
 /// <param name="Length">Lengths by kind; a whole-turn ARC counts as arc, whatever a block's scale makes of a curve.</param>
@@ -47,7 +47,7 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
             }
         }
 
-        /// <summary>Most drawings are lines, by the million.</summary>
+        /// <summary>A quick path for lines, of which most drawings consist.</summary>
         private void AddLine(in DrawingPart line, ref double length)
         {
             var (x, y, z) = (line.D - line.A, line.E - line.B, line.F - line.C);

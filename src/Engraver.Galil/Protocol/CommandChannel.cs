@@ -12,6 +12,9 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <summary>DL, UL and burning take longer than a command (galil-dmc.md A.6).</summary>
     public static readonly TimeSpan TransferTimeout = TimeSpan.FromSeconds(10);
 
+    /// <summary>Characters that an upload is given time for on a serial line when nobody knows how many will come.</summary>
+    private const int UsualProgram = 10_000;
+
     /// <summary>A reply to a command is shorter than this, bytes; on a serial line it takes its time.</summary>
     private const int LongestCommandReply = 512;
 
@@ -94,8 +97,9 @@ public sealed class CommandChannel : IAsyncDisposable
     }
 
     /// <summary>UL: the program memory, lines separated by LF, without the end mark; empty when the memory is.</summary>
-    public async ValueTask<Reply> UploadAsync(CancellationToken cancellation) =>
-        await ExchangeAsync("UL", ReplyShape.Upload, 0, TransferTimeout, cancellation).ConfigureAwait(false) is var reply && reply is Accepted text
+    /// <param name="expected">Characters that are known to stand there; 0 when nobody knows. A link may hand over all of them at once, after the time that they take on the wire.</param>
+    public async ValueTask<Reply> UploadAsync(CancellationToken cancellation, int expected = 0) =>
+        await ExchangeAsync("UL", ReplyShape.Upload, 0, TransferTimeout + WireTime(Math.Max(expected, UsualProgram)), cancellation).ConfigureAwait(false) is var reply && reply is Accepted text
             ? new Accepted(ProgramText.FromUpload(text.Data))
             : reply;
 

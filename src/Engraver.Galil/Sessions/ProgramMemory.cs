@@ -55,7 +55,7 @@ public sealed class ProgramMemory(ControllerSession session)
     {
         if (await HaltAsync(cancellation).ConfigureAwait(false) is { } running) return running;
         if (await session.Commands.DownloadAsync(program, cancellation).ConfigureAwait(false) is Rejected refused) return refused;
-        var check = await session.Commands.UploadAsync(cancellation).ConfigureAwait(false);
+        var check = await session.Commands.UploadAsync(cancellation, program.Length + program.Count(character => character == '\n')).ConfigureAwait(false);
         if (check is not Accepted { Data: var stored }) return check as Rejected;
         return ProgramText.AreSame(program, stored) ? null : throw new ProtocolViolationException("The program memory does not hold what was downloaded; the upload differs.");
     }

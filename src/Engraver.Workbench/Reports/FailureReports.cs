@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>Files that tell what nobody expected, for those who mend the program; from any thread.</summary>
+/// <summary>Reports of failures of the program itself, written to files for its developers. Any thread.</summary>
 /// <param name="folder">Where they are kept; made when it is missing.</param>
 public sealed class FailureReports(string folder, TimeProvider time)
 {

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Views;
 
-/// <summary>How far a drawing reaches, drawing units, plan view.</summary>
+/// <summary>Extents of a drawing in plan, drawing units.</summary>
 public static class DrawingExtents
 {
     /// <summary>Tight box of every curve that can be seen: hidden ones and those on a frozen or switched-off layer do not count. Empty when nothing is to be seen.</summary>

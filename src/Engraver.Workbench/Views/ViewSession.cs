@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Views;
 
-/// <summary>What the operator looks at: the third thing that changes, beside the document and the machine. Looking is no document step.</summary>
+/// <summary>The view and its switches. It changes beside the document and the machine; a change of view is no step that UNDO takes back.</summary>
 /// <remarks>May be used from any thread; the event comes on the thread of the change.</remarks>
 public sealed class ViewSession
 {

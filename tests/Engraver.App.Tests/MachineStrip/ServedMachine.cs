@@ -1,4 +1,4 @@
-using Engraver.App.Benchmarks;
+using Engraver.Benchmarks.Desktop;
 using Engraver.Simulator;
 
 namespace Engraver.App.Tests.MachineStrip;

@@ -1,7 +1,7 @@
 using System.Text.Json;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Core.SecondOpinions;
+using Engraver.Tools.CrossChecks;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;

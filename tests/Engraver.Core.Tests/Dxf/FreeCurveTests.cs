@@ -1,6 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Core.SecondOpinions;
+using Engraver.Tools.CrossChecks;
 using Engraver.TestKit;
 using FsCheck;
 using FsCheck.Fluent;

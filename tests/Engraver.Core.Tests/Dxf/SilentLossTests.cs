@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 using Engraver.Core.Drawings;
-using Engraver.Core.SecondOpinions;
+using Engraver.Tools.CrossChecks;
 using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Dxf;

@@ -1,4 +1,4 @@
-using Engraver.Workbench.Benchmarks;
+using Engraver.Benchmarks.Stages;
 
 namespace Engraver.Workbench.Tests.Benchmarks;
 

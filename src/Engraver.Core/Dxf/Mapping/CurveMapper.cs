@@ -147,7 +147,7 @@ internal sealed class CurveMapper
         if (_vertices.Exists(vertex => double.IsNaN(vertex.Y))) record.Refuse(DxfRules.MissingValue, record.Line, "20 for one of its vertices");
     }
 
-    /// <summary>Group 90 is never believed, only compared: it may be anything in a damaged file.</summary>
+    /// <summary>Group 90 (the announced number of vertices) is compared with the vertices read and never relied on: a damaged file may say anything.</summary>
     private void CheckCount(EntityRecord record, bool atEndOfFile)
     {
         var declared = record.Number(90, _vertices.Count);

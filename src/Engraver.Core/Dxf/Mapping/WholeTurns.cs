@@ -1,6 +1,6 @@
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>How far it is from one angle to another (corpus convention): equal angles are no way at all, whole turns are one whole turn.</summary>
+/// <summary>The turn from one angle to another, degrees (corpus convention): 0 for equal angles, 360 for angles that differ by whole turns.</summary>
 internal static class WholeTurns
 {
     /// <summary>Angles that differ by whole turns within this are a whole turn, or none when they are equal.</summary>

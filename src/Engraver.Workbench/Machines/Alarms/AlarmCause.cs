@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Machines.Alarms;
 
-/// <summary>What alarms are grouped by, so that one trouble is one line.</summary>
+/// <summary>What alarms are grouped by: the same cause raises one alarm with a count.</summary>
 public enum AlarmCause
 {
     /// <summary>The link was lost, idle or in a job.</summary>

@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Machines.Alarms;
 
-/// <summary>The alarms since the program began, oldest first. One trouble is one alarm with a count, never a flood; the first of a series is marked and stays so.</summary>
+/// <summary>The alarms since the program began, oldest first. A cause that comes again counts its alarm up instead of adding one; the first of a series is marked (first-out).</summary>
 /// <remarks>Any thread. Nothing here touches the machine: acknowledging never resets it.</remarks>
 public sealed class AlarmLog(TimeProvider time)
 {

@@ -3,7 +3,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Arming;
 
-/// <summary>Holds an armed job until it is started, taken back, or its time is over.</summary>
+/// <summary>Holds an armed job until it is started, disarmed, or its time is over.</summary>
 internal sealed class ArmingSwitch(TimeProvider time, Action changed) : IDisposable
 {
     public static readonly TimeSpan Lasts = TimeSpan.FromSeconds(60);

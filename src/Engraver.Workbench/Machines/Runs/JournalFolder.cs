@@ -3,7 +3,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Where journals go when the operator names no file: the user's own data folder, one file for each run.</summary>
+/// <summary>The folder of the journals for which the operator names no file: in the user's data folder, one file for each run.</summary>
 public static class JournalFolder
 {
     /// <summary>A path for the journal of a run that starts now; the folder is made.</summary>

@@ -1,4 +1,4 @@
-using Engraver.App.Canvas.Benchmarks;
+using Engraver.Benchmarks.Canvas;
 using Engraver.App.Canvas.Scenes;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;

@@ -1,0 +1,90 @@
+using System.Diagnostics;
+using Avalonia.Threading;
+using Engraver.Benchmarks.Canvas;
+using Engraver.App.Canvas.Scenes;
+using Engraver.App.Desk;
+using Engraver.App.Shell;
+using Engraver.Simulator;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Benchmarks.Desktop;
+
+/// <summary>From the sending of a Pause key to an X server, over a second connection, to the bytes of the stop at the other end of a TCP wire. The window must be in front.</summary>
+internal sealed class DisplayStopBenchmark(WorkDesk desk, ShellWindow window, TextWriter output)
+{
+    private const nuint PauseKey = 0xFF13;
+
+    /// <summary>Writes a Markdown table. On the user interface thread.</summary>
+    /// <param name="drawing">The job that is stopped again and again; null: that is not measured.</param>
+    public async Task RunAsync(string? drawing)
+    {
+        await using var controller = new SimulatedController(new SimulatorOptions());
+        await using var wire = new WireTap(await controller.ListenTcpAsync(0, CancellationToken.None));
+        using var ear = new StopEar(wire);
+        using var keyboard = new FakedKeyboard();
+        await desk.RunAsync("CNCCONNECT", wire.Address);
+        await output.WriteLineAsync(StopEar.Head);
+        await MeasureAsync(StopPresses.Idle, ear, keyboard);
+        window.Canvas.Scene = CanvasScene.From(BenchmarkDrawing.Create(StopPresses.Segments));
+        var redraw = new DispatcherTimer(TimeSpan.FromMilliseconds(1), DispatcherPriority.Render, (_, _) => window.Canvas.RefineAgain());
+        redraw.Start();
+        await MeasureAsync(StopPresses.Redraws, ear, keyboard);
+        redraw.Stop();
+        if (drawing is not null) await MeasureJobsAsync(drawing, ear, keyboard);
+        await desk.RunAsync("CNCDISCONNECT");
+    }
+
+    private async Task MeasureAsync(string what, StopEar ear, FakedKeyboard keyboard)
+    {
+        var times = await StopPresses.TimesAsync(StopPresses.AtRest, () => Press(keyboard, ear.AwaitStop));
+        await output.WriteLineAsync(StopEar.Row(what, times));
+    }
+
+    private async Task MeasureJobsAsync(string file, StopEar ear, FakedKeyboard keyboard)
+    {
+        await desk.RunAsync("OPEN", file);
+        await desk.SettleAsync();
+        var times = new double[StopPresses.Jobs];
+        for (var i = 0; i < times.Length; i++)
+        {
+            while (desk.Session.Machine.Armed is null)
+            {
+                await UntilAsync(() => desk.Session.Machine.Status.State is MachineState.Ready, Task.Delay(Timeout.Infinite, CancellationToken.None));
+                await desk.RunAsync("CNCARM", "Stream");
+            }
+
+            var run = desk.StartArmedAsync();
+            await UntilAsync(() => desk.Session.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 }, run);
+            if (run.IsCompleted) throw new InvalidOperationException("The job ended before it was stopped.");
+            ear.Forget();
+            times[i] = (await StopPresses.TimesAsync(1, () => Press(keyboard, ear.AwaitBrake)))[0];
+            await run;
+        }
+
+        await output.WriteLineAsync(StopEar.Row(StopPresses.RunsJob, times));
+    }
+
+    /// <summary>Ends when the condition holds, or with the work beside it.</summary>
+    private async Task UntilAsync(Func<bool> condition, Task beside)
+    {
+        var held = new TaskCompletionSource();
+        desk.Changed += Look;
+        Look();
+        await Task.WhenAny(held.Task, beside);
+        desk.Changed -= Look;
+
+        void Look()
+        {
+            if (condition()) held.TrySetResult();
+        }
+    }
+
+    private static double Press(FakedKeyboard keyboard, Func<long, double> heard)
+    {
+        var sent = Stopwatch.GetTimestamp();
+        keyboard.Send(PauseKey, down: true);
+        var milliseconds = heard(sent);
+        keyboard.Send(PauseKey, down: false);
+        return milliseconds;
+    }
+}

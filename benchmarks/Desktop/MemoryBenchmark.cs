@@ -1,0 +1,41 @@
+using Avalonia;
+using Engraver.App.Platforms;
+using Engraver.App.Sessions;
+using Engraver.App.Shell;
+using Engraver.SoftwarePlatform.Headless;
+
+namespace Engraver.Benchmarks.Desktop;
+
+/// <summary>The benchmarks of a window in memory, by the name that <c>--benchmark</c> was given: how soon a stop is on the wire, how long painting and opening take.</summary>
+/// <remarks>One of two files of the same class; the project takes the one of its back end.</remarks>
+internal static class MemoryBenchmark
+{
+    /// <returns>The sentence of what failed; null when all went well.</returns>
+    public static string? Run(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, TextWriter output)
+    {
+        var desktop = new HeadlessDesktop();
+        var window = open(DesktopPlatform.InMemory(AppBuilder.Configure<App>(), session, desktop, options.Scale ?? 1.0).WithInterFont().SetupWithoutStarting());
+        window.Show();
+        desktop.Step();
+        Measure(session, window, desktop, options, output);
+        window.Close();
+        return null;
+    }
+
+    private static void Measure(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, DesktopOptions options, TextWriter output)
+    {
+        var measure = new WindowBenchmark(session, window, desktop, output);
+        switch (options.Benchmark)
+        {
+            case BenchmarkName.Repaint:
+                measure.Repaint(options.File);
+                break;
+            case BenchmarkName.Open:
+                measure.Open(options.File!);
+                break;
+            default:
+                new StopBenchmark(session, window, desktop, options.File, output).Run();
+                break;
+        }
+    }
+}

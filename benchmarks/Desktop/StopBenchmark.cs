@@ -1,0 +1,97 @@
+using System.Diagnostics;
+using Avalonia.Input;
+using Engraver.Benchmarks.Canvas;
+using Engraver.App.Canvas.Scenes;
+using Engraver.App.Sessions;
+using Engraver.App.Shell;
+using Engraver.Simulator;
+using Engraver.SoftwarePlatform.Headless;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Benchmarks.Desktop;
+
+/// <summary>From the press of Pause to its bytes at the other end of a TCP wire: while the window is idle, while it draws a million segments, while its thread is held up, and while a job runs.</summary>
+/// <param name="drawing">The job that is stopped again and again; null: that is not measured.</param>
+internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, string? drawing, TextWriter output)
+{
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
+
+    /// <summary>Writes a Markdown table. On the user interface thread.</summary>
+    public void Run()
+    {
+        var controller = new SimulatedController(new SimulatorOptions());
+        var wire = new WireTap(controller.ListenTcpAsync(0, CancellationToken.None).GetAwaiter().GetResult());
+        using var ear = new StopEar(wire);
+        Await(session.Desk.RunAsync("CNCCONNECT", wire.Address));
+        output.WriteLine(StopEar.Head);
+        Measure(StopPresses.Idle, ear, hand => desktop.StepUntil(() => hand.IsCompleted, TimeSpan.FromHours(1)));
+        window.Canvas.Scene = CanvasScene.From(BenchmarkDrawing.Create(StopPresses.Segments));
+        Measure(StopPresses.Redraws, ear, Redraw);
+        Measure("its thread is held up", ear, hand => hand.GetAwaiter().GetResult());
+        if (drawing is not null) MeasureJobs(drawing, ear);
+        Await(session.Desk.RunAsync("CNCDISCONNECT"));
+        Await(wire.DisposeAsync().AsTask());
+        Await(controller.DisposeAsync().AsTask());
+    }
+
+    /// <summary>A job is started, and stopped once it streams.</summary>
+    private void MeasureJobs(string file, StopEar ear)
+    {
+        Await(session.Desk.RunAsync("OPEN", file));
+        Await(session.Desk.SettleAsync());
+        var times = new double[StopPresses.Jobs];
+        for (var i = 0; i < times.Length; i++)
+        {
+            Arm();
+            var run = session.Desk.StartArmedAsync();
+            desktop.StepUntil(() => session.Desk.Session.Machine is { Status.State: MachineState.Running, Progress.SegmentsSent: > 0 } || run.IsCompleted, s_patience);
+            if (run.IsCompleted) throw new InvalidOperationException("The job ended before it was stopped.");
+            ear.Forget();
+            var stopped = StopPresses.TimesAsync(1, () => Press(ear.AwaitBrake));
+            Await(stopped);
+            times[i] = stopped.Result[0];
+            Await(run);
+        }
+
+        output.WriteLine(StopEar.Row(StopPresses.RunsJob, times));
+    }
+
+    /// <summary>What the watch sees of a machine that has just come to rest takes START back: then it is armed again.</summary>
+    private void Arm()
+    {
+        while (session.Desk.Session.Machine.Armed is null)
+        {
+            desktop.StepUntil(() => session.Desk.Session.Machine.Status.State is MachineState.Ready, s_patience);
+            Await(session.Desk.RunAsync("CNCARM", "Stream"));
+        }
+    }
+
+    private void Measure(string what, StopEar ear, Action<Task> meanwhile)
+    {
+        var hand = StopPresses.TimesAsync(StopPresses.AtRest, () => Press(ear.AwaitStop));
+        meanwhile(hand);
+        output.WriteLine(StopEar.Row(what, hand.GetAwaiter().GetResult()));
+    }
+
+    private double Press(Func<long, double> heard)
+    {
+        var pressed = Stopwatch.GetTimestamp();
+        desktop.Windows[0].Press(Key.Pause);
+        return heard(pressed);
+    }
+
+    private void Redraw(Task hand)
+    {
+        while (!hand.IsCompleted)
+        {
+            window.Canvas.RefineAgain();
+            desktop.Step();
+        }
+    }
+
+    private void Await(Task work)
+    {
+        desktop.StepUntil(() => work.IsCompleted, s_patience);
+        work.GetAwaiter().GetResult();
+    }
+}

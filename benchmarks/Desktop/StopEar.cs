@@ -1,0 +1,79 @@
+using System.Diagnostics;
+using System.Globalization;
+
+namespace Engraver.Benchmarks.Desktop;
+
+/// <summary>Hears a stop on its way to the controller: its first word switches the tool off, its last brakes the axes.</summary>
+internal sealed class StopEar : IDisposable
+{
+    /// <summary>The head of the table that <see cref="Row"/> makes lines of.</summary>
+    public const string Head = "| The window | presses | p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|";
+
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
+    private readonly AutoResetEvent _toolOff = new(false);
+    private readonly AutoResetEvent _brake = new(false);
+    private long _toolOffAt;
+    private long _brakeAt;
+
+    public StopEar(WireTap wire) => wire.Heard += Hear;
+
+    /// <summary>A line of the table.</summary>
+    public static string Row(string what, double[] milliseconds)
+    {
+        Array.Sort(milliseconds);
+        var count = milliseconds.Length;
+        return string.Create(CultureInfo.InvariantCulture, $"| {what} | {count} | {milliseconds[count / 2]:0.00} | {milliseconds[count * 99 / 100]:0.00} | {milliseconds[^1]:0.00} |");
+    }
+
+    /// <summary>What was said before does not count.</summary>
+    public void Forget()
+    {
+        _toolOff.Reset();
+        _brake.Reset();
+    }
+
+    /// <summary>Waits for a whole stop of a machine at rest.</summary>
+    /// <returns>Milliseconds from a time stamp to its first word.</returns>
+    /// <exception cref="TimeoutException">It never came.</exception>
+    public double AwaitStop(long since)
+    {
+        Await(_toolOff);
+        Await(_brake);
+        return Stopwatch.GetElapsedTime(since, Volatile.Read(ref _toolOffAt)).TotalMilliseconds;
+    }
+
+    /// <summary>Waits for the stop of a job. A job switches the tool off by itself too, so the word that counts is the braking.</summary>
+    /// <returns>Milliseconds from a time stamp to the word.</returns>
+    /// <exception cref="TimeoutException">It never came.</exception>
+    public double AwaitBrake(long since)
+    {
+        Await(_brake);
+        return Stopwatch.GetElapsedTime(since, Volatile.Read(ref _brakeAt)).TotalMilliseconds;
+    }
+
+    public void Dispose()
+    {
+        _toolOff.Dispose();
+        _brake.Dispose();
+    }
+
+    private static void Await(AutoResetEvent word)
+    {
+        if (!word.WaitOne(s_patience)) throw new TimeoutException("The stop never reached the wire.");
+    }
+
+    private void Hear(string text, long at)
+    {
+        if (text.StartsWith("CB", StringComparison.Ordinal))
+        {
+            Volatile.Write(ref _toolOffAt, at);
+            _toolOff.Set();
+        }
+
+        if (text.Contains("ST A", StringComparison.Ordinal))
+        {
+            Volatile.Write(ref _brakeAt, at);
+            _brake.Set();
+        }
+    }
+}

@@ -1,0 +1,62 @@
+using System.Diagnostics;
+using System.Globalization;
+using Avalonia;
+using Avalonia.Media;
+using Engraver.App.Sessions;
+using Engraver.App.Shell;
+using Engraver.SoftwarePlatform.Headless;
+
+namespace Engraver.Benchmarks.Desktop;
+
+/// <summary>How long a window in memory takes: all of it painted anew, and a drawing opened.</summary>
+internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, TextWriter output)
+{
+    private const int Frames = 200;
+    private static readonly TimeSpan s_patience = TimeSpan.FromMinutes(10);
+    private static readonly Size[] s_sizes = [new(1280, 800), new(2560, 1440)];
+
+    /// <summary>Everything of the window is painted in each frame, because what lies under everything changes.</summary>
+    /// <param name="drawing">What is open; null: nothing.</param>
+    public void Repaint(string? drawing)
+    {
+        if (drawing is not null) Await(session.Desk.RunAsync("OPEN", drawing));
+        Await(session.Desk.SettleAsync());
+        output.WriteLine("| Window | frames | p50 ms | p99 ms | worst ms |");
+        output.WriteLine("|---|---:|---:|---:|---:|");
+        foreach (var size in s_sizes)
+        {
+            desktop.Windows[0].Resize(size);
+            desktop.StepUntil(() => window.Canvas.IsFresh, s_patience);
+            var times = Enumerable.Range(0, Frames).Select(PaintAll).Order().ToArray();
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {size.Width:0} x {size.Height:0} | {Frames} | {times[Frames / 2]:0.0} | {times[Frames * 99 / 100]:0.0} | {times[^1]:0.0} |"));
+        }
+    }
+
+    /// <summary>From the word OPEN to the first picture of the drawing, and to the end of everything that follows from it.</summary>
+    public void Open(string drawing)
+    {
+        var watch = Stopwatch.StartNew();
+        var opening = session.Desk.RunAsync("OPEN", drawing);
+        desktop.StepUntil(() => opening.IsCompleted, s_patience);
+        Tell("read", watch);
+        desktop.StepUntil(() => window.Canvas is { Scene: not null, HasPictureOfScene: true }, s_patience);
+        Tell("first picture", watch);
+        var settling = session.Desk.SettleAsync();
+        desktop.StepUntil(() => settling.IsCompleted, s_patience);
+        Tell("order, plan and program", watch);
+        desktop.StepUntil(() => window.CanvasFeed.IsCurrent && window.Canvas.IsFresh, s_patience);
+        Tell("picture with its job", watch);
+    }
+
+    private double PaintAll(int frame)
+    {
+        window.Background = new SolidColorBrush(Color.FromRgb(43, 46, (byte)(51 + (frame % 2))));
+        var watch = Stopwatch.StartNew();
+        desktop.Step();
+        return watch.Elapsed.TotalMilliseconds;
+    }
+
+    private void Tell(string what, Stopwatch watch) => output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what}: {watch.Elapsed.TotalSeconds:0.00} s"));
+
+    private void Await(Task work) => desktop.StepUntil(() => work.IsCompleted, s_patience);
+}

@@ -1,0 +1,101 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Writing;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+using Engraver.Galil.Programs.Generation;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Benchmarks.Stages;
+
+/// <summary>The stages of the main job on a seeded drawing of shuffled, randomly reversed lines that form closed polygons.</summary>
+public static class StageBenchmark
+{
+    private const int Repetitions = 5;
+    private const ulong Seed = 1;
+    private static readonly DrawingSettings s_settings = new();
+
+    /// <summary>Runs everything once on a small drawing, so that the first row does not pay for the just-in-time compiler.</summary>
+    public static Task WarmUpAsync(CancellationToken stop) => RunAsync(500, stop);
+
+    /// <summary>One row for each stage.</summary>
+    /// <param name="entities">Lines in the drawing, at least 1.</param>
+    /// <exception cref="OperationCanceledException">Stopped by the operator.</exception>
+    public static Task<IReadOnlyList<StageFigure>> RunAsync(int entities, CancellationToken stop) => MeasureAsync(entities, Drawing(entities), stop);
+
+    /// <summary>The seeded drawing as DXF with six decimals, as drawings from CAD have them.</summary>
+    private static byte[] Drawing(int entities)
+    {
+        var sheet = SeededPolygons.Lines(entities, shuffled: true, Seed)
+            .Select(line => new DxfSheetEntity(Segment.FromLine(Place(line.FromX, line.FromY), Place(line.ToX, line.ToY)), SeededPolygons.Layers[line.Layer], null, 0, 0));
+        using var bytes = new MemoryStream();
+        using (var writer = new StreamWriter(bytes, Encoding.ASCII, leaveOpen: true))
+        {
+            DxfWriter.Write(new DxfSheet([.. SeededPolygons.Layers.Select((name, i) => new DxfSheetLayer(name, i + 1))], [.. sheet]), writer);
+        }
+
+        return bytes.ToArray();
+    }
+
+    private static Point2D Place(double x, double y) => new(Math.Round(x, 6), Math.Round(y, 6));
+
+    private static async Task<IReadOnlyList<StageFigure>> MeasureAsync(int entities, byte[] bytes, CancellationToken stop)
+    {
+        var (read, drawing) = await StageClock.MeasureAsync(
+            entities, "read", Repetitions, () => DxfReader.Read(bytes, "bench.dxf", new DxfReadOptions(), stop), _ => $"{bytes.Length / 1e6:0.0} MB").ConfigureAwait(false);
+        var (table, analysed) = await StageClock.MeasureAsync(
+            entities, "table and analysis", Repetitions, () => JobPreparation.Analyse(drawing, s_settings), rows => $"{rows.Count} rows").ConfigureAwait(false);
+        var options = JobPreparation.SequencingFor(drawing, s_settings);
+        var (chain, chained) = await StageClock.MeasureAsync(
+            entities, "chain", Repetitions, () => Sequencer.Chain(analysed, drawing, options), found => $"{found.Chain.Contours.Count} contours").ConfigureAwait(false);
+        var (order, sequence) = await StageClock.MeasureAsync(
+            entities, "order", Repetitions, () => Sequencer.Order(chained, options), found => $"travel {found.Travel / 1000:0.0} m").ConfigureAwait(false);
+        var toolpath = ToolpathPlanner.Plan(sequence, s_settings.Start, s_settings.MaxErrorMm);
+        var (generate, motion) = await StageClock.MeasureAsync(
+            entities, "generate", Repetitions, () => MotionProgramGenerator.Generate(toolpath, s_settings.Machine, s_settings.MaxErrorMm, drawing.SourceOf), made => $"{made.Program!.SegmentCount} segments").ConfigureAwait(false);
+        var (check, _) = await StageClock.MeasureAsync(
+            entities, "toolpath check", Repetitions, () => JobPreparation.FaultsOf(drawing, s_settings, analysed, toolpath), found => $"{found.Count} faults").ConfigureAwait(false);
+        var job = new PreparedJob(drawing, s_settings, analysed, sequence, toolpath, motion);
+        var simulate = await SimulateAsync(entities, job, motion.Program!, stop).ConfigureAwait(false);
+        return [read, table, chain, order, generate, check, simulate];
+    }
+
+    /// <summary>Once: it is the longest stage by far and its result is a judgement, not only a time.</summary>
+    private static async Task<StageFigure> SimulateAsync(int entities, PreparedJob job, MotionProgram program, CancellationToken stop)
+    {
+        var journal = Path.GetTempFileName();
+        var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), JobMode.Stream) { JournalPath = journal };
+        try
+        {
+            var (figure, _) = await StageClock.MeasureAsync(
+                entities, "simulate and judge", 1, () => MachineRun.RunAsync(job, program, options, TimeProvider.System, progress: null, stop), Note).ConfigureAwait(false);
+            return figure;
+        }
+        finally
+        {
+            File.Delete(journal);
+        }
+    }
+
+    private static string Note(MachineRunReport report) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"{report.Result.Seconds:0} s of machine time, worst {report.Judgement.MaxDeviationMm:0.0000} mm, missing {report.Judgement.MissingLengthMm:0.###} mm");
+}
+
+/// <summary>One row of the table in docs/benchmarks.md.</summary>
+/// <param name="CpuSeconds">User and system time of the whole process, median of the repetitions.</param>
+/// <param name="AllocatedBytes">Allocated on all threads, for each entity.</param>
+/// <param name="KeptBytes">Still reachable through the result, for each entity.</param>
+public sealed record StageFigure(int Entities, string Stage, double CpuSeconds, double AllocatedBytes, double KeptBytes, string Note)
+{
+    /// <summary>The two lines above the rows.</summary>
+    public const string MarkdownHead = "| Entities | Stage | CPU s (median) | allocated bytes/entity | kept bytes/entity | note |\n|---:|---|---:|---:|---:|---|";
+
+    public string ToMarkdown() => string.Create(
+        CultureInfo.InvariantCulture, $"| {Entities} | {Stage} | {CpuSeconds:0.000} | {AllocatedBytes:0} | {KeptBytes:0} | {Note} |");
+}

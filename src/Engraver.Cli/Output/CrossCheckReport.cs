@@ -1,0 +1,31 @@
+using Engraver.Core.Drawings;
+using Engraver.Tools.CrossChecks;
+
+namespace Engraver.Cli.Output;
+
+/// <summary>Compares a drawing with a second reading of its file and says where they differ.</summary>
+internal static class CrossCheckReport
+{
+    /// <summary>Writes one line for each difference, or one that there is none.</summary>
+    /// <returns>False when the two readings differ, or the second one could not be made.</returns>
+    public static bool Write(TextWriter error, Drawing read, DrawingSummary summary)
+    {
+        try
+        {
+            var differences = CrossCheck.Read(File.ReadAllBytes(read.FileName)).DifferencesFrom(summary);
+            foreach (var difference in differences) error.WriteLine($"{read.FileName}: second reading differs: {difference}");
+            if (differences.Count == 0) error.WriteLine($"{read.FileName}: the second reading agrees (curves by type, length, extents).");
+            return differences.Count == 0;
+        }
+        catch (CrossCheckException beyond)
+        {
+            error.WriteLine($"{read.FileName}: no second reading: the drawing has {beyond.Message}.");
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            error.WriteLine($"{read.FileName}: no second reading: {unreadable.Message}");
+        }
+
+        return false;
+    }
+}

@@ -1,0 +1,88 @@
+using System.Text;
+using Engraver.Tools.CrossChecks;
+
+namespace Engraver.Tools.Minimising;
+
+/// <summary>Shrinks a drawing that shows a fault: first whole records, then pairs, then single lines, then values. What is left is for a person to read.</summary>
+public static class DrawingMinimiser
+{
+    /// <summary>Enough for a drawing of some thousand records; a fault in one record takes some hundred.</summary>
+    public const int MostTrials = 20_000;
+
+    private static readonly string[] SimplerValues = ["", "0", "1", "A"];
+
+    /// <summary>A small file that still shows the fault; the file itself when nothing could be left out.</summary>
+    /// <param name="file">For which <paramref name="shows"/> is true. A binary DXF becomes text where the fault survives that.</param>
+    /// <param name="shows">Whether a file shows the fault; must answer the same for the same bytes.</param>
+    /// <param name="cancellation">Ends the search with an <see cref="OperationCanceledException"/>.</param>
+    public static byte[] Minimise(byte[] file, Predicate<byte[]> shows, CancellationToken cancellation)
+    {
+        var reduction = new Reduction(MostTrials, cancellation);
+        if (AsText(file) is { } text && reduction.Try(() => shows(text))) file = text;
+        else if (IsBinary(file)) return OfBlocks(file, shows, reduction);
+        var lines = Lines(file);
+        lines = [.. reduction.Reduce(Records(lines), kept => shows(Bytes(kept.SelectMany(record => record)))).SelectMany(record => record)];
+        lines = [.. reduction.Reduce(Pairs(lines), kept => shows(Bytes(kept.SelectMany(pair => pair)))).SelectMany(pair => pair)];
+        lines = reduction.Reduce(lines, kept => shows(Bytes(kept)));
+        Simplify(lines, shows, reduction);
+        return Bytes(lines);
+    }
+
+    private static bool IsBinary(byte[] file) => file.AsSpan().StartsWith("AutoCAD Binary DXF"u8);
+
+    private static byte[]? AsText(byte[] file)
+    {
+        if (!IsBinary(file)) return null;
+        var binary = new CrossCheckFile(file);
+        return Encoding.Latin1.GetBytes(string.Concat(binary.Tags.Select(tag => $"{tag.Code}\n{binary.Line(tag)}\n")));
+    }
+
+    /// <summary>A fault of the binary form itself: runs of bytes.</summary>
+    private static byte[] OfBlocks(byte[] file, Predicate<byte[]> shows, Reduction reduction) =>
+        [.. reduction.Reduce(file.ToList(), kept => shows([.. kept]))];
+
+    private static List<string> Lines(byte[] file)
+    {
+        var (lines, text, start) = (new List<string>(), Encoding.Latin1.GetString(file), 0);
+        for (var i = 0; i < text.Length; i++)
+        {
+            if (text[i] != '\n' && (text[i] != '\r' || (i + 1 < text.Length && text[i + 1] is '\n' or '\r'))) continue;
+            lines.Add(text[start..(i + 1)]);
+            start = i + 1;
+        }
+
+        if (start < text.Length) lines.Add(text[start..]);
+        return lines;
+    }
+
+    private static byte[] Bytes(IEnumerable<string> lines) => Encoding.Latin1.GetBytes(string.Concat(lines));
+
+    private static List<string[]> Pairs(List<string> lines) => [.. lines.Chunk(2)];
+
+    /// <summary>From one group code 0 to the next.</summary>
+    private static List<List<string>> Records(List<string> lines)
+    {
+        var records = new List<List<string>>();
+        foreach (var pair in lines.Chunk(2))
+        {
+            if (records.Count == 0 || pair[0].Trim() == "0") records.Add([]);
+            records[^1].AddRange(pair);
+        }
+
+        return records;
+    }
+
+    private static void Simplify(List<string> lines, Predicate<byte[]> shows, Reduction reduction)
+    {
+        for (var i = 1; i < lines.Count && !reduction.IsExhausted; i += 2)
+        {
+            var (original, end) = (lines[i], lines[i][lines[i].TrimEnd('\r', '\n').Length..]);
+            foreach (var simpler in SimplerValues.Where(value => value.Length < original.Length - end.Length))
+            {
+                lines[i] = simpler + end;
+                if (reduction.Try(() => shows(Bytes(lines)))) break;
+                lines[i] = original;
+            }
+        }
+    }
+}
