@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The wire failed: gone, silent or speaking nonsense. A refused command is no exception but a <see cref="CommandRefusal"/>.</summary>
+/// <summary>The wire failed: gone, silent or speaking nonsense. A refused command is no exception but a <see cref="MachineRefusal"/>.</summary>
 public abstract class ControllerException : Exception
 {
     protected ControllerException()

@@ -29,7 +29,7 @@ public interface IMachineConnection : IAsyncDisposable
     /// <summary>Switches the motors of the axes that a job moves.</summary>
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
-    Task<CommandRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation);
+    Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation);
 
     /// <summary>Answers a line that an operator typed in the controller's own language.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>

@@ -40,7 +40,7 @@ public sealed record JobResult
     public bool IsEndKnown { get; init; } = true;
 
     /// <summary>The refused command that ended the job, when one did.</summary>
-    public CommandRefusal? Refusal { get; init; }
+    public MachineRefusal? Refusal { get; init; }
 
     /// <summary>Positions polled during the run, job frame.</summary>
     public required IReadOnlyList<TracePoint> PolledTrace { get; init; }
@@ -142,4 +142,4 @@ public readonly record struct TracePoint(double Seconds, int X, int Y, bool Tool
 /// <param name="Text">The controller's own words for it.</param>
 /// <param name="Command">What was refused.</param>
 /// <param name="Sentence">For the operator: what was refused, why, and what that means here.</param>
-public sealed record CommandRefusal(int Code, string Text, string Command, string Sentence);
+public sealed record MachineRefusal(int Code, string Text, string Command, string Sentence);

@@ -45,20 +45,16 @@ public sealed class GalilConnection : IMachineConnection
 
     public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => StatusPoll.ReadAsync(_session.StopHandle, cancellation);
 
-    public async Task StopAsync(int toolOutput)
-    {
-        foreach (var command in new[] { string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "STS", "ST " + _session.Identity.Letters })
-            await _session.StopHandle.SendAsync(command, CancellationToken.None).ConfigureAwait(false);
-    }
+    public Task StopAsync(int toolOutput) => new OperatorStop(_session, toolOutput, [], _session.Identity.Letters).BrakeAtOnceAsync();
 
-    /// <summary>AB first: it is the only command that halts without braking (galil-dmc.md B.7). A refused command does not keep the next from being tried.</summary>
+    /// <summary>AB first: it is the only command that halts without braking (galil-dmc.md B.8). A refused command does not keep the next from being tried.</summary>
     public async Task AbortAsync(int toolOutput)
     {
         foreach (var command in new[] { "AB", string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "MO" + _session.Identity.Letters })
             await _session.StopHandle.SendAsync(command, CancellationToken.None).ConfigureAwait(false);
     }
 
-    public async Task<CommandRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) =>
+    public async Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) =>
         (await _session.Commands.SendAsync((on ? "SH" : "MO") + DmcAxes.Plane, cancellation).ConfigureAwait(false) as Rejected)?.ToRefusal();
 
     public Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation) => _terminal.AnswerAsync(line, cancellation);

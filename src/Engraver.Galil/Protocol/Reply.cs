@@ -22,5 +22,5 @@ public sealed record Rejected(TcCode Code, string Text, string Command) : Reply
     public string Explain() => $"The controller refused '{Command}' with TC {(int)Code} ({Text}){TcCodes.Hint(Code)}.";
 
     /// <summary>The same for those who know no controller.</summary>
-    public CommandRefusal ToRefusal() => new((int)Code, Text, Command, Explain());
+    public MachineRefusal ToRefusal() => new((int)Code, Text, Command, Explain());
 }

@@ -177,7 +177,7 @@ public sealed class MachineSession : IAsyncDisposable
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task<CommandRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation)
+    public async Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation)
     {
         if (_watched.Watch is not { } watch || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();

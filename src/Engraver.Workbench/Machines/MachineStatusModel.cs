@@ -107,7 +107,7 @@ internal sealed class MachineStatusModel : IDisposable
     }
 
     /// <summary>A command of the operator's was refused.</summary>
-    public void Refused(CommandRefusal refused)
+    public void Refused(MachineRefusal refused)
     {
         NoteRefusal(refused.Sentence);
         MachineAlarms.Refused(Alarms, refused, Link);

@@ -64,7 +64,7 @@ internal sealed class MachineWatch : IAsyncDisposable
 
     /// <summary>Switches the motors of both axes.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public Task<CommandRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) => _machine.SetMotorsAsync(on, cancellation);
+    public Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) => _machine.SetMotorsAsync(on, cancellation);
 
     public async ValueTask DisposeAsync()
     {

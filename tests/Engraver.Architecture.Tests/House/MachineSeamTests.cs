@@ -9,9 +9,6 @@ public partial class MachineSeamTests
 {
     private const string ListName = "tests/Engraver.Architecture.Tests/House/seam.txt";
 
-    /// <summary>The stop benchmark listens to the wire from outside, as an operator's ear: it must know the words of a stop.</summary>
-    private static readonly string[] s_mayNameCommands = ["src/Engraver.App/Benchmarks/StopEar.cs"];
-
     private static readonly Lazy<IReadOnlyList<SourceFile>> s_above = new(() => [.. new[] { "src/Engraver.Workbench", "src/Engraver.Cli", "src/Engraver.App" }.SelectMany(folder => SourceFile.Under(folder, ".cs"))]);
 
     [Fact]
@@ -31,7 +28,7 @@ public partial class MachineSeamTests
     [Fact]
     public void No_command_of_the_controller_stands_outside_of_its_driver()
     {
-        var found = s_above.Value.Where(file => !s_mayNameCommands.Contains(file.Name)).SelectMany(Commands).ToList();
+        var found = s_above.Value.SelectMany(Commands).ToList();
         Assert.True(found.Count == 0, $"DMC belongs into src/Engraver.Galil:\n{string.Join('\n', found)}");
     }
 

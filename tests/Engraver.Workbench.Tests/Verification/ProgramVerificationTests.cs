@@ -4,6 +4,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Posting;
 using Engraver.TestKit;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Tests.Machines;

@@ -9,7 +9,7 @@ internal static class MachineAlarms
     public static void LinkLost(AlarmLog log, string link, string why) =>
         log.Raise(AlarmCause.LinkLost, why, link, "Look at the cable and the controller's power, then CNCCONNECT again. Where the machine stands must be checked before a job goes on.");
 
-    public static void Refused(AlarmLog log, CommandRefusal refused, string link) =>
+    public static void Refused(AlarmLog log, MachineRefusal refused, string link) =>
         log.Raise(AlarmCause.Refused, refused.Sentence, link, "The controller said why; mend that and repeat the command.");
 
     /// <summary>By what stands in the controller now.</summary>
