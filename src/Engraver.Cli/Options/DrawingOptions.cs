@@ -17,19 +17,19 @@ internal sealed class DrawingOptions
     private static readonly DrawingSettings s_defaults = new();
 
     private readonly Argument<string> _file = new("FILE") { Description = "The drawing: a DXF of any version, ASCII or binary." };
-    private readonly Option<IReadOnlyList<string>?> _layers = new("--layers") { HelpName = "A,B", Description = "Cut only these layers, even when they are off (default: visible, not frozen, plottable).", CustomParser = OptionValue.Names };
-    private readonly Option<IReadOnlyList<string>?> _skip = new("--skip-layers") { HelpName = "A,B", Description = "Leave these layers out.", CustomParser = OptionValue.Names };
-    private readonly Option<string> _units = Choice("--units", "auto", "Unit of the drawing, whatever it says itself.", "mm", "inch", "auto");
-    private readonly Option<CutChoice> _cut = new("--cut") { HelpName = "hatch,mline,leader,helix,solid", Description = "Construction that is to be cut all the same (default: none).", CustomParser = OptionValue.Choices };
-    private readonly Option<double> _join = Number("--join-tolerance", "MM", s_defaults.JoinToleranceMm, "Ends this close are one point.", OptionValue.NumberFromZero);
-    private readonly Option<double> _maxError = Number("--max-error", "MM", s_defaults.MaxErrorMm, "How far a chord may stand off its curve.", OptionValue.PositiveNumber);
-    private readonly Option<Point2D> _start = new("--start") { HelpName = "X,Y", Description = "Drawing point where the tool stands (default 0,0).", CustomParser = OptionValue.Point };
-    private readonly Option<string?> _enter = new("--enter") { HelpName = "HANDLE|X,Y", Description = "Entity or point where cutting begins." };
-    private readonly Option<string> _order = Choice("--order", "nearest", "Order of the strokes; an inner contour always comes before the one around it.", "drawn", "nearest");
-    private readonly Option<bool> _keepDuplicates = new("--keep-duplicates") { Description = "Cut lines that were drawn twice twice." };
-    private readonly Option<bool> _recoverArcs = new("--recover-arcs") { Description = "Cut lines that approximate an arc within --max-error as that arc." };
-    private readonly Option<string?> _machine = new("--machine") { HelpName = "PROFILE.json", Description = "Machine profile (default: the built-in one)." };
-    private readonly Option<double?> _feed = new("--feed") { HelpName = "MM/MIN", Description = "Cutting speed, instead of the profile's.", CustomParser = result => OptionValue.PositiveNumber(result) };
+    private readonly Option<IReadOnlyList<string>?> _layers = Described<IReadOnlyList<string>?>(SettingTable.Layers, OptionValue.Names);
+    private readonly Option<IReadOnlyList<string>?> _skip = Described<IReadOnlyList<string>?>(SettingTable.SkippedLayers, OptionValue.Names);
+    private readonly Option<string> _units = Choice(SettingTable.Units, "auto");
+    private readonly Option<CutChoice> _cut = Described(SettingTable.Cut, OptionValue.Choices);
+    private readonly Option<double> _join = Number(SettingTable.JoinTolerance, s_defaults.JoinToleranceMm, OptionValue.NumberFromZero);
+    private readonly Option<double> _maxError = Number(SettingTable.MaxError, s_defaults.MaxErrorMm, OptionValue.PositiveNumber);
+    private readonly Option<Point2D> _start = Described(SettingTable.Start, OptionValue.Point);
+    private readonly Option<string?> _enter = Described<string?>(SettingTable.Enter);
+    private readonly Option<string> _order = Choice(SettingTable.Order, "nearest");
+    private readonly Option<bool> _keepDuplicates = Described<bool>(SettingTable.KeepDuplicates);
+    private readonly Option<bool> _recoverArcs = Described<bool>(SettingTable.RecoverArcs);
+    private readonly Option<string?> _machine = Described<string?>(SettingTable.Machine);
+    private readonly Option<double?> _feed = Described<double?>(SettingTable.Feed, result => OptionValue.PositiveNumber(result));
 
     public void AddTo(Command command)
     {
@@ -70,15 +70,28 @@ internal sealed class DrawingOptions
         _ => throw new UsageException($"--enter: '{word}' is neither a point X,Y nor a hexadecimal handle."),
     };
 
-    private static Option<string> Choice(string name, string standard, string description, params string[] values)
+    /// <summary>Name, argument and help come from the one description of the setting.</summary>
+    private static Option<T> Described<T>(SettingDescription setting, Func<ArgumentResult, T>? parser = null)
     {
-        var option = new Option<string>(name) { Description = description, DefaultValueFactory = _ => standard };
-        option.AcceptOnlyFromAmong(values);
+        var option = new Option<T>(setting.Flag!) { Description = SettingWording.OnConsole(setting.Help) };
+        if (setting.Argument is { } argument) option.HelpName = argument;
+        if (parser is not null) option.CustomParser = parser;
         return option;
     }
 
-    private static Option<double> Number(string name, string unit, double standard, string description, Func<ArgumentResult, double> parser) =>
-        new(name) { HelpName = unit, Description = description, DefaultValueFactory = _ => standard, CustomParser = parser };
+    private static Option<string> Choice(SettingDescription setting, string standard)
+    {
+        var option = new Option<string>(setting.Flag!) { Description = setting.Help, DefaultValueFactory = _ => standard };
+        option.AcceptOnlyFromAmong(setting.Argument!.Split('|'));
+        return option;
+    }
+
+    private static Option<double> Number(SettingDescription setting, double standard, Func<ArgumentResult, double> parser)
+    {
+        var option = Described(setting, parser);
+        option.DefaultValueFactory = _ => standard;
+        return option;
+    }
 
     private MachineProfile Machine(ParseResult parsed)
     {

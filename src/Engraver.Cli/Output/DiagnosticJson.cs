@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Output;
 
@@ -6,5 +7,5 @@ namespace Engraver.Cli.Output;
 internal sealed record DiagnosticJson(string Id, string Severity, long Line, string? Handle, string Message)
 {
     public static DiagnosticJson From(Diagnostic diagnostic) =>
-        new(diagnostic.Id, DiagnosticTable.SeverityWord(diagnostic.Severity), diagnostic.Source.Line, diagnostic.Source.Handle, diagnostic.Message);
+        new(diagnostic.Id, DiagnosticTable.SeverityWord(diagnostic.Severity), diagnostic.Source.Line, diagnostic.Source.Handle, SettingWording.OnConsole(diagnostic).Message);
 }

@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Output;
 
@@ -9,6 +10,6 @@ internal static class DiagnosticPrinter
     /// <summary>Prints those of at least the given severity, worst first, otherwise in the order found.</summary>
     public static void Print(TextWriter error, string file, IEnumerable<Diagnostic> diagnostics, Severity least)
     {
-        foreach (var diagnostic in diagnostics.Where(d => d.Severity >= least).OrderByDescending(d => d.Severity)) error.WriteLine(DiagnosticLine.Format(file, diagnostic));
+        foreach (var diagnostic in diagnostics.Where(d => d.Severity >= least).OrderByDescending(d => d.Severity)) error.WriteLine(DiagnosticLine.Format(file, SettingWording.OnConsole(diagnostic)));
     }
 }

@@ -13,7 +13,7 @@ public static class DiagnosticTable
     {
         ArgumentNullException.ThrowIfNull(fates);
         var page = new StringBuilder();
-        page.Append("# Diagnostics\n\nWritten from the program's own table; `./test --update-golden` writes it anew. Ids are permanent. An *error* means that the file is unusable or truncated, or that a curve is lost (exit code 1).\n\n");
+        page.Append("# Diagnostics\n\nWritten from the program's own table; `./test --update-golden` writes it anew. Ids are permanent. An *error* means that the file is unusable or truncated, or that a curve is lost (exit code 1). What stands in brackets is a setting by its key; the console shows its option, the desktop its command ([settings.md](settings.md)).\n\n");
         page.Append("| Id | Severity | What it says | What to do |\n|---|---|---|---|\n");
         foreach (var rule in All.OrderBy(rule => rule.Id, StringComparer.Ordinal))
         {

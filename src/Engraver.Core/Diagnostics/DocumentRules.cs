@@ -13,7 +13,7 @@ public static class DocumentRules
         "DOC0002",
         Severity.Error,
         "There is nothing to post: no curve of the drawing is cut.",
-        "Look at the drawing with engraver info; name layers with --layers, or have construction cut with --cut.");
+        "Look at the drawing with [look]; name layers with [layers], or have construction cut with [cut].");
 
     public static readonly DiagnosticRule NotSaved = new(
         "DOC0003",

@@ -11,7 +11,7 @@ public static class DxfRules
 
     public static readonly DiagnosticRule UnitsAssumed = new("DXF0003", Severity.Warning,
         "The drawing does not say its unit ($INSUNITS is {insunits}, $MEASUREMENT is {measurement}); millimetres were assumed.",
-        "Check the size shown; if it is wrong, give --units mm or --units inch.");
+        "Check the size shown; if it is wrong, give [units-mm] or [units-inch].");
 
     public static readonly DiagnosticRule DwgFile = new("DXF0004", Severity.Error,
         "The file is a DWG ({version}), not a DXF.", "Open it in a CAD program and save it as DXF.");
@@ -107,7 +107,7 @@ public static class DxfRules
         "{type} at {place} has a number in a foreign spelling: {value}.", "Compare the entity with the original drawing; DXF numbers have a decimal point and an E.");
 
     public static readonly DiagnosticRule OutlineUnusable = new("DXF0038", Severity.Warning,
-        "{type} at {place} was left out: its outline cannot be taken ({why}).", "Explode it in the CAD program, or leave its type out of --cut.");
+        "{type} at {place} was left out: its outline cannot be taken ({why}).", "Explode it in the CAD program, or leave its type out of [cut].");
 
     public static readonly DiagnosticRule TextsLeftOut = new("DXF0039", Severity.Info,
         "The drawing has more texts than are kept; {count} are, the others are counted only.", "Reduce the arrays of blocks with text if the texts matter.");

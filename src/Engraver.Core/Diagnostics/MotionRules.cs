@@ -45,11 +45,11 @@ public static class MotionRules
 
     public static readonly DiagnosticRule GapsBridged = new("MOT0011", Severity.Warning,
         "Gaps within the join tolerance are cut straight across, and in {count} of them the tool is farther beside the drawing than rounding and curve error take it: up to {off} mm in the widest, which is {gap} mm at {x}, {y}.",
-        "Close the gaps in the drawing, or lower --join-tolerance to have them shown as open ends.");
+        "Close the gaps in the drawing, or lower [join-tolerance] to have them shown as open ends.");
 
     public static readonly DiagnosticRule TooManyChords = new("MOT0012", Severity.Error,
         "The drawing needs {count} chords, and {limit} is the most; this entity, of radius {radius} mm, needs {chords} of them. The controller cuts {arcs}; others become chords.",
-        "Correct the units or the scale of the drawing, draw nearly straight arcs as lines, or allow a larger curve error (--max-error).");
+        "Correct the units or the scale of the drawing, draw nearly straight arcs as lines, or allow a larger curve error ([max-error]).");
 
     public static readonly DiagnosticRule WireTooSlow = new("MOT0020", Severity.Warning,
         "At full feed the path needs {needed} segments a second and {baud} baud carry {carried}, so the feed is lowered in {count} of the vector sequences, at worst to {feed} instead of {wanted} mm/min.",

@@ -22,7 +22,7 @@ public static class VerificationRules
         "The program stops at '{line}', which the controller refuses with TC {code} ({text}).", "Repair the line or post the drawing again.");
 
     public static readonly DiagnosticRule Endless = new("VER0007", Severity.Error,
-        "The program did not come to its end: {reason}.", "Look for a loop, a wait for an input or a vector sequence without VE; a feed other than the profile's must be given again (--feed).");
+        "The program did not come to its end: {reason}.", "Look for a loop, a wait for an input or a vector sequence without VE; a feed other than the profile's must be given again ([feed]).");
 
     public static readonly DiagnosticRule CutBesideDrawing = new("VER0008", Severity.Error,
         "The program cuts {deviation} mm beside the drawing at {x}, {y}; {tolerance} mm are allowed.", "Compare the program with the drawing there.");

@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands;
 
@@ -12,7 +13,7 @@ internal static class FindingMessages
         foreach (var found in diagnostics.Where(found => found.Severity >= least).OrderByDescending(found => found.Severity))
         {
             var kind = found.Severity switch { Severity.Error => MessageKind.Error, Severity.Warning => MessageKind.Warning, _ => MessageKind.Note };
-            context.Say(DiagnosticLine.Format(file, CommandWording.Translate(found)), kind);
+            context.Say(DiagnosticLine.Format(file, SettingWording.AtCommandLine(found)), kind);
         }
     }
 }

@@ -87,5 +87,5 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
         };
     }
 
-    private static IReadOnlyList<Diagnostic> Sorted(IEnumerable<Diagnostic> findings) => [.. findings.OrderByDescending(found => found.Severity).Select(CommandWording.Translate)];
+    private static IReadOnlyList<Diagnostic> Sorted(IEnumerable<Diagnostic> findings) => [.. findings.OrderByDescending(found => found.Severity).Select(SettingWording.AtCommandLine)];
 }

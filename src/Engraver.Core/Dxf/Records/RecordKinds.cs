@@ -20,7 +20,7 @@ internal static class RecordKinds
     public static IEnumerable<(string Fate, IEnumerable<string> Types)> Fates() =>
     [
         ("cut", TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
-        ("cut with `--cut`, otherwise construction", TypesOf(IsOutline)),
+        ("cut where [cut] names it, otherwise construction", TypesOf(IsOutline)),
         ("text, kept with content and place, construction", TypesOf(kind => kind is RecordKind.Text or RecordKind.Attribute)),
         ("construction: drawn for the reader of the drawing, not for the tool", TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point)),
     ];

@@ -16,7 +16,7 @@ internal static class DrawingOpening
         var state = context.Document.Current;
         var drawing = Read(context, path, cancellation);
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
-        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {CommandWording.Translate(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message}");
+        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {SettingWording.AtCommandLine(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message}");
         Leave(context);
         context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
         context.Document.MarkKept();

@@ -14,25 +14,25 @@ internal sealed class SettingCommand : ISettingCommand
     private readonly Func<DrawingSettings, double> _read;
     private readonly Func<DrawingSettings, double, DrawingSettings> _write;
 
-    private SettingCommand(string name, string summary, double least, double most, bool whole, Func<DrawingSettings, double> read, Func<DrawingSettings, double, DrawingSettings> write)
+    private SettingCommand(SettingDescription setting, Func<DrawingSettings, double> read, Func<DrawingSettings, double, DrawingSettings> write)
     {
-        Info = new CommandInfo(name, CommandGroup.Setting, summary);
-        _limits = new NumberPrompt($"Enter new value for {name}") { Least = least, Most = most, Whole = whole };
+        Info = new CommandInfo(setting.Command!, CommandGroup.Setting, setting.CommandHelp ?? setting.Help);
+        _limits = new NumberPrompt($"Enter new value for {setting.Command}") { Least = setting.Least, Most = setting.Most, Whole = setting.Whole };
         (_read, _write) = (read, write);
     }
 
     public static IReadOnlyList<ICommand> All { get; } =
     [
-        new SettingCommand("CNCMAXERR", "How far a chord may stand off its curve, mm.", 1e-9, 1e3, whole: false, s => s.MaxErrorMm, (s, v) => s with { MaxErrorMm = v }),
-        new SettingCommand("CNCJOINTOL", "Ends this close are one point, mm.", 0.0, 1e3, whole: false, s => s.JoinToleranceMm, (s, v) => s with { JoinToleranceMm = v }),
-        new SettingCommand("CNCDUPLICATES", "1: lines that were drawn twice are cut twice.", 0, 1, whole: true, s => s.KeepDuplicates ? 1 : 0, (s, v) => s with { KeepDuplicates = v == 1 }),
-        new SettingCommand("CNCUNITS", "Unit for the next OPEN as a code of $INSUNITS (1 inch, 4 mm ...); 0: what the drawing says.", 0, 24, whole: true, s => s.Unit?.Code ?? 0, (s, v) => s with { Unit = LengthUnits.FromInsUnits(v) is { } unit ? unit with { Source = "option" } : null }),
-        new SettingCommand("CNCCUT", "Construction that the next OPEN takes for curves: 1 hatch boundaries, 2 multilines, 4 leaders, 8 helices, 16 edges of solids, added together.", 0, 31, whole: true, s => (int)s.Cut, (s, v) => s with { Cut = (CutChoice)(int)v }),
-        new SettingCommand("CNCRECOVER", "1: lines that approximate an arc within CNCMAXERR are cut as that arc.", 0, 1, whole: true, s => s.RecoverArcs ? 1 : 0, (s, v) => s with { RecoverArcs = v == 1 }),
-        new SettingCommand("CNCFEED", "Cutting speed along the path, mm/min.", 1e-6, 1e9, whole: false, s => s.Machine.FeedMmPerMinute, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v } }),
-        new SettingCommand("CNCVS", "Vector speed, counts/s: the feed in the controller's words.", 1e-3, 1e12, whole: false, s => s.Machine.FeedMmPerMinute / 60.0 * s.Machine.Scale.Smallest, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v * 60.0 / s.Machine.Scale.Smallest } }),
-        new SettingCommand("CNCRAPID", "Speed of each axis between strokes, mm/min.", 1e-6, 1e9, whole: false, s => s.Machine.RapidMmPerMinute, (s, v) => s with { Machine = s.Machine with { RapidMmPerMinute = v } }),
-        new SettingCommand("CNCVA", "Acceleration and deceleration, counts/s2 in steps of 1024.", 1024, 67107840, whole: true, s => s.Machine.AccelerationCounts, (s, v) => s with { Machine = s.Machine with { AccelerationCounts = (int)v } }),
+        new SettingCommand(SettingTable.MaxError, s => s.MaxErrorMm, (s, v) => s with { MaxErrorMm = v }),
+        new SettingCommand(SettingTable.JoinTolerance, s => s.JoinToleranceMm, (s, v) => s with { JoinToleranceMm = v }),
+        new SettingCommand(SettingTable.KeepDuplicates, s => s.KeepDuplicates ? 1 : 0, (s, v) => s with { KeepDuplicates = v == 1 }),
+        new SettingCommand(SettingTable.Units, s => s.Unit?.Code ?? 0, (s, v) => s with { Unit = LengthUnits.FromInsUnits(v) is { } unit ? unit with { Source = "option" } : null }),
+        new SettingCommand(SettingTable.Cut, s => (int)s.Cut, (s, v) => s with { Cut = (CutChoice)(int)v }),
+        new SettingCommand(SettingTable.RecoverArcs, s => s.RecoverArcs ? 1 : 0, (s, v) => s with { RecoverArcs = v == 1 }),
+        new SettingCommand(SettingTable.Feed, s => s.Machine.FeedMmPerMinute, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v } }),
+        new SettingCommand(SettingTable.VectorSpeed, s => s.Machine.FeedMmPerMinute / 60.0 * s.Machine.Scale.Smallest, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v * 60.0 / s.Machine.Scale.Smallest } }),
+        new SettingCommand(SettingTable.Rapid, s => s.Machine.RapidMmPerMinute, (s, v) => s with { Machine = s.Machine with { RapidMmPerMinute = v } }),
+        new SettingCommand(SettingTable.Acceleration, s => s.Machine.AccelerationCounts, (s, v) => s with { Machine = s.Machine with { AccelerationCounts = (int)v } }),
     ];
 
     public CommandInfo Info { get; }

@@ -4,6 +4,8 @@ using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Arming;
 
@@ -25,7 +27,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
             Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, $"The controller is {Word(status)}"),
             Check(status.MotorsOn == true, status.MotorsOn == true ? "The motors are on" : "The motors are off; CNCMOTORS ON"),
             Check(status.Limit.Length == 0, status.Limit.Length == 0 ? "No limit is hit" : $"{status.Limit} is hit; move the machine off it"),
-            .. job.Findings.Where(found => found.Severity == Severity.Warning).Select(found => Warning(CommandWording.Translate(found).Message.TrimEnd('.'))),
+            .. job.Findings.Where(found => found.Severity == Severity.Warning).Select(found => Warning(SettingWording.AtCommandLine(found).Message.TrimEnd('.'))),
             .. StartWarning(job, status, lastStart),
         ]);
     }
@@ -38,7 +40,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         if (status.WorkPosition is not { } at)
         {
             var elsewhere = status.MachinePosition is { } here ? StartPlace.Compare(lastStart, job, job.Settings.Machine.Scale.ToCounts(here)) : null;
-            if (elsewhere is not null) yield return Warning($"{last}{CommandWording.Translate(elsewhere).Message.TrimEnd('.')}");
+            if (elsewhere is not null) yield return Warning($"{last}{SettingWording.AtCommandLine(elsewhere).Message.TrimEnd('.')}");
             else if (last.Length > 0) yield return Warning($"{last}Where it left the machine is not known any more: the place where it stands now is taken for the drawing's start {start}; look there first");
             yield break;
         }

@@ -1,24 +1,43 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Settings;
 using Engraver.Workbench.Tests.Commands;
 
-namespace Engraver.Workbench.Tests.CommandLanguage;
+namespace Engraver.Workbench.Tests.Settings;
 
-public class CommandWordingTests
+public class SettingWordingTests
 {
     [Fact]
     public void No_advice_at_the_command_line_names_an_option_of_the_runner()
     {
-        Assert.Contains(DiagnosticTable.All, rule => rule.Advice.Contains("--", StringComparison.Ordinal));
-        Assert.All(DiagnosticTable.All, rule => Assert.DoesNotMatch("--[a-z]|engraver [a-z]+", CommandWording.Translate(rule.At(default)).Rule.Advice));
+        Assert.Contains(DiagnosticTable.All, rule => rule.Advice.Contains('[', StringComparison.Ordinal));
+        Assert.All(DiagnosticTable.All, rule => Assert.DoesNotMatch("--[a-z]|engraver [a-z]+|\\[", SettingWording.AtCommandLine(rule.At(default)).Rule.Advice));
+    }
+
+    [Fact]
+    public void No_rule_spells_an_option_or_a_command_and_the_console_spells_every_key()
+    {
+        Assert.All(DiagnosticTable.All, rule => Assert.DoesNotMatch("--[a-z]|\\bCNC[A-Z]", rule.Sentence + rule.Advice));
+        Assert.All(DiagnosticTable.All, rule => Assert.DoesNotMatch("\\[[-+]?[a-z]|CNC(?!GOTO)", SettingWording.OnConsole(rule.At(default)).Rule.Advice));
+        Assert.Equal("Close the gap in the drawing, or raise --join-tolerance above it.", SettingWording.OnConsole(SequencingRules.SmallGap.At(default)).Rule.Advice);
+    }
+
+    [Fact]
+    public void Every_setting_with_a_command_has_that_command_and_the_page_is_the_table()
+    {
+        var catalog = Engraver.Workbench.Commands.CommandCatalog.Built();
+
+        Assert.All(SettingTable.All, setting => Assert.NotNull(catalog.Find(setting.Command!)));
+        Assert.Equal(SettingTable.All.Count, SettingTable.All.Select(setting => setting.Key).Distinct().Count());
+        TestKit.GoldenFile.Check(Path.Combine(TestKit.RepositoryFolder.Root, "docs", "settings.md"), SettingTable.ToMarkdown());
     }
 
     [Fact]
     public void Every_command_that_an_advice_names_is_built()
     {
         var catalog = Engraver.Workbench.Commands.CommandCatalog.Built();
-        var named = DiagnosticTable.All.Select(rule => CommandWording.Translate(rule.At(default))).Where(found => found.Rule != DiagnosticTable.All.First(rule => rule.Id == found.Id))
+        var named = DiagnosticTable.All.Select(rule => SettingWording.AtCommandLine(rule.At(default))).Where(found => found.Rule != DiagnosticTable.All.First(rule => rule.Id == found.Id))
             .SelectMany(found => System.Text.RegularExpressions.Regex.Matches(found.Rule.Advice, "\\b(CNC[A-Z]+|LAYER|CHECK|OPEN)\\b").Select(match => match.Value)).Distinct().ToList();
 
         Assert.Contains("CNCJOINTOL", named);

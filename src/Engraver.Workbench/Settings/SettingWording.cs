@@ -1,0 +1,54 @@
+using System.Text.RegularExpressions;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Workbench.Settings;
+
+/// <summary>Advice as it is followed where it is read: findings name settings by their keys, <c>[max-error]</c>, and here those become options of the console or commands of the desktop. <c>[+key]</c> and <c>[-key]</c> are a switch given and not given.</summary>
+public static partial class SettingWording
+{
+    /// <summary>What no single setting says: a choice of one, or a command that looks.</summary>
+    private static readonly Dictionary<string, (string Console, string Desktop)> s_phrases = new(StringComparer.Ordinal)
+    {
+        ["units-mm"] = ("--units mm", "CNCUNITS 4"),
+        ["units-inch"] = ("--units inch", "CNCUNITS 1"),
+        ["look"] = ("engraver info", "CHECK"),
+        ["cut"] = ("--cut", "CNCCUT (and OPEN the drawing again)"),
+        ["goto-start"] = ("CNCGOTO Start", "CNCGOTO Start"),
+    };
+
+    /// <summary>For the console: <c>--max-error</c>.</summary>
+    public static Diagnostic OnConsole(Diagnostic finding) => Translate(finding, Console);
+
+    /// <summary>For the command line of the desktop: <c>CNCMAXERR</c>.</summary>
+    public static Diagnostic AtCommandLine(Diagnostic finding) => Translate(finding, Desktop);
+
+    /// <summary>A text of the console with its settings named as options.</summary>
+    public static string OnConsole(string text) => Key().Replace(text, key => Console(key.Groups["sign"].Value, key.Groups["key"].Value));
+
+    /// <summary>A text of the desktop with its settings named as commands.</summary>
+    public static string AtCommandLine(string text) => Key().Replace(text, key => Desktop(key.Groups["sign"].Value, key.Groups["key"].Value));
+
+    private static Diagnostic Translate(Diagnostic finding, Func<string, string, string> spell)
+    {
+        ArgumentNullException.ThrowIfNull(finding);
+        var advice = Key().Replace(finding.Rule.Advice, key => spell(key.Groups["sign"].Value, key.Groups["key"].Value));
+        return advice == finding.Rule.Advice ? finding : finding with { Rule = finding.Rule with { Advice = advice } };
+    }
+
+    private static string Console(string sign, string key)
+    {
+        var flag = s_phrases.TryGetValue(key, out var phrase) ? phrase.Console : Find(key).Flag ?? Find(key).Name;
+        return sign switch { "+" => $"with {flag}", "-" => $"without {flag}", _ => flag };
+    }
+
+    private static string Desktop(string sign, string key)
+    {
+        var command = s_phrases.TryGetValue(key, out var phrase) ? phrase.Desktop : Find(key).Command ?? Find(key).Name;
+        return sign switch { "+" => $"with {command} 1", "-" => $"with {command} 0", _ => command };
+    }
+
+    private static SettingDescription Find(string key) => SettingTable.All.First(setting => setting.Key == key);
+
+    [GeneratedRegex(@"\[(?<sign>[-+]?)(?<key>[a-z][a-z-]+)\]", RegexOptions.CultureInvariant)]
+    private static partial Regex Key();
+}
