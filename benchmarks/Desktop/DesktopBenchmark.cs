@@ -20,11 +20,11 @@ internal static class DesktopBenchmark
             return null;
         }
 
-        if (options is { Benchmark: BenchmarkName.Open, File: null }) return App.Texts.Text.Get("Start.NoDrawing");
+        if (options is { Benchmark: BenchmarkName.Open, File: null }) return Engraver.App.Texts.Text.Get("Start.NoDrawing");
         var session = new DesktopSession(new CommandEnvironment { RunJournalFolder = Path.GetTempPath() });
         try
         {
-            return MemoryBenchmark.Run(session, options, builder => ((App.App)builder.Instance!).OpenShell(session), output);
+            return MemoryBenchmark.Run(session, options, builder => ((Engraver.App.App)builder.Instance!).OpenShell(session), output);
         }
         finally
         {

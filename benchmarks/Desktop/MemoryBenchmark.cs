@@ -14,7 +14,7 @@ internal static class MemoryBenchmark
     public static string? Run(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, TextWriter output)
     {
         var desktop = new HeadlessDesktop();
-        var window = open(DesktopPlatform.InMemory(AppBuilder.Configure<App.App>(), session, desktop, options.Scale ?? 1.0).WithInterFont().SetupWithoutStarting());
+        var window = open(DesktopPlatform.InMemory(AppBuilder.Configure<Engraver.App.App>(), session, desktop, options.Scale ?? 1.0).WithInterFont().SetupWithoutStarting());
         window.Show();
         desktop.Step();
         Measure(session, window, desktop, options, output);

@@ -3,7 +3,7 @@ using System.Globalization;
 using System.Runtime.InteropServices;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli;

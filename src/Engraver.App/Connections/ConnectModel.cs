@@ -2,7 +2,7 @@ using System.Globalization;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 
 namespace Engraver.App.Connections;
 

@@ -2,7 +2,7 @@ using System.Globalization;
 using Avalonia.Threading;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.App.Terminals;

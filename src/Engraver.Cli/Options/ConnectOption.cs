@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Cli.Options;
 
@@ -19,7 +20,7 @@ internal static class ConnectOption
             return null;
         }
 
-        if (address is SerialAddress && SerialLink.WhyUnsupported is { } why) result.AddError($"--connect: {why}");
+        if (address is SerialAddress && MachineFamily.WhyNoSerialLine is { } why) result.AddError($"--connect: {why}");
         return address;
     }
 }

@@ -4,8 +4,9 @@ using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing.Ordering;
-using Engraver.Galil.Profiles;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Options;
@@ -97,6 +98,6 @@ internal sealed class DrawingOptions
         var profile = parsed.GetValue(_machine) is { } path ? MachineProfileSource.Load(path) : MachineProfile.Default;
         if (parsed.GetValue(_feed) is not { } feed) return profile;
         var fed = profile with { FeedMmPerMinute = feed };
-        return MachineProfileValidation.IsFeed(feed, profile) ? fed : throw new UsageException($"--feed {feed.ToString("R", CultureInfo.InvariantCulture)}: the machine cuts {MachineProfileValidation.FeedRange(profile)} mm/min.");
+        return MachineProfileValidation.IsFeed(feed, profile, MachineFamily.Limits) ? fed : throw new UsageException($"--feed {feed.ToString("R", CultureInfo.InvariantCulture)}: the machine cuts {MachineProfileValidation.FeedRange(profile, MachineFamily.Limits)} mm/min.");
     }
 }

@@ -1,5 +1,5 @@
 using System.CommandLine;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 
 namespace Engraver.Cli.Options;
 

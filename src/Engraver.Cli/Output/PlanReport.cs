@@ -1,5 +1,6 @@
 using System.Globalization;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Workbench.Documents;
 

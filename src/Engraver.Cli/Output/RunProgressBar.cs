@@ -1,6 +1,5 @@
 using System.Globalization;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 using Spectre.Console;
 
 namespace Engraver.Cli.Output;

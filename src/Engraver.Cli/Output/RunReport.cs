@@ -1,4 +1,4 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;

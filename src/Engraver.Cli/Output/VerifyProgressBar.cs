@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Verification;
 using Spectre.Console;
 

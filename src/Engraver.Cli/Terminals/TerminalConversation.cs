@@ -1,4 +1,5 @@
-using Engraver.Workbench.Machines.Terminals;
+using Engraver.Core.Machines;
+using Engraver.Galil.Terminals;
 
 namespace Engraver.Cli.Terminals;
 

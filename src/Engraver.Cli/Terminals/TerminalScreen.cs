@@ -1,5 +1,5 @@
 using System.Globalization;
-using Engraver.Workbench.Machines.Terminals;
+using Engraver.Core.Machines;
 
 namespace Engraver.Cli.Terminals;
 

@@ -2,10 +2,8 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Cli.Verbs;
 

@@ -1,9 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs.Timing;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
 using Engraver.Workbench.Machines.Runs;

@@ -4,7 +4,7 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Simulator;
 using Engraver.Workbench.Settings;
 

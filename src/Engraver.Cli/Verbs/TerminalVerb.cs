@@ -1,10 +1,9 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Terminals;
-using Engraver.Galil.Links;
-using Engraver.Galil.Profiles;
-using Engraver.Workbench.Machines;
-using Engraver.Workbench.Machines.Terminals;
+using Engraver.Core.Machines;
+using Engraver.Galil.Terminals;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Cli.Verbs;
 
@@ -24,7 +23,7 @@ internal static class TerminalVerb
     private static async Task<int> RunAsync(VerbHost host, ControllerAddress address, CancellationToken stop)
     {
         await using var connection = MachineConnection.To(address, TimeProvider.System);
-        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, stop).ConfigureAwait(false);
+        await using var terminal = await MachineTerminal.OpenAsync(connection.OpenLinkAsync, TimeProvider.System, stop).ConfigureAwait(false);
         var screen = new TerminalScreen(host.Out, host.Interactive && Environment.GetEnvironmentVariable("NO_COLOR") is null or "");
         var conversation = new TerminalConversation(terminal, screen, TimeProvider.System);
         try

@@ -1,6 +1,6 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Journal;
-using Engraver.Galil.Profiles;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 

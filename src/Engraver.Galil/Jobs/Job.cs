@@ -1,11 +1,9 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Resident;
-using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
@@ -126,11 +124,11 @@ internal sealed class Job
         var acceleration = _program.Profile.AccelerationCounts;
         string[] settings = ["AC", "DC"];
         var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_program.Profile) }; // whatever somebody left on or selected
-        commands.AddRange(_session.Found.MotorsOff.Where("AB".Contains).Select(letter => $"SH{letter}"));
+        commands.AddRange(_session.Found.MotorsOff.Where(DmcAxes.Plane.Contains).Select(letter => $"SH{letter}"));
         commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
         commands.Add(ResidentServer.StartCommand(resident));
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
-        if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => "AB".Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => DmcAxes.Plane.Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
         if (await _machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
         if (await _way.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
         if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;
@@ -205,7 +203,7 @@ internal sealed class Job
         FinalPosition = standstill is { } rest ? new CountsPoint(rest.X, rest.Y) : _machine.Known?.Position,
         FrameOrigin = _machine.FrameTaken,
         IsEndKnown = standstill is not null || !_touched,
-        Refusal = step.Refusal,
+        Refusal = step.Refusal?.ToRefusal(),
         PolledTrace = _ledger.Trace,
         ExecutedEntityIndices = _ledger.Entities,
         ExecutedByStroke = _ledger.ExecutedByStroke,

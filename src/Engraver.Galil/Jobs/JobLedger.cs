@@ -1,6 +1,5 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs;
 
@@ -82,14 +81,4 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
         if (!keepsTrace) _trace.RemoveAll(passed => passed.ToolOn == point.ToolOn);
         _trace.Add(point);
     }
-}
-
-/// <summary>A polled position.</summary>
-/// <param name="Seconds">Controller time since the job began.</param>
-/// <param name="X">Counts, job frame.</param>
-/// <param name="ToolOn">Whether the tool output was on, as the controller said.</param>
-public readonly record struct TracePoint(double Seconds, int X, int Y, bool ToolOn)
-{
-    /// <summary>Segments that were known to be done before this poll: the tool is on the next of them, or further.</summary>
-    public int Executed { get; init; }
 }

@@ -1,3 +1,4 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Jobs;
@@ -54,10 +55,3 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     private void Report() => progress?.Report(new JobProgress(
         ledger.Stroke, ledger.Sent, ledger.Executed, ledger.SegmentCount, machine.Here.X, machine.Here.Y, machine.IsToolOn, machine.Seconds, machine.State.Outputs));
 }
-
-/// <summary>Where a job is, from what the controller said last.</summary>
-/// <param name="Stroke">Index of the stroke under way.</param>
-/// <param name="X">Counts, job frame.</param>
-/// <param name="Seconds">Controller time since the job began.</param>
-/// <param name="Outputs">Outputs 1 to 8 (_OP0), bit 0 is output 1; null where nobody asked.</param>
-public readonly record struct JobProgress(int Stroke, int SegmentsSent, int SegmentsExecuted, int SegmentCount, int X, int Y, bool ToolOn, double Seconds, int? Outputs = null);

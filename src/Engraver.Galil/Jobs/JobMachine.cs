@@ -1,10 +1,7 @@
 using System.Globalization;
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Watching;
-using Engraver.Galil.Language;
-using Engraver.Galil.Links;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;

@@ -1,6 +1,6 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
@@ -25,9 +25,9 @@ public static class JobRunner
     {
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(session);
-        string off = string.Concat(session.Found.MotorsOff.Where("AB".Contains));
+        string off = string.Concat(session.Found.MotorsOff.Where(DmcAxes.Plane.Contains));
         return off.Length > 0
-            ? JobResult.NotStarted(program, $"The motor of axis {string.Join(" and ", off.AsEnumerable())} is off; switch the motors on before a move.")
+            ? JobResult.NotStarted(program.Strokes.Count, $"The motor of axis {string.Join(" and ", off.AsEnumerable())} is off; switch the motors on before a move.")
             : await RunAsync(program, goal, session, options with { DryRun = true }, progress, stop).ConfigureAwait(false);
     }
 
@@ -44,7 +44,7 @@ public static class JobRunner
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobResult.NotStarted(program, $"The journal cannot be written: {failure.Message} Name another file.");
+            return JobResult.NotStarted(program.Strokes.Count, $"The journal cannot be written: {failure.Message} Name another file.");
         }
 
         // Replies from memory come at once: without a thread of its own the whole job would run before this method returns.

@@ -1,3 +1,4 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Jobs;

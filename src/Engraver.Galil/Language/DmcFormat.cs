@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Language;
 

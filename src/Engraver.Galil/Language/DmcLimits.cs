@@ -1,3 +1,5 @@
+using Engraver.Core.Machines;
+
 namespace Engraver.Galil.Language;
 
 /// <summary>What the controller refuses, checked before a byte is sent (galil-dmc.md F.5 and B.1).</summary>
@@ -37,4 +39,7 @@ public static class DmcLimits
     public const int LineLength = 80;
 
     public const int Outputs = 8;
+
+    /// <summary>The part of them that a machine profile can break.</summary>
+    public static MachineLimits Machine { get; } = new(SlowestSpeed, FastestSpeed, AccelerationStep, LargestAcceleration, Outputs);
 }

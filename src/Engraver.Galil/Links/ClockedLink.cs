@@ -1,3 +1,5 @@
+using Engraver.Core.Machines;
+
 namespace Engraver.Galil.Links;
 
 /// <summary>A link to a controller whose clock is offered: what comes over it tells that the clock has gone on.</summary>

@@ -1,3 +1,5 @@
+using Engraver.Core.Machines;
+
 namespace Engraver.Galil.Links;
 
 /// <summary>Bytes to and from a controller, whatever carries them: a socket, a serial line, memory. One reader and one writer at a time.</summary>

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text;
+using Engraver.Core.Machines;
 using Microsoft.Win32.SafeHandles;
 using static Engraver.Galil.Links.SerialNative;
 

@@ -75,7 +75,7 @@ internal static class SerialNative
         public uint Local;
         public byte Discipline;
         public byte Interrupt;
-        public byte Quit;
+        public byte QuitCharacter;
         public byte Erase;
         public byte Kill;
         public byte EndOfFile;

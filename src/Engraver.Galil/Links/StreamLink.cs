@@ -1,3 +1,5 @@
+using Engraver.Core.Machines;
+
 namespace Engraver.Galil.Links;
 
 /// <summary>A link over any stream, which it owns: the in-process simulator's bytes, or a test's.</summary>

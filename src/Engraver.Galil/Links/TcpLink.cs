@@ -1,4 +1,5 @@
 using System.Net.Sockets;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 

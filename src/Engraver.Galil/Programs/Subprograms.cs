@@ -1,6 +1,6 @@
 using System.Globalization;
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
 
 namespace Engraver.Galil.Programs;
 
@@ -24,7 +24,7 @@ internal static class Subprograms
 
     /// <param name="target">The line that assigns PA.</param>
     /// <param name="last">A statement before the return, or empty.</param>
-    public static IReadOnlyList<string> RapidLines(string target, string last) => new ProgramLines().Line(Rapid).Line(target).Line("BGAB").Line("AMAB").Line(last).Line("EN").Lines;
+    public static IReadOnlyList<string> RapidLines(string target, string last) => new ProgramLines().Line(Rapid).Line(target).Line("BG" + DmcAxes.Plane).Line("AM" + DmcAxes.Plane).Line(last).Line("EN").Lines;
 
     /// <summary>Plane S, speeds and accelerations of the profile. VS goes with every sequence. Only valid at rest.</summary>
     public static IReadOnlyList<string> SetUpLines(MachineProfile profile)
@@ -45,10 +45,10 @@ internal static class Subprograms
     public static string Settle(MachineProfile profile) => profile.ToolSettleMilliseconds == 0 ? string.Empty : Text($"WT {profile.ToolSettleMilliseconds}");
 
     /// <summary>Tool off before anything else, then every motion of the plane and of its axes is stopped. One line, so that no other thread runs in between.</summary>
-    public static string StopEverything(MachineProfile profile) => $"{ToolOff(profile)};STS;STAB";
+    public static string StopEverything(MachineProfile profile) => $"{ToolOff(profile)};STS;ST{DmcAxes.Plane}";
 
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
     private static IReadOnlyList<string> Interpolation(string label, string segment, string last) =>
-        new ProgramLines().Line(label).Line("VMAB").Line("VS f").Line(segment).Line("VE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
+        new ProgramLines().Line(label).Line("VM" + DmcAxes.Plane).Line("VS f").Line(segment).Line("VE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
 }

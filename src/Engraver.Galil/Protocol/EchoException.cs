@@ -1,4 +1,4 @@
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Protocol;
 

@@ -1,3 +1,5 @@
+using Engraver.Core.Machines;
+
 namespace Engraver.Galil.Protocol;
 
 /// <summary>What the controller answered to one command: <see cref="Accepted"/> or <see cref="Rejected"/> (galil-dmc.md A.3).</summary>
@@ -18,4 +20,7 @@ public sealed record Rejected(TcCode Code, string Text, string Command) : Reply
 {
     /// <summary>One sentence for the operator: what was refused, code and text, and what the code means here.</summary>
     public string Explain() => $"The controller refused '{Command}' with TC {(int)Code} ({Text}){TcCodes.Hint(Code)}.";
+
+    /// <summary>The same for those who know no controller.</summary>
+    public MachineRefusal ToRefusal() => new((int)Code, Text, Command, Explain());
 }

@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Text;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Protocol;
 

@@ -1,3 +1,6 @@
+using Engraver.Core.Machines;
+using Engraver.Galil.Language;
+
 namespace Engraver.Galil.Sessions;
 
 /// <summary>Who answers on the link.</summary>
@@ -5,22 +8,10 @@ namespace Engraver.Galil.Sessions;
 /// <param name="Axes">Number of axes, from the model string (galil-dmc.md G).</param>
 /// <param name="Handle">The answer to WH for the command handle: IHA to IHH, or RS232.</param>
 /// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9); null when the controller refuses to say, for nothing in a job needs it.</param>
-public sealed record ControllerIdentity(string Model, int Axes, string Handle, int? RecordBytes, ControllerLimits Limits)
+public sealed record ControllerIdentity(string Model, int Axes, string Handle, int? RecordBytes, ControllerLimits Limits) : MachineIdentity(Model, Axes)
 {
-    private const string AxisLetters = "ABCDEFGH";
-
     /// <summary>The letters of the axes: ABCD for four.</summary>
-    public string Letters => AxisLetters[..Axes];
-
-    /// <summary>The axes by the model string: the digit after the family, which is the sixth character, on the 500x0 the seventh.</summary>
-    /// <returns>Null when the string is no model of the DMC family.</returns>
-    public static int? AxesOf(string model)
-    {
-        ArgumentNullException.ThrowIfNull(model);
-        if (!model.StartsWith("DMC", StringComparison.Ordinal)) return null;
-        var place = model.StartsWith("DMC500", StringComparison.Ordinal) ? 6 : 5;
-        return model.Length > place && model[place] is >= '1' and <= '8' ? model[place] - '0' : null;
-    }
+    public string Letters => DmcAxes.All[..Axes];
 }
 
 /// <summary>What the controller says it has left, asked and not assumed (galil-dmc.md J 16). Null where it does not know the question.</summary>

@@ -1,3 +1,4 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;

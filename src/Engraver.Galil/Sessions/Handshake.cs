@@ -1,3 +1,4 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
@@ -11,7 +12,7 @@ internal static class Handshake
     public static async Task<ControllerIdentity> IdentifyAsync(CommandChannel channel, CancellationToken cancellation)
     {
         var model = await TextAsync(channel, RevisionQuestion, cancellation).ConfigureAwait(false);
-        var axes = ControllerIdentity.AxesOf(model) ?? throw new ProtocolViolationException($"'{model}' answers on the link; a controller of the DMC family was expected.");
+        var axes = AxesOf(model) ?? throw new ProtocolViolationException($"'{model}' answers on the link; a controller of the DMC family was expected.");
         var handle = await TextAsync(channel, "WH", cancellation).ConfigureAwait(false);
         var record = await RecordBytesAsync(channel, axes, cancellation).ConfigureAwait(false);
         await channel.SendAsync("TC1", cancellation).ConfigureAwait(false);
@@ -41,5 +42,15 @@ internal static class Handshake
             await Ask("_IA2").ConfigureAwait(false),
             await Ask("_LMS").ConfigureAwait(false),
             await Ask("_TM").ConfigureAwait(false));
+    }
+
+    /// <summary>The axes by the model string: the digit after the family, which is the sixth character, on the 500x0 the seventh.</summary>
+    /// <returns>Null when the string is no model of the DMC family.</returns>
+    public static int? AxesOf(string model)
+    {
+        ArgumentNullException.ThrowIfNull(model);
+        if (!model.StartsWith("DMC", StringComparison.Ordinal)) return null;
+        var place = model.StartsWith("DMC500", StringComparison.Ordinal) ? 6 : 5;
+        return model.Length > place && model[place] is >= '1' and <= '8' ? model[place] - '0' : null;
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
@@ -8,7 +9,8 @@ namespace Engraver.Galil.Sessions;
 /// <remarks>Two passes. <see cref="Begin"/> goes at once over the stop handle, while the feeder may still have a command on its way; when the feeder is silent,
 /// <see cref="FinishAsync"/> says it again, so that a BGS that arrived in between starts nothing.</remarks>
 /// <param name="ownThreads">Ours; first the one that commands motion.</param>
-public sealed class OperatorStop(ControllerSession session, int toolOutput, IReadOnlyList<int> ownThreads)
+/// <param name="axes">Letters of the axes that brake; null for those that a job moves.</param>
+public sealed class OperatorStop(ControllerSession session, int toolOutput, IReadOnlyList<int> ownThreads, string? axes = null)
 {
     private const string Operands = "_BGS,_BGA,_BGB,_CSS,_RPA,_RPB,TIME";
 
@@ -26,6 +28,10 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
     /// <summary>The same at rest, before anything moves: what a stop needs has then been loaded and run once, which on a busy computer would otherwise take its time at the worst moment.</summary>
     /// <exception cref="ControllerException">The handle of the stop failed.</exception>
     public Task RehearseAsync() => BeginAsync();
+
+    /// <summary>The stop of a machine whose motion is nobody's job: the same, without waiting for rest. When it returns the controller has taken it.</summary>
+    /// <exception cref="ControllerException">The handle of the stop failed.</exception>
+    public Task BrakeAtOnceAsync() => BeginAsync();
 
     /// <summary>Everything in one line: what comes behind it may wait for a computer that is busy.</summary>
     private async Task BeginAsync()
@@ -62,7 +68,7 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
         return report;
     }
 
-    private string[] BrakeCommands => [string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "STS", "ST AB"];
+    private string[] BrakeCommands => [string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "STS", "ST " + (axes ?? DmcAxes.Plane)];
 
     private async Task HaltAsync()
     {

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
 

@@ -1,7 +1,6 @@
 using Avalonia;
 using Avalonia.Platform;
 using Avalonia.Platform.Surfaces;
-using Engraver.SoftwarePlatform.Bitmaps;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 

@@ -1,5 +1,4 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Documents;
 

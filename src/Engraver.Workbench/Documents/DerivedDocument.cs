@@ -1,13 +1,11 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
 

@@ -1,9 +1,7 @@
 using Engraver.Core.Drawings;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Timing;
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Workbench.Documents;
@@ -17,7 +15,7 @@ public static class JobPlan
     /// <summary>The program as it will be run over this link: on a serial line that is too slow for its feed it is cut slower, and the finding says so before the start.</summary>
     /// <param name="address">Null for none: nothing limits the feed.</param>
     public static LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, JobMode mode, Drawing drawing) => (address, mode) is (SerialAddress serial, JobMode.Stream)
-        ? LinkFeedFit.Create(program, new SerialLine(serial.Baud), drawing.SourceOf)
+        ? LinkFeedFitting.Create(program, new SerialLine(serial.Baud), drawing.SourceOf)
         : new LinkFeedFit(program, []);
 
     /// <summary>How long the program will take over this link.</summary>

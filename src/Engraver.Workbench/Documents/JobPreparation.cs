@@ -2,6 +2,7 @@ using System.Diagnostics;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Core.Toolpaths;

@@ -1,10 +1,10 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Machines;
 using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Workbench.Settings;
 

@@ -1,9 +1,9 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;

@@ -1,8 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Sessions;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Workbench.Machines;
@@ -16,10 +13,10 @@ internal sealed record MachineFacts
 
     public bool IsSimulation { get; init; }
 
-    public ControllerIdentity? Identity { get; init; }
+    public MachineIdentity? Identity { get; init; }
 
     /// <summary>The last look; null before the first.</summary>
-    public MachinePoll? Poll { get; init; }
+    public MachineReading? Poll { get; init; }
 
     /// <summary>A job has moved the machine since the last look.</summary>
     public bool PollIsOld { get; init; }
@@ -49,7 +46,7 @@ internal sealed record MachineFacts
     public string? LastLink { get; init; }
 
     /// <summary>What the last look says of now: nothing while a job runs, nothing once the link is lost.</summary>
-    private MachinePoll? Now => JobRuns || Lost is not null ? null : Poll;
+    private MachineReading? Now => JobRuns || Lost is not null ? null : Poll;
 
     /// <summary>When the controller was heard last.</summary>
     public DateTimeOffset SeenAt { get; init; }

@@ -1,8 +1,5 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
-using Engraver.Galil.Sessions;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Machines;
 
@@ -12,13 +9,13 @@ internal static class MachineMove
     /// <param name="start">Where the machine stands, in the frame in which progress is told.</param>
     /// <param name="goal">Controller counts.</param>
     /// <param name="journal">Where what was found in the controller is written down, for whoever comes after a crash.</param>
-    /// <exception cref="Engraver.Galil.Links.ControllerException">The link never came up.</exception>
+    /// <exception cref="Engraver.Core.Machines.ControllerException">The link never came up.</exception>
     public static async Task<JobResult> ToAsync(
         MachineConnection connection, MachineProfile profile, CountsPoint start, CountsPoint goal, string journal, IProgress<JobProgress> progress, CancellationToken stop)
     {
         var options = new JobOptions { JournalPath = journal, Address = connection.Description, DrawingName = "CNCGOTO", DryRun = true };
         using var clock = connection.TakeClock();
-        await using var session = await clock.OpenSessionAsync(connection, new SessionOptions(), stop).ConfigureAwait(false);
-        return await JobRunner.GoToAsync(new MotionProgram(profile, start, []), goal, session, options, progress, stop).ConfigureAwait(false);
+        await using var machine = await clock.ShakeHandsAsync(connection, trace: null, stop).ConfigureAwait(false);
+        return await machine.GoToAsync(new MotionProgram(profile, start, []), goal, options, progress, stop).ConfigureAwait(false);
     }
 }

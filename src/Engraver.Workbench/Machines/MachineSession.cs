@@ -1,12 +1,6 @@
 using Engraver.Core.Drawings;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
-using Engraver.Galil.Links;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
-using Engraver.Galil.Programs.Timing;
-using Engraver.Galil.Protocol;
-using Engraver.Galil.Sessions;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Machines.Arming;
@@ -60,7 +54,7 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>The serial line it is connected by; null for none or another link.</summary>
     public SerialAddress? Line => _watched.Address as SerialAddress;
 
-    public ControllerIdentity? Identity => _watched.Identity;
+    public MachineIdentity? Identity => _watched.Identity;
 
     /// <summary>True for a controller that lives in this process.</summary>
     public bool IsSimulation => _watched.Connection?.Simulator is not null;
@@ -81,7 +75,7 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>Shakes hands with a controller and watches it from then on; one that was connected before is let go.</summary>
     /// <exception cref="ControllerException">Nobody answers there.</exception>
     /// <exception cref="InvalidOperationException">A job runs.</exception>
-    public async Task<ControllerIdentity> ConnectAsync(ControllerAddress address, CancellationToken cancellation)
+    public async Task<MachineIdentity> ConnectAsync(ControllerAddress address, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(address);
         if (IsRunning) throw new InvalidOperationException("A job runs.");
@@ -183,7 +177,7 @@ public sealed class MachineSession : IAsyncDisposable
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task<Rejected?> SetMotorsAsync(bool on, CancellationToken cancellation)
+    public async Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation)
     {
         if (_watched.Watch is not { } watch || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
@@ -248,9 +242,9 @@ public sealed class MachineSession : IAsyncDisposable
         }
     }
 
-    private void Seen(MachinePoll poll)
+    private void Seen(MachineReading poll)
     {
-        while (_watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message ?? "");
+        while (_watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message);
         _board.Seen(poll);
     }
 
@@ -259,7 +253,7 @@ public sealed class MachineSession : IAsyncDisposable
         if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "No controller is connected; CNCCONNECT first.")];
         if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "A job runs; nothing is sent beside it.")];
         Disarm();
-        var answers = await watch.Conversation.AnswerAsync(line, cancellation).ConfigureAwait(false);
+        var answers = await watch.AnswerAsync(line, cancellation).ConfigureAwait(false);
         if (answers.LastOrDefault(answer => answer.Kind == TerminalAnswerKind.Refusal) is { Text: { } refusal }) _board.NoteRefusal(refusal);
         return answers;
     }

@@ -1,5 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines;
 
@@ -66,7 +66,7 @@ public sealed record MachineStatus
 }
 
 /// <summary>How far a job has come, by the controller's own count: what lies before is engraved, what lies behind is still to do.</summary>
-/// <param name="Stroke">Place in <see cref="Galil.Programs.MotionProgram.Strokes"/> of the stroke under way.</param>
+/// <param name="Stroke">Place in <see cref="Engraver.Core.Machines.MotionProgram.Strokes"/> of the stroke under way.</param>
 /// <param name="SegmentsDone">Segments of the whole motion program that are done, in the order of cutting.</param>
 /// <param name="SegmentCount">How many there are.</param>
 /// <param name="Position">Drawing millimetres.</param>

@@ -1,9 +1,4 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
-using Engraver.Galil.Links;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Protocol;
-using Engraver.Galil.Sessions;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Machines.Arming;
 
@@ -67,7 +62,7 @@ internal sealed class MachineStatusModel : IDisposable
     }
 
     /// <summary>A simulated controller is a new one each time; of another one it is remembered how its last job ended.</summary>
-    public void Connected(string link, bool isSimulation, ControllerIdentity identity) => Change(before => new MachineFacts
+    public void Connected(string link, bool isSimulation, MachineIdentity identity) => Change(before => new MachineFacts
     {
         Link = link,
         IsSimulation = isSimulation,
@@ -84,9 +79,9 @@ internal sealed class MachineStatusModel : IDisposable
     }
 
     /// <summary>The watch has looked. What differs from before disarms.</summary>
-    public void Seen(MachinePoll poll)
+    public void Seen(MachineReading poll)
     {
-        MachinePoll? before;
+        MachineReading? before;
         lock (_guard)
         {
             if (_facts.Link is null) return;
@@ -112,9 +107,9 @@ internal sealed class MachineStatusModel : IDisposable
     }
 
     /// <summary>A command of the operator's was refused.</summary>
-    public void Refused(Rejected refused)
+    public void Refused(MachineRefusal refused)
     {
-        NoteRefusal(refused.Explain());
+        NoteRefusal(refused.Sentence);
         MachineAlarms.Refused(Alarms, refused, Link);
     }
 
@@ -144,14 +139,14 @@ internal sealed class MachineStatusModel : IDisposable
 
     public void JobEnds(JobResult result)
     {
-        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Explain() ?? facts.LastRefusal, LastOutcome = result.Outcome });
+        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal, LastOutcome = result.Outcome });
         MachineAlarms.Ended(Alarms, result, Link);
     }
 
     /// <summary>A move by hand has ended: the place of the drawing and the end of the last job are as they were.</summary>
     public void MoveEnds(JobResult result)
     {
-        Change(facts => facts with { LastRefusal = result.Refusal?.Explain() ?? facts.LastRefusal });
+        Change(facts => facts with { LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal });
         MachineAlarms.Ended(Alarms, result, Link);
     }
 

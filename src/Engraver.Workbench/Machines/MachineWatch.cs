@@ -1,9 +1,6 @@
-using System.Collections.Concurrent;
-using System.Globalization;
-using Engraver.Galil.Links;
-using Engraver.Galil.Protocol;
-using Engraver.Galil.Sessions;
-using Engraver.Workbench.Machines.Terminals;
+using System.Diagnostics.CodeAnalysis;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Machines;
 
@@ -13,44 +10,30 @@ internal sealed class MachineWatch : IAsyncDisposable
 {
     private static readonly TimeSpan s_interval = TimeSpan.FromMilliseconds(100);
 
-    private readonly ControllerSession _session;
-    private readonly ConcurrentQueue<string> _messages;
+    private readonly IMachineConnection _machine;
     private readonly TimeProvider _time;
     private CancellationTokenSource? _stopLooking;
     private Task _looking = Task.CompletedTask;
 
-    private MachineWatch(ControllerSession session, ConcurrentQueue<string> messages, TimeProvider time)
-    {
-        _session = session;
-        _messages = messages;
-        _time = time;
-        Conversation = MachineTerminal.On(session, messages);
-    }
+    private MachineWatch(IMachineConnection machine, TimeProvider time) => (_machine, _time) = (machine, time);
 
-    public ControllerIdentity Identity => _session.Identity;
+    public MachineIdentity Identity => _machine.Identity;
 
     /// <summary>True on a link that cannot carry the watch and a job together.</summary>
-    public bool IsSingleWire => _session.Line is not null;
+    public bool IsSingleWire => _machine.Capabilities.IsSingleWire;
 
-    public bool IsBroken => _session.StopHandle.IsBroken;
-
-    /// <summary>The operator's typed lines over the handle for commands.</summary>
-    public MachineTerminal Conversation { get; }
+    public bool IsBroken => _machine.IsBroken;
 
     /// <exception cref="ControllerException">Nobody answers.</exception>
-    public static async Task<MachineWatch> OpenAsync(MachineConnection connection, TimeProvider time, CancellationToken cancellation)
-    {
-        var messages = new ConcurrentQueue<string>();
-        var session = await ControllerSession.OpenAsync(connection.OpenLinkAsync, new SessionOptions { MessageReceived = messages.Enqueue }, time, cancellation).ConfigureAwait(false);
-        return new MachineWatch(session, messages, time);
-    }
+    public static async Task<MachineWatch> OpenAsync(MachineConnection connection, TimeProvider time, CancellationToken cancellation) =>
+        new(await connection.ShakeHandsAsync(time, cancellation).ConfigureAwait(false), time);
 
     /// <summary>One look, now.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public ValueTask<MachinePoll> LookAsync(CancellationToken cancellation) => MachinePoll.ReadAsync(_session.StopHandle, cancellation);
+    public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => _machine.LookAsync(cancellation);
 
     /// <summary>Looks ten times a second until <see cref="PauseAsync"/>, or until the link fails.</summary>
-    public void Resume(Action<MachinePoll> seen, Action<ControllerException> lost)
+    public void Resume(Action<MachineReading> seen, Action<ControllerException> lost)
     {
         _stopLooking = new CancellationTokenSource();
         _looking = LookOnAsync(seen, lost, _stopLooking.Token);
@@ -67,35 +50,29 @@ internal sealed class MachineWatch : IAsyncDisposable
     }
 
     /// <summary>Text that programs have printed since the last time.</summary>
-    public bool TryTakeMessage(out string? message) => _messages.TryDequeue(out message);
+    public bool TryTakeMessage([NotNullWhen(true)] out string? message) => _machine.TryTakeMessage(out message);
 
-    /// <summary>Sends commands one after the other over the handle of the stop; a refused one does not keep the next from being tried.</summary>
+    /// <summary>The operator's typed line.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task SendUrgentlyAsync(params IReadOnlyList<string> commands)
-    {
-        foreach (var command in commands) await _session.StopHandle.SendAsync(command, CancellationToken.None).ConfigureAwait(false);
-    }
+    public Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation) => _machine.AnswerAsync(line, cancellation);
 
     /// <summary>Tool off, the path and every axis brake.</summary>
-    public Task StopAsync(int toolOutput) => SendUrgentlyAsync(ToolOff(toolOutput), "STS", $"ST {_session.Identity.Letters}");
+    public Task StopAsync(int toolOutput) => _machine.StopAsync(toolOutput);
 
     /// <summary>Every motion halts at once and every program ends, tool off, motors off.</summary>
-    public Task AbortAsync(int toolOutput) => SendUrgentlyAsync("AB", ToolOff(toolOutput), $"MO{_session.Identity.Letters}");
+    public Task AbortAsync(int toolOutput) => _machine.AbortAsync(toolOutput);
 
     /// <summary>Switches the motors of both axes.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task<Rejected?> SetMotorsAsync(bool on, CancellationToken cancellation) =>
-        await _session.Commands.SendAsync(on ? "SHAB" : "MOAB", cancellation).ConfigureAwait(false) as Rejected;
+    public Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) => _machine.SetMotorsAsync(on, cancellation);
 
     public async ValueTask DisposeAsync()
     {
         await PauseAsync().ConfigureAwait(false);
-        await _session.DisposeAsync().ConfigureAwait(false);
+        await _machine.DisposeAsync().ConfigureAwait(false);
     }
 
-    private static string ToolOff(int output) => string.Create(CultureInfo.InvariantCulture, $"CB {output}");
-
-    private async Task LookOnAsync(Action<MachinePoll> seen, Action<ControllerException> lost, CancellationToken cancellation)
+    private async Task LookOnAsync(Action<MachineReading> seen, Action<ControllerException> lost, CancellationToken cancellation)
     {
         try
         {

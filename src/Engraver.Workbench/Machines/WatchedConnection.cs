@@ -1,11 +1,11 @@
-using Engraver.Galil.Links;
-using Engraver.Galil.Sessions;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Machines;
 
 /// <summary>The controller that a machine session has, and the watch that looks at it while no job runs. Nothing is connected at first.</summary>
 /// <remarks>What it has may be asked from any thread; connecting, letting go and making way for a job are the session's, one after the other.</remarks>
-internal sealed class WatchedConnection(TimeProvider time, Action<MachinePoll> seen, Action<ControllerException> lost)
+internal sealed class WatchedConnection(TimeProvider time, Action<MachineReading> seen, Action<ControllerException> lost)
 {
     private readonly Lock _guard = new();
     private MachineWatch? _watch;
@@ -15,7 +15,7 @@ internal sealed class WatchedConnection(TimeProvider time, Action<MachinePoll> s
 
     public ControllerAddress? Address { get; private set; }
 
-    public ControllerIdentity? Identity { get; private set; }
+    public MachineIdentity? Identity { get; private set; }
 
     /// <summary>Null while none is connected, and on a single wire while a job has it.</summary>
     public MachineWatch? Watch
@@ -28,7 +28,7 @@ internal sealed class WatchedConnection(TimeProvider time, Action<MachinePoll> s
 
     /// <summary>Shakes hands and looks once; watching begins with <see cref="ResumeAsync"/> or <see cref="Resume"/>.</summary>
     /// <exception cref="ControllerException">Nobody answers there; nothing is connected then.</exception>
-    public async Task<MachinePoll> OpenAsync(ControllerAddress address, CancellationToken cancellation)
+    public async Task<MachineReading> OpenAsync(ControllerAddress address, CancellationToken cancellation)
     {
         var connection = MachineConnection.To(address, time);
         MachineWatch? watch = null;
@@ -88,7 +88,7 @@ internal sealed class WatchedConnection(TimeProvider time, Action<MachinePoll> s
 
     /// <summary>A watch that rested does not know that its link was cut until it asks.</summary>
     /// <returns>Null when it is lost.</returns>
-    private async Task<MachinePoll?> LookAgainAsync()
+    private async Task<MachineReading?> LookAgainAsync()
     {
         try
         {
@@ -100,7 +100,7 @@ internal sealed class WatchedConnection(TimeProvider time, Action<MachinePoll> s
         }
     }
 
-    private async Task<MachinePoll> LookAnewAsync(MachineConnection connection)
+    private async Task<MachineReading> LookAnewAsync(MachineConnection connection)
     {
         if (Watch is { } broken) await broken.DisposeAsync().ConfigureAwait(false);
         var watch = await MachineWatch.OpenAsync(connection, time, CancellationToken.None).ConfigureAwait(false);

@@ -1,7 +1,8 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
+using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Workbench.Playback;

@@ -1,7 +1,6 @@
 using Engraver.Core.EntityTables;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 
 namespace Engraver.Workbench.Playback;
 

@@ -1,5 +1,5 @@
-using Engraver.Galil.Programs;
-using Engraver.Galil.Programs.Timing;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 
 namespace Engraver.Workbench.Playback;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using Engraver.Core.EntityTables;
-using Engraver.Galil.Jobs;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 

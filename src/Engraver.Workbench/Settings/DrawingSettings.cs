@@ -1,8 +1,8 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing.Ordering;
-using Engraver.Galil.Profiles;
 
 namespace Engraver.Workbench.Settings;
 

@@ -1,4 +1,5 @@
-using Engraver.Galil.Profiles;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Settings;
 
@@ -18,7 +19,7 @@ public static class MachineProfileSource
             throw new SettingException($"{path} cannot be read: {unreadable.Message}", unreadable);
         }
 
-        var read = MachineProfileFile.Read(json);
+        var read = MachineProfileFile.Read(json, MachineFamily.Limits);
         if (read.Profile is { } profile) return profile;
         throw new SettingException($"{path}({read.Diagnostics[0].Source.Line}): {read.Diagnostics[0].Id}: {read.Diagnostics[0].Message}");
     }

@@ -1,10 +1,13 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Verification;
 using Engraver.Galil.Programs.Generation;
+using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Timing;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;

@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Galil.Programs.Posting;
 
 namespace Engraver.Workbench.Verification;
 

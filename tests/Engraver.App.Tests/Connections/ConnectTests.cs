@@ -3,7 +3,7 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.Connections;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Simulator;
 using Engraver.Workbench.Machines;
 

@@ -3,7 +3,7 @@ using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.Jobs;
 using Engraver.App.Texts;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Simulator;
 
 namespace Engraver.App.Tests.Jobs;

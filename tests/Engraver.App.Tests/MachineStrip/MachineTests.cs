@@ -4,7 +4,7 @@ using Avalonia.Input;
 using Avalonia.VisualTree;
 using Engraver.App.MachineStrip;
 using Engraver.App.Tabs;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Simulator;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;

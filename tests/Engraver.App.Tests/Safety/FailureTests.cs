@@ -1,7 +1,7 @@
 using Avalonia.Controls;
 using Avalonia.Threading;
 using Engraver.App.Safety;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Reports;

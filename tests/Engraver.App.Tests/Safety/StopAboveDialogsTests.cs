@@ -1,6 +1,6 @@
 using Avalonia.Controls;
 using Avalonia.Input;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.SoftwarePlatform.Headless;
 using Engraver.Workbench.Machines;
 

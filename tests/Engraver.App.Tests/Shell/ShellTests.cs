@@ -8,7 +8,7 @@ using Engraver.App.Shell;
 using Engraver.App.StatusBar;
 using Engraver.App.Tables;
 using Engraver.App.Tabs;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 
 namespace Engraver.App.Tests.Shell;
 

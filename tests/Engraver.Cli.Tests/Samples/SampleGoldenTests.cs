@@ -1,5 +1,5 @@
 using System.Text.Json.Nodes;
-using Engraver.Galil.Profiles;
+using Engraver.Core.Machines;
 using Engraver.Samples.Drawings;
 using Engraver.TestKit;
 

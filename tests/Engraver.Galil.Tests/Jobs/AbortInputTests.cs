@@ -1,5 +1,4 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Tests.Jobs;
 

@@ -1,4 +1,4 @@
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 using Engraver.Simulator;
 
 namespace Engraver.Galil.Tests.Jobs;

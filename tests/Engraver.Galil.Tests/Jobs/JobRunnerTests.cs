@@ -1,5 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
 using Engraver.Galil.Tests.Links;
 using Engraver.Simulator;
 

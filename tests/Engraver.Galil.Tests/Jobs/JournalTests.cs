@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs;
@@ -54,7 +55,7 @@ public class JournalTests
     private static (int Stroke, int Entity, int Executed) At(JsonElement line) =>
         (line.GetProperty("stroke").GetInt32(), line.GetProperty("entity").GetInt32(), line.GetProperty("segmentsExecuted").GetInt32());
 
-    private static async Task<List<JsonElement>> JournalOfAsync(Galil.Programs.MotionProgram program, JobOptions options)
+    private static async Task<List<JsonElement>> JournalOfAsync(Engraver.Core.Machines.MotionProgram program, JobOptions options)
     {
         await using var bench = new SimulatedBench();
         var folder = Directory.CreateTempSubdirectory();

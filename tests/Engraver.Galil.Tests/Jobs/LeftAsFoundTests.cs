@@ -1,3 +1,4 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;

@@ -1,5 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Tests.Jobs;

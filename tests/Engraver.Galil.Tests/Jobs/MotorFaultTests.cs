@@ -1,4 +1,4 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Tests.Jobs;
 

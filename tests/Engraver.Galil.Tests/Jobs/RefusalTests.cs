@@ -1,4 +1,4 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 using Engraver.Simulator;
 
@@ -14,7 +14,7 @@ public class RefusalTests
 
         var result = await bench.RunAsync(MotionPrograms.Paper, SimulatedBench.Job);
 
-        Assert.Equal((JobOutcome.Refused, TcCode.BeginAgainstLimitSwitch, 1), (result.Outcome, result.Refusal?.Code, result.Rejected));
+        Assert.Equal((JobOutcome.Refused, TcCode.BeginAgainstLimitSwitch, 1), (result.Outcome, (TcCode?)result.Refusal?.Code, result.Rejected));
         Assert.Contains("TC 22 (Begin not possible due to limit switch)", result.Sentence, StringComparison.Ordinal);
         Assert.Equal(0, bench.Controller.Status.RunningThreads);
     }
@@ -42,7 +42,7 @@ public class RefusalTests
 
         var result = await bench.RunAsync(MotionPrograms.ArcChain(3, 5), SimulatedBench.Job);
 
-        Assert.Equal((JobOutcome.Refused, TcCode.NumberOutOfRange), (result.Outcome, result.Refusal?.Code));
+        Assert.Equal((JobOutcome.Refused, TcCode.NumberOutOfRange), (result.Outcome, (TcCode?)result.Refusal?.Code));
         Assert.Contains("CR 5,180,-180", result.Sentence, StringComparison.Ordinal);
         Assert.Contains("Drawing entity 0.", result.Sentence, StringComparison.Ordinal);
     }
@@ -54,7 +54,7 @@ public class RefusalTests
 
         var result = await bench.RunAsync(MotionPrograms.ArcChain(3, 5), SimulatedBench.Job with { Mode = JobMode.Calls });
 
-        Assert.Equal((JobOutcome.Refused, TcCode.NumberOutOfRange), (result.Outcome, result.Refusal?.Code));
+        Assert.Equal((JobOutcome.Refused, TcCode.NumberOutOfRange), (result.Outcome, (TcCode?)result.Refusal?.Code));
         Assert.Equal((0, 0), (bench.Last.Outputs, bench.Controller.Status.RunningThreads));
     }
 

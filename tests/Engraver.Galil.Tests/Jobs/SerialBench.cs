@@ -1,6 +1,6 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
 

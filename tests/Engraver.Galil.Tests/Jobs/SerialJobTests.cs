@@ -1,8 +1,4 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
-using Engraver.Galil.Links;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Tests.Programs.Timing;
 using FsCheck;
@@ -39,7 +35,7 @@ public class SerialJobTests
     {
         await using var bench = new SimulatedBench();
         var program = MotionPrograms.ShortLines(count, step);
-        var fit = LinkFeedFit.Create(program, new SerialLine(baud), null);
+        var fit = LinkFeedFitting.Create(program, new SerialLine(baud), null);
         var sent = new List<string>();
 
         var result = await bench.RunSerialAsync(baud, fit.Program, JobMode.Stream, sending: sent.Add);
@@ -59,7 +55,7 @@ public class SerialJobTests
     {
         await using var bench = new SimulatedBench();
         var program = MotionPrograms.ShortLines(800, step);
-        var fit = LinkFeedFit.Create(program, new SerialLine(baud), null);
+        var fit = LinkFeedFitting.Create(program, new SerialLine(baud), null);
         var sent = new List<string>();
 
         var result = await bench.RunSerialAsync(baud, fit.Program, JobMode.Stream, sending: sent.Add);
@@ -125,7 +121,7 @@ public class SerialJobTests
     {
         var program = new MotionProgram(MachineProfile.Default, default, [new MotionStroke(0, default, [sequence])]);
         var sent = new List<string>();
-        var result = CutAtOnce(LinkFeedFit.Create(program, new SerialLine(19200), null).Program, sent);
+        var result = CutAtOnce(LinkFeedFitting.Create(program, new SerialLine(19200), null).Program, sent);
         return (result.Outcome, result.SegmentsExecuted, result.Underruns) == (JobOutcome.Complete, program.SegmentCount, 0)
             && !sent.Any(line => line.StartsWith("VR 0", StringComparison.Ordinal));
     }).Check(Config.QuickThrowOnFailure.WithMaxTest(25));

@@ -1,7 +1,7 @@
 using System.Text;
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;

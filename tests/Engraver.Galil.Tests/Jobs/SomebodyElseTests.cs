@@ -1,7 +1,6 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Execution;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Tests.Jobs;
 

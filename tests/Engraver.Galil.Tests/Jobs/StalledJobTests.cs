@@ -1,6 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Tests.Jobs;
 

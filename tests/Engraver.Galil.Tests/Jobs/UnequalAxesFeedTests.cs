@@ -1,7 +1,6 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Core.Toolpaths;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Tests.Programs;
 using Engraver.Simulator;

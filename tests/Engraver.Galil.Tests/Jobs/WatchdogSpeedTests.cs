@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
 using Engraver.Galil.Sessions;

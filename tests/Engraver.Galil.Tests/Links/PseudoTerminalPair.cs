@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Text;
+using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 using Microsoft.Win32.SafeHandles;
 

@@ -1,7 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Tests.Programs;
 

@@ -2,9 +2,9 @@ using System.Globalization;
 using Engraver.Core.Dxf;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs.Generation;
 using Engraver.TestKit;
 

@@ -1,4 +1,4 @@
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Tests.Links;
 using Engraver.TestKit;

@@ -1,4 +1,5 @@
 using System.Text;
+using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 using FsCheck;
 using FsCheck.Fluent;

@@ -1,5 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
 using Engraver.Galil.Tests.Jobs;
 using Engraver.Simulator;
 

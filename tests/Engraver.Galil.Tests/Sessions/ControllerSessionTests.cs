@@ -1,3 +1,4 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -30,7 +31,7 @@ public class ControllerSessionTests
     [InlineData("RIO47100", null)]
     [InlineData("HTTP/1.1 400", null)]
     [InlineData("DMC", null)]
-    public void The_axis_digit_stands_where_the_family_puts_it(string model, int? axes) => Assert.Equal(axes, ControllerIdentity.AxesOf(model));
+    public void The_axis_digit_stands_where_the_family_puts_it(string model, int? axes) => Assert.Equal(axes, Handshake.AxesOf(model));
 
     [Fact]
     public async Task Something_else_that_answers_is_no_controller()

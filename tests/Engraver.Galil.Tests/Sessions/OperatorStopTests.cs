@@ -1,6 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Jobs;
 using Engraver.Galil.Tests.Links;

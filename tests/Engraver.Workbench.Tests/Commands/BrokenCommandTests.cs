@@ -1,4 +1,4 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;

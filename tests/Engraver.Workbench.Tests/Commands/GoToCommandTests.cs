@@ -1,5 +1,5 @@
 using System.Globalization;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;

@@ -1,9 +1,7 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Timing;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Documents;

@@ -1,5 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;

@@ -1,4 +1,4 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
@@ -66,7 +66,7 @@ public class ArmingTests
     [Fact]
     public void The_checklist_names_what_is_missing()
     {
-        var nothing = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings(), Engraver.Galil.Programs.Generation.MotionStyle.Continuous);
+        var nothing = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings(), MotionStyle.Continuous);
         var offline = ArmingChecklist.Create(nothing, MachineStatus.Offline, errorsAccepted: false);
         var limit = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit of axis A" }, errorsAccepted: false);
         var ready = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true }, errorsAccepted: false);

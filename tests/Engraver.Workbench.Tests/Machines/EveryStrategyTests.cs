@@ -1,4 +1,4 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.TestKit;
 
 namespace Engraver.Workbench.Tests.Machines;

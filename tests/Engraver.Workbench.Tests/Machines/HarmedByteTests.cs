@@ -1,13 +1,13 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
 using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Runs;
-using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
@@ -110,7 +110,7 @@ public sealed class HarmedByteTests : IDisposable
             var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);
             return new HarmedRun(OutcomeText.Word(report.Result.Outcome), report.Result.Sentence, RunJudge.ByRecord(job, controller.Record.Snapshot(), 0, 0), RunJudge.Tolerances(job).Deviation);
         }
-        catch (Engraver.Galil.Links.ControllerException unconnected)
+        catch (Engraver.Core.Machines.ControllerException unconnected)
         {
             return new HarmedRun("unconnected", unconnected.Message, RunJudgement.Unknown, 0.0);
         }

@@ -1,7 +1,6 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 using Engraver.TestKit;
-using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.Workbench.Tests.Machines;
@@ -39,7 +38,7 @@ public class MachineAlarmTests
         var log = new AlarmLog(new ManualTimeProvider());
         MachineAlarms.Ended(log, Result(JobOutcome.Complete), Link);
         Assert.Empty(log.All);
-        MachineAlarms.Ended(log, Result(JobOutcome.Refused) with { Refusal = new Rejected(TcCode.BeginNotValidWithMotorOff, "Begin not valid with motor off", "BGS") }, Link);
+        MachineAlarms.Ended(log, Result(JobOutcome.Refused) with { Refusal = new Rejected(TcCode.BeginNotValidWithMotorOff, "Begin not valid with motor off", "BGS").ToRefusal() }, Link);
 
         Assert.Equal(AlarmCause.Refused, Assert.Single(log.All).Cause);
     }
@@ -54,7 +53,7 @@ public class MachineAlarmTests
         Assert.Contains("cable", alarm.ToDo, StringComparison.Ordinal);
         Assert.Contains("CNCCONNECT", alarm.ToDo, StringComparison.Ordinal);
 
-        MachineAlarms.Seen(log, new MachinePoll(0, 0, 0, 0, Moves: false, MotorsOff: ""), Link);
+        MachineAlarms.Seen(log, new MachineReading(0, 0, 0, 0, Moves: false, MotorsOff: ""), Link);
         Assert.Equal(AlarmState.ClearedUnacknowledged, log.All[0].State);
     }
 

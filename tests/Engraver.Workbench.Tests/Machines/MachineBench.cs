@@ -1,4 +1,4 @@
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
@@ -39,7 +39,7 @@ internal sealed class MachineBench : IAsyncDisposable
     }
 
     /// <summary>A line of 20 mm and a circle.</summary>
-    public static PreparedJob Job() => JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Circle(40, 0, 5).Build(), new DrawingSettings(), Engraver.Galil.Programs.Generation.MotionStyle.Continuous);
+    public static PreparedJob Job() => JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Circle(40, 0, 5).Build(), new DrawingSettings(), MotionStyle.Continuous);
 
     /// <summary>Moves the clock on, look by look, until the status is as wanted.</summary>
     public async Task<MachineStatus> UntilAsync(Func<MachineStatus, bool> wanted)

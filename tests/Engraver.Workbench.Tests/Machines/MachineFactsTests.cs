@@ -1,7 +1,4 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
@@ -13,7 +10,7 @@ namespace Engraver.Workbench.Tests.Machines;
 public class MachineFactsTests
 {
     private static readonly JobProgress s_told = new(2, 9, 7, 20, 3000, 4000, true, 1.5, Outputs: 5);
-    private static readonly MachinePoll s_rest = new(0, 0, 0, 0, Moves: false, MotorsOff: "");
+    private static readonly MachineReading s_rest = new(0, 0, 0, 0, Moves: false, MotorsOff: "");
 
     private static readonly MachineFacts s_idle = new() { Link = "tcp://a", Poll = s_rest };
 
@@ -49,7 +46,7 @@ public class MachineFactsTests
     public void Counts_become_millimetres_of_the_profile_with_its_mirrored_axis()
     {
         var profile = MachineProfile.Default with { CountsPerMillimetreX = -500, CountsPerMillimetreY = 2000, ToolOutput = 3 };
-        var status = (With(new MachinePoll(1000, 4000, 5, -20, false, "") { Outputs = 4, Speed = 2000, Inputs = 255 }) with { Frame = new CountsPoint(500, 2000) }).ToStatus(profile, null);
+        var status = (With(new MachineReading(1000, 4000, 5, -20, false, "") { Outputs = 4, Speed = 2000, Inputs = 255 }) with { Frame = new CountsPoint(500, 2000) }).ToStatus(profile, null);
 
         Assert.Equal((-2.0, 2.0), (status.MachinePosition!.Value.X, status.MachinePosition.Value.Y));
         Assert.Equal((-1.0, 1.0), (status.WorkPosition!.Value.X, status.WorkPosition.Value.Y));
@@ -84,7 +81,7 @@ public class MachineFactsTests
         Assert.Equal(13.0, (told with { Lost = null }).ToStatus(MachineProfile.Default, null).MachinePosition!.Value.X);
     }
 
-    private static MachineFacts With(MachinePoll poll) => s_idle with { Poll = poll };
+    private static MachineFacts With(MachineReading poll) => s_idle with { Poll = poll };
 
     private static MachineState State(MachineFacts facts) => facts.ToStatus(MachineProfile.Default, null).State;
 }

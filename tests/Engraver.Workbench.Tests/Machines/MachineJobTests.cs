@@ -1,7 +1,4 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;

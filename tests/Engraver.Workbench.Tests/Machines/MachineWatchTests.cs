@@ -1,6 +1,6 @@
+using Engraver.Core.Machines;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;
-using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.Workbench.Tests.Machines;
 

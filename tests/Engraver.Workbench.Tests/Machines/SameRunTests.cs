@@ -1,9 +1,9 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 using Engraver.Simulator;
 using Engraver.TestKit;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
-using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
 

@@ -1,5 +1,4 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Tests.Machines;

@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Timing;
 using Engraver.TestKit;
@@ -145,7 +146,7 @@ public class PlannedMotionTests
     private static (PreparedJob Job, PlannedMotion Motion) Motion(string sample)
     {
         var drawing = DrawingFile.Open(CommandTalk.Sample(sample), new DrawingSettings(), CancellationToken.None);
-        var derived = DerivedDocument.Create(new DocumentState { Drawing = drawing }, Galil.Jobs.JobMode.Stream, CancellationToken.None);
+        var derived = DerivedDocument.Create(new DocumentState { Drawing = drawing }, Engraver.Core.Machines.JobMode.Stream, CancellationToken.None);
         return (derived.Job!, derived.Motion!);
     }
 }

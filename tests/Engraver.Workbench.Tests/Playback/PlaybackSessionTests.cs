@@ -1,4 +1,4 @@
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Playback;

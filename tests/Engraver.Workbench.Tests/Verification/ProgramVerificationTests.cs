@@ -1,9 +1,10 @@
 using System.Text.RegularExpressions;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Posting;
 using Engraver.TestKit;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Tests.Machines;

@@ -1,9 +1,8 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Watching;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Resident;
-using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using static Engraver.Galil.Jobs.JobMachine;
 
@@ -63,7 +62,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         machine.Expectation = state => state.SequenceRunning ? watch.Look(0, machine.Here) : JobStep.Done;
         try
         {
-            if (await machine.PollUntilAsync(state => state.Calls != calls, MotionTime.Trapezoid(segment.Length, speed, machine.Profile.AccelerationCounts)).ConfigureAwait(false) is { Ends: true } broken) return broken;
+            if (await machine.PollUntilAsync(state => state.Calls != calls, SpeedTrapezoid.Time(segment.Length, speed, machine.Profile.AccelerationCounts)).ConfigureAwait(false) is { Ends: true } broken) return broken;
         }
         finally
         {

@@ -1,4 +1,4 @@
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Posting;
 using static Engraver.Galil.Jobs.JobMachine;
 

@@ -1,4 +1,4 @@
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Execution;
 

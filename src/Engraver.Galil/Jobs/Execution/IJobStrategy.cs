@@ -1,4 +1,4 @@
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Execution;
 
@@ -13,7 +13,7 @@ internal interface IJobStrategy
 
     /// <summary>The machine was stopped in the middle and stands: counts the segments that were done by then.</summary>
     /// <param name="counter">_CSS at the standstill.</param>
-    /// <exception cref="Engraver.Galil.Links.ControllerException">The controller could not be asked.</exception>
+    /// <exception cref="Engraver.Core.Machines.ControllerException">The controller could not be asked.</exception>
     ValueTask StoppedAsync(int counter);
 }
 

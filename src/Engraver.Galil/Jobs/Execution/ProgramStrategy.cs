@@ -1,8 +1,8 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Resident;
-using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using static Engraver.Galil.Jobs.JobMachine;
@@ -107,7 +107,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
     }
 
     /// <summary>What the chunk takes at the least: the motion of its sequences, without rapids and settles.</summary>
-    private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => MotionTime.Trapezoid(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts));
+    private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => SpeedTrapezoid.Time(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts));
 
     /// <summary>An odd mark belongs to a sequence under way.</summary>
     private static bool IsCutting(MachineState state) => state.SequenceRunning && state.Calls % 2 != 0;

@@ -1,6 +1,6 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Watching;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using static Engraver.Galil.Jobs.JobMachine;
 
@@ -46,7 +46,7 @@ internal static class RapidMove
 
     private static double Seconds(JobMachine machine, CountsPoint from, CountsPoint goal)
     {
-        double Axis(double counts, int speed) => MotionTime.Trapezoid(Math.Abs(counts), speed, machine.Profile.AccelerationCounts);
+        double Axis(double counts, int speed) => SpeedTrapezoid.Time(Math.Abs(counts), speed, machine.Profile.AccelerationCounts);
         return Math.Max(Axis((double)goal.X - from.X, machine.Profile.RapidSpeedX), Axis((double)goal.Y - from.Y, machine.Profile.RapidSpeedY));
     }
 

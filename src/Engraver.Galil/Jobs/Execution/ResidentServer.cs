@@ -1,6 +1,6 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;

@@ -1,7 +1,7 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using static Engraver.Galil.Jobs.JobMachine;
@@ -60,7 +60,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private double SecondsAhead => _countsAhead / sequence.Speed;
 
     /// <summary>By the trapezoid of the whole path and what has passed of it.</summary>
-    private double SecondsLeft => MotionTime.Trapezoid(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
+    private double SecondsLeft => SpeedTrapezoid.Time(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
 
     private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
 
@@ -123,7 +123,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (Remaining == 0) return JobStep.Done;
         _byIncrements = machine.Line is null && Ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && Ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
         var acceleration = machine.Profile.AccelerationCounts;
-        var opened = await machine.SendAllAsync(["CSS", _byIncrements ? "LMAB" : "VMAB", Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
+        var opened = await machine.SendAllAsync(["CSS", (_byIncrements ? "LM" : "VM") + DmcAxes.Plane, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
         if (opened.Ends) return opened;
         if (await SettingCheck.ReadBackAsync(
             machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration), ("_VRS", 1.0, SettingCheck.Exact)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;

@@ -1,6 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Execution;
 

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using System.Text.Json.Serialization;
+using Engraver.Core.Machines;
 using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Journal;
@@ -68,14 +69,6 @@ public sealed record JournalFound(string Address, string Controller, double? Ser
 public sealed record JournalGivenBack(string By)
 {
     public string Kind { get; } = "givenBack";
-}
-
-/// <summary>First line of a job in the journal.</summary>
-/// <param name="StartX">_RPA when the job began.</param>
-/// <param name="FrameX">Job frame: what was added to drawing counts to get the controller's.</param>
-public sealed record JournalHeader(string Drawing, string Controller, JobMode Mode, int SegmentCount, int StartX, int StartY, int FrameX, int FrameY, DateTimeOffset StartedAt)
-{
-    public string Kind { get; } = "job";
 }
 
 /// <summary>The lines of the journal.</summary>

@@ -1,5 +1,5 @@
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Jobs.Timing;

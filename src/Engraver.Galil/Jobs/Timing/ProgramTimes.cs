@@ -1,6 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Timing;
 

@@ -1,6 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
-using Engraver.Galil.Language;
-using Engraver.Galil.Links;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;

@@ -1,9 +1,7 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Protocol;
 using static Engraver.Galil.Jobs.JobMachine;
@@ -27,7 +25,7 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         if (from == to) return _talk.Now - begun;
         if (from.X != to.X) SayAll(Text($"SPA={program.Profile.RapidSpeedX}"), Text($"PAA={to.X}"));
         if (from.Y != to.Y) SayAll(Text($"SPB={program.Profile.RapidSpeedY}"), Text($"PAB={to.Y}"));
-        _talk.Command(from.X != to.X && from.Y != to.Y ? "BGAB" : "BGA");
+        _talk.Command(from.X != to.X && from.Y != to.Y ? "BG" + DmcAxes.Plane : "BGA");
         var end = _talk.Heard + moving;
         _talk.Moves(end, 0);
         PollUntil(to, end, moving);
@@ -68,7 +66,7 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
     /// <summary>The buffer is filled before the machine starts; what does not fit, and then VE, is sent while it moves.</summary>
     private void Stream(VectorSequence sequence, double moving, int acceleration)
     {
-        SayAll("CSS", "VMAB", Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1");
+        SayAll("CSS", "VM" + DmcAxes.Plane, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1");
         _talk.Ask("_LMS", CapacityDigits);
         _talk.Counter = 0;
         var fits = sequence.Segments.Count <= LinkFeedLimit.Places;

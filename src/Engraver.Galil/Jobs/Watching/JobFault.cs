@@ -1,4 +1,4 @@
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Watching;

@@ -1,5 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
 using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Watching;

@@ -1,10 +1,10 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Core.Verification;
-using Engraver.Galil.Profiles;
 
 namespace Engraver.Galil.Programs.Generation;
 
@@ -38,7 +38,7 @@ public static class BridgedGaps
     }
 
     private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) =>
-        (TraceTolerances.Default with { Count = 1.0 / Math.Min(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY)), MaxError = maxErrorMm }).Deviation;
+        (TraceTolerances.Default with { Count = 1.0 / profile.Scale.Smallest, MaxError = maxErrorMm }).Deviation;
 
     private static string Text(double value) => value.ToString("0.#####", CultureInfo.InvariantCulture);
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Language;

@@ -1,3 +1,4 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;

@@ -1,10 +1,10 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
 
 namespace Engraver.Galil.Programs.Generation;
 
@@ -25,7 +25,7 @@ public static class MotionProgramGenerator
         Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style = MotionStyle.Continuous)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxErrorMm);
-        var findings = new List<Diagnostic>(MachineProfileValidation.Check(profile));
+        var findings = new List<Diagnostic>(MachineProfileValidation.Check(profile, DmcLimits.Machine));
         if (findings.Count > 0) return new MotionGeneration(null, findings);
         if (!IsCountable(toolpath.ToolStart, profile.Scale)) findings.Add(MotionRules.ToolStartUnusable.At(default, Text(toolpath.ToolStart.X), Text(toolpath.ToolStart.Y)));
         if (findings.Count > 0) return new MotionGeneration(null, findings);
@@ -67,19 +67,4 @@ public static class MotionProgramGenerator
         MotionRules.ArcsBecomeChords.At(default, Text(scale.X), Text(scale.Y), Text(maxErrorMm));
 
     private static string Text(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
-}
-
-/// <summary>What came of a toolpath.</summary>
-/// <param name="Program">Null when something cannot be cut at all; the errors among <paramref name="Diagnostics"/> say what.</param>
-/// <param name="Diagnostics">Errors, warnings and notes, in the order of the strokes.</param>
-public sealed record MotionGeneration(MotionProgram? Program, IReadOnlyList<Diagnostic> Diagnostics);
-
-/// <summary>How the segments of a stroke are put into sequences; what a sequence starts from decides how its arcs are aimed.</summary>
-public enum MotionStyle : byte
-{
-    /// <summary>Sequences go on until a sharp corner (stream, program).</summary>
-    Continuous,
-
-    /// <summary>Every segment is a sequence of its own: the paper's calls of #LINEAR and #CIRC, with a standstill after each.</summary>
-    Calls,
 }

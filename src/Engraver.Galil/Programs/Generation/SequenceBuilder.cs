@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;

@@ -1,8 +1,8 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
 
 namespace Engraver.Galil.Programs.Generation;
 

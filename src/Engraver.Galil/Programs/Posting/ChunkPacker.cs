@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Posting;

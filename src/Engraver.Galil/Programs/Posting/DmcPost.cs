@@ -1,6 +1,6 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Generation;
 using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
@@ -29,7 +29,7 @@ public static class DmcPost
     public static DmcPostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         var spelling = new SequenceSpelling(
-            string.Empty, "AMS", place => Text($"PAA=ox{place.X:+0;-0};PAB=oy{place.Y:+0;-0};BGAB;AMAB"), [ToolOn(program.Profile), Settle(program.Profile)]);
+            string.Empty, "AMS", place => Text($"PAA=ox{place.X:+0;-0};PAB=oy{place.Y:+0;-0};BG{DmcAxes.Plane};AM{DmcAxes.Plane}"), [ToolOn(program.Profile), Settle(program.Profile)]);
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
         var form = new PostForm(done => Opening(program, done, string.Empty), writer.Stroke, SequencesClosing(program));
         return Posted(program, form, options, sourceOf);
@@ -46,7 +46,7 @@ public static class DmcPost
 
     private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables)
     {
-        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SHAB", done == 0 ? TakeOrigin : string.Empty);
+        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SH" + DmcAxes.Plane, done == 0 ? TakeOrigin : string.Empty);
         foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
         return lines.Line(variables).Lines;
     }

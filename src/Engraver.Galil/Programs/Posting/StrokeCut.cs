@@ -1,4 +1,4 @@
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Posting;
 

@@ -1,6 +1,6 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
 using Engraver.Galil.Programs.Resident;
 using static Engraver.Galil.Programs.Resident.ResidentProgram;
 using static Engraver.Galil.Programs.Subprograms;

@@ -1,5 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
 using static Engraver.Galil.Programs.Resident.ResidentProgram;
 
 namespace Engraver.Galil.Programs.Resident;
@@ -19,7 +19,7 @@ public static class CallsServerProgram
         Subprograms.Text($"f={profile.VectorSpeed};go=0;done=1;seq=0"),
         CommandErrorProgram.ClearStatement,
         WatchdogProgram.StartStatement,
-        "SHAB",
+        "SH" + DmcAxes.Plane,
         .. Subprograms.SetUpLines(profile),
         "#SLOOP",
         "WT 2",

@@ -1,4 +1,4 @@
-using Engraver.Galil.Profiles;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Resident;
 

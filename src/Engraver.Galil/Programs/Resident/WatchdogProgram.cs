@@ -1,5 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
 
 namespace Engraver.Galil.Programs.Resident;
 
@@ -47,5 +47,5 @@ public static class WatchdogProgram
     }
 
     private static string Trip(MachineProfile profile, int why) =>
-        Subprograms.Text($"{Subprograms.ToolOff(profile)};{ResidentProgram.Variables.WatchdogTripped}={why};HX{ResidentProgram.MainThread};STS;STAB");
+        Subprograms.Text($"{Subprograms.ToolOff(profile)};{ResidentProgram.Variables.WatchdogTripped}={why};HX{ResidentProgram.MainThread};STS;ST{DmcAxes.Plane}");
 }

@@ -1,5 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Programs.Generation;
 
 namespace Engraver.Galil.Programs.Timing;
 

@@ -1,5 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Language;
-using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Programs.Timing;
 

@@ -1,5 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Timing;
 

@@ -1,4 +1,5 @@
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 
 namespace Engraver.Galil.Programs.Timing;
 
@@ -32,11 +33,6 @@ public static class MotionTime
         return times;
     }
 
-    /// <summary>Seconds for a distance (counts) at a speed (counts/s) with the same acceleration and deceleration (counts/s2); a triangle when the distance is short.</summary>
-    public static double Trapezoid(double distance, double speed, double acceleration) => distance >= speed * speed / acceleration
-        ? (distance / speed) + (speed / acceleration)
-        : 2.0 * Math.Sqrt(distance / acceleration);
-
     internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program, CommandTimes commands)
     {
         var (x, y) = (Math.Abs((double)target.X - from.X), Math.Abs((double)target.Y - from.Y));
@@ -54,17 +50,5 @@ public static class MotionTime
     internal static MotionTimes ToolAt(CountsPoint at, MotionProgram program, CommandTimes commands) => new(0.0, 0.0, commands.Tool(at, program));
 
     /// <summary>The trapezoid up to the sample in which it ends.</summary>
-    private static double Sampled(double distance, double speed, double acceleration) => Math.Ceiling(Trapezoid(distance, speed, acceleration) / CommandTimes.Sample) * CommandTimes.Sample;
-}
-
-/// <summary>Where the time of a motion program goes, in seconds of the controller.</summary>
-/// <param name="Cutting">In vector motion.</param>
-/// <param name="Rapid">In moves between strokes, tool off.</param>
-/// <param name="Dwell">At a standstill: tool settling, and the commands that must be exchanged before the machine moves again.</param>
-public readonly record struct MotionTimes(double Cutting, double Rapid, double Dwell)
-{
-    public double Total => Cutting + Rapid + Dwell;
-
-    public static MotionTimes operator +(MotionTimes left, MotionTimes right) =>
-        new(left.Cutting + right.Cutting, left.Rapid + right.Rapid, left.Dwell + right.Dwell);
+    private static double Sampled(double distance, double speed, double acceleration) => Math.Ceiling(SpeedTrapezoid.Time(distance, speed, acceleration) / CommandTimes.Sample) * CommandTimes.Sample;
 }

@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Verification;

@@ -1,9 +1,8 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Arming;
-using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 

@@ -1,4 +1,4 @@
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Machine;

@@ -1,6 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines.Runs;
 

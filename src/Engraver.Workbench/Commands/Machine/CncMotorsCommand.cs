@@ -11,7 +11,7 @@ internal sealed class CncMotorsCommand : ICommand
     {
         if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
         var mode = await context.ChoiceAsync("Enter mode", Keyword.List("ON", "OFF"), null).ConfigureAwait(false);
-        if (await context.Machine.SetMotorsAsync(mode == "ON", cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Explain());
+        if (await context.Machine.SetMotorsAsync(mode == "ON", cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
         context.Say($"Motors {mode.ToLowerInvariant()}.");
     }
 }

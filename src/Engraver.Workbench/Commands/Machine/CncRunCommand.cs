@@ -1,5 +1,5 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 

@@ -1,7 +1,6 @@
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Machines;
-using Engraver.Workbench.Reports;
+using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 

@@ -1,5 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Machines.Terminals;
 
 namespace Engraver.Workbench.Commands.Machine;
 

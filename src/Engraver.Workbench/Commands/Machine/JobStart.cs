@@ -1,6 +1,5 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;

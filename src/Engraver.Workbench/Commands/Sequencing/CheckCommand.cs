@@ -1,5 +1,5 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 

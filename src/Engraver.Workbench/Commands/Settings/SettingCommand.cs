@@ -1,7 +1,8 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
-using Engraver.Galil.Profiles;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Settings;
@@ -29,7 +30,7 @@ internal sealed class SettingCommand : ISettingCommand
         new SettingCommand(SettingTable.Cut, s => (int)s.Cut, (s, v) => s with { Cut = (CutChoice)(int)v }),
         new SettingCommand(SettingTable.RecoverArcs, s => s.RecoverArcs ? 1 : 0, (s, v) => s with { RecoverArcs = v == 1 }),
         new SettingCommand(SettingTable.Feed, s => s.Machine.FeedMmPerMinute, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v } }),
-        new SettingCommand(SettingTable.VectorSpeed, s => s.Machine.FeedMmPerMinute / 60.0 * CoarserAxis(s.Machine), (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v * 60.0 / CoarserAxis(s.Machine) } }),
+        new SettingCommand(SettingTable.VectorSpeed, s => s.Machine.FeedMmPerMinute / 60.0 * s.Machine.Scale.Smallest, (s, v) => s with { Machine = s.Machine with { FeedMmPerMinute = v * 60.0 / s.Machine.Scale.Smallest } }),
         new SettingCommand(SettingTable.Rapid, s => s.Machine.RapidMmPerMinute, (s, v) => s with { Machine = s.Machine with { RapidMmPerMinute = v } }),
         new SettingCommand(SettingTable.Acceleration, s => s.Machine.AccelerationCounts, (s, v) => s with { Machine = s.Machine with { AccelerationCounts = (int)v } }),
     ];
@@ -37,8 +38,6 @@ internal sealed class SettingCommand : ISettingCommand
     public CommandInfo Info { get; }
 
     /// <summary>Counts per millimetre by which a feed becomes a vector speed.</summary>
-    private static double CoarserAxis(MachineProfile machine) => Math.Min(Math.Abs(machine.CountsPerMillimetreX), Math.Abs(machine.CountsPerMillimetreY));
-
     public string ValueText(CommandContext context) => NumberPrompt.Show(_read(context.Document.Current.Settings));
 
     /// <exception cref="CommandException">The machine cannot work with that value.</exception>
@@ -47,7 +46,7 @@ internal sealed class SettingCommand : ISettingCommand
         var value = await context.ValueAsync(_limits with { Default = ValueText(context) }).ConfigureAwait(false);
         var state = context.Document.Current;
         var settings = _write(state.Settings, value);
-        if (MachineProfileValidation.Check(settings.Machine) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);
+        if (MachineProfileValidation.Check(settings.Machine, MachineFamily.Limits) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);
         context.Take(state with { Settings = settings });
     }
 }

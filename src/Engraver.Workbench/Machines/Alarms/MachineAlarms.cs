@@ -1,5 +1,4 @@
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Protocol;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Machines.Alarms;
@@ -10,11 +9,11 @@ internal static class MachineAlarms
     public static void LinkLost(AlarmLog log, string link, string why) =>
         log.Raise(AlarmCause.LinkLost, why, link, "Look at the cable and the controller's power, then CNCCONNECT again. Where the machine stands must be checked before a job goes on.");
 
-    public static void Refused(AlarmLog log, Rejected refused, string link) =>
-        log.Raise(AlarmCause.Refused, refused.Explain(), link, "The controller said why; mend that and repeat the command.");
+    public static void Refused(AlarmLog log, MachineRefusal refused, string link) =>
+        log.Raise(AlarmCause.Refused, refused.Sentence, link, "The controller said why; mend that and repeat the command.");
 
     /// <summary>By what stands in the controller now.</summary>
-    public static void Seen(AlarmLog log, MachinePoll poll, string link)
+    public static void Seen(AlarmLog log, MachineReading poll, string link)
     {
         log.Clear(AlarmCause.LinkLost);
         Standing(log, poll.Limit.Length > 0, AlarmCause.Limit, $"The machine stands on {poll.Limit}.", "Move the axis off the switch; a job that was stopped by it must be looked at.", link);

@@ -1,6 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;

@@ -1,4 +1,4 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Arming;

@@ -1,12 +1,5 @@
-using Engraver.Core.Drawings;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Jobs.Journal;
-using Engraver.Galil.Jobs.Timing;
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs;
-using Engraver.Galil.Programs.Timing;
-using Engraver.Galil.Protocol;
-using Engraver.Galil.Sessions;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -16,7 +9,7 @@ public static class MachineRun
 {
     /// <param name="job">Prepared in the style of the mode, with a motion program.</param>
     /// <param name="program">Of <paramref name="job"/>, made fit for the link (<see cref="JobPlan.FitToLink"/>).</param>
-    /// <exception cref="Engraver.Galil.Links.ControllerException">The link never came up. A link lost later is an outcome, not an exception.</exception>
+    /// <exception cref="Engraver.Core.Machines.ControllerException">The link never came up. A link lost later is an outcome, not an exception.</exception>
     /// <exception cref="IOException">The journal or the trace cannot be written.</exception>
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
@@ -27,17 +20,17 @@ public static class MachineRun
 
     /// <summary>The same on a machine that stays connected afterwards.</summary>
     /// <param name="connection">Where to; the address of the options is not looked at.</param>
-    /// <exception cref="Engraver.Galil.Links.ControllerException">The link never came up.</exception>
+    /// <exception cref="Engraver.Core.Machines.ControllerException">The link never came up.</exception>
     /// <exception cref="IOException">The journal or the trace cannot be written.</exception>
     public static async Task<MachineRunReport> RunAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, TimeProvider time, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         using var clock = connection.TakeClock();
-        var trace = options.TracePath is { } path ? new WireTrace(await OpenAsync(path, stop).ConfigureAwait(false), clock.Time, wall: time) : null;
+        var trace = options.TracePath is { } path ? clock.TraceTo(await OpenAsync(path, stop).ConfigureAwait(false), wall: time) : null;
         MachineRunReport report;
         try
         {
-            report = await InSessionAsync(job, program, connection, options, new SessionOptions { Trace = trace }, clock, progress, stop).ConfigureAwait(false);
+            report = await InSessionAsync(job, program, connection, options, trace, clock, progress, stop).ConfigureAwait(false);
         }
         finally
         {
@@ -52,7 +45,7 @@ public static class MachineRun
         Task.Factory.StartNew(() => new StreamWriter(path), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).WaitAsync(stop);
 
     private static async Task<MachineRunReport> InSessionAsync(
-        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, SessionOptions sessionOptions, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
+        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, MachineTrace? trace, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         var listener = options.DryRun || connection.Simulator is null ? null : new RecordListener(job.Settings.Machine, RunJudge.JudgeOf(job));
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // what earlier jobs on the same simulated controller cut does not count for this one
@@ -70,9 +63,9 @@ public static class MachineRun
             FrameTaken = frame => listener?.Start(frame.X, frame.Y),
             KeepsPolledTrace = connection.Simulator is null,
         };
-        await using var session = await clock.OpenSessionAsync(connection, sessionOptions, stop).ConfigureAwait(false);
-        var result = await JobRunner.RunAsync(program, session, jobOptions, progress, stop).ConfigureAwait(false);
-        return new MachineRunReport(result, judgement, session.Identity.Model, JobTime.Estimate(program, session.Line, options.Mode).Total);
+        await using var machine = await clock.ShakeHandsAsync(connection, trace, stop).ConfigureAwait(false);
+        var result = await machine.RunAsync(program, jobOptions, progress, stop).ConfigureAwait(false);
+        return new MachineRunReport(result, judgement, machine.Identity.Model, machine.PlannedSeconds(program, options.Mode));
     }
 
     private static void Begin(PreparedJob job, string controller, MachineRunOptions options, JournalHeader header)
@@ -90,7 +83,7 @@ public static class MachineRun
 
 /// <summary>How a run ended and what it is worth.</summary>
 /// <param name="Controller">The model as the controller names itself.</param>
-/// <param name="PlannedSeconds">By the trapezoids the controller runs and the commands exchanged at standstills over this link (<see cref="JobTime"/>).</param>
+/// <param name="PlannedSeconds">By the trapezoids the controller runs and the commands exchanged at standstills over this link.</param>
 public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, string Controller, double PlannedSeconds)
 {
     /// <summary>Why the trace of the wire ended before the job did; null when it is whole, or none was wanted.</summary>

@@ -1,7 +1,5 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Links;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines.Runs;
 

@@ -1,11 +1,10 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Verification;
-using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Execution;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
 using Engraver.Simulator;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -42,14 +41,14 @@ public static class RunJudge
         var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
         var tolerances = Tolerances(job);
         var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
-        var missing = Math.Max(0.0, planned - cut) / Math.Max(Math.Abs(profile.CountsPerMillimetreX), Math.Abs(profile.CountsPerMillimetreY));
+        var missing = Math.Max(0.0, planned - cut) / profile.Scale.Largest;
         return new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place };
     }
 
     /// <summary>What a faithful run of the job may differ by.</summary>
     public static TraceTolerances Tolerances(PreparedJob job) => TraceTolerances.Default with
     {
-        Count = 1.0 / Math.Min(Math.Abs(job.Settings.Machine.CountsPerMillimetreX), Math.Abs(job.Settings.Machine.CountsPerMillimetreY)),
+        Count = 1.0 / job.Settings.Machine.Scale.Smallest,
         MaxError = job.Settings.MaxErrorMm,
     };
 

@@ -1,8 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 using Engraver.Core.Verification;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Workbench.Documents;
 

@@ -1,8 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
-using Engraver.Galil.Jobs.Journal;
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;

@@ -1,7 +1,9 @@
+using Engraver.Core.Machines;
+
 namespace Engraver.Workbench.Machines.Terminals;
 
 /// <summary>The terminal's page on the connection that stands: what was typed, answered and printed, oldest first. The lines outlive the connection.</summary>
-/// <remarks>Any thread. Nothing is sent while a job runs, and what the <see cref="CommandGuard"/> withholds is not sent at all.</remarks>
+/// <remarks>Any thread. Nothing is sent while a job runs, and what the driver withholds is not sent at all.</remarks>
 public sealed class LiveTerminal
 {
     /// <summary>Older lines are forgotten.</summary>
@@ -26,7 +28,7 @@ public sealed class LiveTerminal
     }
 
     /// <summary>Takes a typed line and shows it with its answer.</summary>
-    /// <exception cref="Engraver.Galil.Links.ControllerException">The link failed; the line stays on the page.</exception>
+    /// <exception cref="Engraver.Core.Machines.ControllerException">The link failed; the line stays on the page.</exception>
     public async Task<IReadOnlyList<TerminalAnswer>> TypeAsync(string line, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(line);

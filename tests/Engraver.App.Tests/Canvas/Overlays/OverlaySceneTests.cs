@@ -4,7 +4,7 @@ using Engraver.App.Canvas.Overlays;
 using Engraver.App.Canvas.Views;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;

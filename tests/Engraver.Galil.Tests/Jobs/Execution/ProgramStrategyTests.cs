@@ -1,7 +1,5 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
-using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Tests.Programs;
@@ -62,7 +60,7 @@ public class ProgramStrategyTests
         await using var bench = new SimulatedBench(programLines: 40);
         var result = await bench.RunAsync(MotionPrograms.Paper, Job);
 
-        Assert.Equal((JobOutcome.Refused, TcCode.DownloadError, 0), (result.Outcome, result.Refusal?.Code, result.SegmentsSent));
+        Assert.Equal((JobOutcome.Refused, TcCode.DownloadError, 0), (result.Outcome, (TcCode?)result.Refusal?.Code, result.SegmentsSent));
         Assert.All(bench.Controller.Record.Snapshot(), sample => Assert.Equal((0, 0), (sample.A, sample.B)));
     }
 
@@ -91,7 +89,7 @@ public class ProgramStrategyTests
         await using var bench = new SimulatedBench();
         var result = await bench.RunAsync(MotionPrograms.ArcChain(3, 5), Job);
 
-        Assert.Equal((JobOutcome.Refused, TcCode.NumberOutOfRange, 0, 1), (result.Outcome, result.Refusal?.Code, result.SegmentsExecuted, result.Rejected));
+        Assert.Equal((JobOutcome.Refused, TcCode.NumberOutOfRange, 0, 1), (result.Outcome, (TcCode?)result.Refusal?.Code, result.SegmentsExecuted, result.Rejected));
         Assert.Matches("line [0-9]+ of the downloaded program", result.Sentence);
         Assert.Contains("'CR 5,180,-180;CR 5,180,180;CR 5,180,-180'", result.Sentence, StringComparison.Ordinal);
         Assert.EndsWith("Drawing entity 0.", result.Sentence, StringComparison.Ordinal);

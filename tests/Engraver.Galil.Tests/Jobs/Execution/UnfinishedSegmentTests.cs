@@ -1,7 +1,5 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
-using Engraver.Galil.Language;
-using Engraver.Galil.Programs;
 
 namespace Engraver.Galil.Tests.Jobs.Execution;
 
@@ -52,7 +50,7 @@ public class UnfinishedSegmentTests
     [InlineData(900000, 0, true, 0, 0.0)] // behind its end
     public void Only_a_position_on_the_segment_with_the_tool_on_counts(int x, int y, bool toolOn, int executed, double cut)
     {
-        var result = JobResult.NotStarted(MotionPrograms.LongLine(200000), "Stopped.") with { PolledTrace = [new TracePoint(1.0, x, y, toolOn) { Executed = executed }] };
+        var result = JobResult.NotStarted(MotionPrograms.LongLine(200000).Strokes.Count, "Stopped.") with { PolledTrace = [new TracePoint(1.0, x, y, toolOn) { Executed = executed }] };
 
         Assert.Equal(cut, UnfinishedSegment.CutLength(MotionPrograms.LongLine(200000), result, Tolerance));
     }
@@ -69,7 +67,7 @@ public class UnfinishedSegmentTests
             var length = 2000.0 * Math.PI;
             var circle = new VectorSequence(default, 20000, [new VectorSegment(VectorSegmentKind.Arc, default, 1000, 0.0, turn, 0, length)]);
             var program = MotionPrograms.LongLine(1) with { Strokes = [new MotionStroke(0, default, [circle])] };
-            var result = JobResult.NotStarted(program, "Stopped.") with { PolledTrace = [new TracePoint(1.0, x, Math.Sign(turn) * y, ToolOn: true)] };
+            var result = JobResult.NotStarted(program.Strokes.Count, "Stopped.") with { PolledTrace = [new TracePoint(1.0, x, Math.Sign(turn) * y, ToolOn: true)] };
 
             Assert.Equal(fraction * length, UnfinishedSegment.CutLength(program, result, Tolerance), 6);
         }

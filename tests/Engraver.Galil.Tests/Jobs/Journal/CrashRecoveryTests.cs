@@ -1,3 +1,4 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs.Journal;

@@ -1,9 +1,6 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Timing;
-using Engraver.Galil.Links;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
 using Engraver.Galil.Tests.Programs;
@@ -84,7 +81,7 @@ public class JobTimeTests
     {
         await using var bench = new SimulatedBench(clock: new ManualTimeProvider()); // only bytes move the time, however busy this computer is
         var made = Part(part, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous);
-        var program = mode == JobMode.Stream ? LinkFeedFit.Create(made, new SerialLine(baud), null).Program : made;
+        var program = mode == JobMode.Stream ? LinkFeedFitting.Create(made, new SerialLine(baud), null).Program : made;
         var planned = JobTime.Estimate(program, new SerialLine(baud), mode).Total;
         var result = await bench.RunSerialAsync(baud, program, mode);
 

@@ -1,4 +1,4 @@
-using Engraver.Galil.Jobs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Watching;
 
 namespace Engraver.Galil.Tests.Jobs.Watching;

@@ -1,5 +1,5 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Language;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Generation;
 
 namespace Engraver.Galil.Tests.Programs.Generation;

@@ -1,7 +1,6 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
 using Engraver.Core.Toolpaths;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
 

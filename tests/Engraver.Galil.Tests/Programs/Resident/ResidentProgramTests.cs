@@ -1,4 +1,4 @@
-using Engraver.Galil.Profiles;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Resident;
 
 namespace Engraver.Galil.Tests.Programs.Resident;

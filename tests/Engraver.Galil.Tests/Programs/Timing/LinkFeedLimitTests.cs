@@ -1,7 +1,4 @@
-using Engraver.Galil.Language;
-using Engraver.Galil.Links;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Timing;
 using FsCheck;
 using FsCheck.Fluent;
@@ -54,12 +51,12 @@ public class LinkFeedLimitTests
         var sequence = Sequence(20000, [.. Enumerable.Repeat(100, 2000)]);
         var program = new MotionProgram(MachineProfile.Default, default, [new MotionStroke(0, default, [sequence])]);
 
-        var fit = LinkFeedFit.Create(program, new SerialLine(19200), null);
+        var fit = LinkFeedFitting.Create(program, new SerialLine(19200), null);
 
         var finding = Assert.Single(fit.Diagnostics);
         Assert.Matches("^At full feed the path needs 200 segments a second and 19200 baud carry [0-9]{2,3}, so the feed is lowered in 1 of the vector sequences, at worst to [0-9.]+ instead of 1200 mm/min", finding.Message);
         Assert.Equal(program.SegmentCount, fit.Program.SegmentCount);
-        Assert.Empty(LinkFeedFit.Create(fit.Program, new SerialLine(19200), null).Diagnostics);
+        Assert.Empty(LinkFeedFitting.Create(fit.Program, new SerialLine(19200), null).Diagnostics);
     }
 
     private static VectorSequence Sequence(int speed, int[] lengths)

@@ -1,6 +1,4 @@
-using Engraver.Galil.Language;
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
 using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Tests.Programs.Timing;

@@ -1,5 +1,5 @@
-using Engraver.Galil.Profiles;
-using Engraver.Galil.Programs;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
 
@@ -57,7 +57,7 @@ public class MotionTimelineTests
     public void Distance_and_time_of_a_ramp_are_each_others_inverse(double distance)
     {
         var profile = new SpeedTrapezoid(distance, 20_000, 256_000);
-        Assert.Equal(MotionTime.Trapezoid(distance, 20_000, 256_000), profile.Seconds, precision: 12);
+        Assert.Equal(SpeedTrapezoid.Time(distance, 20_000, 256_000), profile.Seconds, precision: 12);
         for (var i = 0; i <= 20; i++)
         {
             var way = distance * i / 20.0;

@@ -1,8 +1,9 @@
+using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Links;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Simulator;
 using Engraver.TestKit;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Runs;

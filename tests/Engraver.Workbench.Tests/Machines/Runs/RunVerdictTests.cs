@@ -1,10 +1,8 @@
 using Engraver.Core.Geometry;
-using Engraver.Galil.Jobs;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
-using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines.Runs;

@@ -1,7 +1,7 @@
-using Engraver.Galil.Links;
+using Engraver.Core.Machines;
 using Engraver.Galil.Sessions;
-using Engraver.Workbench.Machines;
-using Engraver.Workbench.Machines.Terminals;
+using Engraver.Galil.Terminals;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Tests.Machines.Terminals;
 
@@ -11,7 +11,7 @@ public class MachineTerminalTests
     public async Task Replies_refusals_and_silent_commands_are_told_apart()
     {
         await using var connection = Simulated();
-        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, CancellationToken.None);
+        await using var terminal = await MachineTerminal.OpenAsync(connection.OpenLinkAsync, TimeProvider.System, CancellationToken.None);
 
         Assert.Equal([new TerminalAnswer(TerminalAnswerKind.Reply, "3.0000")], await terminal.AnswerAsync("MG 1+2", CancellationToken.None));
         Assert.Equal([new TerminalAnswer(TerminalAnswerKind.Reply, ":")], await terminal.AnswerAsync("x=4", CancellationToken.None));
@@ -26,7 +26,7 @@ public class MachineTerminalTests
     public async Task What_a_program_prints_comes_as_a_message_before_the_next_answer()
     {
         await using var connection = Simulated();
-        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, CancellationToken.None);
+        await using var terminal = await MachineTerminal.OpenAsync(connection.OpenLinkAsync, TimeProvider.System, CancellationToken.None);
         await terminal.Session.Commands.DownloadAsync("#HELLO\nMG \"HELLO\"\nEN\n", CancellationToken.None);
 
         var answers = (await terminal.AnswerAsync("XQ#HELLO", CancellationToken.None)).ToList();
@@ -39,7 +39,7 @@ public class MachineTerminalTests
     public async Task The_program_in_the_controller_can_be_listed()
     {
         await using var connection = Simulated();
-        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, CancellationToken.None);
+        await using var terminal = await MachineTerminal.OpenAsync(connection.OpenLinkAsync, TimeProvider.System, CancellationToken.None);
         await terminal.Session.Commands.DownloadAsync("#A\nEN\n", CancellationToken.None);
 
         Assert.Equal([new TerminalAnswer(TerminalAnswerKind.Reply, "#A\nEN")], await terminal.AnswerAsync("UL", CancellationToken.None));
@@ -49,7 +49,7 @@ public class MachineTerminalTests
     public async Task The_operators_stop_brings_a_jogging_axis_to_rest()
     {
         await using var connection = Simulated();
-        await using var terminal = await MachineTerminal.OpenAsync(connection, TimeProvider.System, CancellationToken.None);
+        await using var terminal = await MachineTerminal.OpenAsync(connection.OpenLinkAsync, TimeProvider.System, CancellationToken.None);
         foreach (var line in new[] { "SHC", "JGC=1000", "BGC" }) Assert.Equal(":", (await terminal.AnswerAsync(line, CancellationToken.None)).Single().Text);
 
         await terminal.StopAsync(toolOutput: 1, TimeSpan.Zero);
@@ -64,7 +64,7 @@ public class MachineTerminalTests
     {
         await using var connection = MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System, keepsRecord: true);
         using var clock = connection.TakeClock(); // no time passes but by commands
-        await using var terminal = await MachineTerminal.OpenAsync(connection, clock.Time, CancellationToken.None);
+        await using var terminal = await MachineTerminal.OpenAsync(connection.OpenLinkAsync, clock.Time, CancellationToken.None);
         foreach (var line in new[] { "SB 1", "SHC", "JGC=20000", "BGC" }) Assert.Equal(":", (await terminal.AnswerAsync(line, CancellationToken.None)).Single().Text);
         connection.Simulator!.Advance(TimeSpan.FromSeconds(1));
         var pressedAt = connection.Simulator.Status.Sample;

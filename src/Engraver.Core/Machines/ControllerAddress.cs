@@ -1,0 +1,127 @@
+using System.Diagnostics.CodeAnalysis;
+using System.Globalization;
+
+namespace Engraver.Core.Machines;
+
+/// <summary>Where a controller is reached: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> or <c>sim:?speed=max</c>. A value; opening it is the caller's business.</summary>
+public abstract record ControllerAddress
+{
+    /// <summary>Port 23 is the convention of Galil's own hosts (galil-dmc.md A.1).</summary>
+    public const int DefaultTcpPort = 23;
+
+    /// <summary>19200 without a jumper (galil-dmc.md A.2).</summary>
+    public const int DefaultBaud = 19200;
+
+    /// <summary>What is accepted, for messages.</summary>
+    public const string Forms =
+        "tcp://HOST:PORT, serial://DEVICE?baud=19200 (1200, 9600, 19200, 38400, 57600 or 115200; &flow=none, xonxoff or rtscts, the default) or sim:?speed=max; behind a simulated controller that is not at speed 1 also clock=PORT";
+
+    /// <summary>Port of loopback at which a simulated controller in another process offers its clock; null for a controller whose clock is the wall's.</summary>
+    public int? ClockPort { get; init; }
+
+    /// <exception cref="FormatException">The text is no address; the message says what is accepted.</exception>
+    public static ControllerAddress Parse(string text) =>
+        TryParse(text, out var address) ? address : throw new FormatException($"'{text}' is no controller address; write {Forms}.");
+
+    public static bool TryParse(string text, [NotNullWhen(true)] out ControllerAddress? address)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        var (body, query) = Split(text);
+        address = body switch
+        {
+            _ when body.StartsWith("tcp://", StringComparison.Ordinal) => Tcp(body["tcp://".Length..], query),
+            _ when body.StartsWith("serial://", StringComparison.Ordinal) => Serial(body["serial://".Length..], query),
+            "sim:" => Simulated(query),
+            _ => null,
+        };
+        return address is not null;
+    }
+
+    private static (string Body, string Query) Split(string text) =>
+        text.IndexOf('?', StringComparison.Ordinal) is >= 0 and var mark ? (text[..mark], text[(mark + 1)..]) : (text, "");
+
+    private static TcpAddress? Tcp(string authority, string query)
+    {
+        if (query.Length > 0 && Clock(query) is null) return null;
+        if (!Uri.TryCreate("tcp://" + authority, UriKind.Absolute, out var uri) || uri.Host.Length == 0 || uri.AbsolutePath.Length > 1) return null;
+        return uri.Port == 0 ? null : new TcpAddress(uri.Host, uri.Port < 0 ? DefaultTcpPort : uri.Port) { ClockPort = Clock(query) };
+    }
+
+    private static int? Clock(string option) =>
+        option.StartsWith("clock=", StringComparison.Ordinal) && int.TryParse(option.AsSpan(6), NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port is > 0 and <= 65535 ? port : null;
+
+    private static SerialAddress? Serial(string device, string query)
+    {
+        if (device.Length == 0) return null;
+        var address = new SerialAddress(device, DefaultBaud);
+        foreach (var option in query.Split('&', StringSplitOptions.RemoveEmptyEntries))
+        {
+            if (With(address, option) is not { } changed) return null;
+            address = changed;
+        }
+
+        return address;
+    }
+
+    private static SerialAddress? With(SerialAddress address, string option) => option switch
+    {
+        "flow=none" => address with { Flow = SerialFlow.None },
+        "flow=xonxoff" => address with { Flow = SerialFlow.XonXoff },
+        "flow=rtscts" => address with { Flow = SerialFlow.RtsCts },
+        _ when Clock(option) is { } port => address with { ClockPort = port },
+        _ => option.StartsWith("baud=", StringComparison.Ordinal)
+            && int.TryParse(option.AsSpan(5), NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)
+            ? address with { Baud = baud }
+            : null,
+    };
+
+    private static SimulatedAddress? Simulated(string query)
+    {
+        if (query.Length == 0 || query == "speed=max") return new SimulatedAddress(double.PositiveInfinity) { SaysSpeed = query.Length > 0 };
+        return query.StartsWith("speed=", StringComparison.Ordinal)
+            && double.TryParse(query.AsSpan(6), NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0
+            ? new SimulatedAddress(speed)
+            : null;
+    }
+}
+
+/// <param name="Device">Device path or port name.</param>
+/// <param name="Baud">Bits per second, one of <see cref="SerialLine.Rates"/>.</param>
+/// <param name="Flow">How the two ends hold each other back.</param>
+public sealed record SerialAddress(string Device, int Baud, SerialFlow Flow = SerialFlow.RtsCts) : ControllerAddress;
+
+/// <param name="Speed">Controller seconds per wall second; infinity is virtual time.</param>
+public sealed record SimulatedAddress(double Speed) : ControllerAddress
+{
+    /// <summary>False for a bare <c>sim:</c>: whoever connects may have a speed of its own in mind; the console has none.</summary>
+    public bool SaysSpeed { get; init; } = true;
+}
+
+public sealed record TcpAddress(string Host, int Port) : ControllerAddress;
+
+/// <summary>How the two ends of a serial line hold each other back.</summary>
+public enum SerialFlow : byte
+{
+    /// <summary>The lines RTS and CTS: what the controller expects; without it characters are lost in bursts (galil-dmc.md A.2).</summary>
+    RtsCts,
+
+    /// <summary>Nothing: a cable of three wires.</summary>
+    None,
+
+    /// <summary>The characters Ctrl-S and Ctrl-Q. Binary records (QR) do not survive it.</summary>
+    XonXoff,
+}
+
+/// <summary>What a serial line means for those who talk over it: one wire for everything, characters echoed while EO is 1, and every byte takes its time.</summary>
+/// <param name="Baud">Bits per second; one of <see cref="Rates"/>.</param>
+public sealed record SerialLine(int Baud)
+{
+    /// <summary>The rates of galil-dmc.md A.2.</summary>
+    public static IReadOnlyList<int> Rates { get; } = [1200, 9600, 19200, 38400, 57600, 115200];
+
+    /// <summary>Seconds a byte takes: a start bit, eight data bits, a stop bit.</summary>
+    public double ByteSeconds => 10.0 / Baud;
+
+    /// <summary>Seconds that a number of bytes take.</summary>
+    public TimeSpan Time(long bytes) => TimeSpan.FromSeconds(bytes * ByteSeconds);
+}

@@ -1,0 +1,49 @@
+namespace Engraver.Core.Machines;
+
+/// <summary>The fields of a profile file; those that are not given keep the default machine profile's value.</summary>
+internal sealed class MachineProfileDocument
+{
+    public double? CountsPerMillimetreX { get; set; }
+
+    public double? CountsPerMillimetreY { get; set; }
+
+    public double? FeedMmPerMinute { get; set; }
+
+    public double? RapidMmPerMinute { get; set; }
+
+    public int? AccelerationCounts { get; set; }
+
+    public double? SharpCornerDegrees { get; set; }
+
+    public int? ToolOutput { get; set; }
+
+    public double? ToolSettleSeconds { get; set; }
+
+    public double? AngleQuantumDegrees { get; set; }
+
+    public static MachineProfileDocument From(MachineProfile profile) => new()
+    {
+        CountsPerMillimetreX = profile.CountsPerMillimetreX,
+        CountsPerMillimetreY = profile.CountsPerMillimetreY,
+        FeedMmPerMinute = profile.FeedMmPerMinute,
+        RapidMmPerMinute = profile.RapidMmPerMinute,
+        AccelerationCounts = profile.AccelerationCounts,
+        SharpCornerDegrees = profile.SharpCornerDegrees,
+        ToolOutput = profile.ToolOutput,
+        ToolSettleSeconds = profile.ToolSettleSeconds,
+        AngleQuantumDegrees = profile.AngleQuantumDegrees,
+    };
+
+    public MachineProfile Over(MachineProfile profile) => new()
+    {
+        CountsPerMillimetreX = CountsPerMillimetreX ?? profile.CountsPerMillimetreX,
+        CountsPerMillimetreY = CountsPerMillimetreY ?? profile.CountsPerMillimetreY,
+        FeedMmPerMinute = FeedMmPerMinute ?? profile.FeedMmPerMinute,
+        RapidMmPerMinute = RapidMmPerMinute ?? profile.RapidMmPerMinute,
+        AccelerationCounts = AccelerationCounts ?? profile.AccelerationCounts,
+        SharpCornerDegrees = SharpCornerDegrees ?? profile.SharpCornerDegrees,
+        ToolOutput = ToolOutput ?? profile.ToolOutput,
+        ToolSettleSeconds = ToolSettleSeconds ?? profile.ToolSettleSeconds,
+        AngleQuantumDegrees = AngleQuantumDegrees ?? profile.AngleQuantumDegrees,
+    };
+}

@@ -1,0 +1,60 @@
+using System.Text.Json;
+using System.Text.Json.Serialization;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Machines;
+
+/// <summary>A machine profile as JSON: an object of the profile's properties in camel case; comments and trailing commas are allowed, fields that are missing (or null) keep their default.</summary>
+public static class MachineProfileFile
+{
+    /// <summary>Reads a profile and checks it against what the controller accepts. Whatever is wrong is a diagnostic, with the line where the text itself is wrong.</summary>
+    public static MachineProfileReading Read(string json, MachineLimits limits)
+    {
+        try
+        {
+            return Checked(JsonSerializer.Deserialize(json, MachineProfileJson.Default.MachineProfileDocument), limits);
+        }
+        catch (JsonException trouble)
+        {
+            return new MachineProfileReading(null, [Finding(trouble)]);
+        }
+    }
+
+    /// <summary>The profile with every field, ready to be edited.</summary>
+    public static string Write(MachineProfile profile) => JsonSerializer.Serialize(MachineProfileDocument.From(profile), MachineProfileJson.Default.MachineProfileDocument) + "\n";
+
+    private static MachineProfileReading Checked(MachineProfileDocument? document, MachineLimits limits)
+    {
+        if (document is null) return new MachineProfileReading(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), "it holds null instead of an object")]);
+        var profile = document.Over(MachineProfile.Default);
+        var findings = MachineProfileValidation.Check(profile, limits);
+        return new MachineProfileReading(findings.Count == 0 ? profile : null, findings);
+    }
+
+    private static Diagnostic Finding(JsonException trouble)
+    {
+        var place = new SourceRef((trouble.LineNumber ?? 0) + 1);
+        if (trouble.InnerException is JsonException) return MotionRules.ProfileUnreadable.At(place, $"the text is no JSON at line {place.Line}");
+        var field = trouble.Path is ['$', '.', .. var name] ? name : string.Empty;
+        if (field.Length == 0) return MotionRules.ProfileUnreadable.At(place, "it is no JSON object");
+        return (IsKnown(field) ? MotionRules.ProfileValueUnreadable : MotionRules.ProfileFieldUnknown).At(place, field);
+    }
+
+    private static bool IsKnown(string field) => MachineProfileJson.Default.MachineProfileDocument.Properties.Any(property => property.Name == field);
+}
+
+/// <summary>Reads and writes profile files without reflection.</summary>
+[JsonSourceGenerationOptions(
+    PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase,
+    WriteIndented = true,
+    AllowTrailingCommas = true,
+    ReadCommentHandling = JsonCommentHandling.Skip,
+    UnmappedMemberHandling = JsonUnmappedMemberHandling.Disallow,
+    AllowDuplicateProperties = false)]
+[JsonSerializable(typeof(MachineProfileDocument))]
+internal sealed partial class MachineProfileJson : JsonSerializerContext;
+
+/// <summary>What came of a profile file.</summary>
+/// <param name="Profile">Null when the file cannot be read.</param>
+/// <param name="Diagnostics">What is wrong with it, with its line; empty when nothing is.</param>
+public sealed record MachineProfileReading(MachineProfile? Profile, IReadOnlyList<Diagnostic> Diagnostics);

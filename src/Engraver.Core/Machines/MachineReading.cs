@@ -1,0 +1,39 @@
+namespace Engraver.Core.Machines;
+
+/// <summary>One look at an idle controller, in its counts. What it does not know is null.</summary>
+/// <param name="X">Where the axis of the drawing's X stands, by the controller's own zero.</param>
+/// <param name="Y">The same of the drawing's Y.</param>
+/// <param name="ErrorX">Following error: commanded less actual position.</param>
+/// <param name="ErrorY">The same of the drawing's Y.</param>
+/// <param name="Moves">An axis or the path is under way.</param>
+/// <param name="MotorsOff">The controller's letters of the axes whose motor is off; empty for none.</param>
+public sealed record MachineReading(int X, int Y, int ErrorX, int ErrorY, bool Moves, string MotorsOff)
+{
+    /// <summary>Inputs 1 to 8, bit 0 is input 1.</summary>
+    public int? Inputs { get; init; }
+
+    /// <summary>Outputs 1 to 8, bit 0 is output 1.</summary>
+    public int? Outputs { get; init; }
+
+    /// <summary>Along the path, counts/s.</summary>
+    public double? Speed { get; init; }
+
+    /// <summary>The limits that are hit, in words; empty for none.</summary>
+    public string Limit { get; init; } = "";
+
+    /// <summary>The controller's letters of the axes that were switched off because of their position error.</summary>
+    public string LostPosition { get; init; } = "";
+
+    /// <summary>The abort input is active.</summary>
+    public bool AbortInput { get; init; }
+
+    /// <summary>The controller executes a program; it is none of ours while the machine is only watched.</summary>
+    public bool ProgramRuns { get; init; }
+
+    /// <summary>True when a person or a program has changed something that arming relied on.</summary>
+    public bool DiffersFrom(MachineReading other)
+    {
+        ArgumentNullException.ThrowIfNull(other);
+        return (X, Y, Moves, MotorsOff, Limit, AbortInput, ProgramRuns, Inputs) != (other.X, other.Y, other.Moves, other.MotorsOff, other.Limit, other.AbortInput, other.ProgramRuns, other.Inputs);
+    }
+}

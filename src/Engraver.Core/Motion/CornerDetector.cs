@@ -1,0 +1,74 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+
+namespace Engraver.Core.Motion;
+
+/// <summary>Says where the path turns too sharply to be cut without a stop. It looks at the drawn tangents: rounded counts would see corners in any run of short pieces.</summary>
+/// <remarks>Moves that vanish in counts are seen too, so that a bend made of many of them is smooth, and a speck of another direction inside a straight is no corner.
+/// A bend so small that the controller would be around it between two of its samples is a corner too, however smooth it was drawn; near a standstill the tool is slow, and it is none.</remarks>
+public sealed class CornerDetector(MachineProfile profile)
+{
+    /// <summary>Turns of exactly the limit (a regular polygon) must not depend on the last bit of an arc tangent.</summary>
+    private const double RoundingDegrees = 1e-6;
+
+    /// <summary>At TM 1000, the default sample time.</summary>
+    private const double SampleSeconds = 0.001;
+
+    /// <summary>A motor sample may pass a bend inside by what it may differ from the drawing anywhere.</summary>
+    private const double CountsBesideBend = 2.5;
+
+    private Vector2D _lastCut;
+    private Vector2D _lastSeen;
+    private double _sharpest;
+    private double _bend;
+    private double _countsSinceStop;
+
+    /// <summary>True when the path must stand still before this move, which will be cut.</summary>
+    public bool IsCornerBefore(in Segment move)
+    {
+        See(move);
+        var turn = Turn(_lastCut, move.StartTangent);
+        var isSharp = _sharpest > profile.SharpCornerDegrees + RoundingDegrees && turn > profile.SharpCornerDegrees + RoundingDegrees;
+        if (isSharp || IsBend(turn, move)) _countsSinceStop = 0.0;
+        return _countsSinceStop == 0.0;
+    }
+
+    /// <summary>The move was cut: the next corner is measured from its end.</summary>
+    public void Cut(in Segment move)
+    {
+        var tangent = move.EndTangent;
+        if (tangent == default) return;
+        var way = WayOfSample(_countsSinceStop);
+        _bend = _countsSinceStop == 0.0 || Counts(move) >= way ? BendOf(move, way) : _bend + Turn(_lastCut, move.StartTangent) + BendOf(move, way);
+        _countsSinceStop += Counts(move);
+        (_lastCut, _lastSeen, _sharpest) = (tangent, tangent, 0.0);
+    }
+
+    /// <summary>The move is too small to be cut.</summary>
+    public void Skip(in Segment move)
+    {
+        See(move);
+        if (move.EndTangent != default) _lastSeen = move.EndTangent;
+    }
+
+    /// <summary>A bend of angle b within one sample's way w is passed by up to w/2 sin(b/2) inside.</summary>
+    private bool IsBend(double turn, in Segment move)
+    {
+        var way = WayOfSample(_countsSinceStop);
+        var bend = _bend + turn + BendOf(move, way);
+        return bend > profile.SharpCornerDegrees + RoundingDegrees && way / 2.0 * Angle.FromDegrees(Math.Min(180.0, bend) / 2.0).Sin() > CountsBesideBend;
+    }
+
+    /// <summary>What the tool travels between two samples, counts.</summary>
+    private double WayOfSample(double countsSinceStop) => SampleSeconds * Math.Min(profile.VectorSpeed, Math.Sqrt(2.0 * profile.AccelerationCounts * countsSinceStop));
+
+    /// <summary>What the move turns within one sample's way, degrees.</summary>
+    private double BendOf(in Segment move, double way) =>
+        move.Kind == SegmentKind.Line ? 0.0 : Math.Abs(move.Arc.Sweep.Degrees) * Math.Min(1.0, way / Counts(move));
+
+    private double Counts(in Segment move) => move.Length * profile.Scale.Largest;
+
+    private void See(in Segment move) => _sharpest = Math.Max(_sharpest, Turn(_lastSeen, move.StartTangent));
+
+    private static double Turn(Vector2D from, Vector2D to) => from.TurnTo(to).Abs().Degrees;
+}

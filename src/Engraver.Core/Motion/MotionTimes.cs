@@ -1,0 +1,13 @@
+namespace Engraver.Core.Motion;
+
+/// <summary>Where the time of a motion program goes, in seconds of the controller.</summary>
+/// <param name="Cutting">In vector motion.</param>
+/// <param name="Rapid">In moves between strokes, tool off.</param>
+/// <param name="Dwell">At a standstill: tool settling, and the commands that must be exchanged before the machine moves again.</param>
+public readonly record struct MotionTimes(double Cutting, double Rapid, double Dwell)
+{
+    public double Total => Cutting + Rapid + Dwell;
+
+    public static MotionTimes operator +(MotionTimes left, MotionTimes right) =>
+        new(left.Cutting + right.Cutting, left.Rapid + right.Rapid, left.Dwell + right.Dwell);
+}

@@ -1,0 +1,72 @@
+using System.Collections.Concurrent;
+using System.Diagnostics.CodeAnalysis;
+using System.Globalization;
+using Engraver.Core.Machines;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Jobs.Timing;
+using Engraver.Galil.Language;
+using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+using Engraver.Galil.Terminals;
+
+namespace Engraver.Galil.Driver;
+
+/// <summary>A controller of the DMC family behind the machine seam.</summary>
+public sealed class GalilConnection : IMachineConnection
+{
+    private readonly ControllerSession _session;
+    private readonly ConcurrentQueue<string> _messages;
+    private readonly MachineTerminal _terminal;
+
+    private GalilConnection(ControllerSession session, ConcurrentQueue<string> messages)
+    {
+        _session = session;
+        _messages = messages;
+        _terminal = MachineTerminal.On(session, messages);
+    }
+
+    public MachineIdentity Identity => _session.Identity;
+
+    public MachineCapabilities Capabilities => new(IsSingleWire: _session.Line is not null);
+
+    public bool IsBroken => _session.StopHandle.IsBroken;
+
+    /// <summary>Opens a session and shakes hands.</summary>
+    /// <param name="openLink">Opens one more link to the same controller.</param>
+    /// <param name="trace">Where every line on the wire is written; null for nowhere.</param>
+    /// <exception cref="ControllerException">Nobody answers, or no controller of the family.</exception>
+    public static async Task<GalilConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, WireTrace? trace, TimeProvider time, CancellationToken cancellation)
+    {
+        var messages = new ConcurrentQueue<string>();
+        var session = await ControllerSession.OpenAsync(openLink, new SessionOptions { Trace = trace, MessageReceived = messages.Enqueue }, time, cancellation).ConfigureAwait(false);
+        return new GalilConnection(session, messages);
+    }
+
+    public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => StatusPoll.ReadAsync(_session.StopHandle, cancellation);
+
+    public Task StopAsync(int toolOutput) => new OperatorStop(_session, toolOutput, [], _session.Identity.Letters).BrakeAtOnceAsync();
+
+    /// <summary>AB first: it is the only command that halts without braking (galil-dmc.md B.8). A refused command does not keep the next from being tried.</summary>
+    public async Task AbortAsync(int toolOutput)
+    {
+        foreach (var command in new[] { "AB", string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "MO" + _session.Identity.Letters })
+            await _session.StopHandle.SendAsync(command, CancellationToken.None).ConfigureAwait(false);
+    }
+
+    public async Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) =>
+        (await _session.Commands.SendAsync((on ? "SH" : "MO") + DmcAxes.Plane, cancellation).ConfigureAwait(false) as Rejected)?.ToRefusal();
+
+    public Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation) => _terminal.AnswerAsync(line, cancellation);
+
+    public bool TryTakeMessage([NotNullWhen(true)] out string? message) => _messages.TryDequeue(out message);
+
+    public Task<JobResult> RunAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) => JobRunner.RunAsync(program, _session, options, progress, stop);
+
+    public Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
+        JobRunner.GoToAsync(program, goal, _session, options, progress, stop);
+
+    public double PlannedSeconds(MotionProgram program, JobMode mode) => JobTime.Estimate(program, _session.Line, mode).Total;
+
+    public ValueTask DisposeAsync() => _session.DisposeAsync();
+}

@@ -1,0 +1,36 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Galil.Programs.Posting;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Driver;
+
+/// <summary>One program of a posted file in a controller: loaded and started, and afterwards asked for what it refused.</summary>
+public static class ReadBackRun
+{
+    /// <summary>Downloads the chunk and starts it at #JOB.</summary>
+    /// <returns>Why it does not run; null when it does.</returns>
+    public static async Task<Diagnostic?> StartAsync(ReadBackChunk chunk, CommandChannel channel, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(chunk);
+        ArgumentNullException.ThrowIfNull(channel);
+        var start = new SourceRef(chunk.FirstLine);
+        if (await channel.DownloadAsync(chunk.Text, cancellation).ConfigureAwait(false) is Rejected unloaded) return VerificationRules.NotLoaded.At(start, Number((int)unloaded.Code), unloaded.Text);
+        return await channel.SendAsync("XQ#JOB", cancellation).ConfigureAwait(false) is Rejected unstarted ? VerificationRules.NotLoaded.At(start, Number((int)unstarted.Code), unstarted.Text) : null;
+    }
+
+    /// <summary>The line that the controller refused while the chunk ran; null for none. _ED1 is -1 while no line was refused; _ED counts lines from 0.</summary>
+    public static async Task<Diagnostic?> ErrorAsync(ReadBackChunk chunk, CommandChannel channel, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(chunk);
+        ArgumentNullException.ThrowIfNull(channel);
+        var reading = await channel.ReadAsync("_ED,_ED1,_TC", cancellation).ConfigureAwait(false);
+        var (line, thread, code) = ((int)reading.Values[0], (int)reading.Values[1], (TcCode)reading.Values[2]);
+        if (thread < 0) return null;
+        var text = line < chunk.Lines.Count ? chunk.Lines[line] : "(behind the last line)";
+        return VerificationRules.LineRefused.At(new SourceRef(chunk.FirstLine + Math.Min(line, chunk.Lines.Count - 1)), text, Number((int)code), TcCodes.Text(code));
+    }
+
+    private static string Number(int value) => value.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,36 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+
+namespace Engraver.Galil.Programs.Timing;
+
+/// <summary>Makes a motion program fit to be streamed over a serial line.</summary>
+public static class LinkFeedFitting
+{
+    /// <param name="sourceOf">Where an entity stands in the drawing; null for nowhere.</param>
+    public static LinkFeedFit Create(MotionProgram program, SerialLine line, Func<int, SourceRef>? sourceOf)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        ArgumentNullException.ThrowIfNull(line);
+        var strokes = program.Strokes
+            .Select(stroke => stroke with { Sequences = [.. stroke.Sequences.Select(sequence => sequence with { Speed = LinkFeedLimit.FastestSpeed(sequence, line, program.Profile.AccelerationCounts) })] })
+            .ToList();
+        var lowered = program.Strokes.SelectMany(stroke => stroke.Sequences)
+            .Zip(strokes.SelectMany(stroke => stroke.Sequences), (wanted, fit) => (Wanted: wanted, Fit: fit))
+            .Where(pair => pair.Fit.Speed < pair.Wanted.Speed)
+            .ToList();
+        if (lowered.Count == 0) return new LinkFeedFit(program, []);
+        var (worst, slowest) = lowered.MinBy(pair => (double)pair.Fit.Speed / pair.Wanted.Speed);
+        return new LinkFeedFit(program with { Strokes = strokes }, [Warning(program, line, lowered.Count, worst, slowest.Speed, sourceOf)]);
+    }
+
+    private static Diagnostic Warning(MotionProgram program, SerialLine line, int lowered, VectorSequence worst, int speed, Func<int, SourceRef>? sourceOf)
+    {
+        var (needed, carried) = LinkFeedLimit.Rates(worst, line);
+        var countsPerMillimetre = program.Profile.Scale.Smallest; // as a feed becomes a vector speed
+        string Number(double value) => value.ToString("0", CultureInfo.InvariantCulture);
+        string Feed(int countsPerSecond) => (60.0 * countsPerSecond / countsPerMillimetre).ToString("0.#", CultureInfo.InvariantCulture);
+        return MotionRules.WireTooSlow.At(
+            sourceOf?.Invoke(worst.Segments[0].EntityIndex) ?? default, Number(needed), Number(line.Baud), Number(carried), Number(lowered), Feed(speed), Feed(worst.Speed));
+    }
+}

@@ -1,0 +1,99 @@
+using System.Collections.Concurrent;
+using Engraver.Core.Machines;
+using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Terminals;
+
+/// <summary>A conversation with a controller, line by line: commands go out, replies come back, and what programs print appears between them.</summary>
+/// <remarks>Leaves the controller as it was found, as every session does; numbers are printed in the format that was found.</remarks>
+public sealed class MachineTerminal : IAsyncDisposable
+{
+    private readonly ConcurrentQueue<string> _messages;
+    private readonly List<string> _history = [];
+
+    private MachineTerminal(ControllerSession session, ConcurrentQueue<string> messages)
+    {
+        Session = session;
+        _messages = messages;
+    }
+
+    public ControllerSession Session { get; }
+
+    /// <summary>Lines as typed, oldest first.</summary>
+    public IReadOnlyList<string> History => _history;
+
+    /// <exception cref="ControllerException">The link never came up.</exception>
+    public static async Task<MachineTerminal> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, TimeProvider time, CancellationToken cancellation)
+    {
+        var messages = new ConcurrentQueue<string>();
+        var options = new SessionOptions
+        {
+            ReplyTimeout = CommandChannel.TransferTimeout, // burning takes seconds (galil-dmc.md A.6)
+            SecondHandle = false, // text of programs then comes with the replies
+            MessageReceived = messages.Enqueue,
+        };
+        var session = await ControllerSession.OpenAsync(openLink, options, time, cancellation).ConfigureAwait(false);
+        if (session.Found.Wire.NumberFormatCommand is { } format) await session.Commands.SendAsync(format, cancellation).ConfigureAwait(false);
+        return new MachineTerminal(session, messages);
+    }
+
+    /// <summary>A terminal on a session that somebody else owns: never to be disposed.</summary>
+    internal static MachineTerminal On(ControllerSession session, ConcurrentQueue<string> messages) => new(session, messages);
+
+    /// <summary>Answers one line: what programs have printed by now, then the answer itself. <see cref="TerminalLine.Quit"/> is the caller's business.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
+    {
+        if (line.Trim().Length > 0) _history.Add(line.Trim());
+        var answer = TerminalLine.Read(line) switch
+        {
+            TerminalLine.ToSend command => await SendAsync(command.Text, cancellation).ConfigureAwait(false),
+            TerminalLine.Withheld withheld => new TerminalAnswer(TerminalAnswerKind.Withheld, withheld.Why),
+            TerminalLine.Help help => new TerminalAnswer(TerminalAnswerKind.Help, TerminalHelp.About(help.About)),
+            TerminalLine.History => new TerminalAnswer(TerminalAnswerKind.Help, string.Join('\n', _history)),
+            _ => new TerminalAnswer(TerminalAnswerKind.Help, ""),
+        };
+        return [.. TakeMessages(), answer];
+    }
+
+    /// <summary>What programs have printed since the last answer; asks the controller for its prompt, for text only travels with a reply.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async Task<IReadOnlyList<TerminalAnswer>> PollAsync(CancellationToken cancellation)
+    {
+        await Session.Commands.SendAsync("", cancellation).ConfigureAwait(false);
+        return [.. TakeMessages()];
+    }
+
+    /// <summary>The operator ends the program: the tool goes off, every axis and plane brakes, and the machine is waited for (ADR 4: in this order, in one line).</summary>
+    public async Task StopAsync(int toolOutput, TimeSpan pollInterval)
+    {
+        var stop = new OperatorStop(Session, toolOutput, [], Session.Identity.Letters);
+        await stop.BrakeAtOnceAsync().ConfigureAwait(false);
+        await stop.FinishAsync(pollInterval, CancellationToken.None).ConfigureAwait(false);
+    }
+
+    public ValueTask DisposeAsync() => Session.DisposeAsync();
+
+    private async Task<TerminalAnswer> SendAsync(string command, CancellationToken cancellation)
+    {
+        var reply = command == "UL"
+            ? await Session.Commands.UploadAsync(cancellation).ConfigureAwait(false)
+            : await Session.Commands.SendAsync(command, cancellation).ConfigureAwait(false);
+        return reply switch
+        {
+            Rejected refused => new TerminalAnswer(TerminalAnswerKind.Refusal, $"? {(int)refused.Code} {refused.Text}{TcCodes.Hint(refused.Code)}{CaseHint(refused)}"),
+            Accepted { Data.Length: > 0 } accepted => new TerminalAnswer(TerminalAnswerKind.Reply, accepted.Data),
+            _ => new TerminalAnswer(TerminalAnswerKind.Reply, ":"),
+        };
+    }
+
+    private static string CaseHint(Rejected refused) =>
+        refused.Code == TcCode.UnrecognizedCommand && refused.Command.Length > 0 && char.IsAsciiLetterLower(refused.Command[0]) ? " (commands are upper case)" : "";
+
+    private IEnumerable<TerminalAnswer> TakeMessages()
+    {
+        while (_messages.TryDequeue(out var message)) yield return new TerminalAnswer(TerminalAnswerKind.Message, message);
+    }
+}

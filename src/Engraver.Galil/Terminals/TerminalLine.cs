@@ -1,0 +1,37 @@
+namespace Engraver.Galil.Terminals;
+
+/// <summary>What a line typed into the terminal asks for. Words of the terminal's own are lower case; the controller's commands are upper case, so they cannot be confused.</summary>
+public abstract record TerminalLine
+{
+    /// <summary>The word that a dangerous command needs before it.</summary>
+    public const string ConfirmWord = "confirm";
+
+    private TerminalLine()
+    {
+    }
+
+    /// <summary>Reads a line. Nothing is sent that would hang the conversation (downloads, binary replies) or that the operator may regret.</summary>
+    public static TerminalLine Read(string line)
+    {
+        var text = line.Trim();
+        if (text is "quit" or "exit") return new Quit();
+        if (text is "history") return new History();
+        if (text is "help" || text.StartsWith("help ", StringComparison.Ordinal)) return new Help(text["help".Length..].Trim());
+        var confirmed = text.StartsWith(ConfirmWord + " ", StringComparison.Ordinal);
+        var command = confirmed ? text[ConfirmWord.Length..].Trim() : text;
+        return CommandGuard.WhyNot(command, confirmed) is { } why ? new Withheld(why) : new ToSend(command);
+    }
+
+    /// <summary>A line for the controller; empty is a bare return, which answers a prompt.</summary>
+    public sealed record ToSend(string Text) : TerminalLine;
+
+    /// <summary>A line that is not sent, and why.</summary>
+    public sealed record Withheld(string Why) : TerminalLine;
+
+    /// <param name="About">A command, the number of a TC code, or empty for the terminal itself.</param>
+    public sealed record Help(string About) : TerminalLine;
+
+    public sealed record History : TerminalLine;
+
+    public sealed record Quit : TerminalLine;
+}

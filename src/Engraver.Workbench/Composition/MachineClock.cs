@@ -1,0 +1,59 @@
+using Engraver.Core.Machines;
+using Engraver.Galil.Driver;
+using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+using Engraver.Simulator.Clocks;
+
+namespace Engraver.Workbench.Composition;
+
+/// <summary>The clock that a job on a machine goes by, for as long as this is held: the wall's, or that of a simulated controller which gives its own.</summary>
+public sealed class MachineClock : IDisposable
+{
+    private readonly IDisposable? _taken;
+    private readonly Action? _heard;
+
+    private MachineClock(TimeProvider time, IDisposable? taken, Action? heard) => (Time, _taken, _heard) = (time, taken, heard);
+
+    public TimeProvider Time { get; }
+
+    /// <summary>A clock that nobody has to give back.</summary>
+    public static MachineClock FromWall(TimeProvider wall) => new(wall, null, null);
+
+    /// <param name="clock">Owned: it is given back with this.</param>
+    public static MachineClock FromSimulator(HostClock clock) => new(clock, clock, null);
+
+    /// <param name="clock">Owned: it is given back with this.</param>
+    public static MachineClock FromOffer(OfferedClock clock)
+    {
+        ArgumentNullException.ThrowIfNull(clock);
+        return new(clock, clock, clock.Heard);
+    }
+
+    /// <summary>Shakes hands with a machine and goes by this clock.</summary>
+    /// <param name="trace">Where every line on the wire is written; null for nowhere.</param>
+    /// <exception cref="ControllerException">The link never came up.</exception>
+    public async Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, CancellationToken cancellation) =>
+        await GalilConnection.OpenAsync(async stop => Over(await connection.OpenLinkAsync(stop).ConfigureAwait(false)), trace?.Wire, Time, cancellation).ConfigureAwait(false);
+
+    /// <summary>Writes every line on the wire down, by this clock.</summary>
+    /// <param name="file">Owned: it is closed with the trace.</param>
+    public MachineTrace TraceTo(TextWriter file, TimeProvider wall) => new(new WireTrace(file, Time, wall: wall));
+
+    public void Dispose() => _taken?.Dispose();
+
+    private IControllerLink Over(IControllerLink link) => _heard is null ? link : new ClockedLink(link, _heard);
+}
+
+/// <summary>The record of a link: every line on the wire.</summary>
+public sealed class MachineTrace
+{
+    internal MachineTrace(WireTrace wire) => Wire = wire;
+
+    internal WireTrace Wire { get; }
+
+    /// <summary>Why it ended early; null when it is whole.</summary>
+    public string? Failure => Wire.Failure;
+
+    /// <summary>Writes what is left and closes the file.</summary>
+    public Task CloseAsync(CancellationToken cancellation) => Wire.CloseAsync(cancellation);
+}

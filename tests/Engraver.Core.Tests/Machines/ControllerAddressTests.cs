@@ -1,0 +1,42 @@
+using Engraver.Core.Machines;
+
+namespace Engraver.Core.Tests.Machines;
+
+public class ControllerAddressTests
+{
+    [Fact]
+    public void Each_scheme_is_read_with_its_defaults()
+    {
+        Assert.Equal(new TcpAddress("10.0.0.5", 5000), ControllerAddress.Parse("tcp://10.0.0.5:5000"));
+        Assert.Equal(new TcpAddress("engraver", 23), ControllerAddress.Parse("tcp://engraver"));
+        Assert.Equal(new SerialAddress("/dev/ttyS0", 19200), ControllerAddress.Parse("serial:///dev/ttyS0"));
+        Assert.Equal(new SerialAddress("COM3", 9600), ControllerAddress.Parse("serial://COM3?baud=9600"));
+        Assert.Equal(new SerialAddress("/dev/ttyUSB0", 115200, SerialFlow.None), ControllerAddress.Parse("serial:///dev/ttyUSB0?baud=115200&flow=none"));
+        Assert.Equal(new SerialAddress("/dev/ttyS0", 19200, SerialFlow.XonXoff), ControllerAddress.Parse("serial:///dev/ttyS0?flow=xonxoff"));
+        Assert.Equal(new SerialAddress("/dev/ttyS0", 19200, SerialFlow.RtsCts), ControllerAddress.Parse("serial:///dev/ttyS0?flow=rtscts"));
+        Assert.Equal(new SimulatedAddress(double.PositiveInfinity) { SaysSpeed = false }, ControllerAddress.Parse("sim:"));
+        Assert.Equal(new SimulatedAddress(double.PositiveInfinity), ControllerAddress.Parse("sim:?speed=max"));
+        Assert.Equal(new SimulatedAddress(2.5), ControllerAddress.Parse("sim:?speed=2.5"));
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("10.0.0.5:23")]
+    [InlineData("tcp://")]
+    [InlineData("tcp://host:0")]
+    [InlineData("tcp://host:70000")]
+    [InlineData("tcp://host:23/path")]
+    [InlineData("serial://")]
+    [InlineData("serial://COM3?baud=fast")]
+    [InlineData("serial://COM3?baud=19201")]
+    [InlineData("serial://COM3?flow=maybe")]
+    [InlineData("serial://COM3?parity=even")]
+    [InlineData("sim:?speed=-1")]
+    [InlineData("sim:?speed=1,5")]
+    public void What_is_no_address_is_refused_with_the_forms_that_are(string text)
+    {
+        var refusal = Assert.Throws<FormatException>(() => ControllerAddress.Parse(text));
+
+        Assert.Contains("tcp://HOST:PORT", refusal.Message, StringComparison.Ordinal);
+    }
+}
