@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 
 namespace Engraver.Galil.Tests.Links;

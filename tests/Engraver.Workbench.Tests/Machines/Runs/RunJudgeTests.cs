@@ -116,7 +116,7 @@ public class RunJudgeTests
         var job = JobPreparation.Prepare(drawing, settings, MotionStyle.Continuous);
         await using var connection = MachineConnection.To(new SimulatedAddress(double.PositiveInfinity), TimeProvider.System, keepsRecord: true);
         using var clock = connection.TakeClock();
-        await using var session = await clock.OpenSessionAsync(connection, new(), CancellationToken.None);
+        await using var session = await Galil.Sessions.ControllerSession.OpenAsync(connection.OpenLinkAsync, new(), clock.Time, CancellationToken.None);
         var result = await JobRunner.RunAsync(job.Motion.Program!, session, new JobOptions(), progress: null, CancellationToken.None);
         Assert.Equal(JobOutcome.Complete, result.Outcome);
         return (job, connection.Simulator!.Record.Snapshot());
