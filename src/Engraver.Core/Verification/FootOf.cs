@@ -8,6 +8,9 @@ internal static class FootOf
     private const int MostSteps = 60;
     private const double ParameterKnown = 1e-12;
 
+    /// <summary>Nearer to an end than this a guess is none: the curve may stand still there, and a step from there leads nowhere.</summary>
+    private const double NearEnd = 1e-4;
+
     /// <param name="segment">A line, an arc, a circle or a nearly straight piece of a curve.</param>
     /// <param name="guess">Where on a curve the search begins; NaN when nothing is known.</param>
     public static (double Foot, double Distance) Place(in Segment segment, Point2D place, double guess)
@@ -25,11 +28,11 @@ internal static class FootOf
     public static double Place(BezierSpan span, Point2D place, double guess = double.NaN)
     {
         var (low, high) = (0.0, 1.0);
-        var parameter = guess is > 0.0 and < 1.0 ? guess : OfChord(span, place); // at an end the curve may stand still, and a step from there leads nowhere
+        var parameter = guess is > NearEnd and < 1.0 - NearEnd ? guess : OfChord(span, place);
         for (var step = 0; step < MostSteps && high - low > ParameterKnown; step++)
         {
             var point = span.Evaluate(parameter, out var derivative);
-            var ahead = (place - point).Dot(derivative);
+            var ahead = (place - point).Dot(derivative.LengthSquared > 0.0 ? derivative : span.TangentAt(parameter)); // where the curve stands still it says nothing of the way
             if (ahead > 0.0) low = parameter;
             else high = parameter;
             var next = parameter + (ahead / derivative.LengthSquared);

@@ -34,7 +34,7 @@ public class HeaderAndLayerTests
         Assert.Equal(LengthUnit.AssumedMillimetres, drawing.Unit);
         var message = Assert.Single(drawing.Diagnostics).Message;
         Assert.Contains("$MEASUREMENT is 0", message, StringComparison.Ordinal);
-        Assert.Contains("--units", message, StringComparison.Ordinal);
+        Assert.Contains("[units-mm]", message, StringComparison.Ordinal);
     }
 
     [Fact]
