@@ -1,6 +1,6 @@
 using Avalonia;
 using Engraver.App.Shell;
-using Engraver.App.Start;
+using Engraver.App.Sessions;
 
 namespace Engraver.App.Platforms;
 
@@ -17,8 +17,7 @@ internal static class DesktopPlatform
     }
 
     /// <returns>The sentence of what failed.</returns>
-    public static string? RunHeadless(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, Action? onFirstFrame) => Texts.Text.Of("Start.NoHeadless");
-
+    public static string? RunHeadless(DesktopSession session, DesktopOptions options, Func<AppBuilder, ShellWindow> open, Action? onFirstFrame) => Texts.Text.Get("Start.NoHeadless");
 
     /// <summary>Null when it was no display that failed.</summary>
     public static string? NoDisplay(Exception failure) => null;
