@@ -10,7 +10,6 @@ internal sealed class DrawnCoverage
     /// <summary>Of the reach: a shorter cut may be a step of many that follow a segment across it.</summary>
     private const double LongPath = 100.0;
 
-
     private readonly Segment[] _drawing;
     private readonly SegmentIndex _index;
     private readonly TraceTolerances _tolerances;

@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
@@ -18,7 +19,8 @@ internal sealed partial record WaitLoop(int Label, IReadOnlyList<int> Jumps, int
         {
             if (machine.Program[line].Parts.Length == 0) continue;
             if (Read(machine, line) is not { } jump) return null;
-            if (Holds(machine, thread, jump.Condition)) return jump.Target <= thread.Line && thread.Line - jump.Target < MostLines ? Between(machine, thread, jump.Target, line) : null;
+            if (Holds(machine, thread, jump.Condition) is not { } holds) return null;
+            if (holds) return jump.Target <= thread.Line && thread.Line - jump.Target < MostLines ? Between(machine, thread, jump.Target, line) : null;
         }
 
         return null;
@@ -33,7 +35,7 @@ internal sealed partial record WaitLoop(int Label, IReadOnlyList<int> Jumps, int
         for (var line = label; line < last; line++)
         {
             if (machine.Program[line].Parts.Length == 0) continue;
-            if (Read(machine, line) is not { } jump || Holds(machine, thread, jump.Condition)) return null;
+            if (Read(machine, line) is not { } jump || Holds(machine, thread, jump.Condition) is not false) return null;
             jumps.Add(line);
         }
 
@@ -49,10 +51,19 @@ internal sealed partial record WaitLoop(int Label, IReadOnlyList<int> Jumps, int
         return jump.Success && machine.Program.TryFind(jump.Groups["label"].Value, out var target) ? (target, jump.Groups["condition"].Value) : null;
     }
 
-    private static bool Holds(Machine machine, ProgramThread thread, string condition)
+    /// <summary>Whether the jump would be taken now; null when the question would be refused, which is for the thread to find out when it runs the line.</summary>
+    private static bool? Holds(Machine machine, ProgramThread thread, string condition)
     {
         var reader = new StatementReader(machine).On(condition, thread.Context);
-        return reader.TakeExpression().IsTrue && reader.IsAtEnd;
+        try
+        {
+            var holds = reader.TakeExpression().IsTrue;
+            return reader.IsAtEnd ? holds : null;
+        }
+        catch (CommandRefusedException)
+        {
+            return null;
+        }
     }
 
     /// <summary>Room in the buffer, segments begun, motion begun, outputs, variables (those of the controller are in capitals) and numbers: within a segment at constant speed they stay.</summary>

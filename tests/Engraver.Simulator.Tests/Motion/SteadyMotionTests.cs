@@ -72,6 +72,29 @@ public class SteadyMotionTests
         if (counter.Rows > 100_000) Assert.True(counter.Singles < counter.Rows / 2);
     }
 
+    /// <summary>A question that will be refused when its line is run is no reason to fail before: the thread ends with its error, as stepped, wherever in a sample it comes to the line.</summary>
+    [Theory]
+    [InlineData("nosuch=0")]
+    [InlineData("@OUT[9]=0")]
+    [InlineData("(((1=1)")]
+    public async Task A_question_that_is_refused_ends_its_thread_and_nothing_else(string condition)
+    {
+        for (var lines = 0; lines < 40; lines++)
+        {
+            await using var jumping = new Rig();
+            await using var stepping = new Rig(new SimulatorOptions { JumpsSteadyMotion = false });
+            string[] program = ["#JOB", "VMAB;VS 20000;VA 1000000;VD 1000000", "VP 60000,0;VE;BGS", "WT 500", .. Enumerable.Repeat("NO", lines), "#ASK", $"JP#ASK,{condition}", "EN"];
+            foreach (var rig in (Rig[])[jumping, stepping])
+            {
+                rig.Download(string.Join('\n', program)).Do("XQ#JOB");
+                rig.Pass(5000);
+            }
+
+            foreach (var operand in (string[])["_RPA", "_ED", "_ED1", "_NO", "_TC"]) Assert.Equal(stepping.Ask("MG " + operand), jumping.Ask("MG " + operand));
+            Assert.Equal(stepping.Controller.Record.Snapshot(), jumping.Controller.Record.Snapshot());
+        }
+    }
+
     [Fact]
     public async Task A_long_line_is_a_few_spans_and_single_samples()
     {

@@ -68,20 +68,5 @@ public class MachineAlarmTests
         Assert.Equal([AlarmState.ClearedUnacknowledged, AlarmState.Unacknowledged], log.All.Select(alarm => alarm.State));
     }
 
-    private static JobResult Result(JobOutcome outcome) => new()
-    {
-        Outcome = outcome,
-        Sentence = "It ended.",
-        SegmentsSent = 0,
-        SegmentsExecuted = 0,
-        Seconds = 0,
-        Underruns = 0,
-        Rejected = 0,
-        FinalPosition = null,
-        FrameOrigin = null,
-        PolledTrace = [],
-        ExecutedEntityIndices = [],
-        ExecutedByStroke = [],
-        LengthByStroke = [],
-    };
+    private static JobResult Result(JobOutcome outcome) => JobResult.NotStarted(0, "It ended.") with { Outcome = outcome };
 }

@@ -121,7 +121,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         _origin = machine.Here;
         while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
         if (Remaining == 0) return JobStep.Done;
-        _byIncrements = machine.Line is null && Ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && Ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
+        var ahead = Ahead;
+        _byIncrements = machine.Line is null && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
         var acceleration = machine.Profile.AccelerationCounts;
         var opened = await machine.SendAllAsync(["CSS", (_byIncrements ? "LM" : "VM") + DmcAxes.Plane, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
         if (opened.Ends) return opened;

@@ -40,21 +40,6 @@ public class RunVerdictTests
     private static JobResult Judged(RunJudgement judgement, JobOutcome outcome) => RunVerdict.Judge(
         s_job,
         s_job.Motion.Program!,
-        new JobResult
-        {
-            Outcome = outcome,
-            Sentence = "Done.",
-            SegmentsSent = 4,
-            SegmentsExecuted = 4,
-            Seconds = 1.0,
-            Underruns = 0,
-            Rejected = 0,
-            FinalPosition = null,
-            FrameOrigin = null,
-            PolledTrace = [],
-            ExecutedEntityIndices = [],
-            ExecutedByStroke = [4],
-            LengthByStroke = [1.0],
-        },
+        JobResult.NotStarted(0, "Done.") with { Outcome = outcome, SegmentsSent = 4, SegmentsExecuted = 4, Seconds = 1.0, ExecutedByStroke = [4], LengthByStroke = [1.0] },
         judgement);
 }
