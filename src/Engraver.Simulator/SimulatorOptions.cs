@@ -35,6 +35,9 @@ public sealed record SimulatorOptions
     /// <summary>What ^R^V answers (galil-dmc.md I.6).</summary>
     public string Model { get; init; } = "DMC2143 Rev 1.0o";
 
+    /// <summary>What _BN answers: the serial number of the processor board (galil-dmc.md 0.3).</summary>
+    public int SerialNumber { get; init; } = 2143;
+
     /// <summary>Whether automatic subroutines need a running thread 0 (galil-dmc.md C.3, [U]).</summary>
     public bool HandlersNeedThreadZero { get; init; } = true;
 

@@ -23,14 +23,30 @@ public static class PreparationRules
         "What is cut measures {width} x {height} mm and reaches {distance} mm from the tool's start; more than {size} mm of size or {far} mm of distance is no work for an engraver{guess}.",
         "Check the unit ([units-mm] or [units-inch]), move the drawing to its origin or give [start] near it, scale it, or cut a part of it ([layers]).");
 
-    public static readonly DiagnosticRule StartsElsewhere = new("JOB0006", Severity.Warning,
-        "The machine stands at {here} mm, and that place is taken for the drawing's start {start}; the last run of this drawing on this controller ({when}) had the start at {there} mm, so this one is cut {dx}, {dy} mm beside it.",
-        "Stop, and go back with [goto-start], when it is the same work piece; nothing, when it is another one.");
+    public static readonly DiagnosticRule NoOrigin = new("JOB0008", Severity.Error,
+        "The work origin {name} is not set on this machine, and the machine stands at {x}, {y} mm by its own zero.",
+        "Move the tool to the drawing's zero and set the origin there ([zero]), or give [origin-here] when the machine stands at the drawing's start point.");
 
-    public static readonly DiagnosticRule StartNotKept = new("JOB0007", Severity.Warning,
-        "Where this run starts could not be written down: {reason}.",
-        "Nothing for this run; the next one of this drawing cannot say whether it starts in the same place.");
+    public static readonly DiagnosticRule ZeroLost = new("JOB0009", Severity.Error,
+        "The controller was switched off or reset since the work origin {name} was last used; it counts from another place now, and the origin is nowhere.",
+        "Home the machine or move the tool to the drawing's zero, set the origin again ([zero]), or give [origin-here] when the machine stands at the drawing's start point.");
+
+    public static readonly DiagnosticRule PositionDoubted = new("JOB0010", Severity.Error,
+        "The machine's position is not to be trusted: {reason}.",
+        "Switch the motors on, home the machine or move the tool to the drawing's zero, and set the origin again ([zero]); or give [origin-here] when the machine stands at the drawing's start point.");
+
+    public static readonly DiagnosticRule OriginHalfSet = new("JOB0011", Severity.Error,
+        "The work origin {name} has no place for {axis}.",
+        "Set it ([zero]), or give [origin-here] when the machine stands at the drawing's start point.");
+
+    public static readonly DiagnosticRule OriginTooFar = new("JOB0012", Severity.Error,
+        "The origin {x}, {y} mm is farther from the controller's zero than it can count.",
+        "Give a place nearer to its zero.");
+
+    public static readonly DiagnosticRule StateNotKept = new("JOB0013", Severity.Warning,
+        "Where the work is could not be written down: {reason}.",
+        "Make room or let the file be written; until then the next session does not know this machine's origins.");
 
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, StartsElsewhere, StartNotKept];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept];
 }

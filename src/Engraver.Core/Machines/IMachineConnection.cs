@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using Engraver.Core.Machines.Origins;
 
 namespace Engraver.Core.Machines;
 
@@ -16,6 +17,15 @@ public interface IMachineConnection : IAsyncDisposable
     /// <summary>One look at an idle machine, now.</summary>
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
     ValueTask<MachineReading> LookAsync(CancellationToken cancellation);
+
+    /// <summary>Where the machine stands, and what tells whether the controller still counts from the same zero.</summary>
+    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
+    ValueTask<ControllerPlace> LocateAsync(CancellationToken cancellation);
+
+    /// <summary>Leaves a number in the controller that is gone once it is switched off or reset.</summary>
+    /// <returns>False when the controller does not take it.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation);
 
     /// <summary>The tool goes off, the path and every axis brake. Returns when the controller has taken it, not at rest.</summary>
     /// <param name="toolOutput">The output that carries the tool, from 1.</param>

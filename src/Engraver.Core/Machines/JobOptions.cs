@@ -28,6 +28,9 @@ public sealed record JobOptions
     /// <summary>Called once when the job stands ready, after the journal has it and before anything moves; it must not take long, for the watchdog runs. Null for nobody.</summary>
     public Action<JournalHeader>? Begins { get; init; }
 
+    /// <summary>Controller counts at the drawing's zero; null: the machine stands at the drawing's start point.</summary>
+    public CountsPoint? Frame { get; init; }
+
     /// <summary>Told where the frame of the job lies, counts of the controller at the drawing's zero, before anything moves; null for nobody.</summary>
     public Action<CountsPoint>? FrameTaken { get; init; }
 

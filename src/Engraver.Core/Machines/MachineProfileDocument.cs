@@ -21,6 +21,10 @@ internal sealed class MachineProfileDocument
 
     public double? AngleQuantumDegrees { get; set; }
 
+    public double? ParkX { get; set; }
+
+    public double? ParkY { get; set; }
+
     public static MachineProfileDocument From(MachineProfile profile) => new()
     {
         CountsPerMillimetreX = profile.CountsPerMillimetreX,
@@ -32,6 +36,8 @@ internal sealed class MachineProfileDocument
         ToolOutput = profile.ToolOutput,
         ToolSettleSeconds = profile.ToolSettleSeconds,
         AngleQuantumDegrees = profile.AngleQuantumDegrees,
+        ParkX = profile.ParkX,
+        ParkY = profile.ParkY,
     };
 
     public MachineProfile Over(MachineProfile profile) => new()
@@ -45,5 +51,7 @@ internal sealed class MachineProfileDocument
         ToolOutput = ToolOutput ?? profile.ToolOutput,
         ToolSettleSeconds = ToolSettleSeconds ?? profile.ToolSettleSeconds,
         AngleQuantumDegrees = AngleQuantumDegrees ?? profile.AngleQuantumDegrees,
+        ParkX = ParkX ?? profile.ParkX,
+        ParkY = ParkY ?? profile.ParkY,
     };
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Machines;
 
@@ -29,6 +30,8 @@ public static class MachineProfileValidation
         if (p.SharpCornerDegrees is not (>= 0.0 and <= 180.0)) yield return Finding("sharpCornerDegrees", p.SharpCornerDegrees, "0 to 180 degrees");
         if (p.ToolOutput < 1 || p.ToolOutput > limits.Outputs) yield return Finding("toolOutput", p.ToolOutput, $"an output from 1 to {limits.Outputs}");
         if (p.ToolSettleSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("toolSettleSeconds", p.ToolSettleSeconds, $"0 to {LongestSettleSeconds} seconds");
+        if (p.Park is { } park && (IsScale(p.CountsPerMillimetreX) && IsScale(p.CountsPerMillimetreY)) && !p.Scale.Holds(Bounds2D.FromCorners(park, park), default)) yield return Finding("parkX", park.X, "a place that the controller can count to");
+        if (p.ParkX is null != p.ParkY is null) yield return Finding(p.ParkX is null ? "parkY" : "parkX", p.ParkX ?? p.ParkY ?? 0.0, "given together with the other one: a park position has two");
         if (p.AngleQuantumDegrees is not (> 0.0 and <= 1.0)) yield return Finding("angleQuantumDegrees", p.AngleQuantumDegrees, "above 0 and at most 1 degree");
     }
 

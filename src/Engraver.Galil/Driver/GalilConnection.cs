@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Timing;
 using Engraver.Galil.Language;
@@ -44,6 +45,10 @@ public sealed class GalilConnection : IMachineConnection
     }
 
     public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => StatusPoll.ReadAsync(_session.StopHandle, cancellation);
+
+    public ValueTask<ControllerPlace> LocateAsync(CancellationToken cancellation) => PlaceQuestions.AskAsync(_session.Commands, cancellation);
+
+    public ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation) => PlaceQuestions.MarkAsync(_session.Commands, mark, cancellation);
 
     public Task StopAsync(int toolOutput) => new OperatorStop(_session, toolOutput, [], _session.Identity.Letters).BrakeAtOnceAsync();
 

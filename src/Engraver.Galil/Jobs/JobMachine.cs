@@ -20,6 +20,7 @@ internal sealed class JobMachine
     private readonly TimeSpan _pollInterval;
     private readonly JobLedger _ledger;
     private readonly Action _polled;
+    private readonly CountsPoint? _frameGiven;
     private readonly Action<CountsPoint>? _frameTaken;
     private readonly CancellationToken _stop;
     private readonly Heartbeat _heartbeat;
@@ -40,6 +41,7 @@ internal sealed class JobMachine
         Tool = new JobTool(this, options.DryRun);
         _ledger = ledger;
         _polled = polled;
+        _frameGiven = options.Frame;
         _frameTaken = options.FrameTaken;
         _stop = stop;
         _heartbeat = new Heartbeat(session.Time);
@@ -66,6 +68,9 @@ internal sealed class JobMachine
 
     /// <summary>The same; null before <see cref="TakeFrameAsync"/>.</summary>
     public CountsPoint? FrameTaken { get; private set; }
+
+    /// <summary>From the job frame to the controller's own counts.</summary>
+    public ControllerFrame ControllerFrame => new(default, Frame);
 
     /// <summary>Where the machine stands, job frame.</summary>
     public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
@@ -256,11 +261,11 @@ internal sealed class JobMachine
         }
     }
 
-    /// <summary>The position at the start of the job becomes the drawing's start point.</summary>
+    /// <summary>The frame is given, or the position at the start of the job becomes the drawing's start point.</summary>
     public async ValueTask<JobStep> TakeFrameAsync()
     {
         if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        FrameTaken = new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
+        FrameTaken = _frameGiven ?? new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
         _frameTaken?.Invoke(Frame);
         return JobStep.Done;
     }
@@ -290,7 +295,7 @@ internal sealed class JobMachine
     {
         var (a, b) = (await AskAtRestAsync("_TEA").ConfigureAwait(false), await AskAtRestAsync("_TEB").ConfigureAwait(false));
         var far = a is { } first && b is { } second ? Text($" (A is {first:0} and B {second:0} counts off)") : "";
-        return JobStep.Broken(Text($"The position error became larger than ER allows at {State.Position.X},{State.Position.Y}{far}: an axis cannot follow. Look for what holds it; a lower feed or acceleration may help."));
+        return JobStep.Broken(Text($"The position error became larger than ER allows at {State.Position.X},{State.Position.Y}{far}: an axis cannot follow. Look for what holds it; a lower feed or acceleration may help.")) with { Doubt = "an axis could not follow in the last motion, and its motor was switched off" };
     }
 
     /// <summary>Halted from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is closed, by AB, or by HX.</summary>

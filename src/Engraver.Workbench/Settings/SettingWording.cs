@@ -13,7 +13,8 @@ public static partial class SettingWording
         ["units-inch"] = ("--units inch", "CNCUNITS 1"),
         ["look"] = ("engraver info", "CHECK"),
         ["cut"] = ("--cut", "CNCCUT (and OPEN the drawing again)"),
-        ["goto-start"] = ("CNCGOTO Start", "CNCGOTO Start"),
+        ["zero"] = ("engraver zero, CNCZERO in the desktop", "CNCZERO"),
+        ["origin-here"] = ("--origin here", "CNCZERO Point"),
     };
 
     /// <summary>For the console: <c>--max-error</c>.</summary>

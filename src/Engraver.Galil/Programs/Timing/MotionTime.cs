@@ -5,7 +5,7 @@ namespace Engraver.Galil.Programs.Timing;
 
 /// <summary>How long a motion program takes by the trapezoids the controller runs (galil-dmc.md I, "Golden numbers for the profile"), each a whole number of samples,
 /// and by the commands that are exchanged while the machine stands.</summary>
-/// <remarks>Command times are those of Ethernet where no others are given. The time counts from the first rapid to the last settle.</remarks>
+/// <remarks>Command times are those of Ethernet where no others are given. The time counts from the first rapid to the last settle, or to the end of the way to where the program finishes.</remarks>
 public static class MotionTime
 {
     /// <summary>Seconds of all kinds together.</summary>
@@ -30,7 +30,7 @@ public static class MotionTime
             times += ToolAt(at, program, commands);
         }
 
-        return times;
+        return program.Finish is { } finish ? times + RapidTo(finish, at, program, commands) : times;
     }
 
     internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program, CommandTimes commands)
