@@ -19,6 +19,7 @@ public sealed class MachineSession : IAsyncDisposable
     private readonly MachineStatusModel _board;
     private readonly ActiveJob _work;
     private readonly WatchedConnection _watched;
+    private ControllerPlace? _place;
 
     public MachineSession(TimeProvider time)
     {
@@ -97,7 +98,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         try
         {
-            var place = await _watched.Watch!.LocateAsync(cancellation).ConfigureAwait(false);
+            var place = _place = await _watched.Watch!.LocateAsync(cancellation).ConfigureAwait(false);
             Hold = new MachineMemories(IsSimulation ? null : OriginsFolder).Take(_watched.Connection!.Description, identity, place, MachineHolder.Describe("CncEngraver", _time));
         }
         catch (ControllerException)
@@ -111,7 +112,7 @@ public sealed class MachineSession : IAsyncDisposable
     public async Task DisconnectAsync()
     {
         Hold?.Dispose();
-        Hold = null;
+        (Hold, _place) = (null, null);
         if (_watched.Take() is not var (connection, watch)) return;
         _board.Disconnected();
         if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
@@ -156,8 +157,17 @@ public sealed class MachineSession : IAsyncDisposable
     {
         ArgumentNullException.ThrowIfNull(program);
         if (_watched.Watch is not { } watch || Hold is not { } hold) return null;
-        var place = await watch.LocateAsync(cancellation).ConfigureAwait(false);
+        var place = _place = await watch.LocateAsync(cancellation).ConfigureAwait(false);
         return WorkPlacement.Find(hold.Memory, place, new OriginRequest.Work(), program.Profile, program.Start);
+    }
+
+    /// <summary>The same by what the watch saw last, for a list that is shown all the time; nothing is asked.</summary>
+    /// <returns>Null while no controller is connected, or before it was looked at.</returns>
+    public PlacementResult? LastPlacement(MotionProgram program)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        if (_place is not { } place || Hold is not { } hold || Status.MachinePosition is not { } at) return null;
+        return WorkPlacement.Find(hold.Memory, place with { Mark = hold.Memory.Mark ?? place.Mark, Position = program.Profile.Scale.ToCounts(at) }, new OriginRequest.Work(), program.Profile, program.Start);
     }
 
     /// <summary>Changes the work origins, with the machine's position as the controller tells it now. Disarms.</summary>

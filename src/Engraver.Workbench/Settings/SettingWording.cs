@@ -13,7 +13,7 @@ public static partial class SettingWording
         ["units-inch"] = ("--units inch", "CNCUNITS 1"),
         ["look"] = ("engraver info", "CHECK"),
         ["cut"] = ("--cut", "CNCCUT (and OPEN the drawing again)"),
-        ["zero"] = ("engraver zero, CNCZERO in the desktop", "CNCZERO"),
+        ["zero"] = ("engraver zero", "CNCZERO"),
         ["origin-here"] = ("--origin here", "CNCZERO Point"),
     };
 

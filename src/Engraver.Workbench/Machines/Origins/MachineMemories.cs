@@ -31,7 +31,7 @@ public sealed class MachineMemories(string? folder)
             Directory.CreateDirectory(folder);
             return new MachineHold(path, name, MachineLock.Take(path, name, holder));
         }
-        catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException)
+        catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or InvalidDataException)
         {
             throw new MachineMemoryException($"What is kept of {name} cannot be read or written ({path}): {unusable.Message} Mend or remove the file; without it the work origins are set again.", unusable);
         }
