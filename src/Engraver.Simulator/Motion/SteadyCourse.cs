@@ -1,16 +1,16 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>Where axes stand while what moves them keeps its speed; samples are counted from where the course was taken.</summary>
+/// <summary>Positions of axes during constant speed, by number of samples from the moment at which this object was made.</summary>
 internal abstract class SteadyCourse
 {
     /// <summary>Writes the commanded positions, counts, of the axes it moves; the others stay as they are.</summary>
     /// <param name="positions">One for each axis letter.</param>
     public abstract void At(long sample, Span<int> positions);
 
-    /// <summary>Adds the positions before rounding.</summary>
+    /// <summary>As <see cref="At"/>, before rounding to counts.</summary>
     public abstract void Exactly(long sample, Span<double> positions);
 
-    /// <summary>The arc that axes A and B follow between two samples; null when they go straight or stand.</summary>
+    /// <summary>The arc that axes A and B follow between two samples; null when they move on a line or not at all.</summary>
     public virtual ArcCourse? ArcBetween(long from, long to) => null;
 }
 
@@ -60,7 +60,7 @@ internal sealed class PathCourse : SteadyCourse
         for (var i = 0; i < _axes.Length; i++) positions[_axes[i]] = _origin[i] + (point[i] * Scale(i));
     }
 
-    /// <summary>With the axes the other way round the angle counts from the other axis, in the other sense.</summary>
+    /// <summary>When the plane's first axis is B, cosine and sine change places: the angle is counted from the other axis, in the opposite direction.</summary>
     public override ArcCourse? ArcBetween(long from, long to)
     {
         if (_segment is not CircularSegment circular || _axes[0] > 1) return null;
