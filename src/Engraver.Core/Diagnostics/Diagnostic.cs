@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>One finding about a drawing or a setting: permanent id, severity, one sentence that says what, where and what to do.</summary>
+/// <summary>A finding about a drawing or a setting: permanent id, severity, one sentence that says what, where and what to do.</summary>
 public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnlyList<string> Facts)
 {
     public string Id => Rule.Id;
@@ -39,14 +39,14 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
     }
 }
 
-/// <summary>One row of the table that code, documentation and tests share.</summary>
+/// <summary>A rule: one row of the table that code, documentation and tests share.</summary>
 /// <param name="Id">Permanent: never reused, never renumbered (DXF0007, SEQ0003).</param>
 /// <param name="Severity">How bad it is.</param>
 /// <param name="Sentence">What and where, with {names} for the facts of the case.</param>
 /// <param name="Advice">What the operator can do. Settings are named by their keys in brackets, [max-error]; whoever shows the finding puts the option or command there (docs/settings.md).</param>
 public sealed record DiagnosticRule(string Id, Severity Severity, string Sentence, string Advice)
 {
-    /// <summary>The finding for one case. <paramref name="facts"/> fill the {names} of the sentence in the order in which they first appear.</summary>
+    /// <summary>A finding by this rule. <paramref name="facts"/> fill the {names} of the sentence in the order in which they first appear.</summary>
     public Diagnostic At(SourceRef source, params ReadOnlySpan<string> facts) => new(this, source, facts.ToArray());
 }
 
@@ -58,7 +58,7 @@ public enum Severity
     Error,
 }
 
-/// <summary>Where in the drawing a finding stands. <c>default</c> means the drawing as a whole.</summary>
+/// <summary>Where in the drawing a finding is. <c>default</c> means the drawing as a whole.</summary>
 /// <param name="Line">Line of an ASCII DXF (1 is the first), byte offset of a binary one; 0 when there is none.</param>
 /// <param name="Handle">The entity's handle in the DXF's own hexadecimal spelling; null when it has none.</param>
 public readonly record struct SourceRef(long Line, string? Handle = null);

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>What can be wrong with a program that is read back and replayed (lines are lines of the program's file), and with a toolpath that is held against its drawing.</summary>
+/// <summary>Faults of a program that is read back and replayed (lines are lines of the program's file), and of a toolpath that is compared with its drawing.</summary>
 public static class VerificationRules
 {
     public static readonly DiagnosticRule ProgramEmpty = new("VER0001", Severity.Error,
@@ -39,7 +39,7 @@ public static class VerificationRules
     public static readonly DiagnosticRule ToolpathExtra = new("VER0022", Severity.Error,
         "The toolpath cuts {length} mm for the entity that are not drawn, first at {x}, {y}.", NotSent);
 
-    /// <summary>The drawing is held against our own path: what is found is never the drawing's fault.</summary>
+    /// <summary>Advice for rules that compare the drawing with our own path: a finding is never the drawing's fault.</summary>
     private const string NotSent = "Nothing was sent or written, for this is a fault of the program: report it with the drawing, and draw the entity in another way until it is mended.";
 
     /// <summary>Every rule of this table, in order of id.</summary>

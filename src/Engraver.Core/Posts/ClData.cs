@@ -5,7 +5,7 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>CL data: the sequenced, oriented drawing as a drawing again, entity by entity as the tool will run (paper 000).</summary>
+/// <summary>CL data: the sequenced, oriented drawing written as a drawing again, entity by entity as the tool will run (paper 000).</summary>
 public static class ClData
 {
     /// <summary>Layer of strokes that end where they start.</summary>
@@ -14,12 +14,12 @@ public static class ClData
     /// <summary>Layer of the other strokes.</summary>
     public const string OpenLayer = "CUT_OPEN";
 
-    /// <summary>Layer of the moves with the tool up; it does not plot, so that whoever reads the file again does not cut them.</summary>
+    /// <summary>Layer of the moves with the tool off; it does not plot, so that a program that reads the file again does not cut them.</summary>
     public const string RapidLayer = "RAPID";
 
     private static readonly DxfSheetLayer[] s_layers = [new(ClosedLayer, 4), new(OpenLayer, 30), new(RapidLayer, 1, Plots: false)];
 
-    /// <summary>The same from the strokes as they were drawn: an ellipse stays an ELLIPSE and a spline a SPLINE, exact, where the toolpath has arcs within a tolerance.</summary>
+    /// <summary>The same from the strokes as drawn: an ellipse stays an ELLIPSE and a spline a SPLINE, exact, where the toolpath has arcs within a tolerance.</summary>
     public static void Write(SequencingResult sequence, Point2D toolStart, TextWriter output) =>
         Write(new Toolpath(toolStart, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]), output);
 
