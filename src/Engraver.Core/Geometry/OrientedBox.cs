@@ -1,18 +1,18 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>A rectangle along any direction: around a line it has no width, whatever the line's direction.</summary>
+/// <summary>A box that lies along a direction: round a line it has no width at all, whichever way the line runs.</summary>
 /// <param name="Centre">Its middle, millimetres.</param>
 /// <param name="Along">Direction of its length, of length 1.</param>
 /// <param name="HalfLength">From the middle along <paramref name="Along"/>, to either side.</param>
 /// <param name="HalfWidth">From the middle across it, to either side.</param>
 public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double HalfLength, double HalfWidth)
 {
-    /// <summary>Rounding error of the computed ends of a box, as a part of the coordinates.</summary>
+    /// <summary>Of the coordinates: what the computed ends of a box may be off by.</summary>
     private const double Rounding = 2e-15;
 
     private static readonly Vector2D s_east = new(1.0, 0.0);
 
-    /// <summary>The smallest box in the direction of the chord that holds all the points.</summary>
+    /// <summary>The smallest box in the direction of the chord round the hull of some places.</summary>
     public static OrientedBox Around(Point2D start, Point2D end, params ReadOnlySpan<Point2D> others)
     {
         var extent = new OrientedExtent(start, DirectionOf(end - start));
@@ -22,7 +22,7 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
         return extent.Box();
     }
 
-    /// <summary>A box around a line, or around an arc of any sweep.</summary>
+    /// <summary>A box round a line, or round an arc of any sweep.</summary>
     public static OrientedBox Around(in Segment path)
     {
         if (path.Kind == SegmentKind.Line) return Around(path.Start, path.End);
@@ -33,14 +33,14 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
         return Around(start, end, start + (top - chord), end + (top - chord)); // the chord and the line through the top of the arc
     }
 
-    /// <summary>Larger by <paramref name="by"/> on every side, plus the possible rounding error.</summary>
+    /// <summary>Larger on every side, and by what rounding may hide.</summary>
     public OrientedBox Grown(double by)
     {
         var margin = by + (Rounding * (Math.Abs(Centre.X) + Math.Abs(Centre.Y) + HalfLength + HalfWidth));
         return this with { HalfLength = HalfLength + margin, HalfWidth = HalfWidth + margin };
     }
 
-    /// <summary>Distance from a point; 0 inside.</summary>
+    /// <summary>0 inside.</summary>
     public double DistanceTo(Point2D place)
     {
         var spoke = place - Centre;
@@ -59,7 +59,7 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
         return Math.Sqrt((along * along) + (across * across));
     }
 
-    /// <summary>True when they have a point in common: no side of either separates them.</summary>
+    /// <summary>True when they have a place in common: no side of either parts them.</summary>
     public bool Overlaps(in OrientedBox other)
     {
         var way = other.Centre - Centre;
@@ -77,7 +77,7 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
     }
 }
 
-/// <summary>Extent of points and boxes along a direction and across it, measured from an origin near them.</summary>
+/// <summary>How far things reach along a direction and across it, seen from a place near them.</summary>
 internal struct OrientedExtent(Point2D origin, Vector2D along)
 {
     private double _minAlong = double.PositiveInfinity;

@@ -1,10 +1,10 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Oriented boxes divided in halves, quarters and so on, with an oriented box around each part. Among crowded diagonals or rings a point lies in nearly every axis-parallel box, but in few of these.</summary>
-/// <remarks>Built in n log n steps. Not safe for use from several threads, because it counts its steps.</remarks>
+/// <summary>Oriented boxes in halves, quarters and so on, each half in an oriented box of its own. Of crowded diagonals and rings nearly every axis-parallel box holds every place; of these few do.</summary>
+/// <remarks>Built in n log n steps. Counts what it looks at, so not safe for use from several threads.</remarks>
 public sealed class OrientedBoxTree
 {
-    /// <summary>Most items in a node that is not divided.</summary>
+    /// <summary>Items under a node that is not divided.</summary>
     internal const int LeafSize = 4;
 
     private readonly OrientedBox[] _items;
@@ -16,16 +16,16 @@ public sealed class OrientedBoxTree
     private OrientedBoxTree(OrientedBox[] items, Slant[] slants, int[] order, List<OrientedBoxNode> nodes)
     {
         (_items, _slants, _order, _nodes, _nodeSlants) = (items, slants, order, nodes, new Slant[nodes.Count]);
-        for (var index = nodes.Count - 1; index >= 0; index--) _nodeSlants[index] = SlantOf(index); // children come after their parent
+        for (var index = nodes.Count - 1; index >= 0; index--) _nodeSlants[index] = SlantOf(index); // halves stand behind the whole
     }
 
-    /// <summary>Boxes of nodes and items that were tested since the tree was built.</summary>
+    /// <summary>Boxes that were looked at since the tree was built, of nodes and of items.</summary>
     public long Steps { get; private set; }
 
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>, which are taken over.</summary>
     public static OrientedBoxTree Build(OrientedBox[] boxes) => Build(boxes, [.. boxes.Select(_ => Slant.Unknown)]);
 
-    /// <summary>As above, with what is known of the directions inside each box.</summary>
+    /// <summary>As above, with what is known of the directions in each box.</summary>
     internal static OrientedBoxTree Build(OrientedBox[] boxes, Slant[] slants)
     {
         var (order, nodes) = OrientedBoxDivision.Divide(boxes);
@@ -33,8 +33,8 @@ public sealed class OrientedBoxTree
     }
 
     /// <summary>The nearest item by <paramref name="measure"/>, ties to the lower number; -1 when none is nearer than or as near as <paramref name="within"/>.</summary>
-    /// <param name="place">Point to measure from.</param>
-    /// <param name="measure">Exact distance of an item, never smaller than that of its box. Several items may be pieces of one thing and all return the distance of the whole.</param>
+    /// <param name="place">Seen from here.</param>
+    /// <param name="measure">Exact distance of an item, which is nowhere nearer than its box. Several items may be pieces of one thing and measure the whole.</param>
     /// <param name="within">Largest distance of interest; positive infinity for any.</param>
     /// <param name="distance">Distance of the answer, or <paramref name="within"/> when there is none.</param>
     public int Nearest(Point2D place, BoxTree.Measure measure, double within, out double distance)
@@ -48,7 +48,7 @@ public sealed class OrientedBoxTree
     /// <summary>Adds every item whose box comes within <paramref name="radius"/> of a place, in no particular order.</summary>
     public void Around(Point2D place, double radius, List<int> found) => Collect(0, new Disc(place, radius), found);
 
-    /// <summary>Adds every item whose box comes within <paramref name="reach"/> of a line or an arc, and some slightly farther away, in no particular order.</summary>
+    /// <summary>Adds every item whose box comes within <paramref name="reach"/> of a line or an arc, and some that do not quite, in no particular order.</summary>
     public void Along(in Segment path, double reach, List<int> found)
     {
         var box = OrientedBox.Around(path).Grown(reach);
@@ -56,7 +56,7 @@ public sealed class OrientedBoxTree
         else Collect(0, new Ring(box, path.Arc.Centre, path.Arc.Radius - reach, path.Arc.Radius + reach), found);
     }
 
-    /// <summary>As <see cref="Along"/> a line, without items that the line only crosses (<see cref="Slant.Crossed"/>).</summary>
+    /// <summary>As <see cref="Along"/> a line, without what it only crosses (<see cref="Slant.Crossed"/>).</summary>
     internal void AlongNotAcross(LineSegment line, double reach, List<int> found) => Collect(0, new Course(OrientedBox.Around(line.Start, line.End).Grown(reach)), found);
 
     private Slant SlantOf(int index)
@@ -136,36 +136,36 @@ public sealed class OrientedBoxTree
         public bool Meets(in OrientedBox box, Slant slant) => !slant.IsCrossed(box.Along, strip.Along) && strip.Overlaps(box);
     }
 
-    /// <summary>Holds everything within reach of an arc: the arc's box, limited to a ring between two radii.</summary>
+    /// <summary>What is within reach of an arc lies in the arc's box, and between two radii.</summary>
     private readonly struct Ring(OrientedBox around, Point2D centre, double least, double most) : IBoxQuery
     {
         public bool Meets(in OrientedBox box, Slant slant) => around.Overlaps(box) && box.DistanceTo(centre) <= most && box.FarthestFrom(centre) >= least;
     }
 }
 
-/// <summary>A node of the tree. Its first child, if it has any, is the next node.</summary>
-/// <param name="Box">Box around all items under it.</param>
-/// <param name="First">Index of its first item in the order.</param>
-/// <param name="Count">Number of its items.</param>
-/// <param name="Second">Index of its second child; 0 for a leaf.</param>
+/// <summary>A half of a half of the items. Its first half, where it has any, is the next node.</summary>
+/// <param name="Box">Round all items under it.</param>
+/// <param name="First">Where its items begin in the order.</param>
+/// <param name="Count">How many they are.</param>
+/// <param name="Second">The node of its second half; 0 for a leaf.</param>
 internal readonly record struct OrientedBoxNode(OrientedBox Box, int First, int Count, int Second)
 {
     public bool IsLeaf => Second == 0;
 }
 
-/// <summary>The directions of the curves inside a box, and which lines that cross them matter.</summary>
-/// <param name="Turn">Sine of the largest angle between the box and a direction inside it; 1 when unknown.</param>
-/// <param name="Crossed">Sine of the angle from which on a line that crosses the box's contents need not be found; 1 when every line must be.</param>
+/// <summary>The directions of what is in a box, and which crossings of it matter.</summary>
+/// <param name="Turn">Sine of the largest angle between the box and a direction of what is in it; 1 for any.</param>
+/// <param name="Crossed">Sine of the angle from which on a line that crosses what is in the box need not be found; 1 when every line must be.</param>
 internal readonly record struct Slant(double Turn, double Crossed)
 {
     public static Slant Unknown => new(1.0, 1.0);
 
     public static Slant None => default;
 
-    /// <summary>Combined with the contents of another box, of another direction.</summary>
+    /// <summary>With what is in another box, of another direction.</summary>
     public Slant With(Slant other, Vector2D own, Vector2D others) => new(Math.Min(1.0, Math.Max(Turn, other.Turn + Math.Abs(own.Cross(others)))), Math.Max(Crossed, other.Crossed));
 
-    /// <summary>True when a line crosses everything in the box at more than that angle.</summary>
+    /// <summary>True when a line crosses all that is in the box at more than that angle.</summary>
     public bool IsCrossed(Vector2D own, Vector2D line) =>
         Turn < 1.0 && (Math.Abs(own.Cross(line)) * Math.Sqrt(1.0 - (Turn * Turn))) - (Math.Abs(own.Dot(line)) * Turn) > Crossed;
 }

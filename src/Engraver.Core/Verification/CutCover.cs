@@ -3,7 +3,7 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Measures how much of a drawn segment no move covers. Between two points beside the same move, or beside two consecutive ones, the segment is covered; between others it is halved.</summary>
+/// <summary>Answers how much of a drawn segment no move runs along. Between two places that lie beside the same move, or beside two that follow each other, the segment is covered; between others it is halved.</summary>
 internal sealed class CutCover
 {
     private const int StepsOfPiece = 8;
@@ -21,7 +21,7 @@ internal sealed class CutCover
         _measure = (move, place) => Distance(move, place);
     }
 
-    /// <summary>Length that is farther than <paramref name="within"/> from every move, and where the first of it begins.</summary>
+    /// <summary>Length that is farther than <paramref name="within"/> from every move, and where it begins.</summary>
     public (double Length, Point2D First) Missing(in Segment drawn, double within)
     {
         if (!drawn.IsFreeCurve) return MissingOfPiece(drawn, within);
@@ -70,10 +70,10 @@ internal sealed class CutCover
 
     private bool AreJoined(int move) => _moves[move].Segment.End == _moves[move + 1].Segment.Start;
 
-    /// <summary>The stored ends; of a circle both are its start.</summary>
+    /// <summary>The ends are stored; of a circle they are one.</summary>
     private static Point2D PlaceAt(in Segment segment, double fraction) => fraction <= 0.0 ? segment.Start : fraction >= 1.0 ? segment.End : segment.PointAt(fraction);
 
-    /// <summary>A move within the distance, -1 for none. Fast when queries follow a path: the last answer and the next move are tried first.</summary>
+    /// <summary>A move no farther away, -1 for none. Quick when questions follow a path: the last answer and the next move are tried first.</summary>
     private int MoveBeside(Point2D place, double within)
     {
         for (var move = _last; move < Math.Min(_last + 2, _moves.Count); move++)
@@ -87,6 +87,6 @@ internal sealed class CutCover
 
     private bool IsBeside(int move, Point2D place, double within) => Distance(move, place) <= within;
 
-    /// <summary>The length reduced by its possible rounding error.</summary>
+    /// <summary>Without what rounding alone may make of it.</summary>
     private double Distance(int move, Point2D place) => Math.Max(0.0, _moves[move].Segment.DistanceTo(place) - ToolpathTolerances.RoundingOf(_moves[move].Segment));
 }

@@ -2,8 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Finds the part of a nearly straight piece of a curve within reach of a cut along a line or an arc: between the feet (nearest points) of the cut's ends, as far as the cut stays near.</summary>
-/// <remarks>A cut that only crosses the piece covers nothing of it: that part is shorter than any gap that matters.</remarks>
+/// <summary>Which part of a nearly straight piece of a curve lies within reach of a cut along a line or an arc: between the feet of the cut's ends, as far as the cut stays near.</summary>
+/// <remarks>A cut that only crosses the piece covers nothing of it: what it would cover is shorter than any gap that counts.</remarks>
 internal static class CutNearCurve
 {
     private const int Places = 8;
@@ -31,7 +31,7 @@ internal static class CutNearCurve
         if (wasNear) covered.Add(start, to);
     }
 
-    /// <summary>Extends the part beyond the feet by up to the reach.</summary>
+    /// <summary>The piece reaches beyond the feet by up to the reach.</summary>
     private static void Widen(BezierSpan span, double reach, ref double from, ref double to)
     {
         span.Evaluate(from, out var atFrom);
@@ -42,7 +42,7 @@ internal static class CutNearCurve
 
     private static bool IsNear(BezierSpan span, double parameter, in Segment cut, double reach) => cut.DistanceTo(span.PointAt(parameter)) <= reach;
 
-    /// <summary>Bisects for the last parameter within reach, between one that is and one that is not.</summary>
+    /// <summary>The last parameter within reach on the way from one that is to one that is not.</summary>
     private static double Border(BezierSpan span, double near, double far, in Segment cut, double reach)
     {
         for (var i = 0; i < Halvings; i++)

@@ -2,8 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Finds the parts of a drawn line or arc within reach of a cut along a line or an arc.</summary>
-/// <remarks>The points at exactly the reach lie on the cut's offsets to both sides and on circles around its ends; between two of them one test decides for all.</remarks>
+/// <summary>Which parts of a drawn line or arc lie within reach of a cut along a line or an arc.</summary>
+/// <remarks>The places at exactly the reach lie on the cut's offsets to both sides and on circles round its ends; between two of them one place speaks for all.</remarks>
 internal static class CutNearSegment
 {
     private const int MostMarks = 24;
@@ -49,7 +49,7 @@ internal static class CutNearSegment
         {
             var isNear = cut.DistanceTo(drawn.PointAt((marks[i - 1] + marks[i]) / 2.0)) <= reach;
             if (isNear && double.IsNaN(from)) from = marks[i - 1];
-            if (!isNear && !double.IsNaN(from)) covered.Add(from, marks[i - 1]); // added whole, because small parts of it might not touch what was covered before
+            if (!isNear && !double.IsNaN(from)) covered.Add(from, marks[i - 1]); // whole at once: bits of it would not touch what was covered behind them
             if (!isNear) from = double.NaN;
         }
 
@@ -123,14 +123,14 @@ internal static class CutNearSegment
             return;
         }
 
-        // The height of the arc above the cut is that of its centre plus radius times the cosine of the angle from the normal.
+        // The height of the arc above the cut is that of its centre plus radius times the cosine from the normal.
         var arc = drawn.Arc;
         var height = offset - way.Cross(arc.Centre - cut.Start);
         MarkAngles(arc, Math.Atan2(way.X, -way.Y), arc.Radius - height, arc.Radius + height, marks, ref count);
     }
 
-    /// <summary>Marks the two points at equal angles from a direction. The angle is given by the squares of sine and cosine of its half, in any common unit: computed from its cosine alone, a point of an
-    /// arc of kilometres would be off by up to a tenth of a millimetre.</summary>
+    /// <summary>Marks the two places at equal angles from a direction. The angle is given by the squares of the sine and the cosine of its half, in any common measure: by its own cosine an arc of
+    /// kilometres would be told to a tenth of a millimetre only.</summary>
     private static void MarkAngles(ArcSegment arc, double direction, double sineSquared, double cosineSquared, Span<double> marks, ref int count)
     {
         if (!(sineSquared >= 0.0 && cosineSquared >= 0.0) || sineSquared + cosineSquared == 0.0) return;

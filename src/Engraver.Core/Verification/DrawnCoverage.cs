@@ -2,12 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Records which parts of a drawing a cut has passed within reach, as parameter intervals of each segment: exact, however long the segments are.</summary>
+/// <summary>Which parts of a drawing a cut has passed near enough, as parameter intervals of each segment: exact, however long the segments are.</summary>
 internal sealed class DrawnCoverage
 {
     private const int FewCandidates = 8;
 
-    /// <summary>Cuts shorter than this part of the reach may be steps of a run across a segment and are treated as such.</summary>
+    /// <summary>Of the reach: a shorter cut may be a step of many that follow a segment across it.</summary>
     private const double LongPath = 100.0;
 
     private readonly Segment[] _drawing;
@@ -29,14 +29,14 @@ internal sealed class DrawnCoverage
         _near = new NearSegments(drawing, _reach, _covered, Cover);
     }
 
-    /// <summary>Sine of the angle from which on a line that crosses a segment covers less of it than is recorded (see <see cref="CoveredParts"/>): every line of a hatch crosses thousands.</summary>
+    /// <summary>Sine of the angle from which on a line that crosses a segment covers less of it than is kept (see <see cref="CoveredParts"/>): every line of a hatch crosses thousands.</summary>
     public static double Crossed(in Segment segment, TraceTolerances tolerances)
     {
         var length = segment.Length;
         return length > 0.0 ? Math.Min(1.0, 4.0 * tolerances.Coverage * tolerances.StepsFor(length) / length) : 1.0;
     }
 
-    /// <summary>A straight cut between two samples, or a dot. Fast when cuts follow one another: the neighbourhood is searched once for many.</summary>
+    /// <summary>A straight cut between two samples, or a dot. Quick when cuts follow one another: what lies around is looked up once for many.</summary>
     public void AddChord(Point2D from, Point2D to)
     {
         var box = Bounds2D.FromCorners(from, to).Grown(_reach);
@@ -52,7 +52,7 @@ internal sealed class DrawnCoverage
         foreach (var candidate in _candidates) Cover(candidate, path);
     }
 
-    /// <summary>Length of the drawing that no cut came near, and where the first of it is. Gaps shorter than a step of the drawing do not count, because chords between samples cut corners.</summary>
+    /// <summary>Length of the drawing that no cut came near, and where the first of it is. Gaps shorter than a step of the drawing are none: chords between samples cut corners.</summary>
     public (double Length, Point2D? At) Missing()
     {
         _near.Close();
@@ -109,7 +109,7 @@ internal sealed class DrawnCoverage
     }
 }
 
-/// <summary>Parameter intervals of one segment that have been covered. Memory is bounded: intervals shorter than the longest gap allowed are dropped unless the next one touches them.</summary>
+/// <summary>Parameter intervals of one segment that have been covered. Memory is bounded: bits shorter than what may be missing anyway are forgotten unless the next bit touches them.</summary>
 internal sealed class CoveredParts(double shortestKept)
 {
     private const double Touching = 1e-9;
@@ -132,7 +132,7 @@ internal sealed class CoveredParts(double shortestKept)
         (_from, _to) = (from, to);
     }
 
-    /// <summary>The parts that are not covered, in order.</summary>
+    /// <summary>What is not covered, in order.</summary>
     public IEnumerable<(double From, double To)> Gaps()
     {
         var parts = new List<(double From, double To)>(_parts ?? []);

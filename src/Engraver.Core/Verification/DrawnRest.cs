@@ -3,10 +3,10 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Measures how far a move lies from the rows that it may replace: those of its entity, and, when arcs were recovered, any line for an arc.</summary>
+/// <summary>Answers how far a move lies from the rows that it may stand for: those of its entity, and, when arcs were recovered, an arc for any line.</summary>
 internal sealed class DrawnRest
 {
-    /// <summary>Points of a move that are tested, both ends among them.</summary>
+    /// <summary>Places of a move that are looked at, both ends among them.</summary>
     private const int Places = 9;
 
     private readonly List<StrokeMove> _pieces = [];
@@ -18,7 +18,7 @@ internal sealed class DrawnRest
     private StrokeMove _move;
     private int _last;
 
-    /// <param name="rows">Rows that were not paired with a move.</param>
+    /// <param name="rows">Not paired with a move.</param>
     public DrawnRest(IReadOnlyList<StrokeMove> rows, ToolpathTolerances tolerances)
     {
         foreach (var row in rows)
@@ -37,7 +37,7 @@ internal sealed class DrawnRest
         _measure = (piece, place) => MayStandFor(_pieces[piece]) ? _pieces[piece].Segment.DistanceTo(place) : double.PositiveInfinity;
     }
 
-    /// <summary>The largest distance of the move from what it replaces, where it is, and how large it may be; infinite when it replaces nothing.</summary>
+    /// <summary>The largest distance of the move from what it stands for, where, and how large it may be; infinite when it stands for nothing.</summary>
     public (double Distance, Point2D At, double Allowed) Stray(in StrokeMove move)
     {
         _move = move;
@@ -56,7 +56,7 @@ internal sealed class DrawnRest
         return worst;
     }
 
-    /// <summary>Fast when queries follow a path: the last answer bounds the search.</summary>
+    /// <summary>Quick when questions follow a path: the last answer bounds the search.</summary>
     private (double Distance, int Piece) From(Point2D place)
     {
         var bound = _last < _pieces.Count ? _measure(_last, place) : double.PositiveInfinity;

@@ -2,13 +2,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>The drawn segments around a tool that moves in short straight cuts, and which parts of them those cover. A segment along which the tool runs is covered from foot to foot; only where such a run begins, turns or ends is the exact method used.</summary>
+/// <summary>The drawn segments round a tool that moves in short straight cuts, and what of them those cover. One that the tool runs along is covered from foot to foot; only where a run along it begins, turns or ends is it asked exactly.</summary>
 /// <param name="drawing">Ellipses and splines as their pieces.</param>
-/// <param name="reach">Distance at which a cut still covers, millimetres.</param>
-/// <param name="cover">The exact method: covers the part of a drawn segment within reach of a cut.</param>
+/// <param name="reach">How near a cut covers, millimetres.</param>
+/// <param name="cover">Exact: covers what of a drawn segment lies within reach of a cut.</param>
 internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts[] covered, NearSegments.Exactly cover)
 {
-    /// <summary>Segments shorter than this many times the reach are always treated by the exact method.</summary>
+    /// <summary>In segments shorter than so many times the reach every bit counts.</summary>
     private const double Short = 200.0;
 
     private readonly List<Follower> _runs = [];
@@ -19,7 +19,7 @@ internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts
 
     public int Count => _runs.Count;
 
-    /// <summary>Ends the present runs and sets the segments that are near from now on.</summary>
+    /// <summary>Ends what was under way; from now on these are near.</summary>
     public void Set(List<int> near)
     {
         Close();
@@ -41,7 +41,7 @@ internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts
         (_last, _hasLast) = (chord, true);
     }
 
-    /// <summary>Covers the ends of the present runs, which may continue.</summary>
+    /// <summary>Covers the ends of the runs under way, which may go on.</summary>
     public void Close()
     {
         for (var i = 0; i < _runs.Count; i++)
@@ -82,14 +82,14 @@ internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts
         (run.Foot, run.Distance, run.Sense) = (foot, distance, sense == 0 ? run.Sense : sense);
     }
 
-    /// <summary>True when everything between the feet of the two ends of a chord is within reach of it. The distance from a curve is smooth there, and is tested in the middle.</summary>
+    /// <summary>All between the feet of the two ends of a chord is within reach of it. The distance from a curve is smooth there, and is asked in the middle.</summary>
     private bool IsAlong(in Segment segment, in Follower run, double foot, double distance, in Segment chord, double length)
     {
         var farthest = Math.Max(run.Distance, distance);
         if (!(farthest <= reach) || run.IsShort) return false;
         if (segment.Kind == SegmentKind.Line) return true;
         if (segment.IsFreeCurve) return chord.Line.DistanceTo(segment.PointAt((run.Foot + foot) / 2.0)) <= reach;
-        return farthest + (length * length / (8.0 * segment.Arc.Radius)) <= reach && Math.Abs(foot - run.Foot) < 0.5; // round a circle the foot may jump
+        return farthest + (length * length / (8.0 * segment.Arc.Radius)) <= reach && Math.Abs(foot - run.Foot) < 0.5; // round a circle the foot jumps
     }
 
     private void Close(ref Follower run)
@@ -103,13 +103,13 @@ internal sealed class NearSegments(Segment[] drawing, double reach, CoveredParts
     {
         public readonly int Drawn = drawn;
 
-        /// <summary>The exact method is always used for it.</summary>
+        /// <summary>Every bit of it counts.</summary>
         public readonly bool IsShort = isShort;
 
-        /// <summary>Parameter of the point nearest to the end of the last chord.</summary>
+        /// <summary>Parameter of the place nearest to the end of the last chord.</summary>
         public double Foot;
 
-        /// <summary>Its distance from that end; unknown before the first chord.</summary>
+        /// <summary>And how far that is; nothing is known before the first chord.</summary>
         public double Distance = double.PositiveInfinity;
 
         /// <summary>Whether the foot moved on (1) or back (-1).</summary>

@@ -2,11 +2,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Oriented boxes around segments. Where curved segments lie closer together than their boxes are wide, they are divided until the boxes are narrow enough, and long ones into pieces of similar length.</summary>
-/// <remarks>The number of boxes is bounded: a few for each segment, and some hundred thousand more in all for crowded rings.</remarks>
-/// <param name="Boxes">Boxes of all pieces, segment by segment.</param>
+/// <summary>Oriented boxes round segments. Where curved ones lie closer together than their boxes are wide they are cut into pieces until the boxes are that narrow, and long ones into pieces of like length.</summary>
+/// <remarks>The number of boxes is bounded: a few for each segment, and some hundred thousand in all that crowded rings may have more.</remarks>
+/// <param name="Boxes">Of all pieces, segment by segment.</param>
 /// <param name="Turns">Sine of the largest angle between each box and the piece in it.</param>
-/// <param name="Owners">Index of the segment of each box.</param>
+/// <param name="Owners">The segment of each.</param>
 internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] Owners)
 {
     private const double PiecesPerSegment = 24.0;
@@ -14,7 +14,7 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] O
     private const double FewPieces = 4096.0;
     private const int MostPiecesOfOne = 4096;
 
-    /// <summary>Largest width of a box, as a part of the distance that neighbours would have if all segments were spread evenly over the drawing. Most of a drawing is empty.</summary>
+    /// <summary>Of what would lie between neighbours if all were spread evenly over the drawing: so wide a box may be. Most of a drawing is empty.</summary>
     private const double Narrow = 1.0 / 16.0;
 
     public static SegmentBoxes From(IReadOnlyList<Segment> segments)
@@ -45,7 +45,7 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] O
         return new SegmentBoxes([.. boxes], [.. turns], [.. owners]);
     }
 
-    /// <summary>Number of pieces of a segment, from the rule that the width of a box falls with the square of that number.</summary>
+    /// <summary>The width of a box falls with the square of the number of pieces.</summary>
     private static int PiecesOf(in Segment segment, double sag, double width, double length)
     {
         var least = segment.Kind is SegmentKind.Arc or SegmentKind.Circle ? Math.Ceiling(Math.Abs(segment.Arc.Sweep.Degrees) / 90.0) : 1.0;
@@ -53,7 +53,7 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] O
         return (int)Math.Max(least, Math.Min(MostPiecesOfOne, Math.Ceiling(wanted)));
     }
 
-    /// <summary>Width of the box around the segment (of a curve, around its widest span; of an arc, its approximation that falls with the square of the sweep).</summary>
+    /// <summary>Width of the box round the segment (of a curve, round its widest span), or round a circle what would shrink like one.</summary>
     private static double SagOf(in Segment segment)
     {
         if (segment.Kind == SegmentKind.Line) return 0.0;

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Finds the nearest of many segments, and the segments near a cut. Only a few are tested, however crowded they are, because their boxes lie along them.</summary>
+/// <summary>Answers how far a place is from the nearest of many segments, and which segments a cut runs near. However crowded they are, few are looked at: their boxes lie along them.</summary>
 internal sealed class SegmentIndex
 {
     private readonly Segment[] _segments;
@@ -18,7 +18,7 @@ internal sealed class SegmentIndex
     private int _last;
 
     /// <param name="segments">Ellipses and splines as their pieces (see <see cref="CurvePieces"/>).</param>
-    /// <param name="crossed">Sine of the angle from which on a line across a segment may be ignored; without it none is.</param>
+    /// <param name="crossed">Sine of the angle from which on a line across a segment is nothing to it; without it none is.</param>
     public SegmentIndex(Segment[] segments, Func<Segment, double>? crossed = null)
     {
         _segments = segments;
@@ -30,10 +30,10 @@ internal sealed class SegmentIndex
         _measureOnce = MeasureOnce;
     }
 
-    /// <summary>Distances that were computed and boxes that were tested so far.</summary>
+    /// <summary>Distances of segments that were computed and boxes that were looked at so far.</summary>
     public long Steps => _tree.Steps + _measured;
 
-    /// <summary>Index and distance of the nearest segment; -1 and infinite when there is none. Fast when queries follow a path: the last answer bounds the next search.</summary>
+    /// <summary>Number and distance of the nearest segment; -1 and infinite when there is none. Quick when questions follow a path: the last answer bounds the next search.</summary>
     public int NearestTo(Point2D place, out double distance)
     {
         distance = double.PositiveInfinity;
@@ -42,8 +42,8 @@ internal sealed class SegmentIndex
         return nearest >= 0 ? _last = nearest : _last; // none found: none is nearer than the last
     }
 
-    /// <summary>The nearest segment by another measure; -1 when none is within <paramref name="within"/>.</summary>
-    /// <param name="measure">By index of the segment; never smaller than its distance.</param>
+    /// <summary>The nearest segment by a measure of one's own; -1 when none is as near as <paramref name="within"/>.</summary>
+    /// <param name="measure">By number of the segment; nowhere less than its distance.</param>
     public int NearestBy(BoxTree.Measure measure, Point2D place, double within, out double distance)
     {
         _stamp++;
@@ -52,14 +52,14 @@ internal sealed class SegmentIndex
         return piece >= 0 ? _owners[piece] : -1;
     }
 
-    /// <summary>As <see cref="NearestTo"/>, but returns the last answer while it is no farther than <paramref name="enough"/> (the nearest is no farther either). Avoids a search at every point of a path along one of many crowded segments.</summary>
+    /// <summary>As <see cref="NearestTo"/>, but the last answer again while it is no farther than <paramref name="enough"/>: the nearest is no farther either. Keeps a path along one of many crowded segments from asking all of them.</summary>
     public int NearEnoughTo(Point2D place, double enough, out double distance)
     {
         distance = _segments.Length == 0 ? double.PositiveInfinity : Distance(_last, place);
         return distance <= enough ? _last : NearestTo(place, out distance);
     }
 
-    /// <summary>The segments with a part whose box comes within a radius of a point, each once.</summary>
+    /// <summary>The segments of which some part's box comes within a radius of a place, each once.</summary>
     public void Around(Point2D place, double radius, List<int> found)
     {
         _found.Clear();
@@ -67,7 +67,7 @@ internal sealed class SegmentIndex
         TellOwners(found);
     }
 
-    /// <summary>The segments with a part whose box comes within reach of a line or an arc (or nearly), each once.</summary>
+    /// <summary>The segments of which some part's box comes within reach of a line or an arc (or nearly), each once.</summary>
     public void Along(in Segment path, double reach, List<int> found)
     {
         _found.Clear();
@@ -104,7 +104,7 @@ internal sealed class SegmentIndex
         }
     }
 
-    /// <summary>The distance of a piece's whole segment; infinite when another piece of it was measured in this query.</summary>
+    /// <summary>Pieces of a segment measure the whole of it, so that one is enough.</summary>
     private double MeasureOnce(int piece, Point2D place)
     {
         var segment = _owners[piece];

@@ -2,9 +2,9 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Largest distance of a span from the drawing, and how much of it lies beside the drawing. Divides the span instead of walking along it: a part is done when it cannot exceed what is known.</summary>
+/// <summary>Largest distance of a span from the drawing, and how much of it lies beside it, without walking along it: a part is done when it can hold nothing worse than what is known.</summary>
 /// <remarks>Lines and arcs against lines and arcs have exact bounds (<see cref="FarthestOf"/>), so that the work follows the number of joints under a span and not its length.
-/// Against curves a short part over one piece or two neighbours is judged by three points, because the distance is smooth there.</remarks>
+/// Against curves a part is judged by three places once it is short and lies over one piece or two neighbours, on which the distance is smooth.</remarks>
 internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, TraceTolerances tolerances)
 {
     private const double KnownPart = 0.002;
@@ -16,7 +16,7 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Trace
     private readonly double _shortest = tolerances.Count / 4.0;
     private Result _found;
 
-    /// <param name="known">The largest distance found before: smaller ones need not be exact.</param>
+    /// <param name="known">The largest distance found before: less need not be found exactly.</param>
     public Result Measure(in TraceSpan span, double known)
     {
         _found = new Result(known, 0.0, 0.0);
@@ -57,10 +57,10 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Trace
         Visit(path, middle, to, depth - 1);
     }
 
-    /// <summary>A part whose bound is no larger than this is not divided further.</summary>
+    /// <summary>A part that holds no more than this changes nothing worth telling.</summary>
     private double Enough => _found.Largest + Math.Max(_resolution, KnownPart * _found.Largest);
 
-    /// <summary>A point no farther than this is neither beside the drawing nor the farthest yet; which segment is nearest to it does not matter.</summary>
+    /// <summary>A place no farther than this is neither beside the drawing nor the farthest yet; which segment is nearest to it does not matter.</summary>
     private double Unremarkable => Math.Min(_found.Largest, _reach);
 
     private void Offer(double distance, double at)
@@ -87,7 +87,7 @@ internal sealed class SpanDeviation(Segment[] drawing, SegmentIndex index, Trace
     }
 
     /// <param name="Largest">Millimetres, at least what was known before.</param>
-    /// <param name="At">Where, as a fraction of the span; not meaningful when nothing larger was found.</param>
+    /// <param name="At">Where, as a fraction of the span; without meaning when nothing larger was found.</param>
     /// <param name="Extra">Length farther from the drawing than the coverage tolerance.</param>
     internal readonly record struct Result(double Largest, double At, double Extra);
 }

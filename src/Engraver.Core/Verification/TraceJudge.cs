@@ -2,8 +2,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Compares a run with its drawing while the run goes on: takes the drawing once, then samples and spans in order of time. Memory grows with the drawing, time with the number of samples and spans.</summary>
-/// <remarks>Results are defined as in <see cref="TraceComparison.Compare"/>. Not thread safe.</remarks>
+/// <summary>The judge of a run that listens while it goes on: takes the drawing once, then samples and spans in order of time. Memory follows the drawing, time the number of samples and spans told.</summary>
+/// <remarks>Meaning and numbers are those of <see cref="TraceComparison.Compare"/>. Not thread safe.</remarks>
 public sealed class TraceJudge
 {
     private readonly SegmentIndex _index;
@@ -18,7 +18,7 @@ public sealed class TraceJudge
     private bool _wasOff;
 
     /// <param name="drawing">What was to be cut, millimetres; order and direction do not matter. Ellipses and splines are exact here, not the arcs that were cut for them.</param>
-    /// <param name="tolerances">What counts as cut, and which gaps do not count.</param>
+    /// <param name="tolerances">What counts as cut, and how short a gap is none.</param>
     public TraceJudge(IReadOnlyList<Segment> drawing, TraceTolerances tolerances)
     {
         ArgumentNullException.ThrowIfNull(tolerances);
@@ -29,7 +29,7 @@ public sealed class TraceJudge
         _coverage = new DrawnCoverage(pieces, _index, tolerances);
     }
 
-    /// <summary>Takes one position of the machine; between two consecutive cutting samples it moved straight.</summary>
+    /// <summary>The machine was here; between two consecutive cutting samples it went straight.</summary>
     public void Add(in TraceSample sample)
     {
         if (sample.Cutting)
@@ -41,7 +41,7 @@ public sealed class TraceJudge
         _last = sample;
     }
 
-    /// <summary>Takes a span of motion.</summary>
+    /// <summary>The machine went along here.</summary>
     public void Add(in TraceSpan span)
     {
         if (span.Cutting)
@@ -59,7 +59,7 @@ public sealed class TraceJudge
         _last = span.At(1.0);
     }
 
-    /// <summary>The result so far; after the last sample, the verdict.</summary>
+    /// <summary>What is known so far; with no more to come, the verdict.</summary>
     public TraceVerdict Verdict()
     {
         var (missing, at) = _coverage.Missing();
@@ -78,7 +78,7 @@ public sealed class TraceJudge
         }
         else
         {
-            _coverage.AddChord(sample.Place, sample.Place); // a single sample is a dot
+            _coverage.AddChord(sample.Place, sample.Place); // a lone sample is a dot
         }
 
         _wasOff = isOff;
@@ -86,11 +86,11 @@ public sealed class TraceJudge
 }
 
 /// <summary>What a trace says about a run, lengths in millimetres.</summary>
-/// <param name="CuttingSamples">Samples with the tool on; without any, the deviation is unknown.</param>
+/// <param name="CuttingSamples">Samples with the tool on; with none, nothing is known of the deviation.</param>
 /// <param name="MaxDeviation">Largest distance of a cutting sample from the drawing; 0 without cutting samples, infinite when something was cut and the drawing is empty.</param>
 /// <param name="DeviationAt">The sample that deviates most; null without cutting samples.</param>
 /// <param name="MissingLength">Length of the drawing that was never cut.</param>
-/// <param name="MissingAt">A point in the first gap of the drawing; null when nothing is missing.</param>
-/// <param name="ExtraLength">Length that was cut beside the drawing: between consecutive cutting samples of which one is farther from it than the coverage tolerance.</param>
+/// <param name="MissingAt">A place in the first gap of the drawing; null when nothing is missing.</param>
+/// <param name="ExtraLength">Length that was cut beside the drawing: between consecutive cutting samples of which one lies off it by more than the coverage tolerance.</param>
 public sealed record TraceVerdict(
     long CuttingSamples, double MaxDeviation, TraceSample? DeviationAt, double MissingLength, Point2D? MissingAt, double ExtraLength);
