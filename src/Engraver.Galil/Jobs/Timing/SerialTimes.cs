@@ -8,8 +8,8 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>A job led over a serial line: every byte of a question, a command and an answer takes its time (galil-dmc.md A.2), and an end is noticed by the next question only.</summary>
-/// <remarks>For one estimate: what a step takes depends on those before it, which are told in the order of cutting.</remarks>
+/// <summary>Times of a job that is commanded over a serial line: every byte of a query, a command and an answer takes its time (galil-dmc.md A.2), and an end of motion is seen only by the next query.</summary>
+/// <remarks>For one estimate: the time of a step depends on the steps before it, so it must be called in the order of cutting.</remarks>
 internal sealed class SerialTimes(SerialLine line) : CommandTimes
 {
     private const int CapacityDigits = 3;
@@ -53,7 +53,7 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         return _talk.Now - begun;
     }
 
-    /// <summary>The server works a little before and behind the motion; the end is seen by a whole poll, for it is <c>seq</c> that tells it.</summary>
+    /// <summary>The server works for a short time before and after the motion; its end is seen by a whole poll, which contains <c>seq</c>.</summary>
     private void Call(VectorSequence sequence, double moving)
     {
         SayAll(ResidentServer.Arguments(sequence.Segments[0], sequence.Start, sequence.Speed), ResidentServer.GoCommand);
@@ -87,7 +87,7 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         foreach (var command in commands) _talk.Command(command);
     }
 
-    /// <param name="atLeast">As the job knows it, seconds from now: it rests until then.</param>
+    /// <param name="atLeast">Time for which the job will pause, seconds from now, because the end cannot come sooner.</param>
     private void PollUntil(CountsPoint at, double end, double atLeast)
     {
         var (pause, start) = (Pause(atLeast), _talk.Now);
