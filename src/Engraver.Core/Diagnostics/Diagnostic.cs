@@ -39,14 +39,14 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
     }
 }
 
-/// <summary>A rule: one row of the table that code, documentation and tests share.</summary>
+/// <summary>One row of the table that code, documentation and tests share.</summary>
 /// <param name="Id">Permanent: never reused, never renumbered (DXF0007, SEQ0003).</param>
 /// <param name="Severity">How bad it is.</param>
 /// <param name="Sentence">What and where, with {names} for the facts of the case.</param>
 /// <param name="Advice">What the operator can do. Settings are named by their keys in brackets, [max-error]; whoever shows the finding puts the option or command there (docs/settings.md).</param>
 public sealed record DiagnosticRule(string Id, Severity Severity, string Sentence, string Advice)
 {
-    /// <summary>A finding by this rule. <paramref name="facts"/> fill the {names} of the sentence in the order in which they first appear.</summary>
+    /// <summary>The finding for one case. <paramref name="facts"/> fill the {names} of the sentence in the order in which they first appear.</summary>
     public Diagnostic At(SourceRef source, params ReadOnlySpan<string> facts) => new(this, source, facts.ToArray());
 }
 

@@ -39,7 +39,7 @@ public static class VerificationRules
     public static readonly DiagnosticRule ToolpathExtra = new("VER0022", Severity.Error,
         "The toolpath cuts {length} mm for the entity that are not drawn, first at {x}, {y}.", NotSent);
 
-    /// <summary>Advice for rules that compare the drawing with our own path: a finding is never the drawing's fault.</summary>
+    /// <summary>The drawing is held against our own path: what is found is never the drawing's fault.</summary>
     private const string NotSent = "Nothing was sent or written, for this is a fault of the program: report it with the drawing, and draw the entity in another way until it is mended.";
 
     /// <summary>Every rule of this table, in order of id.</summary>

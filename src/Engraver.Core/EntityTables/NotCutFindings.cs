@@ -46,7 +46,7 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         }
     }
 
-    /// <summary>The same as the last sentence about a job; "" when nothing is left.</summary>
+    /// <summary>The same as the last words about a job; "" when nothing is left.</summary>
     public string Clause => Counts.Count == 0 ? "" : $"{Subject} visible and NOT CUT";
 
     /// <summary>The finding about it; null when nothing is left.</summary>

@@ -12,7 +12,7 @@ public abstract record ControllerAddress
     /// <summary>The controller's rate without a jumper (galil-dmc.md A.2).</summary>
     public const int DefaultBaud = 19200;
 
-    /// <summary>The accepted forms, for messages.</summary>
+    /// <summary>What is accepted, for messages.</summary>
     public const string Forms =
         "tcp://HOST:PORT, serial://DEVICE?baud=19200 (1200, 9600, 19200, 38400, 57600 or 115200; &flow=none, xonxoff or rtscts, the default) or sim:?speed=max; behind a simulated controller that is not at speed 1 also clock=PORT";
 

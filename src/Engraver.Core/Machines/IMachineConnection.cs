@@ -13,8 +13,8 @@ public interface IMachineConnection : IAsyncDisposable
     /// <summary>The link was lost; another connection is needed.</summary>
     bool IsBroken { get; }
 
-    /// <summary>Reads the state of an idle machine once.</summary>
-    /// <exception cref="ControllerException">The link failed, or the controller cannot report its position.</exception>
+    /// <summary>One look at an idle machine, now.</summary>
+    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
     ValueTask<MachineReading> LookAsync(CancellationToken cancellation);
 
     /// <summary>Switches the tool off and brakes the path and every axis. Returns when the controller has accepted it, not at rest.</summary>

@@ -19,7 +19,7 @@ public static class ClData
 
     private static readonly DxfSheetLayer[] s_layers = [new(ClosedLayer, 4), new(OpenLayer, 30), new(RapidLayer, 1, Plots: false)];
 
-    /// <summary>The same from the strokes as drawn: an ellipse stays an ELLIPSE and a spline a SPLINE, exact, where the toolpath has arcs within a tolerance.</summary>
+    /// <summary>The same from the strokes as they were drawn: an ellipse stays an ELLIPSE and a spline a SPLINE, exact, where the toolpath has arcs within a tolerance.</summary>
     public static void Write(SequencingResult sequence, Point2D toolStart, TextWriter output) =>
         Write(new Toolpath(toolStart, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]), output);
 

@@ -8,28 +8,28 @@ namespace Engraver.Galil.Jobs;
 /// <summary>One poll of the controller.</summary>
 /// <param name="SequenceRunning">_BGS.</param>
 /// <param name="AxesRunning">_BGA or _BGB.</param>
-/// <param name="Counter">_CSS: segments of the sequence that are complete.</param>
-/// <param name="Calls">seq: calls that are complete; in a watched job see <see cref="SupervisedProgram"/>.</param>
+/// <param name="Counter">_CSS: segments of the sequence that are done.</param>
+/// <param name="Calls">seq: calls that are done; in a watched job see <see cref="SupervisedProgram"/>.</param>
 /// <param name="PathSpeed">_VMS, counts/s.</param>
-/// <param name="Position">_RPA and _RPB, the controller's own counts.</param>
+/// <param name="Position">_RPA and _RPB, the controller's frame.</param>
 /// <param name="Time">TIME, samples.</param>
 /// <param name="StopCode">_SCA.</param>
-/// <param name="ProgramRuns">_XQ0 is a line number: the resident program runs.</param>
+/// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
 /// <param name="ProgramError">errcode: TC code of a refused line of the resident program, 0 for none, <see cref="SupervisedProgram.Strayed"/> for a motion that ended early, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow.</param>
-/// <param name="WatchdogRuns">_XQ1 is a line number: the watchdog runs, or has just tripped.</param>
+/// <param name="WatchdogRuns">_XQ1 is a line: the watchdog lives, or has just tripped.</param>
 /// <param name="Trip">wtrip: why the watchdog has stopped the machine (<see cref="WatchdogProgram"/>); 0 while it has not.</param>
 /// <param name="Outputs">_OP0: outputs 1 to 8, bit 0 is output 1.</param>
 internal readonly record struct MachineState(
     bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, bool WatchdogRuns, int ProgramError, int Trip, int Outputs)
 {
-    /// <summary>The operands, in the order of the parameters; with MG exactly the 80 characters of a line. wtrip comes after _XQ1: if the watchdog ended by tripping, wtrip is then already set.</summary>
+    /// <summary>What is asked, in the order of the parameters; with MG exactly the 80 characters of a line. wtrip is asked behind _XQ1: where the watchdog ended by its trip, that is already known.</summary>
     public const string Operands =
         $"_BGS,_BGA,_BGB,_CSS,{Variables.Sequence},_VMS,_RPA,_RPB,TIME,_SCA,_XQ0,_XQ1,{Variables.ErrorCode},{Variables.WatchdogTripped},_OP0";
 
-    /// <summary>On a serial line the operands are read in two parts, so that the heartbeat fits between them: first those of the program ...</summary>
+    /// <summary>On a serial line the questions go in two parts, so that the heartbeat fits between them: first what a program does ...</summary>
     public const string ProgramOperands = $"_BGA,_BGB,{Variables.Sequence},_XQ0,_XQ1,{Variables.ErrorCode}";
 
-    /// <summary>... then, and more often, those of the path. Read last: if the axes were at rest before, the position is final.</summary>
+    /// <summary>... then, and more often, what the path does. Asked last: where the axes stood before, the position is final.</summary>
     public const string MotionOperands = $"_BGS,_CSS,_VMS,_RPA,_RPB,TIME,_SCA,{Variables.WatchdogTripped},_OP0";
 
     public bool Stands => !SequenceRunning && !AxesRunning;

@@ -40,6 +40,6 @@ public static class DmcLimits
 
     public const int Outputs = 8;
 
-    /// <summary>The limits that a machine profile can exceed.</summary>
+    /// <summary>The part of them that a machine profile can break.</summary>
     public static MachineLimits Machine { get; } = new(SlowestSpeed, FastestSpeed, AccelerationStep, LargestAcceleration, Outputs);
 }

@@ -7,7 +7,7 @@ namespace Engraver.Galil.Links;
 /// <remarks>Without delay (TCP_NODELAY): one command is one packet, and the next packet carries the acknowledgement (galil-dmc.md A.4).</remarks>
 public sealed class TcpLink : IControllerLink
 {
-    /// <summary>Message for a connection that is dropped as soon as it is open (galil-dmc.md A.1).</summary>
+    /// <summary>What a connection that is dropped as soon as it stands means (galil-dmc.md A.1).</summary>
     internal const string HandlesTaken = "The controller dropped the connection as soon as it stood: probably all its handles are taken. This program needs two; close other programs that talk to the controller.";
 
     private readonly Socket _socket;

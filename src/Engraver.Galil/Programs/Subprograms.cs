@@ -19,7 +19,7 @@ internal static class Subprograms
     /// <summary>Cuts an arc of radius r that begins at angle th of its circle and sweeps da, and waits for its end.</summary>
     public static IReadOnlyList<string> CircLines(string last) => Interpolation(Circ, "CR r,th,da", last);
 
-    /// <summary>Moves to x, y in the controller's own coordinates, each axis at its speed, and waits for the end.</summary>
+    /// <summary>Travels to x, y in the controller's own coordinates, each axis at its speed, and waits for the end.</summary>
     public static IReadOnlyList<string> RapidLines(string last) => RapidLines("PAA=x;PAB=y", last);
 
     /// <param name="target">The line that assigns PA.</param>
@@ -41,7 +41,7 @@ internal static class Subprograms
 
     public static string ToolOff(MachineProfile profile) => Text($"CB{profile.ToolOutput}");
 
-    /// <summary>The wait after a change of the tool; empty when the profile has a settle time of 0.</summary>
+    /// <summary>The wait after a change of the tool; empty when the profile wants none.</summary>
     public static string Settle(MachineProfile profile) => profile.ToolSettleMilliseconds == 0 ? string.Empty : Text($"WT {profile.ToolSettleMilliseconds}");
 
     /// <summary>Tool off before anything else, then every motion of the plane and of its axes is stopped. One line, so that no other thread runs in between.</summary>

@@ -121,10 +121,10 @@ public static class TcCodes
         [TcCode.TooManyArraysOrVariables] = "the controller has no variables left",
     }.ToFrozenDictionary();
 
-    /// <summary>The controller's text for a code; for an unknown code, its number in words.</summary>
+    /// <summary>The controller's text for a code; for a code that is in no table, the number in words.</summary>
     public static string Text(TcCode code) => Texts.TryGetValue(code, out var text) ? text : string.Create(CultureInfo.InvariantCulture, $"error {(int)code}");
 
-    /// <summary>The meaning of the code, as the second half of a sentence after a colon; empty where the controller's text suffices.</summary>
+    /// <summary>What the code means, as the second half of a sentence that begins with a colon; empty where the text says it all.</summary>
     public static string Hint(TcCode code) => Meanings.TryGetValue(code, out var meaning) ? ": " + meaning : "";
 
     /// <summary>Parses the answer of TC1: number and text, with any white space between them.</summary>

@@ -6,10 +6,10 @@ using Engraver.Galil.Protocol;
 namespace Engraver.Galil.Sessions;
 
 /// <summary>Tool off and machine at rest, in the complete order of galil-dmc.md F.4: CB, STS, ST AB, HX of our threads, wait for every _BG, CSS.</summary>
-/// <remarks>Two passes. <see cref="Begin"/> sends it at once over the stop handle, while another command may still be on its way; when no more commands are sent,
-/// <see cref="FinishAsync"/> sends it again, so that a BGS that arrived in between is stopped too.</remarks>
-/// <param name="ownThreads">Our threads, the one that commands motion first.</param>
-/// <param name="axes">Letters of the axes to brake; null for those that a job moves.</param>
+/// <remarks>Two passes. <see cref="Begin"/> goes at once over the stop handle, while the feeder may still have a command on its way; when the feeder is silent,
+/// <see cref="FinishAsync"/> says it again, so that a BGS that arrived in between starts nothing.</remarks>
+/// <param name="ownThreads">Ours; first the one that commands motion.</param>
+/// <param name="axes">Letters of the axes that brake; null for those that a job moves.</param>
 public sealed class OperatorStop(ControllerSession session, int toolOutput, IReadOnlyList<int> ownThreads, string? axes = null)
 {
     private const string Operands = "_BGS,_BGA,_BGB,_CSS,_RPA,_RPB,TIME";
@@ -102,7 +102,7 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
         }
     }
 
-    /// <summary>Queries all operands at once and, where that is refused, one by one: an operand that the controller does not know belongs to a feature it does not have, which cannot move. The position is required.</summary>
+    /// <summary>Asks all at once and, where that is refused, one by one: what the controller does not know is not fitted and does not move. The position it must know.</summary>
     private async ValueTask<IReadOnlyList<double>> LookAsync(CancellationToken cancellation)
     {
         var all = await session.StopHandle.ReadAsync(Operands, cancellation).ConfigureAwait(false);
@@ -123,7 +123,7 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 }
 
 /// <summary>Where and when the machine came to rest.</summary>
-/// <param name="SegmentCounter">_CSS before the buffer was emptied: segments of the stopped sequence that were complete.</param>
+/// <param name="SegmentCounter">_CSS before the buffer was emptied: segments of the stopped sequence that were done.</param>
 /// <param name="X">_RPA, controller's counts.</param>
 /// <param name="Time">TIME, samples.</param>
 public sealed record StandstillReport(int SegmentCounter, int X, int Y, long Time);

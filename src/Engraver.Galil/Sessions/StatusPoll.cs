@@ -14,7 +14,7 @@ internal static class StatusPoll
 
     private const string InputOperands = "_TI0,_OP0,_VMS,_LFA,_LRA,_LFB,_LRB,_SCA,_SCB,_AB,_XQ0";
 
-    /// <exception cref="ControllerException">The link failed, or the controller cannot report its position.</exception>
+    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
     public static async ValueTask<MachineReading> ReadAsync(CommandChannel channel, CancellationToken cancellation)
     {
         var motion = await channel.ReadAsync(MotionOperands, cancellation).ConfigureAwait(false);
@@ -38,7 +38,7 @@ internal static class StatusPoll
 
     private static string Letters(bool first, bool second) => (first ? DmcAxes.Plane[..1] : "") + (second ? DmcAxes.Plane[1..2] : "");
 
-    /// <summary>The active limits; _LF and _LR are 0 where the switch is active.</summary>
+    /// <summary>_LF and _LR are 0 where the switch is hit.</summary>
     private static string LimitText(double forwardA, double reverseA, double forwardB, double reverseB)
     {
         var hit = new List<string>();

@@ -6,8 +6,8 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Terminals;
 
-/// <summary>A terminal to a controller, line by line: commands are sent, replies are returned, and what programs print appears between them.</summary>
-/// <remarks>Restores the controller's state, as every session does; numbers are printed in the format that was found.</remarks>
+/// <summary>A conversation with a controller, line by line: commands go out, replies come back, and what programs print appears between them.</summary>
+/// <remarks>Leaves the controller as it was found, as every session does; numbers are printed in the format that was found.</remarks>
 public sealed class MachineTerminal : IAsyncDisposable
 {
     private readonly ConcurrentQueue<string> _messages;
@@ -42,7 +42,7 @@ public sealed class MachineTerminal : IAsyncDisposable
     /// <summary>A terminal on a session that somebody else owns: it must not be disposed.</summary>
     internal static MachineTerminal On(ControllerSession session, ConcurrentQueue<string> messages) => new(session, messages);
 
-    /// <summary>Answers one line: what programs have printed so far, then the answer itself. The caller handles <see cref="TerminalLine.Quit"/>.</summary>
+    /// <summary>Answers one line: what programs have printed by now, then the answer itself. <see cref="TerminalLine.Quit"/> is the caller's business.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {

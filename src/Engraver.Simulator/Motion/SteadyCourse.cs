@@ -10,7 +10,7 @@ internal abstract class SteadyCourse
     /// <summary>As <see cref="At"/>, before rounding to counts.</summary>
     public abstract void Exactly(long sample, Span<double> positions);
 
-    /// <summary>The arc that axes A and B follow between two samples; null when they move on a line or not at all.</summary>
+    /// <summary>The arc that axes A and B follow between two samples; null when they go straight or stand.</summary>
     public virtual ArcCourse? ArcBetween(long from, long to) => null;
 }
 
@@ -60,7 +60,7 @@ internal sealed class PathCourse : SteadyCourse
         for (var i = 0; i < _axes.Length; i++) positions[_axes[i]] = _origin[i] + (point[i] * Scale(i));
     }
 
-    /// <summary>When the plane's first axis is B, cosine and sine change places: the angle is counted from the other axis, in the opposite direction.</summary>
+    /// <summary>With the axes the other way round the angle counts from the other axis, in the other sense.</summary>
     public override ArcCourse? ArcBetween(long from, long to)
     {
         if (_segment is not CircularSegment circular || _axes[0] > 1) return null;

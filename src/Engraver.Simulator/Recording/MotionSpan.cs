@@ -49,7 +49,7 @@ public sealed class MotionSpan
         return (places[0], places[1]);
     }
 
-    /// <summary>The arc on which A and B move from the first sample to the last, at most a quarter of an ellipse; null when they move on a line or not at all.</summary>
+    /// <summary>The arc on which A and B go from the first sample to the last, at most a quarter of an ellipse; null when they go straight, or stand.</summary>
     public ArcCourse? Arc
     {
         get

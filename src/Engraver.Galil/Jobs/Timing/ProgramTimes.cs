@@ -5,8 +5,8 @@ using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>Times of a job that runs in the controller: loading takes the time of its bytes in both directions, because the download is read back; then only the controller's own statements take time.</summary>
-/// <param name="line">Null for a network, where loading takes no time worth counting.</param>
+/// <summary>A job that runs in the controller: loading takes its bytes, both ways, for what was downloaded is read back; then only the controller's own statements take time.</summary>
+/// <param name="line">Null for a network, on which loading is nothing beside the cutting.</param>
 internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
 {
     /// <summary>Bytes exchanged around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the query for the watchdog; the answer to the poll before it, and about half a poll until

@@ -3,7 +3,7 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Timing;
 
-/// <summary>Times of a job that is commanded over the network: every command, whatever its length, takes the same time.</summary>
+/// <summary>A job led over the network: every command, whatever its length, takes the same time.</summary>
 internal sealed class EthernetTimes : CommandTimes
 {
     /// <summary>One command and its reply over Ethernet (galil-dmc.md A.4).</summary>
