@@ -9,10 +9,10 @@ using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Collects the findings of sequencing, in the operator's terms.</summary>
+/// <summary>Collects what sequencing has to say, in the operator's terms.</summary>
 internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions options, IReadOnlyList<Diagnostic>? earlier = null)
 {
-    /// <summary>Most findings of a rule that are listed; the rest are counted.</summary>
+    /// <summary>Of each rule so many are listed; the rest are counted.</summary>
     private const int ShownPerRule = 100;
 
     private readonly List<Diagnostic> _diagnostics = [.. earlier ?? []];
@@ -21,7 +21,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
     public IReadOnlyList<Diagnostic> Diagnostics => _diagnostics;
 
     /// <param name="analysed">Before removal.</param>
-    /// <param name="kept">Rows that are kept, ascending; at least one is missing.</param>
+    /// <param name="kept">Rows that stay, ascending; at least one is missing.</param>
     public void AddDuplicates(EntityTable analysed, ReadOnlySpan<int> kept)
     {
         var first = 0;
@@ -56,7 +56,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         Add(SequencingRules.OpenEnds, table.EntityIndexOf(wide[0].Row), Number(wide.Count), Number(options.SuspiciousGap), Number(wide[0].Place.X), Number(wide[0].Place.Y));
     }
 
-    /// <summary>Adds a finding for each rule that has more findings than are listed. Call once, after all others.</summary>
+    /// <summary>Says of which rules there are more findings than are listed. To be called once, when all are in.</summary>
     public void SumUp()
     {
         foreach (var (rule, count) in _counts.Where(entry => entry.Value > ShownPerRule).OrderBy(entry => entry.Key.Id, StringComparer.Ordinal))
@@ -65,12 +65,12 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         }
     }
 
-    /// <param name="requested">What the operator named.</param>
-    /// <param name="enter">The entity or point that it is cut as.</param>
-    public void AddEntry(EnterAt requested, EnterAt enter, StrokeEntry? entry, ReadOnlySpan<int> inside)
+    /// <param name="wish">What the operator named.</param>
+    /// <param name="enter">What that is cut as.</param>
+    public void AddEntry(EnterAt wish, EnterAt enter, StrokeEntry? entry, ReadOnlySpan<int> inside)
     {
-        if (enter != requested && (requested, enter) is (EnterAt.AtEntity { EntityIndex: var named }, EnterAt.AtEntity { EntityIndex: var substitute }))
-            Add(SequencingRules.EntryStandsIn, named, HandleOf(named) ?? "without a handle", HandleOf(substitute) ?? "without a handle");
+        if (enter != wish && (wish, enter) is (EnterAt.AtEntity { EntityIndex: var named }, EnterAt.AtEntity { EntityIndex: var standIn }))
+            Add(SequencingRules.EntryStandsIn, named, HandleOf(named) ?? "without a handle", HandleOf(standIn) ?? "without a handle");
         if (entry is not { } found)
         {
             _diagnostics.Add(SequencingRules.EntryNotFound.At(default));
@@ -121,7 +121,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
     private string? HandleOf(int entity) => drawing?.SourceOf(entity).Handle;
 }
 
-/// <summary>A discontinuity in the operator's terms: position, entity, distance to the nearest other open end, and the diagnostic that reports it.</summary>
+/// <summary>A discontinuity in the operator's terms: where, which entity, how far to the nearest other open end, and under which diagnostic it is reported.</summary>
 /// <param name="Place">Millimetres.</param>
 /// <param name="EntityIndex">The drawing entity that ends here.</param>
 /// <param name="Gap">Distance to the nearest other open end; null without one.</param>

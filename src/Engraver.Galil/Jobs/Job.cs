@@ -123,7 +123,7 @@ internal sealed class Job
         if (await _found.BorrowAsync(resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         string[] settings = ["AC", "DC"];
-        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_program.Profile) }; // in case somebody left the tool on or plane T selected
+        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_program.Profile) }; // whatever somebody left on or selected
         commands.AddRange(_session.Found.MotorsOff.Where(DmcAxes.Plane.Contains).Select(letter => $"SH{letter}"));
         commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
         commands.Add(ResidentServer.StartCommand(resident));

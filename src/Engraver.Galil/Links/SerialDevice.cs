@@ -26,7 +26,7 @@ internal sealed class SerialDevice : IDisposable
     public static SerialDevice Open(SerialAddress address)
     {
         var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
-        if (device.IsInvalid) throw Failure(address, "it cannot be opened"); // before another call overwrites the error code
+        if (device.IsInvalid) throw Failure(address, "it cannot be opened"); // before another call takes the reason away
         var bell = EventFd(0, EventFlags);
         try
         {

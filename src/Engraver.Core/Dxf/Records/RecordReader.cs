@@ -97,7 +97,7 @@ internal sealed class RecordReader
         }
 
         if (_tags.DamageCount != damages && !_tags.IsBinary) foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.DamageLine, $"'{_tags.DamageText}' where a group code is due", Refused: true);
-        if (foreign is { } issue) _log.Add(issue);
+        if (foreign is { } trouble) _log.Add(trouble);
         Settle();
     }
 
