@@ -31,7 +31,7 @@ internal static class SimulateVerb
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError("--baud is the rate of a serial port; give --serial PATH with it.");
         });
         command.SetAction((parsed, stop) => RunAsync(
-            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Machine(parsed.GetValue(machine)) with { Speed = parsed.GetValue(speed), KeepsRecord = false, Faults = Faults(parsed.GetValue(faults)), NumberSpacing = parsed.GetValue(numbers), SerialNumber = parsed.GetValue(number) ?? Random.Shared.Next(1, int.MaxValue) }, stop));
+            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Machine(parsed.GetValue(machine)) with { Speed = parsed.GetValue(speed), KeepsRecord = false, Faults = Faults(parsed.GetValue(faults)), NumberSpacing = parsed.GetValue(numbers), SerialNumber = parsed.GetValue(number) ?? new SimulatorOptions().SerialNumber }, stop));
         return command;
     }
 
