@@ -122,7 +122,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
         if (Remaining == 0) return JobStep.Done;
         var ahead = Ahead;
-        _byIncrements = machine.Line is null && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
+        _byIncrements = machine.Line is null && DmcAxes.AreFirst(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
         var acceleration = machine.Profile.AccelerationCounts;
         var opened = await machine.SendAllAsync(["CSS", (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.Letters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
         if (opened.Ends) return opened;

@@ -44,7 +44,7 @@ public sealed class GalilPost : IPost
         if (request.Program is not { } program || program.Style != _style) throw new ArgumentException($"{Name} is written from a motion program in the style {_style}.", nameof(request));
         var options = new DmcPostOptions { MemoryLines = int.Parse(request.Value(s_memory), CultureInfo.InvariantCulture) };
         var text = _style == MotionStyle.Calls ? DmcPost.Calls(program, options, request.SourceOf) : DmcPost.Sequences(program, options, request.SourceOf);
-        return text with { SegmentLines = Posting.SegmentLines.Map(text.Text) };
+        return text with { SegmentLines = Posting.SegmentLines.Map(text.Text, _style) };
     }
 
     private static string Text(int lines) => lines.ToString(CultureInfo.InvariantCulture);
