@@ -27,7 +27,7 @@ public static class JobRunner
         ArgumentNullException.ThrowIfNull(session);
         string off = string.Concat(session.Found.MotorsOff.Where(DmcAxes.Plane.Contains));
         return off.Length > 0
-            ? JobResult.NotStarted(program.Strokes.Count, $"The motor of axis {string.Join(" and ", off.AsEnumerable())} is off; switch the motors on before a move.")
+            ? JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.MotorAxisOffSwitch", string.Join(Wording.Get("Common.And"), off.AsEnumerable())))
             : await RunAsync(program, goal, session, options with { DryRun = true }, progress, stop).ConfigureAwait(false);
     }
 
@@ -44,7 +44,7 @@ public static class JobRunner
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobResult.NotStarted(program.Strokes.Count, $"The journal cannot be written: {failure.Message} Name another file.");
+            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.JournalCannotWrittenName", failure.Message));
         }
 
         // Replies from memory come at once: without a thread of its own the whole job would run before this method returns.

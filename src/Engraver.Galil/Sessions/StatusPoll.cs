@@ -42,10 +42,10 @@ internal static class StatusPoll
     private static string LimitText(double forwardA, double reverseA, double forwardB, double reverseB)
     {
         var hit = new List<string>();
-        if (forwardA == 0) hit.Add("the forward limit of axis A");
-        if (reverseA == 0) hit.Add("the reverse limit of axis A");
-        if (forwardB == 0) hit.Add("the forward limit of axis B");
-        if (reverseB == 0) hit.Add("the reverse limit of axis B");
-        return string.Join(" and ", hit);
+        if (forwardA == 0) hit.Add(Wording.Get("StatusPoll.ForwardLimitAxis"));
+        if (reverseA == 0) hit.Add(Wording.Get("StatusPoll.ReverseLimitAxis"));
+        if (forwardB == 0) hit.Add(Wording.Get("StatusPoll.ForwardLimitAxisB"));
+        if (reverseB == 0) hit.Add(Wording.Get("StatusPoll.ReverseLimitAxisB"));
+        return string.Join(Wording.Get("Common.And"), hit);
     }
 }

@@ -90,7 +90,7 @@ public sealed class MachineTerminal : IAsyncDisposable
     }
 
     private static string CaseHint(Rejected refused) =>
-        refused.Code == TcCode.UnrecognizedCommand && refused.Command.Length > 0 && char.IsAsciiLetterLower(refused.Command[0]) ? " (commands are upper case)" : "";
+        refused.Code == TcCode.UnrecognizedCommand && refused.Command.Length > 0 && char.IsAsciiLetterLower(refused.Command[0]) ? Wording.Get("MachineTerminal.CommandsUpperCase") : "";
 
     private IEnumerable<TerminalAnswer> TakeMessages()
     {
