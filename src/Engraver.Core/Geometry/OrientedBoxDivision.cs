@@ -26,7 +26,7 @@ internal sealed class OrientedBoxDivision
         _keys = new double[boxes.Length];
     }
 
-    public static (int[] Order, List<OrientedBoxNode> Nodes) Of(OrientedBox[] boxes)
+    public static (int[] Order, List<OrientedBoxNode> Nodes) Divide(OrientedBox[] boxes)
     {
         var division = new OrientedBoxDivision(boxes);
         if (boxes.Length > 0) division.AddRoot();

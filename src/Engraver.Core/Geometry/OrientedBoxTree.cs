@@ -23,12 +23,12 @@ public sealed class OrientedBoxTree
     public long Steps { get; private set; }
 
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>, which are taken over.</summary>
-    public static OrientedBoxTree Of(OrientedBox[] boxes) => Of(boxes, [.. boxes.Select(_ => Slant.Unknown)]);
+    public static OrientedBoxTree Build(OrientedBox[] boxes) => Build(boxes, [.. boxes.Select(_ => Slant.Unknown)]);
 
     /// <summary>As above, with what is known of the directions in each box.</summary>
-    internal static OrientedBoxTree Of(OrientedBox[] boxes, Slant[] slants)
+    internal static OrientedBoxTree Build(OrientedBox[] boxes, Slant[] slants)
     {
-        var (order, nodes) = OrientedBoxDivision.Of(boxes);
+        var (order, nodes) = OrientedBoxDivision.Divide(boxes);
         return new OrientedBoxTree(boxes, slants, order, nodes);
     }
 
@@ -51,13 +51,13 @@ public sealed class OrientedBoxTree
     /// <summary>Adds every item whose box comes within <paramref name="reach"/> of a line or an arc, and some that do not quite, in no particular order.</summary>
     public void Along(in Segment path, double reach, List<int> found)
     {
-        var box = OrientedBox.Of(path).Grown(reach);
+        var box = OrientedBox.Around(path).Grown(reach);
         if (path.Kind == SegmentKind.Line) Collect(0, new Strip(box), found);
         else Collect(0, new Ring(box, path.Arc.Centre, path.Arc.Radius - reach, path.Arc.Radius + reach), found);
     }
 
     /// <summary>As <see cref="Along"/> a line, without what it only crosses (<see cref="Slant.Crossed"/>).</summary>
-    internal void AlongNotAcross(LineSegment line, double reach, List<int> found) => Collect(0, new Course(OrientedBox.Of(line.Start, line.End).Grown(reach)), found);
+    internal void AlongNotAcross(LineSegment line, double reach, List<int> found) => Collect(0, new Course(OrientedBox.Around(line.Start, line.End).Grown(reach)), found);
 
     private Slant SlantOf(int index)
     {

@@ -28,7 +28,7 @@ internal sealed class DirectionTree
     /// <param name="places">Where each end lies, by its number.</param>
     /// <param name="reach">How far from here an end may be asked for, mm: what lies out of it must not share boxes with what lies within.</param>
     /// <param name="travelInto">Direction into its segment, length 1.</param>
-    public static DirectionTree Of(int[] ends, Point2D[] places, double reach, Func<int, Vector2D> travelInto)
+    public static DirectionTree Build(int[] ends, Point2D[] places, double reach, Func<int, Vector2D> travelInto)
     {
         var square = Math.Max(reach / 2.0, SmallestSquare);
         var sorted = ends.Select(end => (End: end, Way: travelInto(end)))

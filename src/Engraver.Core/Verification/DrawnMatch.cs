@@ -18,7 +18,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         for (var row = 0; row < drawn.Count; row++)
         {
             before[row] = -1;
-            var key = PairKey.Of(drawn[row].ToSegment(), drawn.EntityIndexOf(row));
+            var key = PairKey.From(drawn[row].ToSegment(), drawn.EntityIndexOf(row));
             if (!last.TryAdd(key, row)) (before[row], last[key]) = (last[key], row);
         }
 
@@ -42,7 +42,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
 
     private static bool Pair(EntityTable drawn, in StrokeMove move, Dictionary<PairKey, int> last, int[] before, bool[] paired)
     {
-        if (!last.TryGetValue(PairKey.Of(move.Segment, move.EntityIndex), out var row)) return false;
+        if (!last.TryGetValue(PairKey.From(move.Segment, move.EntityIndex), out var row)) return false;
         while (row >= 0 && (paired[row] || !AreSame(drawn, row, move.Segment))) row = before[row];
         if (row >= 0) paired[row] = true;
         return row >= 0;
@@ -78,7 +78,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
     /// <summary>Both ends in an order that does not depend on the direction; of a circle its centre and radius.</summary>
     private readonly record struct PairKey(int Entity, SegmentKind Kind, double X1, double Y1, double X2, double Y2)
     {
-        public static PairKey Of(in Segment segment, int entity)
+        public static PairKey From(in Segment segment, int entity)
         {
             if (segment.Kind == SegmentKind.Circle) return new PairKey(entity, segment.Kind, segment.Arc.Centre.X, segment.Arc.Centre.Y, segment.Arc.Radius, 0.0);
             var (a, b) = (segment.Start, segment.End);

@@ -17,7 +17,7 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] O
     /// <summary>Of what would lie between neighbours if all were spread evenly over the drawing: so wide a box may be. Most of a drawing is empty.</summary>
     private const double Narrow = 1.0 / 16.0;
 
-    public static SegmentBoxes Of(IReadOnlyList<Segment> segments)
+    public static SegmentBoxes From(IReadOnlyList<Segment> segments)
     {
         var (extents, total) = (Bounds2D.Empty, 0.0);
         var sags = new double[segments.Count];
@@ -77,7 +77,7 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] O
             for (var piece = 0; piece < pieces; piece++)
             {
                 var (from, to) = ((double)piece / pieces, (piece + 1.0) / pieces);
-                boxes.Add(spans.Length > 0 ? BoxOf(spans[span].Part(from, to)) : OrientedBox.Of(SpanDeviation.Part(segment, from, to)));
+                boxes.Add(spans.Length > 0 ? BoxOf(spans[span].Part(from, to)) : OrientedBox.Around(SpanDeviation.Part(segment, from, to)));
             }
         }
     }
@@ -86,6 +86,6 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] O
     {
         Span<Point2D> control = stackalloc Point2D[span.Degree + 1];
         for (var i = 0; i < control.Length; i++) control[i] = span.Control(i);
-        return OrientedBox.Of(control[0], control[^1], control[1..^1]);
+        return OrientedBox.Around(control[0], control[^1], control[1..^1]);
     }
 }

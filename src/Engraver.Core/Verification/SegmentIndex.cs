@@ -23,9 +23,9 @@ internal sealed class SegmentIndex
     {
         _segments = segments;
         _stamps = new int[segments.Length];
-        var pieces = SegmentBoxes.Of(segments);
+        var pieces = SegmentBoxes.From(segments);
         _owners = pieces.Owners;
-        _tree = OrientedBoxTree.Of(pieces.Boxes, [.. pieces.Turns.Select((turn, piece) => new Slant(turn, crossed?.Invoke(segments[pieces.Owners[piece]]) ?? 1.0))]);
+        _tree = OrientedBoxTree.Build(pieces.Boxes, [.. pieces.Turns.Select((turn, piece) => new Slant(turn, crossed?.Invoke(segments[pieces.Owners[piece]]) ?? 1.0))]);
         _measure = _distance = Distance;
         _measureOnce = MeasureOnce;
     }

@@ -51,7 +51,7 @@ public class OrientedBoxTreeTests
     [Fact]
     public void An_empty_tree_answers_none()
     {
-        var tree = OrientedBoxTree.Of([]);
+        var tree = OrientedBoxTree.Build([]);
         var found = new List<int>();
 
         tree.Around(default, 1e9, found);
@@ -65,15 +65,15 @@ public class OrientedBoxTreeTests
     [Fact]
     public void Boxes_on_one_another_and_boxes_ever_farther_away_are_divided_in_number()
     {
-        OrientedBox[] boxes = [.. Enumerable.Range(0, 5000).Select(i => OrientedBox.Of(default, new Point2D(1, 1))), .. Enumerable.Range(0, 300).Select(i => OrientedBox.Of(new Point2D(Math.Pow(2.0, i), 0), new Point2D(Math.Pow(2.0, i), 1)))];
+        OrientedBox[] boxes = [.. Enumerable.Range(0, 5000).Select(i => OrientedBox.Around(default, new Point2D(1, 1))), .. Enumerable.Range(0, 300).Select(i => OrientedBox.Around(new Point2D(Math.Pow(2.0, i), 0), new Point2D(Math.Pow(2.0, i), 1)))];
         var found = new List<int>();
 
-        OrientedBoxTree.Of(boxes).Around(new Point2D(0.5, 0.5), 0.1, found);
+        OrientedBoxTree.Build(boxes).Around(new Point2D(0.5, 0.5), 0.1, found);
 
         Assert.Equal(5000, found.Count);
     }
 
-    private static OrientedBoxTree Tree(LineSegment[] lines) => OrientedBoxTree.Of([.. lines.Select(line => OrientedBox.Of(line.Start, line.End))]);
+    private static OrientedBoxTree Tree(LineSegment[] lines) => OrientedBoxTree.Build([.. lines.Select(line => OrientedBox.Around(line.Start, line.End))]);
 
     private static HashSet<int> Along(OrientedBoxTree tree, Segment path, double reach)
     {

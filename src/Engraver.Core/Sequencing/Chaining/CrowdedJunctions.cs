@@ -33,7 +33,7 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
             {
                 var all = ends.PlacesIn(cell).Where(end => isAtLevel(end)).ToLookup(end => isShort(end));
                 int[] shorts = [.. all[true]];
-                junction = new Junction(shorts, BoxTree.Build([.. shorts.Select(end => places[end])]), DirectionTree.Of([.. all[false]], places, tolerance, travelInto));
+                junction = new Junction(shorts, BoxTree.Build([.. shorts.Select(end => places[end])]), DirectionTree.Build([.. all[false]], places, tolerance, travelInto));
                 _junctions.Add((cell, level), junction);
             }
 
