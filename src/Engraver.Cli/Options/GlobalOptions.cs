@@ -7,11 +7,11 @@ namespace Engraver.Cli.Options;
 /// <summary>Options that every verb takes.</summary>
 internal sealed class GlobalOptions
 {
-    private readonly Option<bool> _quiet = new("--quiet") { Description = "Only errors on standard error, no progress.", Recursive = true };
-    private readonly Option<bool> _verbose = new("--verbose") { Description = "Also diagnostics of severity info.", Recursive = true };
+    private readonly Option<bool> _quiet = new("--quiet") { Description = Wording.Get("GlobalOptions.OnlyErrorsOnStandard"), Recursive = true };
+    private readonly Option<bool> _verbose = new("--verbose") { Description = Wording.Get("GlobalOptions.AlsoDiagnosticsSeverityInfo"), Recursive = true };
     private readonly Option<CultureInfo?> _culture = new("--culture")
     {
-        Description = "Language of the texts (a culture name); numbers always keep the point.",
+        Description = Wording.Get("GlobalOptions.LanguageTextsCultureName"),
         HelpName = "NAME",
         Recursive = true,
         CustomParser = ParseCulture,
@@ -39,7 +39,7 @@ internal sealed class GlobalOptions
         }
         catch (CultureNotFoundException)
         {
-            result.AddError($"'{name}' is not a culture name; use one like en-GB or de-DE.");
+            result.AddError(Wording.Get("GlobalOptions.NotCultureNameUse", name));
             return null;
         }
     }

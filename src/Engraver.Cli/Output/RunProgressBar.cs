@@ -23,9 +23,7 @@ internal static class RunProgressBar
         public void Report(JobProgress value)
         {
             task.Value = value.SegmentsExecuted;
-            task.Description = string.Create(
-                CultureInfo.InvariantCulture,
-                $"stroke {value.Stroke + 1}/{strokes}, tool {(value.ToolOn ? "on " : "off")}, {value.Seconds:0.0} s");
+            task.Description = Wording.Get("RunProgressBar.StrokeTool", value.Stroke + 1, strokes, value.ToolOn ? Wording.Get("RunProgressBar.On") : Wording.Get("RunProgressBar.Off"), value.Seconds);
         }
     }
 }

@@ -24,7 +24,7 @@ internal static class VerifyProgressBar
         public void Report(ReplayProgress value)
         {
             task.Value = value.Fraction;
-            task.Description = string.Create(CultureInfo.InvariantCulture, $"program {value.Chunk} of {value.Chunks}, {value.MachineTime.TotalSeconds:0} s of machine time");
+            task.Description = Wording.Get("VerifyProgressBar.ProgramMachineTime", value.Chunk, value.Chunks, value.MachineTime.TotalSeconds);
         }
     }
 }

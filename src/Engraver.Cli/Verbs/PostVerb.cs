@@ -10,10 +10,10 @@ internal static class PostVerb
     public static Command Build(VerbHost host)
     {
         var drawing = new DrawingOptions();
-        var target = new Option<string>("--target") { Required = true, Description = "galil: continuous vector sequences; galil-calls: the paper's calls of #LINEAR and #CIRC; cldata: the sequenced drawing as DXF." };
+        var target = new Option<string>("--target") { Required = true, Description = Wording.Get("Post.GalilContinuousVectorSequences") };
         target.AcceptOnlyFromAmong([.. PostedProgram.Targets]);
-        var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = "File to write (default: standard output)." };
-        var command = new Command("post", "Writes the job as a program for the controller.");
+        var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = Wording.Get("Verbs.FileWriteDefaultStandard") };
+        var command = new Command("post", Wording.Get("Post.WritesJobProgramController"));
         drawing.AddTo(command);
         command.Options.Add(target);
         command.Options.Add(output);

@@ -40,7 +40,7 @@ public static class PseudoLanguage
         return fact.Any(char.IsAsciiLetter) && !fact.Contains('⟦', StringComparison.Ordinal) ? $"‹{fact}›" : fact;
     }
 
-    /// <summary>Every stretch of plain letters outside of marks and [brackets], which a test wants to be none.</summary>
+    /// <summary>Every word of plain letters outside of marks and [brackets], which a test wants to be none.</summary>
     public static IReadOnlyList<string> Unspoken(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
@@ -51,7 +51,7 @@ public static class PseudoLanguage
             var letter = i < text.Length ? text[i] : '\n';
             var plain = depth == 0 && char.IsAsciiLetter(letter);
             if (plain && begin < 0) begin = i;
-            if (!plain && begin >= 0 && (depth == 0 || letter != ' '))
+            if (!plain && begin >= 0)
             {
                 found.Add(text[begin..i]);
                 begin = -1;

@@ -30,7 +30,7 @@ public abstract record Prompt(string Instruction)
         get
         {
             var text = new StringBuilder(Instruction);
-            if (Options.Count > 0) text.Append(OnlyOptions ? " [" : " or [").AppendJoin('/', Options.Select(option => option.Name)).Append(']');
+            if (Options.Count > 0) text.Append(OnlyOptions ? " [" : Wording.Get("Prompt.Or")).AppendJoin('/', Options.Select(option => option.Name)).Append(']');
             if (Default is { } standard) text.Append(" <").Append(standard).Append('>');
             return text.Append(':').ToString();
         }

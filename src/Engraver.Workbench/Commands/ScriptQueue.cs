@@ -23,7 +23,7 @@ internal sealed class ScriptQueue
 
     public void Add(string path, string text)
     {
-        if (_scripts.Count == Deepest) throw new CommandException(CommandFailure.Usage, $"Scripts call each other more than {Deepest} deep; does one call itself?");
+        if (_scripts.Count == Deepest) throw new CommandException(CommandFailure.Usage, Wording.Get("ScriptQueue.ScriptsCallEachOther", Deepest));
         _scripts.Push((path, ScriptText.Read(text).GetEnumerator()));
     }
 

@@ -58,8 +58,8 @@ public static class ProgramReplayer
             report();
             var (status, hasRested) = controller.AdvanceToRest(longest, s_longestRest, SliceSteps);
             if (status.IsIdle) return null;
-            if (hasRested) return string.Create(CultureInfo.InvariantCulture, $"nothing has moved for {LongestRest} s of machine time");
-            if (status.Sample > longest.TotalMilliseconds) return string.Create(CultureInfo.InvariantCulture, $"it still moves after {longest.TotalSeconds:0} s of machine time, which is far more than the drawing needs");
+            if (hasRested) return Wording.Get("ProgramReplayer.NothingHasMovedMachine", LongestRest);
+            if (status.Sample > longest.TotalMilliseconds) return Wording.Get("ProgramReplayer.StillMovesAfterMachine", longest.TotalSeconds);
         }
     }
 }

@@ -20,7 +20,7 @@ public class PseudoLanguageTests
 
     [Theory]
     [InlineData("⟦Ļéåð⟧ ‹LINE ‹X›› 5 [Yes/No]", "")]
-    [InlineData("⟦Ļéåð⟧ line of text", "line of text")]
+    [InlineData("⟦Ļéåð⟧ line of text", "line|of|text")]
     [InlineData("x⟦ļ⟧y", "x|y")]
     public void Plain_letters_outside_of_marks_are_found(string shown, string expected) => Assert.Equal(expected, string.Join('|', PseudoLanguage.Unspoken(shown)));
 

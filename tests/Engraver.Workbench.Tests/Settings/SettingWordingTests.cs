@@ -59,10 +59,10 @@ public class SettingWordingTests
     }
 
     [Theory]
-    [InlineData(0, "error", "0 errors")]
-    [InlineData(1, "error", "1 error")]
-    [InlineData(2, "entity", "2 entities")]
-    [InlineData(1, "entity", "1 entity")]
+    [InlineData(0, "Error", "0 errors")]
+    [InlineData(1, "Error", "1 error")]
+    [InlineData(2, "Entity", "2 entities")]
+    [InlineData(1, "Entity", "1 entity")]
     [InlineData(1234, "segment", "1234 segments")]
     public void One_is_singular(int count, string noun, string text) => Assert.Equal(text, CountText.Format(count, noun));
 }

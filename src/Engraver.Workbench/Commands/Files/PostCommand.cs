@@ -7,14 +7,14 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>POST: Writes the job as a program for the controller.</summary>
 internal sealed class PostCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("POST", CommandGroup.Output, "Writes the job as a program for the controller.");
+    public CommandInfo Info { get; } = new("POST", CommandGroup.Output);
 
     private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List("Galil", "galil-Calls");
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var target = await context.ChoiceAsync("Enter target", s_targets, context.Remembered("POST", "Galil")).ConfigureAwait(false);
+        var target = await context.ChoiceAsync(Wording.Get("Post.EnterTarget"), s_targets, context.Remembered("POST", "Galil")).ConfigureAwait(false);
         context.Remember("POST", target);
         var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, target.ToLowerInvariant());
         FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);

@@ -3,7 +3,7 @@ namespace Engraver.Workbench.Commands.Session;
 /// <summary>REINIT: Reads the alias files anew.</summary>
 internal sealed class ReinitCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("REINIT", CommandGroup.File, "Reads the alias files anew.");
+    public CommandInfo Info { get; } = new("REINIT", CommandGroup.File);
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

@@ -16,8 +16,8 @@ internal sealed class SettingCommand : ISettingCommand
 
     private SettingCommand(SettingDescription setting, Func<DrawingSettings, double> read, Func<DrawingSettings, double, DrawingSettings> write)
     {
-        Info = new CommandInfo(setting.Command!, CommandGroup.Setting, setting.CommandHelp ?? setting.Meaning);
-        _limits = new NumberPrompt($"Enter new value for {setting.Command}") { Least = setting.Least, Most = setting.Most, Whole = setting.Whole };
+        Info = new CommandInfo(setting.Command!, CommandGroup.Setting);
+        _limits = new NumberPrompt(Wording.Get("Settings.EnterNewValue", setting.Command)) { Least = setting.Least, Most = setting.Most, Whole = setting.Whole };
         (_read, _write) = (read, write);
     }
 
