@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Engraver.Core.Languages;
 
 namespace Engraver.Cli.Options;
 
@@ -28,18 +29,31 @@ internal sealed class GlobalOptions
 
     public bool Verbose(ParseResult parsed) => parsed.GetValue(_verbose);
 
-    public CultureInfo? Culture(ParseResult parsed) => parsed.GetValue(_culture);
+    /// <summary>The language that the arguments ask for. Help and refusals are said in it too, so it is looked for before anything is parsed; null when there is none, or none that is known.</summary>
+    public static CultureInfo? Language(string[] args)
+    {
+        const string Name = "--culture";
+        var at = Array.FindLastIndex(args, word => word == Name || word.StartsWith(Name + "=", StringComparison.Ordinal) || word.StartsWith(Name + ":", StringComparison.Ordinal));
+        if (at < 0 || (args[at] == Name && at + 1 == args.Length)) return null;
+        return Find(args[at] == Name ? args[at + 1] : args[at][(Name.Length + 1)..]);
+    }
 
     private static CultureInfo? ParseCulture(ArgumentResult result)
     {
         var name = result.Tokens[0].Value;
+        var culture = Find(name);
+        if (culture is null) result.AddError(Wording.Get("GlobalOptions.NotCultureNameUse", name));
+        return culture;
+    }
+
+    private static CultureInfo? Find(string name)
+    {
         try
         {
-            return CultureInfo.GetCultureInfo(name, predefinedOnly: true);
+            return CultureInfo.GetCultureInfo(name, predefinedOnly: !name.Equals(PseudoLanguage.CultureName, StringComparison.OrdinalIgnoreCase));
         }
         catch (CultureNotFoundException)
         {
-            result.AddError(Wording.Get("GlobalOptions.NotCultureNameUse", name));
             return null;
         }
     }

@@ -1,4 +1,5 @@
 using System.Text;
+using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.CommandLanguage;
 
@@ -31,7 +32,7 @@ public abstract record Prompt(string Instruction)
         {
             var text = new StringBuilder(Instruction);
             if (Options.Count > 0) text.Append(OnlyOptions ? " [" : Wording.Get("Prompt.Or")).AppendJoin('/', Options.Select(option => option.Name)).Append(']');
-            if (Default is { } standard) text.Append(" <").Append(standard).Append('>');
+            if (Default is { } standard) text.Append(" <").Append(TextCatalogue.Fact(standard)).Append('>');
             return text.Append(':').ToString();
         }
     }

@@ -257,5 +257,5 @@ public sealed class CommandSession : IAsyncDisposable
 /// <param name="Aim">The place that a click on the canvas answers with (its coordinates are entered); null when it is no answer.</param>
 public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, PointAim? Aim)
 {
-    public static PromptView Idle { get; } = new(null, "Command:", [], null, false, null);
+    public static PromptView Idle => new(null, Wording.Get("Prompt.Command"), [], null, false, null);
 }
