@@ -31,13 +31,13 @@ internal static class MinimiseVerb
         Predicate<byte[]> shows = fault == Crash ? candidate => Crashes(candidate, stop) : candidate => Diagnostics(candidate, fault, stop).Any(found => found.Id == fault);
         if (!shows(bytes))
         {
-            host.Error.WriteLine($"engraver: {path} does not show {fault}; there is nothing to keep.");
+            host.Error.WriteLine(Wording.Get("Minimise.DoesNotShow", path, fault));
             return ExitCode.DrawingError;
         }
 
         var smallest = DrawingMinimiser.Minimise(bytes, shows, stop);
         host.Write(output, writer => writer.Write(Encoding.Latin1.GetString(smallest)));
-        host.Error.WriteLine($"engraver: {bytes.Length} bytes became {smallest.Length} that still show {fault}.");
+        host.Error.WriteLine(Wording.Get("Minimise.Became", bytes.Length, smallest.Length, fault));
         return ExitCode.Done;
     }
 

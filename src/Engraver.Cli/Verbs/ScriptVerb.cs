@@ -83,7 +83,7 @@ internal sealed class ScriptVerb
 
     private int Unfinished(CommandSession session, string file)
     {
-        _host.Error.WriteLine($"engraver: {file}: the script ends while {session.Prompt.Command} still asks: {session.Prompt.Text}");
+        _host.Error.WriteLine(Wording.Get("Script.EndsWhile", file, session.Prompt.Command, session.Prompt.Text));
         return ExitCode.Usage;
     }
 

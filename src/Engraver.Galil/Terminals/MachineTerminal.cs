@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
@@ -83,7 +84,7 @@ public sealed class MachineTerminal : IAsyncDisposable
             : await Session.Commands.SendAsync(command, cancellation).ConfigureAwait(false);
         return reply switch
         {
-            Rejected refused => new TerminalAnswer(TerminalAnswerKind.Refusal, $"? {(int)refused.Code} {refused.Text}{TcCodes.Hint(refused.Code)}{CaseHint(refused)}"),
+            Rejected refused => new TerminalAnswer(TerminalAnswerKind.Refusal, $"? {(int)refused.Code} {TextCatalogue.Fact(refused.Text)}{TcCodes.Hint(refused.Code)}{CaseHint(refused)}"),
             Accepted { Data.Length: > 0 } accepted => new TerminalAnswer(TerminalAnswerKind.Reply, accepted.Data),
             _ => new TerminalAnswer(TerminalAnswerKind.Reply, ":"),
         };

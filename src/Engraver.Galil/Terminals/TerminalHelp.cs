@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Languages;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Terminals;
@@ -15,12 +16,12 @@ public static class TerminalHelp
     }
 
     private static string OfCode(TcCode code) => Enum.IsDefined(code) && code != TcCode.None
-        ? $"TC {(int)code}  {TcCodes.Text(code)}{TcCodes.Hint(code)}"
+        ? Wording.Get("TerminalHelp.OfCode", (int)code, TcCodes.Text(code), TcCodes.Hint(code))
         : Wording.Get("TerminalHelp.TcNotDefined", (int)code);
 
     private static string General()
     {
-        var commands = CommandHelpTable.All.Select(help => help.Command).Chunk(20).Select(row => "  " + string.Join(' ', row));
+        var commands = CommandHelpTable.All.Select(help => help.Command).Chunk(20).Select(row => "  " + TextCatalogue.Fact(string.Join(' ', row)));
         return string.Join('\n', [
             Wording.Get("TerminalHelp.LineGoesControllerIts"),
             Wording.Get("TerminalHelp.Words"),

@@ -9,6 +9,6 @@ public static class DiagnosticLine
     {
         var place = diagnostic.Source.Line > 0 ? FormattableString.Invariant($"{file}({diagnostic.Source.Line})") : file;
         var handle = diagnostic.Source.Handle is { } name ? Wording.Get("DiagnosticLine.Handle", name) : "";
-        return $"{place}: {DiagnosticTable.SeverityWord(diagnostic.Severity)} {diagnostic.Id}: {diagnostic.Message}{handle}";
+        return Wording.Get("DiagnosticLine.Line", place, DiagnosticTable.SeverityWord(diagnostic.Severity), diagnostic.Id, diagnostic.Message, handle);
     }
 }

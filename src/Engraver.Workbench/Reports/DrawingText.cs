@@ -17,13 +17,13 @@ public static class DrawingText
         }
 
         var balance = drawing.Balance;
-        output.WriteLine(Invariant($"{drawing.FileName}: {Version(drawing)}, {Bytes(drawing)}{Unit(drawing.Unit)}"));
+        output.WriteLine(Wording.Get("DrawingText.Head", drawing.FileName, Version(drawing), Bytes(drawing), Unit(drawing.Unit)));
         output.WriteLine(Wording.Get("DrawingText.ReadCutConstructionRefused", CountText.Format(balance.Read, "Entity"), balance.Cut, balance.Construction, balance.Refused.Count, balance.EntityCounts.Count == 0 ? "" : $" ({Counts(balance.EntityCounts)})"));
         if (summary.Leaf.Count > 0) output.WriteLine(Wording.Get("DrawingText.CurvesBlocksExpandedLength", Counts(summary.Leaf.ToDictionary(pair => pair.Key.ToDxfName(), pair => pair.Value)), summary.Length.Total, drawing.Unit.Name));
         output.WriteLine(Size(summary.Bounds, drawing.Unit));
         foreach (var (layer, index) in drawing.Layers.Select((layer, index) => (layer, index)))
         {
-            var switches = $"{(layer.On ? "" : ", off")}{(layer.Frozen ? ", frozen" : "")}{(layer.Plot ? "" : ", not plotted")}";
+            var switches = (layer.On ? "" : Wording.Get("DrawingText.Off")) + (layer.Frozen ? Wording.Get("DrawingText.Frozen") : "") + (layer.Plot ? "" : Wording.Get("DrawingText.NotPlotted"));
             output.WriteLine(Wording.Get("DrawingText.Layer", layer.Name, CountText.Format(Records(balance, index), "Entity"), switches));
         }
 
@@ -36,7 +36,7 @@ public static class DrawingText
     /// <summary>Neither its version nor its unit is known then, and to count nothing would say that it was looked at.</summary>
     private static bool IsUnusable(Drawing drawing) => drawing is { HasErrors: true, DxfVersion.Length: 0, Layers.Count: 0, Balance.Read: 0 };
 
-    private static string Bytes(Drawing drawing) => drawing.Bytes == 0 ? "" : Invariant($"{drawing.Bytes} {(drawing.Bytes == 1 ? "byte" : "bytes")}, ");
+    private static string Bytes(Drawing drawing) => drawing.Bytes == 0 ? "" : Wording.Get(drawing.Bytes == 1 ? "DrawingText.Bytes.One" : "DrawingText.Bytes.Many", drawing.Bytes);
 
     private static int Records(DrawingBalance balance, int layer) => layer < balance.RecordsPerLayer.Count ? balance.RecordsPerLayer[layer] : 0;
 

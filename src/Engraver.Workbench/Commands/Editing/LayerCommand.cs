@@ -56,6 +56,8 @@ internal sealed class LayerCommand : ICommand
 
     private static void Write(IEnumerable<Layer> layers, TextWriter output)
     {
-        foreach (var layer in layers) output.WriteLine($"{(layer.CutByDefault ? "cut    " : "not cut")}  {(layer.On ? "on " : "off")}  {(layer.Frozen ? "frozen" : "thawed")}  {(layer.Plot ? "plotted    " : "not plotted")}  {ColourName.Format(layer.Colour),-11}  {layer.Name}");
+        foreach (var layer in layers) output.WriteLine(Wording.Get("Layer.Row", Word("Cut", layer.CutByDefault), Word("On", layer.On), Word("Frozen", layer.Frozen), Word("Plotted", layer.Plot), ColourName.Format(layer.Colour), layer.Name));
+
+        static string Word(string state, bool holds) => Wording.Get($"Layer.{state}.{(holds ? "Yes" : "No")}");
     }
 }

@@ -18,6 +18,6 @@ internal sealed class RecentCommand : ICommand
 
     private static void Write(IReadOnlyList<string> files, TextWriter output)
     {
-        for (var i = 0; i < files.Count; i++) output.WriteLine(FormattableString.Invariant($"{i + 1,2}  {files[i]}"));
+        for (var i = 0; i < files.Count; i++) output.WriteLine(Wording.Get("Recent.Row", i + 1, files[i]));
     }
 }

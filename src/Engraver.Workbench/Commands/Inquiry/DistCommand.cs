@@ -26,6 +26,6 @@ internal sealed class IdCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var point = await context.ValueAsync(new PointPrompt(Wording.Get("Dist.SpecifyPoint"))).ConfigureAwait(false);
-        context.Say($"X = {NumberPrompt.Show(point.X)}     Y = {NumberPrompt.Show(point.Y)}", MessageKind.Result);
+        context.Say(Wording.Get("Dist.Coordinates", NumberPrompt.Show(point.X), NumberPrompt.Show(point.Y)), MessageKind.Result);
     }
 }

@@ -39,7 +39,7 @@ internal sealed class AlarmsCommand : ICommand
         {
             var first = alarm.IsFirstOut ? Wording.Get("Alarms.First") : "";
             var times = alarm.Count > 1 ? Wording.Get("Alarms.Times", alarm.Count) : "";
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{alarm.Number} {alarm.Time:HH:mm:ss} {alarm.State}{first}{times}: {alarm.What} ({alarm.Where}) {alarm.ToDo}"));
+            output.WriteLine(Wording.Get("Alarms.Row", alarm.Number, alarm.Time, alarm.State, first, times, alarm.What, alarm.Where, alarm.ToDo));
         }
     }
 }

@@ -36,7 +36,7 @@ internal sealed class CncArmCommand : ICommand
     private static void Say(CommandContext context, ArmingCheck check)
     {
         if (check.IsWarning) context.Say(Wording.Get("CncArm.Look", check.Sentence), MessageKind.Warning);
-        else context.Say($"{(check.Passed ? "ok     " : "NOT OK ")}{check.Sentence}", check.Passed ? MessageKind.Result : MessageKind.Error);
+        else context.Say(Wording.Get(check.Passed ? "CncArm.Ok" : "CncArm.NotOk", check.Sentence), check.Passed ? MessageKind.Result : MessageKind.Error);
     }
 
     /// <returns>Null: take START back.</returns>

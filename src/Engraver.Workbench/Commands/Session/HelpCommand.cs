@@ -19,14 +19,14 @@ internal sealed class HelpCommand : ICommand
     {
         foreach (var group in context.Catalog.All.GroupBy(info => info.Group))
         {
-            output.WriteLine($"{group.Key}:");
-            foreach (var info in group) output.WriteLine($"  {info.Name,-18}{info.Summary}");
+            output.WriteLine(Wording.Get($"CommandGroup.{group.Key}"));
+            foreach (var info in group) output.WriteLine(Wording.Get("Help.Row", info.Name, info.Summary));
         }
     }
 
     private static void WriteOne(CommandContext context, CommandInfo info, TextWriter output)
     {
-        output.WriteLine($"{info.Name}: {info.Summary}");
+        output.WriteLine(Wording.Get("Help.One", info.Name, info.Summary));
         var aliases = context.Aliases.Commands.Where(pair => pair.Value == info.Name).Select(pair => pair.Key).Order(StringComparer.Ordinal).ToList();
         if (aliases.Count > 0) output.WriteLine(Wording.Get("Help.Short", string.Join(", ", aliases)));
         if (info.Transparent) output.WriteLine(Wording.Get("Help.CanUsedInsideAnother", info.Name));

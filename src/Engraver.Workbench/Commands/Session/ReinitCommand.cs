@@ -9,7 +9,7 @@ internal sealed class ReinitCommand : ICommand
     {
         var aliases = context.ReloadAliases();
         foreach (var finding in aliases.Findings) context.Say(finding, MessageKind.Warning);
-        context.Say($"{aliases.Commands.Count.ToString(System.Globalization.CultureInfo.InvariantCulture)} {(aliases.Commands.Count == 1 ? "alias" : "aliases")}.");
+        context.Say(Wording.Count("Reinit.Aliases", aliases.Commands.Count));
         return Task.CompletedTask;
     }
 }

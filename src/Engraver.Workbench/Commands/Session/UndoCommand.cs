@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Session;
@@ -18,7 +19,7 @@ internal sealed class UndoCommand : ICommand
                 return;
             }
 
-            context.Say(name);
+            context.Say(TextCatalogue.Fact(name));
         }
     }
 }
@@ -30,7 +31,7 @@ internal sealed class RedoCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        context.Say(context.Document.Redo() ?? Wording.Get("Undo.EverythingHasBeenRedone"));
+        context.Say(context.Document.Redo() is { } name ? TextCatalogue.Fact(name) : Wording.Get("Undo.EverythingHasBeenRedone"));
         return Task.CompletedTask;
     }
 }
@@ -42,7 +43,7 @@ internal sealed class UCommand : ICommand
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        context.Say(context.Document.Undo() ?? Wording.Get("Undo.EverythingHasBeenUndone"));
+        context.Say(context.Document.Undo() is { } name ? TextCatalogue.Fact(name) : Wording.Get("Undo.EverythingHasBeenUndone"));
         return Task.CompletedTask;
     }
 }

@@ -21,7 +21,7 @@ internal sealed class OptionsCommand : ICommand
         foreach (var info in context.Catalog.All.Where(info => info.Group == CommandGroup.Setting))
         {
             var value = context.Catalog.Find(info.Name) is ISettingCommand setting ? setting.ValueText(context) : "";
-            output.WriteLine($"{info.Name,-14}{value,-14}{info.Summary}");
+            output.WriteLine(Wording.Get("Options.Row", info.Name, value, info.Summary));
         }
     }
 }

@@ -39,6 +39,6 @@ internal sealed class ShowCommand : ICommand
 
     private static void Write(CanvasLayers shown, TextWriter output)
     {
-        foreach (var layer in s_layers) output.WriteLine($"{(shown.HasFlag(layer) ? "on " : "off")}  {layer}");
+        foreach (var layer in s_layers) output.WriteLine(Wording.Get(shown.HasFlag(layer) ? "Show.On" : "Show.Off", layer));
     }
 }
