@@ -7,7 +7,10 @@ namespace Engraver.App.Tables;
 /// <summary>What the 16 slots are called, and in which unit they are.</summary>
 public static class SlotNames
 {
-    public static IReadOnlyList<string> All { get; } = [.. Enumerable.Range(0, EntitySlot.Count).Select(slot => Text.Get("Slot." + slot.ToString(CultureInfo.InvariantCulture)))];
+    public static IReadOnlyList<string> All => [.. Enumerable.Range(0, EntitySlot.Count).Select(Of)];
+
+    /// <summary>The name of one slot.</summary>
+    public static string Of(int slot) => Text.Get("Slot." + slot.ToString(CultureInfo.InvariantCulture));
 
     /// <summary>Empty for a slot that is a count or a kind.</summary>
     public static IReadOnlyList<string> Units { get; } = [.. Enumerable.Range(0, EntitySlot.Count).Select(UnitOf)];

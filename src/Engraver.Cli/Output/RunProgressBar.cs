@@ -15,7 +15,7 @@ internal static class RunProgressBar
             .AutoClear(true)
             .HideCompleted(false)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn())
-            .StartAsync(context => run(new Bar(context.AddTask("connecting", maxValue: Math.Max(1, program.SegmentCount)), program.Strokes.Count)));
+            .StartAsync(context => run(new Bar(context.AddTask(Wording.Get("RunProgressBar.Connecting"), maxValue: Math.Max(1, program.SegmentCount)), program.Strokes.Count)));
     }
 
     private sealed class Bar(ProgressTask task, int strokes) : IProgress<JobProgress>

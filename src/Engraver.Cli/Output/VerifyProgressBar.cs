@@ -16,7 +16,7 @@ internal static class VerifyProgressBar
             .AutoClear(true)
             .HideCompleted(false)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn())
-            .StartAsync(context => verify(new Bar(context.AddTask("reading", maxValue: 1.0))));
+            .StartAsync(context => verify(new Bar(context.AddTask(Wording.Get("VerifyProgressBar.Reading"), maxValue: 1.0))));
     }
 
     private sealed class Bar(ProgressTask task) : IProgress<ReplayProgress>

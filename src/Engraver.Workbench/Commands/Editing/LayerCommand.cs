@@ -58,6 +58,6 @@ internal sealed class LayerCommand : ICommand
     {
         foreach (var layer in layers) output.WriteLine(Wording.Get("Layer.Row", Word("Cut", layer.CutByDefault), Word("On", layer.On), Word("Frozen", layer.Frozen), Word("Plotted", layer.Plot), ColourName.Format(layer.Colour), layer.Name));
 
-        static string Word(string state, bool holds) => Wording.Get($"Layer.{state}.{(holds ? "Yes" : "No")}");
+        static string Word(string state, bool holds) => Wording.Get($"LayerState.{state}.{(holds ? "Yes" : "No")}");
     }
 }
