@@ -13,8 +13,8 @@ namespace Engraver.App.Tests.Languages;
 [Collection(DesktopCollection.Name)]
 public sealed class PseudoLanguageTests(DesktopFixture fixture)
 {
-    /// <summary>Names of commands, keys, units and axes; they are the same in every language.</summary>
-    private static readonly string[] s_stays = ["mm", "s", "x", "X", "Y", "A", "B"];
+    /// <summary>Names of commands and units; they are the same in every language.</summary>
+    private static readonly string[] s_stays = ["mm", "s", "x", "SNAP", "GRID", "ORTHO", "OSNAP", "DYN"];
 
     [Fact]
     public Task Every_word_of_the_window_and_its_pages_is_in_the_language() => fixture.WithOperator(op =>
@@ -29,9 +29,6 @@ public sealed class PseudoLanguageTests(DesktopFixture fixture)
                 shown.UnionWith(Shown(op.Window));
             }
         }
-
-        op.Enter("CNCCONNECT", "sim:");
-        shown.UnionWith(Shown(op.Window));
 
         var wrong = shown.Where(text => PseudoLanguage.Unspoken(text).Except(s_stays).Any()).Order(StringComparer.Ordinal).ToList();
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));

@@ -41,7 +41,7 @@ public partial class WordingTests
     [Theory]
     [MemberData(nameof(Projects))]
     public void No_fact_of_a_text_is_a_word_of_the_source(string project) =>
-        Assert.Empty(Sources(project).SelectMany(file => Calls(file).Where(call => WordInFact().IsMatch(Noun().Replace(call.Rest, ""))).Select(call => $"{file.Name}: {call.Name}{call.Rest}")));
+        Assert.Empty(Sources(project).SelectMany(file => Calls(file).Where(call => WordInFact().IsMatch(Noun().Replace(call.Given, ""))).Select(call => $"{file.Name}: {call.Name}{call.Given}")));
 
     [Theory]
     [MemberData(nameof(Projects))]
@@ -82,7 +82,7 @@ public partial class WordingTests
     private static int Places(string text) => Place().Matches(text).Select(place => int.Parse(place.Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture) + 1).DefaultIfEmpty(0).Max();
 
     /// <summary>Calls that name their text; facts are the arguments behind it.</summary>
-    private static IEnumerable<(string Name, int Facts, string Rest)> Calls(SourceFile file)
+    private static IEnumerable<(string Name, int Facts, string Given)> Calls(SourceFile file)
     {
         var code = CSharpText.Parse(file.Text).Code;
         foreach (Match call in Call().Matches(file.Text))
