@@ -5,9 +5,9 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Pairs the moves of a toolpath that are unchanged (lines, arcs, circles; in CL data curves too) with the rows they are, by entity and exact ends; each row once. In linear time.</summary>
-/// <param name="Rows">Drawn and not paired: ellipses and splines that became arcs, duplicates, lines that an arc stands for, and what is missing.</param>
-/// <param name="Moves">Cut and not paired: what stands for those rows, and what is too much.</param>
+/// <summary>Pairs unchanged moves of a toolpath (lines, arcs, circles; in CL data curves too) with their rows, by entity and exact ends; each row once. In linear time.</summary>
+/// <param name="Rows">Rows without a move: ellipses and splines that became arcs, duplicates, lines replaced by an arc, and missing ones.</param>
+/// <param name="Moves">Moves without a row: what replaces those rows, and superfluous ones.</param>
 internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<StrokeMove> Moves)
 {
     public static DrawnMatch From(EntityTable drawn, Toolpath toolpath)
@@ -48,7 +48,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         return row >= 0;
     }
 
-    /// <summary>Their ends are the same: lines and circles are, arcs when they have the same middle, curves span by span.</summary>
+    /// <summary>For segments with the same ends: lines and circles are then the same, arcs when they also have the same middle, curves when all spans are.</summary>
     private static bool AreSame(EntityTable drawn, int row, in Segment cut)
     {
         if (cut.IsFreeCurve) return AreSame(drawn.CurveOf(row)!, cut.Curve);
@@ -57,7 +57,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         return arc.PointAt(0.5).IsNear(cut.PointAt(0.5), ToolpathTolerances.RoundingOf(arc));
     }
 
-    /// <summary>Span for span, in the one direction or the other.</summary>
+    /// <summary>Compares span by span, in either direction.</summary>
     private static bool AreSame(RationalCurve drawn, RationalCurve cut)
     {
         if (ReferenceEquals(drawn, cut)) return true;

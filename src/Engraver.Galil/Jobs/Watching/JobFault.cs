@@ -3,12 +3,12 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Says what a poll told against the job: where it was, what was wrong, what to look at. The stop follows.</summary>
+/// <summary>Composes the sentence for a fault that a poll showed: where it was, what was wrong, what to check. The stop follows.</summary>
 internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLedger ledger)
 {
     private static string NobodyElse => Wording.Get("JobFault.NobodyElse");
 
-    /// <summary>A command that arrived as another one leaves the same as somebody who holds the motion: the job waits for something that does not come.</summary>
+    /// <summary>No progress. A damaged command has the same effect as somebody who holds the motion: the job waits for something that does not come.</summary>
     public async ValueTask<JobStep> StalledAsync()
     {
         var ratio = await machine.AskAtRestAsync("_VRS").ConfigureAwait(false);
@@ -18,7 +18,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         return JobStep.Broken(Wording.Get("JobFault.NothingHasMovedOr", machine.StandstillSeconds, Place, why));
     }
 
-    /// <summary>The watchdog in the controller saw it first.</summary>
+    /// <summary>The watchdog in the controller saw the tool on at standstill before this program did.</summary>
     public JobStep ToolForgotten() => JobStep.Broken(
         Wording.Get("JobFault.ToolOnWhileNothing", Place));
 
@@ -28,7 +28,7 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
         return JobStep.Broken(Wording.Get("JobFault.OutputToolFoundSomebody", machine.Profile.ToolOutput, isOn ? Wording.Get("JobFault.OnWhereHasOff") : Wording.Get("JobFault.OffWhileCutting"), Place, NobodyElse));
     }
 
-    /// <summary>The job could go on, but nothing would stop it if this computer died.</summary>
+    /// <summary>The watchdog no longer runs: the job could go on, but nothing would stop it if this computer died.</summary>
     public JobStep Unwatched() => JobStep.Broken(
         Wording.Get("JobFault.WatchdogControllerStopsMachine", Place));
 
