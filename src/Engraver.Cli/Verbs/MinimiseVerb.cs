@@ -3,6 +3,7 @@ using System.Text;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
+using Engraver.Core.Languages;
 using Engraver.Tools.Minimising;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
@@ -49,7 +50,7 @@ internal static class MinimiseVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            host.Error.WriteLine($"engraver: {unreadable.Message}");
+            host.Error.WriteLine($"engraver: {TextCatalogue.Fact(unreadable.Message)}");
             return null;
         }
     }

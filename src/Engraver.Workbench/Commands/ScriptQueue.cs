@@ -57,5 +57,5 @@ internal sealed record ScriptInput(string Path, ScriptToken Token)
         _ => result,
     };
 
-    private string Place(string sentence) => FormattableString.Invariant($"{Path}({Token.Line}): '{Token.Text}': {sentence}");
+    private string Place(string sentence) => Wording.Get("ScriptQueue.Place", Path, Token.Line, Token.Text, sentence);
 }
