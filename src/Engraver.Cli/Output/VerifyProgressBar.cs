@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Verification;
 using Spectre.Console;

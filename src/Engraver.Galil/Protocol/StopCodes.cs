@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Engraver.Galil.Protocol;
 
 /// <summary>The codes of SC: why an axis stopped or is stopping (galil-dmc.md A.10).</summary>

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Galil.Driver;
 using Engraver.Galil.Links;

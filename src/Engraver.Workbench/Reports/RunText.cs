@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.EntityTables;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines.Alarms;
 
