@@ -1,4 +1,4 @@
-using Engraver.Cli;
+using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
@@ -31,11 +31,11 @@ public sealed record CrossCheck(IReadOnlyDictionary<string, int> Counts, double 
         foreach (var type in counted.Keys.Union(Counts.Keys).Order(StringComparer.Ordinal))
         {
             var (one, two) = (counted.GetValueOrDefault(type), Counts.GetValueOrDefault(type));
-            if (one != two) differences.Add(Wording.Get("CrossCheck.CurvesSecondReadingHas", type, one, two));
+            if (one != two) differences.Add(Text($"{type}: {one} curves, the second reading has {two}"));
         }
 
-        if (!Near(first.Length.Total, Length, Math.Max(1.0, Length))) differences.Add(Wording.Get("CrossCheck.LengthSecondReadingHas", first.Length.Total, Length));
-        if (!Agree(first.Bounds, Bounds)) differences.Add(Wording.Get("CrossCheck.ExtentsSecondReadingHas", first.Bounds?.ToString() ?? Wording.Get("CrossCheck.None"), Bounds?.ToString() ?? Wording.Get("CrossCheck.None")));
+        if (!Near(first.Length.Total, Length, Math.Max(1.0, Length))) differences.Add(Text($"length: {first.Length.Total}, the second reading has {Length}"));
+        if (!Agree(first.Bounds, Bounds)) differences.Add(Text($"extents: {first.Bounds?.ToString() ?? "none"}, the second reading has {Bounds?.ToString() ?? "none"}"));
         if (Damage is not null) differences.Add(Damage);
         return differences;
     }
@@ -48,4 +48,6 @@ public sealed record CrossCheck(IReadOnlyDictionary<string, int> Counts, double 
     }
 
     private static bool Near(double one, double two, double size) => Math.Abs(one - two) <= Tolerance * size;
+
+    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

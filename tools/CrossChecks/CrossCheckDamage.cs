@@ -1,4 +1,4 @@
-using Engraver.Cli;
+using System.Globalization;
 
 namespace Engraver.Tools.CrossChecks;
 
@@ -35,12 +35,12 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
             if (!damage.Take(tag)) break;
         }
 
-        return damage._count == 0 ? null : Wording.Get("CrossCheckDamage.WhereRecordMayLost", damage._count, damage._count == 1 ? Wording.Get("CrossCheckDamage.Place") : Wording.Get("CrossCheckDamage.Places"), damage._first);
+        return damage._count == 0 ? null : string.Create(CultureInfo.InvariantCulture, $"{damage._count} {(damage._count == 1 ? "place" : "places")} where a record may be lost, the first {damage._first}");
     }
 
     private bool Take(CrossCheckTag tag)
     {
-        if (file.HasZero(tag)) Add(tag, Wording.Get("CrossCheckDamage.ZeroBytes"));
+        if (file.HasZero(tag)) Add(tag, "zero bytes");
         if (tag.Code == CrossCheckFile.Damaged) TakeDamage(tag);
         else if (tag.Code == 0) return TakeRecord(tag);
         else TakeGroup(tag);
@@ -49,21 +49,21 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
 
     private void TakeDamage(CrossCheckTag tag)
     {
-        if (IsOfDrawing) Add(tag, Wording.Get("CrossCheckDamage.NoGroupCode"));
+        if (IsOfDrawing) Add(tag, "no group code");
     }
 
     private bool IsOfDrawing => _section is "" or "ENTITIES" or "BLOCKS" or "TABLES";
 
     private bool TakeRecord(CrossCheckTag tag)
     {
-        if (_word && IsOfDrawing && (_layers > 1 || (_names > 1 && _type is ("LAYER" or "BLOCK")))) Add(tag, Wording.Get("CrossCheckDamage.TwoRecordsOne"));
+        if (_word && IsOfDrawing && (_layers > 1 || (_names > 1 && _type is ("LAYER" or "BLOCK")))) Add(tag, "two records in one");
         (_layers, _names, _word, _variables, _named) = (0, 0, false, false, false);
         _type = file.Text(tag).ToUpperInvariant();
         if (_type == "BLOCK") _inBlock = true;
         else if (_type == "ENDBLK") _inBlock = false;
         if (_type is "ENDSEC" or "SECTION") _section = "";
-        if (_type.Length == 0) Add(tag, Wording.Get("CrossCheckDamage.RecordWithoutName"));
-        if (IsMisplaced()) Add(tag, Wording.Get("CrossCheckDamage.WhereDoesNotBelong", _type));
+        if (_type.Length == 0) Add(tag, "a record without a name");
+        if (IsMisplaced()) Add(tag, $"{_type} where it does not belong");
         return _type != "EOF";
     }
 
@@ -87,7 +87,7 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
         if (tag.Code == 2) _names++;
         if (tag.Code is > 0 and < 10) _word |= Drawn.Contains(file.Text(tag)) || Tables.Contains(file.Text(tag));
         _variables |= tag.Code == 9;
-        if (!_variables && IsForeign(tag.Code)) Add(tag, Wording.Get("CrossCheckDamage.GroupBehind", tag.Code, _type));
+        if (!_variables && IsForeign(tag.Code)) Add(tag, $"group {tag.Code} behind {_type}");
     }
 
     private void Enter(string name)
@@ -108,6 +108,6 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
 
     private void Add(CrossCheckTag tag, string what)
     {
-        if (_count++ == 0) _first = Wording.Get("CrossCheckDamage.At", file.Place(tag), what);
+        if (_count++ == 0) _first = $"at {file.Place(tag)}: {what}";
     }
 }

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Engraver.Cli;
 
 namespace Engraver.Tools.CrossChecks;
 
@@ -34,9 +33,9 @@ internal sealed class CrossCheckFile
     /// <summary>The line of a tag's value, or its byte.</summary>
     public string Place(CrossCheckTag tag)
     {
-        if (_binary) return Wording.Get("CrossCheckFile.Byte", tag.Start);
+        if (_binary) return string.Create(CultureInfo.InvariantCulture, $"byte {tag.Start}");
         var before = _bytes.AsSpan(0, tag.Start);
-        return Wording.Get("CrossCheckFile.Line", Math.Max(before.Count((byte)'\n'), before.Count((byte)'\r')) + 1);
+        return string.Create(CultureInfo.InvariantCulture, $"line {Math.Max(before.Count((byte)'\n'), before.Count((byte)'\r')) + 1}");
     }
 
     /// <summary>The value as a line of an ASCII file would have it.</summary>

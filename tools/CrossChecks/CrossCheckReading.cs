@@ -1,5 +1,3 @@
-using Engraver.Cli;
-
 namespace Engraver.Tools.CrossChecks;
 
 /// <summary>Keeps the blocks of a file, then goes through its entities and draws each at once: what stands in model space is never in memory as a whole.</summary>
@@ -81,7 +79,7 @@ internal sealed class CrossCheckReading
     private void Open(CrossCheckRecord record, CrossCheckFrame frame)
     {
         if (!_blocks.TryGetValue(record.Text(2), out var block)) return;
-        if (!_path.Add(block)) throw new CrossCheckException(Wording.Get("CrossCheckReading.BlocksContainThemselves"));
+        if (!_path.Add(block)) throw new CrossCheckException("blocks that contain themselves");
         var insert = new CrossCheckInsert(record, block, frame);
         Count(insert.Copies);
         _open.Push(insert);
@@ -89,7 +87,7 @@ internal sealed class CrossCheckReading
 
     private void Count(long more)
     {
-        if (_drawn + more > MostCurves) throw new CrossCheckException(Wording.Get("CrossCheckReading.MoreThanCurvesInserts", MostCurves));
+        if (_drawn + more > MostCurves) throw new CrossCheckException($"more than {MostCurves} curves and inserts");
         _drawn += (int)more;
     }
 }

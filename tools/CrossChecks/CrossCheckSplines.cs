@@ -1,5 +1,3 @@
-using Engraver.Cli;
-
 namespace Engraver.Tools.CrossChecks;
 
 /// <summary>Splines by the textbook: de Boor for control points, a full linear system for fit points.</summary>
@@ -83,7 +81,7 @@ internal static class CrossCheckSplines
         while (closed && points.Count > 1 && points[^1] == points[0]) points.RemoveAt(points.Count - 1);
         closed &= points.Count > 2;
         if (closed) points.Add(points[0]);
-        if (points.Count > LargestSystem) throw new CrossCheckException(Wording.Get("CrossCheckSplines.SplineWithTooMany"));
+        if (points.Count > LargestSystem) throw new CrossCheckException("a spline with too many fit points");
         if (points.Count < 2) return [];
         var h = Enumerable.Range(0, points.Count - 1).Select(i => points[i].To(points[i + 1])).ToArray();
         var slopes = Slopes(points, h, closed, Unit(record, 12), Unit(record, 13));

@@ -74,7 +74,7 @@ public partial class WordingTests
     [InlineData("Text.Get(\"A.B\", list[1, 2])", 1)]
     public void Facts_are_counted(string code, int facts) => Assert.Equal([facts], Calls(new SourceFile("src/P/One.cs", code)).Select(call => call.Facts));
 
-    /// <summary>The engines in tools are compiled into the runner and speak through it.</summary>
+    /// <summary>The engines in tools are compiled into the runner.</summary>
     private static IReadOnlyList<SourceFile> Sources(string project) => [.. SourceFile.Under("src/Engraver." + project, ".cs"), .. project == "Cli" ? SourceFile.Under("tools", ".cs") : []];
 
     private static Dictionary<string, string> Texts(string project) =>
