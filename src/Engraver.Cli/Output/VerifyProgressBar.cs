@@ -1,4 +1,4 @@
-using Engraver.Workbench.Composition;
+using Engraver.Core.Posts;
 using Engraver.Workbench.Verification;
 using Spectre.Console;
 

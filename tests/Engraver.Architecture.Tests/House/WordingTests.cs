@@ -134,6 +134,6 @@ public partial class WordingTests
     private static partial Regex Sentence();
 
     /// <summary>Messages of faults of the program, which its authors read, and attributes for the compiler.</summary>
-    [GeneratedRegex(@"\b(Argument\w*|InvalidOperation|Unreachable|NotSupported|ObjectDisposed|MissingManifestResource)Exception\(|SuppressMessage\(|UnconditionalSuppress|JustificationFor")]
+    [GeneratedRegex(@"\b(Argument\w*|InvalidOperation|Unreachable|NotSupported|ObjectDisposed|MissingManifestResource|KeyNotFound)Exception\(|SuppressMessage\(|UnconditionalSuppress|JustificationFor")]
     private static partial Regex OfABug();
 }
