@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
+using Engraver.Core.Languages;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
@@ -13,11 +14,11 @@ internal static class PostVerb
     public static Command Build(VerbHost host)
     {
         var drawing = new DrawingOptions();
-        var target = new Option<string>("--target") { Required = true, Description = string.Join("; ", PostTable.All.Select(entry => $"{entry.Post.Name}: {entry.Post.Summary}")) + "." };
+        var target = new Option<string>("--target") { Required = true, Description = string.Join("; ", PostTable.All.Select(entry => $"{TextCatalogue.Fact(entry.Post.Name)}: {entry.Post.Summary}")) + "." };
         target.AcceptOnlyFromAmong([.. PostTable.All.Select(entry => entry.Post.Name)]);
-        var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = "File to write (default: standard output)." };
+        var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = Wording.Get("Verbs.FileWriteDefaultStandard") };
         var choices = PostTable.Options.Select(Choice).ToList();
-        var command = new Command("post", "Writes the job as a program for the controller.");
+        var command = new Command("post", Wording.Get("Post.WritesJobProgramController"));
         drawing.AddTo(command);
         command.Options.Add(target);
         command.Options.Add(output);
@@ -37,10 +38,10 @@ internal static class PostVerb
 
     private static Option<string?> Choice(PostOption option)
     {
-        var choice = new Option<string?>("--" + option.Name) { HelpName = option.Argument, Description = $"{string.Join(", ", PostTable.Having(option))}: {option.Summary} ({option.Form}; default {option.Default})" };
+        var choice = new Option<string?>("--" + option.Name) { HelpName = option.Argument, Description = Wording.Get("Post.Default", string.Join(", ", PostTable.Having(option)), option.Summary, option.Form, option.Default) };
         choice.Validators.Add(result =>
         {
-            if (result.Tokens is [{ Value: var value }] && !option.Takes(value)) result.AddError($"--{option.Name}: '{value}' is not {option.Form}.");
+            if (result.Tokens is [{ Value: var value }] && !option.Takes(value)) result.AddError(Wording.Get("Post.Not", option.Name, value, option.Form));
         });
         return choice;
     }
@@ -50,7 +51,7 @@ internal static class PostVerb
     {
         if (result.GetResult(target) is not { Tokens: [{ Value: var name }] } || PostTable.All.FirstOrDefault(entry => entry.Post.Name == name) is not { Post: var post }) return;
         foreach (var choice in choices.Where(choice => result.GetResult(choice) is not null && post.Options.All(option => option.Name != NameOf(choice))))
-            result.AddError($"{choice.Name} is no option of the target {name}.");
+            result.AddError(Wording.Get("Post.NoOptionTarget", choice.Name, name));
     }
 
     private static string NameOf(Option<string?> choice) => choice.Name["--".Length..];

@@ -16,8 +16,8 @@ internal static class SequenceVerb
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
-        var output = new Option<string?>("-o", "--output") { HelpName = "CLDATA.dxf", Description = "Also write the sequenced and oriented drawing as DXF." };
-        var command = new Command("sequence", "Chains the drawing into contours, orders them, and names every discontinuity.");
+        var output = new Option<string?>("-o", "--output") { HelpName = "CLDATA.dxf", Description = Wording.Get("Sequence.AlsoWriteSequencedOriented") };
+        var command = new Command("sequence", Wording.Get("Sequence.ChainsDrawingIntoContours"));
         drawing.AddTo(command);
         command.Options.Add(json);
         command.Options.Add(output);

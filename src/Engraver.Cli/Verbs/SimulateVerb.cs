@@ -18,19 +18,19 @@ internal static class SimulateVerb
 
     public static Command Build(VerbHost host)
     {
-        var port = new Option<int?>("--tcp") { HelpName = "PORT", Description = "Port on loopback; 0 lets the system pick (also the default when nothing else is served).", CustomParser = ParsePort };
-        var datagrams = new Option<int?>("--udp") { HelpName = "PORT", Description = "Port on loopback for commands by datagram; 0 lets the system pick. Hosts expect 60007.", CustomParser = ParsePort };
-        var serial = new Option<string?>("--serial") { HelpName = "PATH", Description = "Serve the serial port: PATH becomes a link to a pseudo-terminal." };
-        var baud = new Option<int>("--baud") { HelpName = "N", Description = "Rate of the serial port, which every byte takes its time by.", DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
-        var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = "Controller seconds for each second on the wall; max: virtual time.", DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
-        var record = new Option<string?>("--record") { HelpName = "FILE", Description = "Write every motor sample and output change as CSV (t,a,b,c,d,outputs)." };
-        var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = "Start with the speeds and accelerations of this machine profile, as its owner burned them, and its angle quantum." };
-        var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = "What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md)." };
-        var numbers = new Option<string>("--numbers") { HelpName = "blank|column", Description = "What divides a negative number from the one before it in a message: a blank, or the column of the sign alone.", DefaultValueFactory = _ => Blank, CustomParser = ParseSpacing };
-        var command = new MachineCommand("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, machine, faults, numbers };
+        var port = new Option<int?>("--tcp") { HelpName = "PORT", Description = Wording.Get("Simulate.PortOnLoopbackLets"), CustomParser = ParsePort };
+        var datagrams = new Option<int?>("--udp") { HelpName = "PORT", Description = Wording.Get("Simulate.PortOnLoopbackCommands"), CustomParser = ParsePort };
+        var serial = new Option<string?>("--serial") { HelpName = "PATH", Description = Wording.Get("Simulate.ServeSerialPortPath") };
+        var baud = new Option<int>("--baud") { HelpName = "N", Description = Wording.Get("Simulate.RateSerialPortWhich"), DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
+        var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = Wording.Get("Simulate.ControllerSecondsEachSecond"), DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
+        var record = new Option<string?>("--record") { HelpName = "FILE", Description = Wording.Get("Simulate.WriteEveryMotorSample") };
+        var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = Wording.Get("Simulate.StartWithSpeedsAccelerations") };
+        var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = Wording.Get("Simulate.WhatShallGoWrong") };
+        var numbers = new Option<string>("--numbers") { HelpName = "blank|column", Description = Wording.Get("Simulate.WhatDividesNegativeNumber"), DefaultValueFactory = _ => Blank, CustomParser = ParseSpacing };
+        var command = new MachineCommand("simulate", Wording.Get("Simulate.ServesSimulatedDmcController")) { port, datagrams, serial, baud, speed, record, machine, faults, numbers };
         command.Validators.Add(result =>
         {
-            if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError("--baud is the rate of a serial port; give --serial PATH with it.");
+            if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError(Wording.Get("Simulate.BaudRateSerialPort"));
         });
         command.SetAction((parsed, stop) => RunAsync(
             host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Simulator(parsed.GetValue(speed), parsed.GetValue(machine), parsed.GetValue(faults), parsed.GetValue(numbers) == Column), stop));
@@ -52,7 +52,7 @@ internal static class SimulateVerb
             // A signal may come before everything has been said; it ends the serving like any other.
         }
 
-        return controller.RecordFailure is { } failure ? throw new UsageException($"{record} is incomplete: {failure.Message}", failure) : ExitCode.Done;
+        return controller.RecordFailure is { } failure ? throw new UsageException(Wording.Get("Simulate.Incomplete", record, failure.Message), failure) : ExitCode.Done;
     }
 
     /// <summary>At a speed of its own the controller offers its clock to hosts that keep step with it (docs/simulator-fidelity.md, "The clock").</summary>
@@ -89,7 +89,7 @@ internal static class SimulateVerb
         }
         catch (SocketException taken)
         {
-            throw new ControllerLinkException($"Port {port.ToString(CultureInfo.InvariantCulture)} cannot be served: {taken.Message}. Use --{way} 0 to let the system pick one.", taken);
+            throw new ControllerLinkException(Wording.Get("Simulate.PortCannotServedUse", port.ToString(CultureInfo.InvariantCulture), taken.Message, way), taken);
         }
     }
 
@@ -108,7 +108,7 @@ internal static class SimulateVerb
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or PlatformNotSupportedException)
         {
-            throw new UsageException($"--serial {path}: {unusable.Message}", unusable);
+            throw new UsageException(Wording.Get("Simulate.Serial", path, unusable.Message), unusable);
         }
     }
 
@@ -121,7 +121,7 @@ internal static class SimulateVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException($"{path} cannot be written: {unwritable.Message}", unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, unwritable.Message), unwritable);
         }
     }
 
@@ -137,7 +137,7 @@ internal static class SimulateVerb
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or JsonException)
         {
-            throw new UsageException($"--faults {faults}: {unusable.Message}", unusable);
+            throw new UsageException(Wording.Get("Simulate.Faults", faults, unusable.Message), unusable);
         }
     }
 
@@ -145,7 +145,7 @@ internal static class SimulateVerb
     {
         var word = result.Tokens[0].Value;
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port <= 65535) return port;
-        result.AddError($"{((OptionResult)result.Parent!).Option.Name}: '{word}' is not a port (0 to 65535).");
+        result.AddError(Wording.Get("Simulate.NotPort", ((OptionResult)result.Parent!).Option.Name, word));
         return null;
     }
 
@@ -153,14 +153,14 @@ internal static class SimulateVerb
     {
         var word = result.Tokens[0].Value;
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)) return baud;
-        result.AddError($"--baud: '{word}' is not one of {string.Join(", ", SerialLine.Rates)}.");
+        result.AddError(Wording.Get("Simulate.BaudNotOne", word, string.Join(", ", SerialLine.Rates)));
         return ControllerAddress.DefaultBaud;
     }
 
     private static string ParseSpacing(ArgumentResult result)
     {
         var word = result.Tokens[0].Value;
-        if (word is not (Blank or Column)) result.AddError($"--numbers: '{word}' is neither blank nor column.");
+        if (word is not (Blank or Column)) result.AddError(Wording.Get("Simulate.NumbersNeitherBlankNor", word));
         return word;
     }
 
@@ -169,7 +169,7 @@ internal static class SimulateVerb
         var word = result.Tokens[0].Value;
         if (word == "max") return double.PositiveInfinity;
         if (double.TryParse(word, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0.0) return speed;
-        result.AddError($"--speed: '{word}' is neither a number above 0 nor max.");
+        result.AddError(Wording.Get("Simulate.SpeedNeitherNumberAbove", word));
         return 1.0;
     }
 }

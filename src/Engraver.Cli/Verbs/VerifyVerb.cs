@@ -12,9 +12,9 @@ namespace Engraver.Cli.Verbs;
 internal sealed class VerifyVerb
 {
     private readonly VerbHost _host;
-    private readonly Argument<string> _program = new("PROGRAM") { Description = "The program as it was posted, all chunks." };
-    private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = "The drawing it was made from (DXF)." };
-    private readonly Option<string> _target = new("--target") { Description = "Language of the program.", DefaultValueFactory = _ => PostTable.All[0].Post.Name };
+    private readonly Argument<string> _program = new("PROGRAM") { Description = Wording.Get("Verify.ProgramPostedAllChunks") };
+    private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = Wording.Get("Verify.DrawingMadeFromDxf") };
+    private readonly Option<string> _target = new("--target") { Description = Wording.Get("Verify.LanguageProgram"), DefaultValueFactory = _ => PostTable.All[0].Post.Name };
     private readonly Option<bool> _json = JsonOption.New();
     private readonly DrawingOptions _drawing = new();
 
@@ -27,7 +27,7 @@ internal sealed class VerifyVerb
     public static Command Build(VerbHost host)
     {
         var verb = new VerifyVerb(host);
-        var command = new Command("verify", "Replays a posted program and compares what it cuts with the drawing, both ways.");
+        var command = new Command("verify", Wording.Get("Verify.ReplaysPostedProgramCompares"));
         command.Arguments.Add(verb._program);
         foreach (var option in (Option[])[verb._against, verb._target, verb._json]) command.Options.Add(option);
         verb._drawing.AddOptionsTo(command);

@@ -19,23 +19,23 @@ public static class MachineProfileValidation
 
     /// <summary>The feeds of this machine, mm/min, as text: what its slower axis resolves to what its finer axis can count.</summary>
     public static string FeedRange(MachineProfile profile, MachineLimits limits) =>
-        string.Create(CultureInfo.InvariantCulture, $"{60.0 * limits.SlowestSpeed / profile.Scale.Smallest:0.######} to {60.0 * limits.FastestSpeed / profile.Scale.Largest:0.######}");
+        Wording.Get("MachineProfileValidation.To", 60.0 * limits.SlowestSpeed / profile.Scale.Smallest, 60.0 * limits.FastestSpeed / profile.Scale.Largest);
 
     private static IEnumerable<Diagnostic> Findings(MachineProfile p, MachineLimits limits)
     {
-        const string Scale = "a number other than 0, negative to mirror the axis";
-        if (!IsScale(p.Axes.X.CountsPerMillimetre)) yield return Finding("countsPerMillimetreX", p.Axes.X.CountsPerMillimetre, Scale);
-        if (!IsScale(p.Axes.Y.CountsPerMillimetre)) yield return Finding("countsPerMillimetreY", p.Axes.Y.CountsPerMillimetre, Scale);
-        if (!limits.Axes.Contains(p.Axes.X.Letter)) yield return Finding("axisX", p.Axes.X.Letter, $"one of the letters {limits.Axes}");
-        if (!limits.Axes.Contains(p.Axes.Y.Letter)) yield return Finding("axisY", p.Axes.Y.Letter, $"one of the letters {limits.Axes}");
-        else if (p.Axes.Y.Letter == p.Axes.X.Letter) yield return Finding("axisY", p.Axes.Y.Letter, "another axis than axisX");
+        var scale = Wording.Get("MachineProfileValidation.NumberOtherThanNegative");
+        if (!IsScale(p.Axes.X.CountsPerMillimetre)) yield return Finding("countsPerMillimetreX", p.Axes.X.CountsPerMillimetre, scale);
+        if (!IsScale(p.Axes.Y.CountsPerMillimetre)) yield return Finding("countsPerMillimetreY", p.Axes.Y.CountsPerMillimetre, scale);
+        if (!limits.Axes.Contains(p.Axes.X.Letter)) yield return Finding("axisX", p.Axes.X.Letter, Wording.Get("MachineProfileValidation.OneLetters", limits.Axes));
+        if (!limits.Axes.Contains(p.Axes.Y.Letter)) yield return Finding("axisY", p.Axes.Y.Letter, Wording.Get("MachineProfileValidation.OneLetters", limits.Axes));
+        else if (p.Axes.Y.Letter == p.Axes.X.Letter) yield return Finding("axisY", p.Axes.Y.Letter, Wording.Get("MachineProfileValidation.AnotherAxisThanAxisX"));
         if (!IsSpeed(p.FeedMmPerMinute, p, limits)) yield return Finding("feedMmPerMinute", p.FeedMmPerMinute, AxisSpeeds(limits));
         if (!IsSpeed(p.RapidMmPerMinute, p, limits)) yield return Finding("rapidMmPerMinute", p.RapidMmPerMinute, AxisSpeeds(limits));
         if (!IsAcceleration(p.AccelerationCounts, limits)) yield return Finding("accelerationCounts", p.AccelerationCounts, Accelerations(limits));
-        if (p.SharpCornerDegrees is not (>= 0.0 and <= 180.0)) yield return Finding("sharpCornerDegrees", p.SharpCornerDegrees, "0 to 180 degrees");
-        if (p.ToolOutput < 1 || p.ToolOutput > limits.Outputs) yield return Finding("toolOutput", p.ToolOutput, $"an output from 1 to {limits.Outputs}");
-        if (p.ToolSettleSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("toolSettleSeconds", p.ToolSettleSeconds, $"0 to {LongestSettleSeconds} seconds");
-        if (p.AngleQuantumDegrees is not (> 0.0 and <= 1.0)) yield return Finding("angleQuantumDegrees", p.AngleQuantumDegrees, "above 0 and at most 1 degree");
+        if (p.SharpCornerDegrees is not (>= 0.0 and <= 180.0)) yield return Finding("sharpCornerDegrees", p.SharpCornerDegrees, Wording.Get("MachineProfileValidation.Degrees"));
+        if (p.ToolOutput < 1 || p.ToolOutput > limits.Outputs) yield return Finding("toolOutput", p.ToolOutput, Wording.Get("MachineProfileValidation.OutputFrom", limits.Outputs));
+        if (p.ToolSettleSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("toolSettleSeconds", p.ToolSettleSeconds, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
+        if (p.AngleQuantumDegrees is not (> 0.0 and <= 1.0)) yield return Finding("angleQuantumDegrees", p.AngleQuantumDegrees, Wording.Get("MachineProfileValidation.AboveMostDegree"));
     }
 
     private static bool IsScale(double countsPerMillimetre) => double.IsFinite(countsPerMillimetre) && countsPerMillimetre != 0.0;
@@ -49,13 +49,12 @@ public static class MachineProfileValidation
         counts >= limits.AccelerationStep && counts <= limits.LargestAcceleration && counts % limits.AccelerationStep == 0;
 
     private static string AxisSpeeds(MachineLimits limits) =>
-        string.Create(CultureInfo.InvariantCulture, $"a speed of {limits.SlowestSpeed} to {limits.FastestSpeed} counts/s on each axis (mm/min times counts per mm over 60)");
+        Wording.Get("MachineProfileValidation.SpeedCountsOnEach", limits.SlowestSpeed, limits.FastestSpeed);
 
-    private static string Accelerations(MachineLimits limits) => string.Create(
-        CultureInfo.InvariantCulture, $"a multiple of {limits.AccelerationStep} from {limits.AccelerationStep} to {limits.LargestAcceleration} counts/s2, which the controller would otherwise round down");
+    private static string Accelerations(MachineLimits limits) => Wording.Get("MachineProfileValidation.MultipleFromCountsS2", limits.AccelerationStep, limits.LargestAcceleration);
 
     private static Diagnostic Finding(string setting, double value, string limit) =>
         MotionRules.SettingOutOfRange.At(default, setting, value.ToString("R", CultureInfo.InvariantCulture), limit);
 
-    private static Diagnostic Finding(string setting, char letter, string limit) => MotionRules.SettingOutOfRange.At(default, setting, letter == NoLetter ? "not one letter" : letter.ToString(), limit);
+    private static Diagnostic Finding(string setting, char letter, string limit) => MotionRules.SettingOutOfRange.At(default, setting, letter == NoLetter ? Wording.Get("MachineProfileValidation.NotOneLetter") : letter.ToString(), limit);
 }

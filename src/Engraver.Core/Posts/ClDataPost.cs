@@ -7,7 +7,7 @@ public sealed class ClDataPost : IPost
 {
     public string Name => "cldata";
 
-    public string Summary => "the sequenced drawing as DXF";
+    public string Summary => Wording.Get("ClDataPost.Summary");
 
     public string Ending => ".dxf";
 

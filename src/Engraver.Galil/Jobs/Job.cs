@@ -66,7 +66,7 @@ internal sealed class Job
         return Journalled(_options.Judge?.Invoke(result) ?? result);
     }
 
-    private static JobStep Stopped => new(JobOutcome.Stopped, "Stopped by the operator.", null);
+    private static JobStep Stopped => new(JobOutcome.Stopped, Wording.Get("Job.StoppedOperator"), null);
 
     private JobResult Journalled(JobResult result)
     {
@@ -77,7 +77,7 @@ internal sealed class Job
         }
         catch (IOException failure)
         {
-            return result with { Sentence = $"{result.Sentence} The journal's last line could not be written: {failure.Message}" };
+            return result with { Sentence = Wording.Get("Job.JournalLastLineCould", result.Sentence, failure.Message) };
         }
     }
 
@@ -101,7 +101,7 @@ internal sealed class Job
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobStep.Broken($"The journal cannot be written: {failure.Message} The job was stopped, for without it nobody could say what is engraved.");
+            return JobStep.Broken(Wording.Get("Job.JournalCannotWrittenJob", failure.Message));
         }
     }
 
@@ -139,7 +139,7 @@ internal sealed class Job
 
     private async Task<JobStep> CutAsync() => await _way.CutAsync().ConfigureAwait(false) is { Ends: true } end
         ? end
-        : new JobStep(JobOutcome.Complete, JobMachine.Text($"Done: {_ledger.Executed} segments."), null);
+        : new JobStep(JobOutcome.Complete, Wording.Get("Job.DoneSegments", _ledger.Executed), null);
 
     /// <summary>Tool off, stop, our threads halted, at rest; after a complete job only the threads are left to stop. Tried over a lost link too, because the other handle may still work.</summary>
     private async Task<(JobStep Step, StandstillReport? Standstill)> BringToRestAsync(JobStep step)
@@ -164,7 +164,7 @@ internal sealed class Job
 
     /// <summary>What was last known. After the link is lost the controller continues unseen: with its buffer, or a program with all its strokes, until the watchdog trips.</summary>
     private string LastWord => _machine.Known is { } known
-        ? JobMachine.Text($" The last word of the controller was {known.Position.X},{known.Position.Y} with {_ledger.Executed} segments done; it goes on with what it has until its watchdog stops it, so that more may be cut than is counted here.")
+        ? Wording.Get("Job.LastWordControllerWith", known.Position.X, known.Position.Y, _ledger.Executed)
         : "";
 
     /// <summary>Restores the found program, speeds and motors; the machine is at rest and our threads are halted.</summary>
@@ -182,11 +182,11 @@ internal sealed class Job
         }
         catch (Exception unwritten) when (unwritten is IOException or UnauthorizedAccessException)
         {
-            return [$"The journal of an earlier run could not be ended: {unwritten.Message}"];
+            return [Wording.Get("Job.JournalEarlierRunCould", unwritten.Message)];
         }
         catch (ControllerException failure)
         {
-            return [$"The controller could not be left as it was found: {failure.Message}"];
+            return [Wording.Get("Job.ControllerCouldNotLeft", failure.Message)];
         }
     }
 

@@ -111,7 +111,7 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
         foreach (var operand in _operands.Split(','))
         {
             var one = await session.StopHandle.ReadAsync(operand, cancellation).ConfigureAwait(false);
-            if (one.Refusal is { } refused && operand.StartsWith("_RP", StringComparison.Ordinal)) throw new ProtocolViolationException($"The tool is off and the machine was told to stop; where it stands could not be asked: {refused.Explain()}");
+            if (one.Refusal is { } refused && operand.StartsWith("_RP", StringComparison.Ordinal)) throw new ProtocolViolationException(Wording.Get("OperatorStop.ToolOffMachineTold", refused.Explain()));
             values.Add(one.OrNothing ?? 0.0);
         }
 

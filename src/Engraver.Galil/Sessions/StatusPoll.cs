@@ -30,7 +30,7 @@ internal static class StatusPoll
         Inputs = (int)v[0],
         Outputs = (int)v[1],
         Speed = v[2],
-        Limit = string.Join(" and ", LimitsHit(letters, v)),
+        Limit = string.Join(Wording.Get("Common.And"), LimitsHit(letters, v)),
         LostPosition = string.Concat(Those(letters, [v[7] == PositionError, v[8] == PositionError]).Intersect(found.MotorsOff)),
         AbortInput = v[9] == 0,
         ProgramRuns = v[10] >= 0,
@@ -43,8 +43,8 @@ internal static class StatusPoll
     {
         for (var i = 0; i < letters.Length; i++)
         {
-            if (v[3 + (2 * i)] == 0) yield return $"the forward limit of axis {letters[i]}";
-            if (v[4 + (2 * i)] == 0) yield return $"the reverse limit of axis {letters[i]}";
+            if (v[3 + (2 * i)] == 0) yield return Wording.Get("StatusPoll.ForwardLimit", letters[i]);
+            if (v[4 + (2 * i)] == 0) yield return Wording.Get("StatusPoll.ReverseLimit", letters[i]);
         }
     }
 }

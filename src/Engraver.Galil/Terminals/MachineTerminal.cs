@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
@@ -87,14 +88,14 @@ public sealed class MachineTerminal : IMachineTerminal
             : await Session.Commands.SendAsync(command, cancellation).ConfigureAwait(false);
         return reply switch
         {
-            Rejected refused => new TerminalAnswer(TerminalAnswerKind.Refusal, $"? {(int)refused.Code} {refused.Text}{TcCodes.Hint(refused.Code)}{CaseHint(refused)}"),
+            Rejected refused => new TerminalAnswer(TerminalAnswerKind.Refusal, $"? {(int)refused.Code} {TextCatalogue.Fact(refused.Text)}{TcCodes.Hint(refused.Code)}{CaseHint(refused)}"),
             Accepted { Data.Length: > 0 } accepted => new TerminalAnswer(TerminalAnswerKind.Reply, accepted.Data),
             _ => new TerminalAnswer(TerminalAnswerKind.Reply, ":"),
         };
     }
 
     private static string CaseHint(Rejected refused) =>
-        refused.Code == TcCode.UnrecognizedCommand && refused.Command.Length > 0 && char.IsAsciiLetterLower(refused.Command[0]) ? " (commands are upper case)" : "";
+        refused.Code == TcCode.UnrecognizedCommand && refused.Command.Length > 0 && char.IsAsciiLetterLower(refused.Command[0]) ? Wording.Get("MachineTerminal.CommandsUpperCase") : "";
 
     private IEnumerable<TerminalAnswer> TakeMessages()
     {

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Posts;
 using Engraver.Galil.Driver;
@@ -31,7 +30,7 @@ public sealed class DmcReader : IProgramReader
         listener.Start(-(double)request.Start.X, -(double)request.Start.Y);
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false });
         using var listening = controller.Record.Subscribe(listener);
-        await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), "the simulated controller"), "A", s_replyTimeout, TimeProvider.System, trace: null);
+        await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), Wording.Get("ProgramReplayer.SimulatedController")), "A", s_replyTimeout, TimeProvider.System, trace: null);
         for (var i = 0; i < program.Chunks.Count; i++)
         {
             var number = i + 1;
@@ -59,8 +58,8 @@ public sealed class DmcReader : IProgramReader
             report();
             var (status, hasRested) = controller.AdvanceToRest(longest, s_longestRest, SliceSteps);
             if (status.IsIdle) return null;
-            if (hasRested) return string.Create(CultureInfo.InvariantCulture, $"nothing has moved for {LongestRest} s of machine time");
-            if (status.Sample > longest.TotalMilliseconds) return string.Create(CultureInfo.InvariantCulture, $"it still moves after {longest.TotalSeconds:0} s of machine time, which is far more than the drawing needs");
+            if (hasRested) return Wording.Get("ProgramReplayer.NothingHasMovedMachine", LongestRest);
+            if (status.Sample > longest.TotalMilliseconds) return Wording.Get("ProgramReplayer.StillMovesAfterMachine", longest.TotalSeconds);
         }
     }
 }

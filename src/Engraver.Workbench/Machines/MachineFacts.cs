@@ -82,16 +82,16 @@ internal sealed record MachineFacts
 
     private (MachineState State, string Reason) StateOf(ArmedJob? armed) => this switch
     {
-        { JobRuns: true, Stopping: true } => (MachineState.Stopping, "braking"),
+        { JobRuns: true, Stopping: true } => (MachineState.Stopping, Wording.Get("MachineFacts.Braking")),
         { JobRuns: true } => (MachineState.Running, ""),
         { Lost: { } why } => (MachineState.Fault, why),
         { Poll: null } => (MachineState.Connected, ""),
-        { Poll.AbortInput: true } => (MachineState.EmergencyStopOpen, "the abort input is active"),
-        { Poll.Limit: { Length: > 0 } limit } => (MachineState.Fault, $"on {limit}"),
-        { Poll.LostPosition: { Length: > 0 } axes } => (MachineState.Fault, $"axis {axes} was switched off because of its position error"),
-        { Poll.Moves: true } => (MachineState.Busy, "something moves that is not ours"),
-        { Poll.ProgramRuns: true } => (MachineState.Busy, "a program runs in the controller that is not ours"),
-        { Poll.MotorsOff: { Length: > 0 } axes } => (MachineState.MotorsOff, $"motor off: {axes}"),
+        { Poll.AbortInput: true } => (MachineState.EmergencyStopOpen, Wording.Get("MachineFacts.AbortInputActive")),
+        { Poll.Limit: { Length: > 0 } limit } => (MachineState.Fault, Wording.Get("MachineFacts.On", limit)),
+        { Poll.LostPosition: { Length: > 0 } axes } => (MachineState.Fault, Wording.Get("MachineFacts.AxisSwitchedOffBecause", axes)),
+        { Poll.Moves: true } => (MachineState.Busy, Wording.Get("MachineFacts.SomethingMovesNotOurs")),
+        { Poll.ProgramRuns: true } => (MachineState.Busy, Wording.Get("MachineFacts.ProgramRunsControllerNot")),
+        { Poll.MotorsOff: { Length: > 0 } axes } => (MachineState.MotorsOff, Wording.Get("MachineFacts.MotorOff", axes)),
         _ => armed is null ? (MachineState.Ready, "") : (MachineState.Armed, ""),
     };
 

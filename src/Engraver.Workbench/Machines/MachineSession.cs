@@ -250,8 +250,8 @@ public sealed class MachineSession : IAsyncDisposable
 
     private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {
-        if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "No controller is connected; CNCCONNECT first.")];
-        if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "A job runs; nothing is sent beside it.")];
+        if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("Common.NoControllerConnectedCncconnect"))];
+        if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("MachineSession.JobRunsNothingSent"))];
         Disarm();
         var answers = await watch.AnswerAsync(line, cancellation).ConfigureAwait(false);
         if (answers.LastOrDefault(answer => answer.Kind == TerminalAnswerKind.Refusal) is { Text: { } refusal }) _board.NoteRefusal(refusal);

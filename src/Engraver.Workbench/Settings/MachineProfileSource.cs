@@ -16,7 +16,7 @@ public static class MachineProfileSource
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new SettingException($"{path} cannot be read: {unreadable.Message}", unreadable);
+            throw new SettingException(Wording.Get("MachineProfileSource.CannotRead", path, unreadable.Message), unreadable);
         }
 
         var read = MachineProfileFile.Read(json, MachineFamilies.Driver.Limits);

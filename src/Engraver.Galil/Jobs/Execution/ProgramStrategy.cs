@@ -27,7 +27,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         if (program.Strokes.Count == 0) return JobStep.Done;
         var frame = new ControllerFrame(program.Start, machine.State.Position);
         if (!program.Strokes.All(stroke => frame.Holds(stroke.Start)))
-            return JobStep.Broken(Text($"From {frame.ControllerAtStart.X},{frame.ControllerAtStart.Y}, where the machine stands, the controller cannot count to all of the drawing; set its position (DP) nearer to 0,0."));
+            return JobStep.Broken(Wording.Get("ProgramStrategy.FromWhereMachineStands", frame.ControllerAtStart.X, frame.ControllerAtStart.Y));
         var job = new SupervisedProgram(program, frame, options.DryRun);
         var waiting = Packed(job, program.Strokes);
         while (waiting.TryPeek(out var chunk))

@@ -26,7 +26,7 @@ internal static class RapidMove
         var at = machine.State.Position;
         return at == goal
             ? JobStep.Done
-            : JobStep.Broken(Text($"The rapid to {goal.X},{goal.Y} ended at {at.X},{at.Y} ({StopCodes.Text(machine.State.StopCode)}); find out what stopped the axis."));
+            : JobStep.Broken(Wording.Get("RapidMove.RapidEndedFindOut", goal.X, goal.Y, at.X, at.Y, StopCodes.Text(machine.State.StopCode)));
     }
 
     private static async ValueTask<JobStep> GoAsync(JobMachine machine, CountsPoint from, CountsPoint goal, string axes)
@@ -34,7 +34,7 @@ internal static class RapidMove
         if (await machine.SendAsync("BG" + axes).ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
         machine.Expectation = state => IsBetween(from.X, state.Position.X, goal.X) && IsBetween(from.Y, state.Position.Y, goal.Y)
             ? JobStep.Done
-            : JobStep.Deviated(Text($"The rapid from {from.X},{from.Y} to {goal.X},{goal.Y} went to {state.Position.X},{state.Position.Y} (counts of the controller); what was sent has not arrived as it was sent. Look at the cable and who else uses the controller."));
+            : JobStep.Deviated(Wording.Get("RapidMove.RapidFromWentCounts", from.X, from.Y, goal.X, goal.Y, state.Position.X, state.Position.Y));
         try
         {
             return await machine.PollUntilAsync(state => state.Stands, Seconds(machine, from, goal)).ConfigureAwait(false);

@@ -163,7 +163,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
             var reply = await machine.ReplyAsync(command).ConfigureAwait(false);
             if (reply is Accepted) break;
-            if (reply is Rejected rejected && !(rejected.Code == TcCode.SegmentBufferFull && _begun)) return machine.Refuse(rejected, Text($" Drawing entity {segment.EntityIndex}."));
+            if (reply is Rejected rejected && !(rejected.Code == TcCode.SegmentBufferFull && _begun)) return machine.Refuse(rejected, Wording.Get("Execution.DrawingEntity", segment.EntityIndex));
             if (await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
         }
 
@@ -223,7 +223,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         var planned = Ahead.Take(_sent).Sum(segment => segment.Length);
         return Math.Abs(travelled - planned) <= LengthAllowance + (LengthPerSegment * _sent)
             ? JobStep.Done
-            : JobStep.Deviated(Text($"The controller went {travelled:0} counts along its path where {planned:0} were planned, up to drawing entity {Ahead[_sent - 1].EntityIndex}, at {machine.Here.X},{machine.Here.Y} of the drawing (counts); what was sent has not arrived as it was sent. Look at the work piece and the cable."));
+            : JobStep.Deviated(Wording.Get("SequenceFeed.ControllerWentCountsAlong", travelled, planned, Ahead[_sent - 1].EntityIndex, machine.Here.X, machine.Here.Y));
     }
 
     private bool HasEnded(MachineState state)
@@ -247,7 +247,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private JobStep EndedEarly()
     {
         var at = machine.State.Position;
-        return JobStep.Broken(Text($"The vector sequence ended at {at.X},{at.Y} before its last segment ({StopCodes.Text(machine.State.StopCode)}); find out what stopped it."));
+        return JobStep.Broken(Wording.Get("SequenceFeed.VectorSequenceEndedBefore", at.X, at.Y, StopCodes.Text(machine.State.StopCode)));
     }
 }
 

@@ -11,38 +11,38 @@ public sealed class GalilPost : IPost
     /// <summary>The subprograms of either way and some strokes need so many.</summary>
     private const int FewestLines = 100;
 
-    private static readonly PostOption s_memory = new(
+    private static PostOption Memory => new(
         "memory",
         "LINES",
-        "Lines that the controller's program memory holds; a longer job comes in chunks.",
+        Wording.Get("GalilPost.Memory"),
         Text(DmcLimits.ProgramLines),
-        $"a whole number from {Text(FewestLines)} to {Text(DmcLimits.ProgramLines)}",
+        Wording.Get("GalilPost.Lines", FewestLines, DmcLimits.ProgramLines),
         value => int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out var lines) && lines is >= FewestLines and <= DmcLimits.ProgramLines);
 
     private readonly MotionStyle _style;
 
-    private GalilPost(string name, string summary, MotionStyle style) => (Name, Summary, _style) = (name, summary, style);
+    private GalilPost(string name, MotionStyle style) => (Name, _style) = (name, style);
 
-    public static GalilPost Sequences { get; } = new("galil", "continuous vector sequences", MotionStyle.Continuous);
+    public static GalilPost Sequences { get; } = new("galil", MotionStyle.Continuous);
 
-    public static GalilPost Calls { get; } = new("galil-calls", "the paper's calls of #LINEAR and #CIRC", MotionStyle.Calls);
+    public static GalilPost Calls { get; } = new("galil-calls", MotionStyle.Calls);
 
     public string Name { get; }
 
-    public string Summary { get; }
+    public string Summary => Wording.Get("Post." + Name);
 
     public string Ending => ".dmc";
 
     public MotionStyle? Motion => _style;
 
-    public IReadOnlyList<PostOption> Options => [s_memory];
+    public IReadOnlyList<PostOption> Options => [Memory];
 
     /// <exception cref="ArgumentException">The request has no program in this style.</exception>
     public PostText Write(PostRequest request)
     {
         ArgumentNullException.ThrowIfNull(request);
         if (request.Program is not { } program || program.Style != _style) throw new ArgumentException($"{Name} is written from a motion program in the style {_style}.", nameof(request));
-        var options = new DmcPostOptions { MemoryLines = int.Parse(request.Value(s_memory), CultureInfo.InvariantCulture) };
+        var options = new DmcPostOptions { MemoryLines = int.Parse(request.Value(Memory), CultureInfo.InvariantCulture) };
         var text = _style == MotionStyle.Calls ? DmcPost.Calls(program, options, request.SourceOf) : DmcPost.Sequences(program, options, request.SourceOf);
         return text with { SegmentLines = Posting.SegmentLines.Map(text.Text, _style) };
     }

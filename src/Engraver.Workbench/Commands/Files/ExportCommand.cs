@@ -13,15 +13,15 @@ internal sealed class ExportCommand : ICommand
 {
     private static readonly IReadOnlyList<string> s_endings = [".svg", ".csv", ".json", .. PostTable.All.Select(entry => entry.Post.Ending).Distinct()];
 
-    public CommandInfo Info { get; } = new("EXPORT", CommandGroup.File, "Writes what the file's ending says: .svg picture of the path, .csv or .json entity table, .dmc program, .dxf CL data.");
+    public CommandInfo Info { get; } = new("EXPORT", CommandGroup.File);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var name = await ReplacePrompt.AskAsync(context, $"Enter file name ({string.Join(' ', s_endings)})").ConfigureAwait(false);
-        var write = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, $"'{name}' has none of the endings {string.Join(", ", s_endings)}.");
+        var name = await ReplacePrompt.AskAsync(context, Wording.Get("Export.EnterFileName", string.Join(' ', s_endings))).ConfigureAwait(false);
+        var write = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.HasNoneEndings", name, string.Join(", ", s_endings)));
         OutputFile.Write(context.FileToWrite(name), write);
-        context.Say($"{name} written from {Path.GetFileName(drawing.FileName)}.");
+        context.Say(Wording.Get("Export.WrittenFrom", name, Path.GetFileName(drawing.FileName)));
     }
 
     /// <exception cref="CommandException">There is nothing to write.</exception>

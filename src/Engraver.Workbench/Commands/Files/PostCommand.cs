@@ -8,14 +8,14 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>POST: Writes the job as a program for the controller.</summary>
 internal sealed class PostCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("POST", CommandGroup.Output, "Writes the job as a program for the controller.");
+    public CommandInfo Info { get; } = new("POST", CommandGroup.Output);
 
     private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List([.. PostTable.All.Select(entry => entry.Keyword)]);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var target = await context.ChoiceAsync("Enter target", s_targets, context.Remembered("POST", PostTable.All[0].Keyword)).ConfigureAwait(false);
+        var target = await context.ChoiceAsync(Wording.Get("Post.EnterTarget"), s_targets, context.Remembered("POST", PostTable.All[0].Keyword)).ConfigureAwait(false);
         context.Remember("POST", target);
         var (post, _, reader) = PostTable.Find(target);
         var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, post, PostedProgram.NoOptions);

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
@@ -21,12 +20,12 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         return new ArmingChecklist(
         [
-            Check(errors == 0 || errorsAccepted, errors == 0 ? "The drawing has no errors" : $"The drawing has {CountText.Format(errors, "error")}{(errorsAccepted ? ", accepted by the operator" : "; CHECK lists them")}"),
-            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {CountText.Format(program.SegmentCount, "segment")}" : job.WithoutProgram),
-            Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? $"The link to {link} stands" : "No controller is connected; CNCCONNECT"),
-            Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, $"The controller is {Word(status)}"),
-            Check(status.MotorsOn == true, status.MotorsOn == true ? "The motors are on" : "The motors are off; CNCMOTORS ON"),
-            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? "No limit is hit" : $"{status.Limit} is hit; move the machine off it"),
+            Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : Wording.Get("ArmingChecklist.DrawingHas", CountText.Format(errors, "Error"), errorsAccepted ? Wording.Get("ArmingChecklist.AcceptedOperator") : Wording.Get("ArmingChecklist.CheckListsThem"))),
+            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobHas", CountText.Format(program.SegmentCount, "Segment")) : job.WithoutProgram),
+            Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? Wording.Get("ArmingChecklist.LinkStands", link) : Wording.Get("ArmingChecklist.NoControllerConnectedCncconnect")),
+            Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, Wording.Get("ArmingChecklist.Controller", Word(status))),
+            Check(status.MotorsOn == true, status.MotorsOn == true ? Wording.Get("ArmingChecklist.MotorsOn") : Wording.Get("ArmingChecklist.MotorsOffCncmotorsOn")),
+            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? Wording.Get("ArmingChecklist.NoLimitHit") : Wording.Get("ArmingChecklist.HitMoveMachineOff", status.Limit)),
             .. job.Findings.Where(found => found.Severity == Severity.Warning).Select(found => Warning(SettingWording.AtCommandLine(found).Message.TrimEnd('.'))),
             .. StartWarning(job, status, lastStart),
         ]);
@@ -35,19 +34,19 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     /// <summary>A job takes the place where the machine stands for the drawing's start, wherever the last one left it.</summary>
     private static IEnumerable<ArmingCheck> StartWarning(PreparedJob job, MachineStatus status, RunStart? lastStart)
     {
-        var last = status.LastOutcome is { } outcome and not JobOutcome.Complete ? $"The last job on this machine {(outcome == JobOutcome.Deviated ? "did not cut what was drawn" : "ended early")} ({OutcomeText.Word(outcome)}). " : "";
+        var last = status.LastOutcome is { } outcome and not JobOutcome.Complete ? Wording.Get("ArmingChecklist.LastJobOnMachine", outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.DidNotCutWhat") : Wording.Get("ArmingChecklist.EndedEarly"), OutcomeText.Word(outcome)) : "";
         var start = PointPrompt.Show(job.Settings.Start);
         if (status.WorkPosition is not { } at)
         {
             var elsewhere = status.MachinePosition is { } here ? StartPlace.Compare(lastStart, job, job.Settings.Machine.Scale.ToCounts(here)) : null;
             if (elsewhere is not null) yield return Warning($"{last}{SettingWording.AtCommandLine(elsewhere).Message.TrimEnd('.')}");
-            else if (last.Length > 0) yield return Warning($"{last}Where it left the machine is not known any more: the place where it stands now is taken for the drawing's start {start}; look there first");
+            else if (last.Length > 0) yield return Warning(Wording.Get("ArmingChecklist.WhereLeftMachineNot", last, start));
             yield break;
         }
 
         var away = at.DistanceTo(job.Settings.Start);
         if (away * job.Settings.Machine.Scale.Largest < 1.0) yield break;
-        yield return Warning(string.Create(CultureInfo.InvariantCulture, $"{last}The place where the machine stands now is taken for the drawing's start {start}; by the last job it stands at {at.X:0.###},{at.Y:0.###}, {away:0.###} mm from there. Move it back or set TOOLSTART, unless this is another work piece"));
+        yield return Warning(Wording.Get("ArmingChecklist.PlaceWhereMachineStands", last, start, at.X, at.Y, away));
     }
 
     private static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };
@@ -56,12 +55,12 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 
     private static string Word(MachineStatus status) => status.State switch
     {
-        MachineState.Ready or MachineState.Armed => "ready",
-        MachineState.MotorsOff => "at rest",
-        MachineState.Busy or MachineState.Fault => $"not ready: {status.Reason}",
-        MachineState.EmergencyStopOpen => "held by its abort input; release the emergency stop",
-        MachineState.Running or MachineState.Stopping => "running a job",
-        _ => "not heard yet",
+        MachineState.Ready or MachineState.Armed => Wording.Get("ArmingChecklist.Ready"),
+        MachineState.MotorsOff => Wording.Get("ArmingChecklist.Rest"),
+        MachineState.Busy or MachineState.Fault => Wording.Get("ArmingChecklist.NotReady", status.Reason),
+        MachineState.EmergencyStopOpen => Wording.Get("ArmingChecklist.HeldItsAbortInput"),
+        MachineState.Running or MachineState.Stopping => Wording.Get("ArmingChecklist.RunningJob"),
+        _ => Wording.Get("ArmingChecklist.NotHeardYet"),
     };
 }
 
