@@ -2,15 +2,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Answers how far a place is from the nearest of many segments, and which segments a cut runs near. However crowded they are, few are looked at: their boxes lie along them.</summary>
+/// <summary>Answers how far a place is from the nearest of many segments, and whether a cut comes near any. However crowded they are, few are looked at: their boxes lie along them.</summary>
 internal sealed class SegmentIndex
 {
     private readonly Segment[] _segments;
     private readonly int[] _owners;
+    private readonly (double From, double To)[] _parts;
     private readonly OrientedBoxTree _tree;
     private readonly BoxTree.Measure _distance;
     private readonly BoxTree.Measure _measureOnce;
-    private readonly List<int> _found = [];
     private readonly int[] _stamps;
     private int _stamp;
     private long _measured;
@@ -18,14 +18,13 @@ internal sealed class SegmentIndex
     private int _last;
 
     /// <param name="segments">Ellipses and splines as their pieces (see <see cref="CurvePieces"/>).</param>
-    /// <param name="crossed">Sine of the angle from which on a line across a segment is nothing to it; without it none is.</param>
-    public SegmentIndex(Segment[] segments, Func<Segment, double>? crossed = null)
+    public SegmentIndex(Segment[] segments)
     {
         _segments = segments;
         _stamps = new int[segments.Length];
         var pieces = SegmentBoxes.Of(segments);
-        _owners = pieces.Owners;
-        _tree = OrientedBoxTree.Of(pieces.Boxes, [.. pieces.Turns.Select((turn, piece) => new Slant(turn, crossed?.Invoke(segments[pieces.Owners[piece]]) ?? 1.0))]);
+        (_owners, _parts) = (pieces.Owners, pieces.Parts);
+        _tree = OrientedBoxTree.Of(pieces.Boxes);
         _measure = _distance = Distance;
         _measureOnce = MeasureOnce;
     }
@@ -38,70 +37,52 @@ internal sealed class SegmentIndex
     {
         distance = double.PositiveInfinity;
         if (_segments.Length == 0) return -1;
-        var nearest = NearestBy(_distance, place, Distance(_last, place), out distance);
-        return nearest >= 0 ? _last = nearest : _last; // none found: none is nearer than the last
+        return NearestTo(place, Distance(_last, place), 0.0, out distance);
     }
 
     /// <summary>The nearest segment by a measure of one's own; -1 when none is as near as <paramref name="within"/>.</summary>
     /// <param name="measure">By number of the segment; nowhere less than its distance.</param>
-    public int NearestBy(BoxTree.Measure measure, Point2D place, double within, out double distance)
+    /// <param name="enough">The first that is no farther than this will do.</param>
+    public int NearestBy(BoxTree.Measure measure, Point2D place, double within, double enough, out double distance)
     {
         _stamp++;
         _measure = measure;
-        var piece = _tree.Nearest(place, _measureOnce, within, out distance);
+        var piece = _tree.Nearest(place, _measureOnce, within, enough, out distance);
         return piece >= 0 ? _owners[piece] : -1;
     }
 
-    /// <summary>As <see cref="NearestTo"/>, but the last answer again while it is no farther than <paramref name="enough"/>: the nearest is no farther either. Keeps a path along one of many crowded segments from asking all of them.</summary>
+    /// <summary>As <see cref="NearestTo(Point2D, out double)"/>, but any that is no farther than <paramref name="enough"/> will do, the last answer first. Keeps a path along one of many crowded segments from asking all of them.</summary>
     public int NearEnoughTo(Point2D place, double enough, out double distance)
     {
-        distance = _segments.Length == 0 ? double.PositiveInfinity : Distance(_last, place);
-        return distance <= enough ? _last : NearestTo(place, out distance);
+        distance = double.PositiveInfinity;
+        if (_segments.Length == 0) return -1;
+        distance = Distance(_last, place);
+        return distance <= enough ? _last : NearestTo(place, distance, enough, out distance);
     }
 
-    /// <summary>The segments of which some part's box comes within a radius of a place, each once.</summary>
-    public void Around(Point2D place, double radius, List<int> found)
+    /// <summary>False when no segment comes within reach of a line, an arc or a piece of a curve; true when one does, or may.</summary>
+    /// <param name="counts">Which segments count, by number; all when left out.</param>
+    public bool ComesNear(Segment path, double reach, Predicate<int>? counts = null) =>
+        _tree.ComesNear(path, reach, piece => counts?.Invoke(_owners[piece]) != false && MayBeNear(path, SegmentPart.Of(_segments[_owners[piece]], _parts[piece].From, _parts[piece].To), reach));
+
+    /// <summary>Curved ones are halved until their boxes part them, or are as good as straight.</summary>
+    private bool MayBeNear(in Segment path, in Segment part, double reach)
     {
-        _found.Clear();
-        _tree.Around(place, radius, _found);
-        TellOwners(found);
+        _measured++;
+        var (first, second) = (OrientedBox.Of(path), OrientedBox.Of(part));
+        if (!first.Grown(reach).Overlaps(second)) return false;
+        if (Math.Max(first.HalfWidth, second.HalfWidth) <= reach || IsMany(part) || part.DistanceTo(path.PointAt(0.5)) <= reach) return true;
+        return first.HalfWidth >= second.HalfWidth
+            ? MayBeNear(SegmentPart.Of(path, 0.0, 0.5), part, reach) || MayBeNear(SegmentPart.Of(path, 0.5, 1.0), part, reach)
+            : MayBeNear(path, SegmentPart.Of(part, 0.0, 0.5), reach) || MayBeNear(path, SegmentPart.Of(part, 0.5, 1.0), reach);
     }
 
-    /// <summary>The segments of which some part's box comes within reach of a line or an arc (or nearly), each once.</summary>
-    public void Along(in Segment path, double reach, List<int> found)
-    {
-        _found.Clear();
-        _tree.Along(path, reach, _found);
-        TellOwners(found);
-    }
+    private static bool IsMany(in Segment segment) => segment.IsFreeCurve && segment.Curve.Spans.Length > 1;
 
-    /// <summary>As <see cref="Along"/> a line, without the segments that it only crosses.</summary>
-    public void AlongNotAcross(LineSegment line, double reach, List<int> found)
+    private int NearestTo(Point2D place, double within, double enough, out double distance)
     {
-        _found.Clear();
-        _tree.AlongNotAcross(line, reach, _found);
-        TellOwners(found);
-    }
-
-    /// <summary>False when no segment comes within reach of a line or an arc; true when one does, or may.</summary>
-    public bool ComesNear(in Segment path, double reach)
-    {
-        _found.Clear();
-        _tree.Along(path, reach, _found);
-        return _found.Count > 0;
-    }
-
-    private void TellOwners(List<int> found)
-    {
-        _stamp++;
-        found.Clear();
-        foreach (var piece in _found)
-        {
-            var owner = _owners[piece];
-            if (_stamps[owner] == _stamp) continue;
-            _stamps[owner] = _stamp;
-            found.Add(owner);
-        }
+        var nearest = NearestBy(_distance, place, within, enough, out distance);
+        return nearest >= 0 ? _last = nearest : _last; // none found: none is nearer than the last
     }
 
     /// <summary>Pieces of a segment measure the whole of it, so that one is enough.</summary>

@@ -24,10 +24,13 @@ public sealed class TraceJudge
         ArgumentNullException.ThrowIfNull(tolerances);
         Segment[] pieces = [.. CurvePieces.Split(drawing)];
         _reach = tolerances.Coverage;
-        _index = new SegmentIndex(pieces, segment => DrawnCoverage.Crossed(segment, tolerances));
-        _spans = new SpanDeviation(pieces, _index, tolerances);
-        _coverage = new DrawnCoverage(pieces, _index, tolerances);
+        _index = new SegmentIndex(pieces);
+        _coverage = new DrawnCoverage(pieces, tolerances);
+        _spans = new SpanDeviation(pieces, _index, _coverage, tolerances);
     }
+
+    /// <summary>Segments and boxes that were looked at so far.</summary>
+    internal long Steps => _index.Steps + _coverage.Steps;
 
     /// <summary>The machine was here; between two consecutive cutting samples it went straight.</summary>
     public void Add(in TraceSample sample)
@@ -48,10 +51,9 @@ public sealed class TraceJudge
         {
             _samples += span.Samples;
             Judge(span.At(0.0));
-            var found = _spans.Measure(span, _largest);
+            var found = _spans.Measure(span, _largest, _extra);
             if (found.Largest > _largest) (_largest, _worst) = (found.Largest, span.At(found.At));
             _extra += found.Extra;
-            _coverage.Add(span.Path);
             _index.NearEnoughTo(span.Path.End, _reach, out var atEnd);
             _wasOff = atEnd > _reach;
         }
@@ -62,23 +64,23 @@ public sealed class TraceJudge
     /// <summary>What is known so far; with no more to come, the verdict.</summary>
     public TraceVerdict Verdict()
     {
-        var (missing, at) = _coverage.Missing();
+        var (missing, at) = _coverage.Missing(_largest);
         return new TraceVerdict(_samples, _largest, _worst, missing, at, _extra);
     }
 
     private void Judge(in TraceSample sample)
     {
-        _index.NearEnoughTo(sample.Place, Math.Min(_largest, _reach), out var deviation);
+        var nearest = _index.NearEnoughTo(sample.Place, Math.Min(_largest, _reach), out var deviation);
         if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
         var isOff = deviation > _reach;
         if (_last is { Cutting: true } before)
         {
             if (isOff || _wasOff) _extra += before.Place.DistanceTo(sample.Place);
-            if (before.Place != sample.Place) _coverage.AddChord(before.Place, sample.Place);
+            if (before.Place != sample.Place) _coverage.AddChord(before.Place, sample.Place, nearest);
         }
         else
         {
-            _coverage.AddChord(sample.Place, sample.Place); // a lone sample is a dot
+            _coverage.AddChord(sample.Place, sample.Place, nearest); // a lone sample is a dot
         }
 
         _wasOff = isOff;
