@@ -11,6 +11,7 @@ internal sealed class DrawnCoverage
     private const double MissingKnown = 1e-5;
 
     private readonly Segment[] _drawing;
+    private readonly SegmentIndex _index;
     private readonly TraceTolerances _tolerances;
     private readonly double _reach;
     private readonly CoveredParts[] _covered;
@@ -19,15 +20,16 @@ internal sealed class DrawnCoverage
     private int _cut;
 
     /// <param name="drawing">Ellipses and splines as their pieces.</param>
-    public DrawnCoverage(Segment[] drawing, TraceTolerances tolerances)
+    /// <param name="index">Of the drawing.</param>
+    public DrawnCoverage(Segment[] drawing, SegmentIndex index, TraceTolerances tolerances)
     {
-        (_drawing, _tolerances, _reach, _cuts) = (drawing, tolerances, tolerances.Coverage, new int[drawing.Length]);
+        (_drawing, _index, _tolerances, _reach, _cuts) = (drawing, index, tolerances, tolerances.Coverage, new int[drawing.Length]);
         _covered = new CoveredParts[drawing.Length];
         for (var i = 0; i < _covered.Length; i++) _covered[i] = new CoveredParts(LongestIgnored(drawing[i].Length) / 2.0 / Math.Max(drawing[i].Length, double.Epsilon));
         _followed = new FollowedSegment(drawing, _reach, _covered, Cover);
     }
 
-    /// <summary>Pairs of a segment and a cut that were compared, and steps of the search beside gaps.</summary>
+    /// <summary>Chords, and pairs of a segment and a cut that were compared.</summary>
     public long Steps { get; private set; }
 
     /// <summary>A straight cut between two samples, or a dot.</summary>
@@ -65,7 +67,7 @@ internal sealed class DrawnCoverage
         for (var i = 0; i < _covered.Length; i++)
         {
             if (!Gaps(i, _covered[i]).Any()) continue;
-            neighbours ??= new NeighbourCover(_drawing, _covered, together);
+            neighbours ??= new NeighbourCover(_drawing, _index, _covered, together);
             foreach (var (from, to) in Gaps(i, WithNeighbours(i, neighbours, missing)))
             {
                 var length = LengthOf(_drawing[i], from, to);
@@ -74,7 +76,6 @@ internal sealed class DrawnCoverage
             }
         }
 
-        Steps += neighbours?.Steps ?? 0;
         return (missing, first);
     }
 
@@ -84,7 +85,7 @@ internal sealed class DrawnCoverage
         var shortest = Math.Max(LongestIgnored(length) / 2.0, MissingKnown * missing) / length;
         var covered = new CoveredParts(0.0);
         foreach (var (from, to) in _covered[drawn].Parts()) covered.Add(from, to);
-        foreach (var gap in Gaps(drawn, _covered[drawn])) neighbours.Cover(drawn, _drawing[drawn], gap, shortest, covered);
+        foreach (var gap in Gaps(drawn, _covered[drawn])) neighbours.Cover(drawn, gap, shortest, covered);
         return covered;
     }
 

@@ -17,6 +17,9 @@ internal sealed class SegmentIndex
     private BoxTree.Measure _measure;
     private int _last;
 
+    /// <summary>Does it hold of a segment between two fractions of it?</summary>
+    public delegate bool Question(int segment, double from, double to);
+
     /// <param name="segments">Ellipses and splines as their pieces (see <see cref="CurvePieces"/>).</param>
     public SegmentIndex(Segment[] segments)
     {
@@ -61,23 +64,15 @@ internal sealed class SegmentIndex
     }
 
     /// <summary>False when no segment comes within reach of a line, an arc or a piece of a curve; true when one does, or may.</summary>
-    /// <param name="counts">Which segments count, by number; all when left out.</param>
-    public bool ComesNear(Segment path, double reach, Predicate<int>? counts = null) =>
-        _tree.ComesNear(path, reach, piece => counts?.Invoke(_owners[piece]) != false && MayBeNear(path, SegmentPart.Of(_segments[_owners[piece]], _parts[piece].From, _parts[piece].To), reach));
+    public bool ComesNear(Segment path, double reach) =>
+        ComesNear(path, reach, (segment, from, to) => SegmentsApart.MayComeNear(path, SegmentPart.Of(_segments[segment], from, to), reach));
 
-    /// <summary>Curved ones are halved until their boxes part them, or are as good as straight.</summary>
-    private bool MayBeNear(in Segment path, in Segment part, double reach)
+    /// <summary>As above, asking of each part of a segment whose box does.</summary>
+    public bool ComesNear(in Segment path, double reach, Question isNear) => _tree.ComesNear(path, reach, piece =>
     {
         _measured++;
-        var (first, second) = (OrientedBox.Of(path), OrientedBox.Of(part));
-        if (!first.Grown(reach).Overlaps(second)) return false;
-        if (Math.Max(first.HalfWidth, second.HalfWidth) <= reach || IsMany(part) || part.DistanceTo(path.PointAt(0.5)) <= reach) return true;
-        return first.HalfWidth >= second.HalfWidth
-            ? MayBeNear(SegmentPart.Of(path, 0.0, 0.5), part, reach) || MayBeNear(SegmentPart.Of(path, 0.5, 1.0), part, reach)
-            : MayBeNear(path, SegmentPart.Of(part, 0.0, 0.5), reach) || MayBeNear(path, SegmentPart.Of(part, 0.5, 1.0), reach);
-    }
-
-    private static bool IsMany(in Segment segment) => segment.IsFreeCurve && segment.Curve.Spans.Length > 1;
+        return isNear(_owners[piece], _parts[piece].From, _parts[piece].To);
+    });
 
     private int NearestTo(Point2D place, double within, double enough, out double distance)
     {

@@ -25,7 +25,7 @@ public sealed class TraceJudge
         Segment[] pieces = [.. CurvePieces.Split(drawing)];
         _reach = tolerances.Coverage;
         _index = new SegmentIndex(pieces);
-        _coverage = new DrawnCoverage(pieces, tolerances);
+        _coverage = new DrawnCoverage(pieces, _index, tolerances);
         _spans = new SpanDeviation(pieces, _index, _coverage, tolerances);
     }
 

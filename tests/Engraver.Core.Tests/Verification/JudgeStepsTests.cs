@@ -11,8 +11,8 @@ public class JudgeStepsTests
     /// <summary>Steps of a question: nodes of the tree on the way to what is near, and distances.</summary>
     private const int FewSteps = 400;
 
-    /// <summary>Of a segment that was not cut: two for each of the thousands that cross it.</summary>
-    private const int MostStepsBeside = 5000;
+    /// <summary>Of a segment that was not cut: a handful for each of the thousands that cross it.</summary>
+    private const int MostStepsBeside = 10_000;
 
     /// <summary>A cut of the machine: samples while it gathers speed, a span, samples while it brakes.</summary>
     private const int SamplesOfRamp = 40;
