@@ -71,6 +71,7 @@ internal sealed class NeighbourCover
         var parts = _cut[other];
         if (other == _drawn || parts.Count == 0) return (double.PositiveInfinity, -1);
         ref readonly var segment = ref _drawing[other];
+        if (segment.Kind is SegmentKind.Arc or SegmentKind.Circle && Math.Abs(segment.Arc.Centre.DistanceTo(place) - segment.Arc.Radius) > _reach) return (double.PositiveInfinity, -1); // of crowded rings nearly all
         var (foot, distance) = FootOf.Place(segment, place, double.NaN);
         var after = FirstEndingAt(parts, foot);
         if (after < parts.Count && parts[after].From <= foot) return (distance, after);
