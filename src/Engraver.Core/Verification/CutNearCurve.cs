@@ -17,21 +17,23 @@ internal static class CutNearCurve
         var (first, last) = (FootOf.Place(piece, cut.Start, double.NaN).Foot, FootOf.Place(piece, cut.End, double.NaN).Foot);
         var (from, to) = (Math.Min(first, last), Math.Max(first, last));
         Widen(piece, reach, ref from, ref to);
-        if (cut.Kind is SegmentKind.Arc or SegmentKind.Circle && Math.Abs(cut.Arc.Sweep.Degrees) > Bent) (from, to) = (0.0, 1.0);
+        var isBent = cut.Kind is SegmentKind.Arc or SegmentKind.Circle && Math.Abs(cut.Arc.Sweep.Degrees) > Bent;
+        ReadOnlySpan<double> marks = isBent ? [0.0, from, to, 1.0] : [from, to];
         var isShort = cut.Kind == SegmentKind.Line && cut.Length < 4.0 * reach;
         var places = isShort ? 2 : Places;
-        var (before, wasNear) = (from, IsNear(piece, from, cut, reach));
-        var start = from;
-        for (var i = 1; i <= places; i++)
+        var (before, wasNear) = (marks[0], IsNear(piece, marks[0], cut, reach));
+        var start = before;
+        for (var i = 1; i <= places * (marks.Length - 1); i++)
         {
-            var at = from + ((to - from) * i / places);
+            var (mark, share) = ((i - 1) / places, (((i - 1) % places) + 1.0) / places);
+            var at = marks[mark] + ((marks[mark + 1] - marks[mark]) * share);
             var isNear = IsNear(piece, at, cut, reach);
             if (isNear && !wasNear) start = Border(piece, at, before, cut, reach);
             if (wasNear && !isNear) covered.Add(start, Border(piece, before, at, cut, reach));
             (before, wasNear) = (at, isNear);
         }
 
-        if (wasNear) covered.Add(start, to);
+        if (wasNear) covered.Add(start, marks[^1]);
     }
 
     /// <summary>The piece reaches beyond the feet by up to the reach.</summary>

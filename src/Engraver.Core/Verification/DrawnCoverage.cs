@@ -25,7 +25,7 @@ internal sealed class DrawnCoverage
     {
         (_drawing, _index, _tolerances, _reach, _cuts) = (drawing, index, tolerances, tolerances.Coverage, new int[drawing.Length]);
         _covered = new CoveredParts[drawing.Length];
-        for (var i = 0; i < _covered.Length; i++) _covered[i] = new CoveredParts(LongestIgnored(drawing[i].Length) / 2.0 / Math.Max(drawing[i].Length, double.Epsilon));
+        for (var i = 0; i < _covered.Length; i++) _covered[i] = new CoveredParts();
         _followed = new FollowedSegment(drawing, _reach, _covered, Cover);
     }
 
@@ -43,6 +43,12 @@ internal sealed class DrawnCoverage
         _followed.Set(nearest);
         _followed.Add(chord);
     }
+
+    /// <summary>The segment along which the last chord went; -1 for none.</summary>
+    public int Followed => _followed.Drawn;
+
+    /// <summary>The next chord goes on from a place near this one.</summary>
+    public void Follow(int nearest) => _followed.Set(nearest);
 
     /// <summary>From now on another cut is told by <see cref="Add"/>.</summary>
     public void Begin() => _cut++;
@@ -83,7 +89,7 @@ internal sealed class DrawnCoverage
     {
         var length = _drawing[drawn].Length;
         var shortest = Math.Max(LongestIgnored(length) / 2.0, MissingKnown * missing) / length;
-        var covered = new CoveredParts(0.0);
+        var covered = new CoveredParts();
         foreach (var (from, to) in _covered[drawn].Parts()) covered.Add(from, to);
         foreach (var gap in Gaps(drawn, _covered[drawn])) neighbours.Cover(drawn, gap, shortest, covered);
         return covered;
@@ -115,8 +121,8 @@ internal sealed class DrawnCoverage
     }
 }
 
-/// <summary>Parameter intervals of one segment that have been covered. Memory is bounded: bits shorter than what may be missing anyway are forgotten unless the next bit touches them.</summary>
-internal sealed class CoveredParts(double shortestKept)
+/// <summary>Parameter intervals of one segment that have been covered. None is forgotten, however short: where a cut follows another segment for a moment, a neighbour may need it. Cuts that only cross are not told, so they are few.</summary>
+internal sealed class CoveredParts
 {
     private const double Touching = 1e-9;
     private const int ManyParts = 64;
@@ -162,7 +168,7 @@ internal sealed class CoveredParts(double shortestKept)
 
     private void Keep()
     {
-        if (double.IsNaN(_from) || _to - _from < shortestKept) return;
+        if (double.IsNaN(_from)) return;
         _parts ??= [];
         _parts.Add((_from, _to));
         if (_parts.Count >= ManyParts && (_parts.Count & (_parts.Count - 1)) == 0) Merge(_parts);

@@ -54,7 +54,7 @@ internal sealed class NeighbourCover
         if (other < 0) return (fraction, fraction);
         var (first, last) = _cut[other][CutNear(other, place).Part];
         var round = (_reach - distance) / Math.Max(segment.Length, double.Epsilon); // all so near to the place is near the part
-        var covered = new CoveredParts(0.0);
+        var covered = new CoveredParts();
         covered.Add(fraction - round, fraction + round);
         CutNearSegment.CoverAny(segment, SegmentPart.Of(_drawing[other], first, last), _reach, covered);
         foreach (var (from, to) in covered.Parts())

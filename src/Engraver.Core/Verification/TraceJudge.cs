@@ -6,6 +6,9 @@ namespace Engraver.Core.Verification;
 /// <remarks>Meaning and numbers are those of <see cref="TraceComparison.Compare"/>. Not thread safe.</remarks>
 public sealed class TraceJudge
 {
+    /// <summary>Places that are looked at between two samples; a machine goes a few hundredths of a millimetre from one to the next.</summary>
+    private const int MostStepsOfChord = 64;
+
     private readonly SegmentIndex _index;
     private readonly SpanDeviation _spans;
     private readonly DrawnCoverage _coverage;
@@ -54,7 +57,7 @@ public sealed class TraceJudge
             var found = _spans.Measure(span, _largest, _extra);
             if (found.Largest > _largest) (_largest, _worst) = (found.Largest, span.At(found.At));
             _extra += found.Extra;
-            _index.NearEnoughTo(span.Path.End, _reach, out var atEnd);
+            _coverage.Follow(_index.NearEnoughTo(span.Path.End, _reach, out var atEnd));
             _wasOff = atEnd > _reach;
         }
 
@@ -76,7 +79,7 @@ public sealed class TraceJudge
         if (_last is { Cutting: true } before)
         {
             if (isOff || _wasOff) _extra += before.Place.DistanceTo(sample.Place);
-            if (before.Place != sample.Place) _coverage.AddChord(before.Place, sample.Place, nearest);
+            if (before.Place != sample.Place) AddChord(before.Place, sample.Place, nearest);
         }
         else
         {
@@ -84,6 +87,23 @@ public sealed class TraceJudge
         }
 
         _wasOff = isOff;
+    }
+
+    /// <summary>Where it leads from one segment to another there may be shorter ones between them.</summary>
+    private void AddChord(Point2D from, Point2D to, int nearest)
+    {
+        if (nearest != _coverage.Followed)
+        {
+            var (chord, steps) = (Segment.FromLine(from, to), Math.Min(MostStepsOfChord, (int)Math.Ceiling(from.DistanceTo(to) / _reach)));
+            _coverage.Begin();
+            for (var i = 1; i < steps; i++)
+            {
+                var between = _index.NearEnoughTo(chord.PointAt((double)i / steps), Math.Min(_largest, _reach), out var distance);
+                if (distance <= _reach) _coverage.Add(between, chord);
+            }
+        }
+
+        _coverage.AddChord(from, to, nearest);
     }
 }
 

@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Biarcs;
 using Engraver.Core.Verification;
 
 namespace Engraver.Core.Tests.Verification;
@@ -57,6 +58,75 @@ public class DrawnCoverageTests
         Assert.Equal((0.0, null, 0.0), (verdict.MissingLength, verdict.MissingAt, verdict.ExtraLength));
     }
 
+    /// <summary>A cut that leaves one segment follows the next that is near enough, and under a crowd that may be another's for a few samples.</summary>
+    [Fact]
+    public void Short_lines_under_a_crowd_of_long_ones_are_whole_when_each_was_cut()
+    {
+        for (var seed = 1; seed <= 20; seed++)
+        {
+            var random = new Random(seed);
+            Point2D Near(double most) => new(random.NextDouble() * most, random.NextDouble() * most);
+            Point2D Bow(int i) => new(0.5 + (0.3 * Math.Cos(i * 0.1)), 0.5 + (0.3 * Math.Sin(i * 0.1)));
+            Segment[] drawing =
+            [
+                .. Enumerable.Range(0, 150).Select(_ => (Place: Near(1.0), Way: Near(2.0) - new Point2D(1.0, 1.0))).Select(ray => Segment.FromLine(ray.Place - (ray.Way * 30.0), ray.Place + (ray.Way * 30.0))),
+                .. Enumerable.Range(0, 60).Select(i => Segment.FromLine(Bow(i), Bow(i + 1))),
+            ];
+            var judge = new TraceJudge(drawing, s_tolerances);
+            foreach (var line in drawing)
+            {
+                var steps = (int)Math.Ceiling(line.Length / 0.004);
+                if (line.Length > 1.0 || line.Start == Bow(0)) judge.Add(new TraceSample(0.0, line.Start.X, line.Start.Y, false));
+                for (var i = 0; i <= steps; i++) judge.Add(new TraceSample(0.0, Math.Round(line.PointAt((double)i / steps).X, 3), Math.Round(line.PointAt((double)i / steps).Y, 3), true));
+            }
+
+            var verdict = judge.Verdict();
+
+            Assert.True(verdict is { MissingLength: 0.0, ExtraLength: 0.0 }, FormattableString.Invariant($"seed {seed}: {verdict}"));
+        }
+    }
+
+    /// <summary>In its tight turns the arcs that are cut for a spline turn by more than the pieces that it is held against, and reach a little into the next.</summary>
+    [Fact]
+    public void Tightly_turning_splines_are_whole_when_arcs_are_cut_for_them()
+    {
+        for (var seed = 1; seed <= 300; seed++)
+        {
+            var random = new Random(seed);
+            double Any() => random.NextDouble() * 4.0;
+            var spline = new RationalCurve(SegmentKind.Spline, [new BezierSpan([Any(), Any(), 0, 1, Any(), Any(), 0, 1, Any(), Any(), 0, 1, Any(), Any(), 0, 1])]);
+            var judge = new TraceJudge([Segment.FromCurve(spline)], s_tolerances);
+            foreach (var cut in BiarcFit.Fit(spline, s_tolerances.MaxError)) judge.Add(new TraceSpan(0.0, 1.0, 1000, cut, true));
+
+            var verdict = judge.Verdict();
+
+            Assert.True(verdict.MissingLength == 0.0 && verdict.MaxDeviation <= s_tolerances.Deviation, FormattableString.Invariant($"seed {seed}: {verdict}"));
+        }
+    }
+
+    /// <summary>At 20 mm/s samples lie 0.02 mm apart, and behind a span the next begins a sample later.</summary>
+    [Theory]
+    [InlineData(0.006, false)]
+    [InlineData(0.006, true)]
+    [InlineData(0.015, false)]
+    [InlineData(0.015, true)]
+    public void Lines_shorter_than_the_way_between_two_samples_are_whole(double length, bool isBehindSpan)
+    {
+        Segment[] drawing =
+        [
+            Segment.FromLine(new Point2D(0, 0), new Point2D(5, 0)),
+            Segment.FromLine(new Point2D(5, 0), new Point2D(5 + length, 0)),
+            Segment.FromLine(new Point2D(5 + length, 0), new Point2D(10, 0)),
+        ];
+        var (before, after) = (5.0 + (length / 2.0) - 0.01, 5.0 + (length / 2.0) + 0.01);
+        var judge = new TraceJudge(drawing, s_tolerances);
+        if (isBehindSpan) judge.Add(new TraceSpan(0.0, 1.0, 1000, Segment.FromLine(default, new Point2D(before, 0)), true));
+        else for (var i = 300; i >= 0; i--) judge.Add(new TraceSample(0.0, Math.Max(0.0, before - (i * 0.02)), 0.0, true));
+        judge.Add(new TraceSpan(1.0, 2.0, 1000, Segment.FromLine(new Point2D(after, 0), new Point2D(10, 0)), true));
+
+        Assert.Equal(0.0, judge.Verdict().MissingLength);
+    }
+
     [Theory]
     [InlineData(0)]
     [InlineData(7)]
@@ -110,7 +180,7 @@ public class DrawnCoverageTests
         var missing = 0.0;
         foreach (var segment in drawing)
         {
-            var (covered, longest) = (new CoveredParts(0.0), segment.Length / s_tolerances.StepsFor(segment.Length));
+            var (covered, longest) = (new CoveredParts(), segment.Length / s_tolerances.StepsFor(segment.Length));
             for (var i = 1; i < run.Count; i++) CutNearSegment.CoverAny(segment, Segment.FromLine(run[i - 1], run[i]), reach, covered);
             missing += covered.Gaps().Sum(gap => (gap.To - gap.From) * segment.Length is var length && length >= longest ? length : 0.0);
         }

@@ -12,6 +12,8 @@ namespace Engraver.Galil.Jobs.Execution;
 /// <remarks>
 /// Over a network nothing repeats to us what arrived. There a sequence of lines goes as increments (LM, LI): one that arrived as another moves all of the path behind it, up to its end, where the position tells.
 /// A VP is absolute in its sequence: a moved vertex is left again by the next one, and where segments are shorter than the way between two polls nobody sees it.
+/// With an arc in it a sequence must go as VP and CR (LM takes no CR, galil-dmc.md B.7). There a vertex moved beside the path by up to about sqrt((L + A/2)^2 - L^2) counts is not noticed, L the length of
+/// its segments and A what the path length may differ by: 62 counts for 100 segments of 60. What is farther off is.
 /// </remarks>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
 {
