@@ -16,21 +16,21 @@ internal sealed class ArrayCapture(Machine machine)
     /// <summary>RD, in the same order.</summary>
     public IReadOnlyList<Func<FixedPoint>> Sources { get; set; } = [];
 
-    /// <summary><c>_RC</c>.</summary>
+    /// <summary><c>_RC</c>: a capture is running.</summary>
     public bool IsOn { get; private set; }
 
     /// <summary>The element that is filled next: <c>_RD</c>.</summary>
     public int Next { get; private set; }
 
-    /// <summary>Captures that filled their arrays since power up.</summary>
+    /// <summary>Captures since power up that ended because their arrays were full.</summary>
     public long Ends { get; private set; }
 
     /// <summary>The sample of the next value; long.MaxValue when none will come.</summary>
     public long NextDue => IsOn ? _last + (long)Math.Max(1, _period / machine.SamplesPerMillisecond) : long.MaxValue;
 
     /// <param name="period">Samples of TM from one value to the next.</param>
-    /// <param name="length">Elements to fill; below zero round and round, 0 as many as the shortest array has.</param>
-    /// <exception cref="CommandRefusedException">TC 80 while recording, TC 81 without arrays and as many sources, TC 84 for more elements than there are.</exception>
+    /// <param name="length">Elements to fill. Negative: overwrite from the beginning again and again; 0: as many as the shortest array has.</param>
+    /// <exception cref="CommandRefusedException">TC 80 while recording; TC 81 unless there is an array for each source; TC 84 for more elements than the shortest array has.</exception>
     public void Start(int period, int length)
     {
         if (IsOn) throw new CommandRefusedException(Tc.AlreadyRecording);
@@ -47,7 +47,7 @@ internal sealed class ArrayCapture(Machine machine)
 
     public void Stop() => IsOn = false;
 
-    /// <summary>Takes the values when it is time.</summary>
+    /// <summary>Takes one value of each source when the sample of <see cref="NextDue"/> has come.</summary>
     public void Step()
     {
         if (!IsOn || machine.Sample < NextDue) return;

@@ -1,24 +1,24 @@
 namespace Engraver.Simulator;
 
-/// <summary>Where the switches and the index pulse of one axis lie, in counts from the place where the axis stands at power up; DP does not move them.</summary>
+/// <summary>Positions of the switches and the index pulse of one axis, in counts from where the axis is at power up; DP does not move them.</summary>
 /// <param name="Axis">0 to 3 for A to D.</param>
 public sealed record AxisSwitches(int Axis)
 {
-    /// <summary>From here on upwards the forward limit switch is pressed; null when there is none.</summary>
+    /// <summary>The forward limit switch is active at this position and above it; null when there is none.</summary>
     public int? ForwardLimitAt { get; init; }
 
-    /// <summary>From here on downwards the reverse limit switch is pressed; null when there is none.</summary>
+    /// <summary>The reverse limit switch is active at this position and below it; null when there is none.</summary>
     public int? ReverseLimitAt { get; init; }
 
-    /// <summary>From here on upwards the home switch is pressed; null when there is none.</summary>
+    /// <summary>The home switch is active at this position and above it; null when there is none.</summary>
     public int? HomeAt { get; init; }
 
-    /// <summary>A place of the encoder's index pulse.</summary>
+    /// <summary>Position of one index pulse of the encoder; the others follow every <see cref="IndexPeriod"/> counts.</summary>
     public int IndexAt { get; init; }
 
     /// <summary>Counts from one index pulse to the next.</summary>
     public int IndexPeriod { get; init; } = 4000;
 
-    /// <summary>A pressed switch opens its input instead of grounding it, as switches for CN 1 do (galil-dmc.md C.1).</summary>
+    /// <summary>An active switch opens its input instead of grounding it, as switches for CN 1 do (galil-dmc.md C.1).</summary>
     public bool AreNormallyClosed { get; init; }
 }

@@ -30,7 +30,7 @@ internal sealed class BurnedState(Machine machine)
         _cam = new CamTable(machine.Motion.Cam);
     }
 
-    /// <summary>RS. Everything stands and all programs have ended.</summary>
+    /// <summary>RS. The caller has stopped all motion and all programs.</summary>
     public void Restore()
     {
         var motion = machine.Motion;
@@ -46,7 +46,7 @@ internal sealed class BurnedState(Machine machine)
         _cam?.ApplyTo(motion.Cam);
     }
 
-    /// <summary>What the owner burned stands in the controller before the first command.</summary>
+    /// <summary>Applies <see cref="SimulatorOptions.Burned"/> before the first command, so that the constructor saves it as the burned state.</summary>
     private static Machine Prepared(Machine machine)
     {
         if (machine.Options.Burned is not { } given) return machine;

@@ -3,20 +3,20 @@ using Engraver.Simulator.Protocol;
 
 namespace Engraver.Simulator;
 
-/// <summary>Brings commands, wall time and controller time together under one lock.</summary>
+/// <summary>Serialises commands, wall time and controller time under one lock.</summary>
 internal sealed class ControllerCore : IDisposable
 {
     private static readonly TimeSpan ShortestTick = TimeSpan.FromMilliseconds(2);
     private static readonly TimeSpan LongestTick = TimeSpan.FromHours(1);
 
-    /// <summary>At speed max hosts that have the clock let time pass; now and then it is seen whether one of them is stuck.</summary>
+    /// <summary>Period of <see cref="Tick"/> at speed max while hosts have the clock (they advance time themselves): only looks for a host that is stuck.</summary>
     private static readonly TimeSpan HostTick = TimeSpan.FromMilliseconds(100);
 
     private readonly Lock _gate = new();
     private readonly SimulatorOptions _options;
     private readonly ITimer _timer;
     private readonly ControllerClock _clock;
-    private readonly CommandDesk _desk;
+    private readonly CommandDispatcher _dispatcher;
     private readonly StatusModel _status;
     private readonly RecordFile _recordFile;
     private readonly TaskCompletionSource _broken = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -29,20 +29,20 @@ internal sealed class ControllerCore : IDisposable
         _clock = new ControllerClock(Machine, options);
         _status = new StatusModel(Machine);
         _recordFile = new RecordFile(Machine.Record);
-        _desk = new CommandDesk(Machine, _clock, options);
-        Hosts = new HostDesk(Machine, _clock, _gate, Happened, _recordFile.Flush);
+        _dispatcher = new CommandDispatcher(Machine, _clock, options);
+        Hosts = new HostClockCoordinator(Machine, _clock, _gate, Happened, _recordFile.Flush);
         _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
     }
 
     public Machine Machine { get; }
 
     /// <summary>The hosts that keep step with the controller.</summary>
-    public HostDesk Hosts { get; }
+    public HostClockCoordinator Hosts { get; }
 
-    /// <summary>Faults with the bug that ended the controller's work.</summary>
+    /// <summary>Faults with the exception (a bug of the simulator) that ended the controller's work; never completes otherwise.</summary>
     public Task Broken => _broken.Task;
 
-    /// <summary>What stopped the record file from being written; null while all is well.</summary>
+    /// <summary>The error that ended the writing of the record file; null while it is written.</summary>
     public IOException? RecordFailure => _recordFile.Failure;
 
     public ControllerStatus Status
@@ -64,7 +64,7 @@ internal sealed class ControllerCore : IDisposable
         {
             _clock.Pace();
             _clock.Heard();
-            return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, _desk) { Disconnect = disconnect, Datagrams = datagrams });
+            return Machine.Handles.TryOpen(i => new Handle(i, localPort, remotePort == 0 ? 1024 + i : remotePort, _dispatcher) { Disconnect = disconnect, Datagrams = datagrams });
         }
     }
 
@@ -75,11 +75,11 @@ internal sealed class ControllerCore : IDisposable
         {
             _clock.Pace();
             _clock.Heard();
-            return Machine.Serial.Plug(baud, new Handle(SerialPort.HandleIndex, 0, 0, _desk) { Disconnect = disconnect });
+            return Machine.Serial.Plug(baud, new Handle(SerialPort.HandleIndex, 0, 0, _dispatcher) { Disconnect = disconnect });
         }
     }
 
-    /// <summary>What a client sent. A bug that shows here breaks the controller, not the thread that carries the bytes.</summary>
+    /// <summary>Takes bytes that a client sent. A bug that shows here breaks the controller, not the thread that carries the bytes.</summary>
     public void Receive(Handle handle, ReadOnlySpan<byte> bytes)
     {
         lock (_gate)
@@ -100,7 +100,7 @@ internal sealed class ControllerCore : IDisposable
         Hosts.FireDue();
     }
 
-    /// <summary>Serves clients to the end; a bug there ends the controller's work like one of its own.</summary>
+    /// <summary>Awaits a task that serves clients; an exception in it ends the controller's work as one of its own would.</summary>
     public async Task WatchAsync(Task serving)
     {
         try
@@ -227,17 +227,17 @@ internal sealed class ControllerCore : IDisposable
 
     private TimeSpan TickPeriod => !_options.IsVirtual ? ShortestTick : _clock.Hosts.AreThere ? HostTick : SilenceRule.Short;
 
-    /// <summary>How long nothing can happen of itself. An idle controller takes no processor time at all: the next command wakes it, and catches up with the wall.</summary>
+    /// <summary>Wall time until something can happen without a command. Infinite when idle: then no processor time is used, and the next command wakes the controller and brings it up to the wall.</summary>
     private TimeSpan QuietTime()
     {
-        if (_status.IsAwaited || _desk.HasLateReplies || _clock.Hosts.AreThere) return TickPeriod;
+        if (_status.IsAwaited || _dispatcher.HasLateReplies || _clock.Hosts.AreThere) return TickPeriod;
         if (Machine.IsDormant) return Timeout.InfiniteTimeSpan;
         if (_options.IsVirtual || Machine.Motion.CanProgress) return TickPeriod;
         var milliseconds = (Machine.QuietUntil - Machine.Sample) / _options.Speed;
         return TimeSpan.FromMilliseconds(Math.Clamp(milliseconds, ShortestTick.TotalMilliseconds, LongestTick.TotalMilliseconds));
     }
 
-    /// <summary>Wakes the controller so soon; one that is to wake sooner already does.</summary>
+    /// <summary>Sets the timer to fire within <paramref name="delay"/>; a timer that fires sooner stays.</summary>
     private void TickWithin(TimeSpan delay)
     {
         if (delay == Timeout.InfiniteTimeSpan) return;
@@ -247,7 +247,7 @@ internal sealed class ControllerCore : IDisposable
         _timer.Change(delay, Timeout.InfiniteTimeSpan);
     }
 
-    /// <summary>On a thread of the timer: what is not caught here would end the process.</summary>
+    /// <summary>Runs on a timer thread: an exception that is not caught here would end the process.</summary>
     private void Tick()
     {
         lock (_gate)
@@ -271,18 +271,18 @@ internal sealed class ControllerCore : IDisposable
     {
         _nextTick = TimeSpan.MaxValue;
         _clock.Pace();
-        _desk.ReleaseReplies();
-        _clock.Look(_desk.IsFrozen || _desk.HasLateReplies || Machine.Handles.Open.Any(static handle => handle.IsMidCommand));
+        _dispatcher.ReleaseReplies();
+        _clock.Look(_dispatcher.IsFrozen || _dispatcher.HasLateReplies || Machine.Handles.Open.Any(static handle => handle.IsMidCommand));
 
         _status.Notify();
         TickWithin(QuietTime());
     }
 
-    /// <summary>A bug of the simulator: no state can be trusted any more. Clients are cut, so that none waits for an answer; whoever owns the controller is told.</summary>
+    /// <summary>Ends the controller's work after a bug of the simulator, since its state cannot be trusted. Cuts every client, so that none waits for an answer, and faults <see cref="Broken"/>.</summary>
     private void Break(Exception bug)
     {
         if (!_broken.TrySetException(new InvalidOperationException($"the simulated controller failed ({bug.GetType().Name}: {bug.Message}); every client was cut off", bug))) return;
-        _ = _broken.Task.Exception; // looked at: an owner who does not ask is not told a second time by the runtime
+        _ = _broken.Task.Exception; // marks the exception as observed: an owner that never awaits Broken causes no UnobservedTaskException
         CutLinks();
     }
 

@@ -1,14 +1,14 @@
 namespace Engraver.Simulator;
 
-/// <summary>A glance at the controller for those who wait for something.</summary>
+/// <summary>A snapshot of the controller for code that waits for a condition.</summary>
 /// <param name="Sample">Controller time in samples of 1 ms nominal.</param>
 /// <param name="IsMoving">An axis moves, or a vector sequence moves along its path.</param>
-/// <param name="IsSequenceOpen">A sequence was begun and is not at its end; it may stand (VR 0, or dry).</param>
+/// <param name="IsSequenceOpen">A sequence was begun and has not ended; it may be at a standstill (VR 0, or out of segments).</param>
 /// <param name="IsDry">A begun sequence ran out of segments without VE (galil-dmc.md B.7).</param>
-/// <param name="RunningThreads">Bit mask like _NO.</param>
+/// <param name="RunningThreads">Bit mask as _NO: bit 0 is thread 0.</param>
 /// <param name="Outputs">Outputs 1 to 8, bit 0 is output 1.</param>
 /// <param name="Underruns">How often a sequence ran dry since power up.</param>
-/// <param name="OpenHandles">Connections held.</param>
+/// <param name="OpenHandles">Handles in use.</param>
 public readonly record struct ControllerStatus(
     long Sample,
     bool IsMoving,

@@ -31,7 +31,7 @@ internal sealed class DataRecordPush(Machine machine)
 
     public void Stop() => Period = 0;
 
-    /// <summary>Sends when it is time; ends when the handle is gone.</summary>
+    /// <summary>Sends a record when the sample of <see cref="NextDue"/> has come; switches itself off when the handle is closed.</summary>
     public void Step()
     {
         if (machine.Sample < NextDue) return;

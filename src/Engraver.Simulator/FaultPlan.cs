@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Engraver.Simulator;
 
-/// <summary>Troubles to inject (galil-dmc.md I.15). Commands are counted from 1 over all handles unless a fault names a handle.</summary>
+/// <summary>Faults to inject (galil-dmc.md I.15). Commands are counted from 1 over all handles unless a fault names a handle.</summary>
 public sealed record FaultPlan
 {
     /// <summary>Commands to answer with "?" instead of executing them.</summary>
@@ -11,19 +11,19 @@ public sealed record FaultPlan
     /// <summary>Handles whose link is cut after a number of commands.</summary>
     public IReadOnlyList<HandleDrop> Drops { get; init; } = [];
 
-    /// <summary>After this many commands nothing is answered any more, although motion and programs go on; null never freezes.</summary>
+    /// <summary>After this many commands no command is answered any more, although motion and programs go on; null: never.</summary>
     public long? FreezeAfterCommands { get; init; }
 
-    /// <summary>With this command the simulator itself fails, as by a bug of ours: all links are cut and <c>simulate</c> ends with exit 70; null never fails.</summary>
+    /// <summary>At this command the simulator throws, as a bug of its own would: all links are cut and <c>simulate</c> ends with exit code 70; null: never.</summary>
     public long? BreakDownAtCommand { get; init; }
 
-    /// <summary>Wall time by which every reply is late.</summary>
+    /// <summary>Wall time by which every reply is delayed.</summary>
     public TimeSpan ReplyDelay { get; init; } = TimeSpan.Zero;
 
     /// <summary>
     /// Reads a plan as written in a faults file: <c>{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],"freezeAfterCommands":99,"breakDownAtCommand":120,"replyDelay":"00:00:00.050"}</c>.
     /// </summary>
-    /// <exception cref="JsonException">The text is no such plan.</exception>
+    /// <exception cref="JsonException">The text is not a valid plan.</exception>
     public static FaultPlan Parse(string json) =>
         JsonSerializer.Deserialize<FaultPlan>(json, FileFormat) ?? throw new JsonException("A fault plan is an object.");
 

@@ -2,10 +2,10 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator;
 
-/// <summary>What follows when something outside changes: an input line, or a character on the serial port (galil-dmc.md C, C.3, D).</summary>
+/// <summary>Reactions to a changed input line or a character on the serial port (galil-dmc.md C, C.3, D).</summary>
 internal sealed class InputChanges(Machine machine)
 {
-    /// <summary>An input gets a level: latches, selective abort and the input interrupt look at it.</summary>
+    /// <summary>Sets the level of an input; latches, selective abort and the input interrupt react to it.</summary>
     public void Set(int input, bool level)
     {
         var before = machine.Io.Input(input);
@@ -29,7 +29,7 @@ internal sealed class InputChanges(Machine machine)
         if (machine.InputInterrupt.IsDue(machine.Io.Inputs) && machine.Threads.Interrupt("ININT")) machine.InputInterrupt.Taken();
     }
 
-    /// <summary>A character came in over the serial port; true when it belongs to the program alone (CI n,1).</summary>
+    /// <summary>Takes a character from the serial port; true when it is data for the program and not part of a command (CI n,1).</summary>
     public bool TakeSerial(char c)
     {
         if (machine.SerialInterrupt.Accept(c) && machine.Threads[0].IsRunning && machine.Threads.Interrupt("COMINT")) machine.SerialInterrupt.Taken();

@@ -6,14 +6,14 @@ internal sealed class InputInterrupt
     private byte _inputs;
     private byte _levels;
 
-    /// <summary>TB, bit 3.</summary>
+    /// <summary>Bit 3 of TB: a watched input starts #ININT.</summary>
     public bool IsArmed { get; private set; }
 
-    /// <summary>TB, bit 2: #ININT runs.</summary>
+    /// <summary>Bit 2 of TB: #ININT runs.</summary>
     public bool IsRunning { get; private set; }
 
     /// <param name="inputs">Mask of the inputs watched; 0 disables.</param>
-    /// <param name="levels">The level wanted of each, low unless told otherwise.</param>
+    /// <param name="levels">The level that interrupts, one bit for each input: 1 high, 0 (the default) low.</param>
     public void Arm(byte inputs, byte levels)
     {
         _inputs = inputs;
@@ -22,7 +22,7 @@ internal sealed class InputInterrupt
         IsArmed = inputs != 0;
     }
 
-    /// <summary>RI.</summary>
+    /// <summary>RI: #ININT has ended and may be started again.</summary>
     public void Rearm()
     {
         if (IsRunning) Arm(_inputs, _levels);

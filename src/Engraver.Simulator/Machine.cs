@@ -5,7 +5,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator;
 
-/// <summary>The controller itself, without any notion of wall time: commands go in, samples pass. The owner serialises all calls.</summary>
+/// <summary>The controller itself, without any notion of wall time: commands go in, samples pass. The owner makes sure that calls never overlap.</summary>
 internal sealed class Machine
 {
     private static readonly long TicksPerSample = TimeSpan.TicksPerMillisecond;
@@ -54,13 +54,13 @@ internal sealed class Machine
 
     public MotionRecord Record => _recorder.Record;
 
-    /// <summary>The hands at the machine, and the serial line into its programs.</summary>
+    /// <summary>Changes from outside: input lines and characters on the serial port.</summary>
     public InputChanges Inputs { get; }
 
     /// <summary>Controller time since power up, ticks of 100 ns; samples are whole milliseconds of it.</summary>
     public long ClockTicks => _clockTicks;
 
-    /// <summary>Samples since power up: TIME.</summary>
+    /// <summary>Samples of 1 ms nominal since power up.</summary>
     public long Sample { get; private set; }
 
     /// <summary>The code that TC reports and clears.</summary>
@@ -114,27 +114,27 @@ internal sealed class Machine
         | (InputInterrupt.IsRunning ? 0x04 : 0)
         | (Serial.Echo ? 0x01 : 0);
 
-    /// <summary>What BN and BV burned.</summary>
+    /// <summary>What BN and BV saved.</summary>
     public BurnedState Burned { get; }
 
-    /// <summary>The program that BP burned; RS restores it.</summary>
+    /// <summary>The program that BP saved; RS restores it.</summary>
     public string[] BurnedProgram { get; set; } = [];
 
-    /// <summary>Changes when something happened that a silent host could be waiting for.</summary>
+    /// <summary>Changes with every event that a silent host could be waiting for.</summary>
     public long Events => Motion.Ends + Threads.Events + Records.Sent + Capture.Ends + _outputChanges;
 
     private long _outputChanges;
 
-    /// <summary>An open sequence waits for its host: begun, not closed (contract: time at max stands still for it).</summary>
+    /// <summary>A sequence was begun and not closed, so that its host has segments to send; at speed max time then stands still (contract of <c>simulate</c>).</summary>
     public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.Profile.IsStopping) || Motion.Contour.AwaitsRecords;
 
-    /// <summary>Nothing moves and no thread runs, so that only a command can change anything.</summary>
+    /// <summary>Nothing moves and no thread runs: only a command or an input can change anything.</summary>
     public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn && !Capture.IsOn;
 
-    /// <summary>The first sample in which something can happen of itself while nothing moves; long.MaxValue when only a command or an input can do something.</summary>
+    /// <summary>The first sample in which something can happen without a command or an input, while nothing moves; long.MaxValue when nothing can.</summary>
     public long QuietUntil => Math.Min(Threads.QuietUntil(Sample), NextSnapshot);
 
-    /// <summary>When a data record or a value of a capture is due.</summary>
+    /// <summary>The sample in which the next data record or captured value is due.</summary>
     private long NextSnapshot => Math.Min(Records.NextDue, Capture.NextDue);
 
     /// <summary>~a to ~h.</summary>
@@ -145,10 +145,10 @@ internal sealed class Machine
     /// <summary>PF and LZ together: how positions print.</summary>
     public string PrintPosition(int value) => Padded(PositionFormat).Print(FixedPoint.FromInteger(value));
 
-    /// <summary>The answer to a question for a whole number that PF does not format.</summary>
+    /// <summary>The answer to a query whose whole number PF does not format.</summary>
     public string PrintWhole(long value) => Padded(NumberFormat.Position).Print(FixedPoint.FromInteger(value));
 
-    /// <summary>LZ 0 prints the zeros in front in the answer to every question (A.3).</summary>
+    /// <summary>The format with leading zeros under LZ 0, which applies to the answer to every query (A.3).</summary>
     public NumberFormat Padded(NumberFormat format) => format with { LeadingZeros = !StripLeadingZeros };
 
     /// <summary>Lets controller time pass.</summary>
@@ -171,8 +171,8 @@ internal sealed class Machine
         _clockTicks = Math.Max(_clockTicks, Sample * TicksPerSample);
     }
 
-    /// <summary>Lets time pass until nothing moves and no thread runs, for at most <paramref name="atMost"/> samples, <paramref name="longestRest"/> samples without motion, and <paramref name="steps"/> steps of computing.</summary>
-    /// <returns>True when the rest was so long, or will last until a command comes.</returns>
+    /// <summary>Lets time pass until nothing moves and no thread runs, for at most <paramref name="atMost"/> samples, <paramref name="longestRest"/> samples without motion or a change of an output, and <paramref name="steps"/> steps of computing.</summary>
+    /// <returns>True when the rest lasted <paramref name="longestRest"/>, or will last until a command comes.</returns>
     public bool AdvanceToRest(long atMost, long longestRest, int steps)
     {
         var limit = Sample + atMost;
@@ -216,7 +216,7 @@ internal sealed class Machine
     /// <summary>Whether the abort input is closed (<c>_AB</c> 0).</summary>
     public bool IsAbortInputActive { get; private set; }
 
-    /// <summary>The edge aborts; what begins while the input stays closed is not held back.</summary>
+    /// <summary>The change to active aborts. Motion that is begun while the input stays active is not held back.</summary>
     public void SetAbortInput(bool active)
     {
         var edge = active && !IsAbortInputActive;
@@ -267,7 +267,7 @@ internal sealed class Machine
         Capture.Step();
     }
 
-    /// <summary>Over samples of constant speed in which no thread runs, nothing is recorded and no limit is reached; the sample behind them is stepped as any other.</summary>
+    /// <summary>Skips samples of constant speed in which no thread runs, nothing is recorded and no limit is reached; the sample after them is stepped like any other.</summary>
     private bool TryJump(long lastSample)
     {
         var samples = Motion.Steady.Samples(Math.Min(lastSample, NextSnapshot) - Sample - 1);
@@ -284,7 +284,7 @@ internal sealed class Machine
         return true;
     }
 
-    /// <summary>The most of the samples behind which no thread is released and no limit reached. Every axis keeps its sense in them, so that what has not happened behind the last has not happened before.</summary>
+    /// <summary>Bisects for the largest number of samples after which no thread is released and no limit is reached. No axis changes direction within them, so that an event which has not happened after the last has not happened before it.</summary>
     private long SamplesWithoutEvent(long samples)
     {
         if (!HappensWithin(samples)) return samples;

@@ -5,7 +5,7 @@ using Engraver.Simulator.Protocol;
 namespace Engraver.Simulator;
 
 /// <summary>A simulated Galil DMC-2143 (galil-dmc.md I): handles over TCP and in memory and a serial port, one controller behind them.</summary>
-/// <remarks>How true it is to the real one is written in docs/simulator-fidelity.md.</remarks>
+/// <remarks>docs/simulator-fidelity.md says where it differs from the real controller.</remarks>
 public sealed class SimulatedController : IAsyncDisposable
 {
     private readonly ControllerCore _core;
@@ -26,12 +26,12 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <summary>Every sample of motion and every output change so far.</summary>
     public MotionRecord Record => _core.Machine.Record;
 
-    /// <summary>Faults with the bug of the simulator that ended its work, on whatever thread it happened; all links are cut then. Never completes otherwise.</summary>
+    /// <summary>Faults with the exception (a bug of the simulator) that ended its work, on whatever thread it happened; all links are cut then. Never completes otherwise.</summary>
     public Task Broken => _core.Broken;
 
     public ControllerStatus Status => _core.Status;
 
-    /// <summary>What stopped the record's file from being written (a full disk); null while all is well.</summary>
+    /// <summary>The error (a full disk) that ended the writing of the record's file; null while it is written.</summary>
     public IOException? RecordFailure => _core.RecordFailure;
 
     /// <summary>The client end of a new handle, without a socket but with the same bytes. Disposing it frees the handle.</summary>
@@ -58,11 +58,11 @@ public sealed class SimulatedController : IAsyncDisposable
         return Task.FromResult(frontEnd.EndPoint);
     }
 
-    /// <summary>Gives the controller's clock to a host: from now on time goes on only by the commands of hosts and while all that have the clock wait. Disposing the clock gives it back.</summary>
+    /// <summary>Gives the controller's clock to a host: from now on time passes only by the commands of hosts and while every host that has the clock waits. Disposing the clock gives it back.</summary>
     public HostClock JoinClock() => _core.Hosts.Join();
 
-    /// <summary>Offers the clock to hosts in other processes, on loopback until the controller is disposed (docs/simulator-fidelity.md, "The clock"); a connection is a host that has it.</summary>
-    /// <exception cref="System.Net.Sockets.SocketException">No port is to be had.</exception>
+    /// <summary>Offers the clock to hosts in other processes, on loopback until the controller is disposed (docs/simulator-fidelity.md, "The clock"); each connection counts as one host that has the clock.</summary>
+    /// <exception cref="System.Net.Sockets.SocketException">No port is free.</exception>
     public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation)
     {
         cancellation.ThrowIfCancellationRequested();
@@ -91,8 +91,8 @@ public sealed class SimulatedController : IAsyncDisposable
     }
 
     /// <summary>The client end of the serial port, without a terminal but with the same bytes and, at speed max, the same byte times. Disposing it unplugs the cable.</summary>
-    /// <param name="baud">Bits per second; a byte is ten of them.</param>
-    /// <exception cref="IOException">The port has a client.</exception>
+    /// <param name="baud">Bits per second; a byte takes ten bits.</param>
+    /// <exception cref="IOException">The port already has a client.</exception>
     public Stream OpenSerialConnection(int baud)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(baud);
@@ -100,9 +100,9 @@ public sealed class SimulatedController : IAsyncDisposable
     }
 
     /// <summary>Serves the serial port on a pseudo-terminal (Linux) until the controller is disposed or its links are dropped.</summary>
-    /// <param name="path">Becomes a symbolic link to the terminal, and is removed at the end. A link that an earlier run left behind is replaced.</param>
-    /// <param name="baud">Bits per second; a byte is ten of them, both ways.</param>
-    /// <exception cref="IOException">The path is taken or cannot be written, the port has a client, or there is no terminal to be had.</exception>
+    /// <param name="path">A symbolic link to the terminal is made here and removed at the end. A link that an earlier run left behind is replaced.</param>
+    /// <param name="baud">Bits per second in each direction; a byte takes ten bits.</param>
+    /// <exception cref="IOException">The path is taken or cannot be written, the port already has a client, or the system has no free terminal.</exception>
     /// <exception cref="UnauthorizedAccessException">The path may not be written.</exception>
     /// <exception cref="PlatformNotSupportedException">This is not Linux.</exception>
     public Task ServeSerialAsync(string path, int baud, CancellationToken cancellation)
@@ -121,7 +121,7 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <summary>Cuts every link at once, as a pulled cable would; motion and programs go on.</summary>
     public void DropConnections() => _core.CutAll();
 
-    /// <summary>Lets virtual time pass, besides what commands and silence do. Only at speed max.</summary>
+    /// <summary>Lets virtual time pass, in addition to what commands and silence let pass. Only at speed max.</summary>
     public void Advance(TimeSpan controllerTime)
     {
         RequireVirtualTime();
@@ -137,21 +137,21 @@ public sealed class SimulatedController : IAsyncDisposable
 
     /// <summary>Lets virtual time pass until nothing moves and no thread runs.</summary>
     /// <param name="atMost">Controller time.</param>
-    /// <param name="longestRest">Controller time without motion and without a change of an output, after which to come back.</param>
-    /// <param name="steps">Steps of computing after which to come back; a span of constant speed is one of them.</param>
-    /// <returns>The status then, and whether the rest was so long or would last for ever.</returns>
+    /// <param name="longestRest">Returns after this much controller time without motion and without a change of an output.</param>
+    /// <param name="steps">Returns after so many steps of computing; a span of constant speed is one step.</param>
+    /// <returns>The status at the end, and whether the rest lasted <paramref name="longestRest"/> or would last until a command comes.</returns>
     public (ControllerStatus Status, bool HasRested) AdvanceToRest(TimeSpan atMost, TimeSpan longestRest, int steps)
     {
         RequireVirtualTime();
         return _core.AdvanceToRest((long)atMost.TotalMilliseconds, (long)longestRest.TotalMilliseconds, steps);
     }
 
-    /// <summary>Completes when the condition holds; it is looked at after every command and, while somebody waits, every few milliseconds.</summary>
+    /// <summary>Completes when the condition holds. It is tested after every command and, while somebody waits, every few milliseconds.</summary>
     public Task<ControllerStatus> WaitUntilAsync(Func<ControllerStatus, bool> condition, CancellationToken cancellation) =>
         _core.WaitUntilAsync(condition, cancellation);
 
     /// <summary>Waits until nothing moves and no thread runs.</summary>
-    /// <returns>False when the controller stands for ever without being idle: a sequence ran dry, its host has to end it (galil-dmc.md B.7).</returns>
+    /// <returns>False when a sequence has run out of segments: the controller then stays as it is until its host ends the sequence (galil-dmc.md B.7).</returns>
     public async Task<bool> WaitUntilIdleAsync(CancellationToken cancellation)
     {
         var status = await _core.WaitUntilAsync(s => s.IsIdle || (s.IsDry && !s.IsMoving && s.RunningThreads == 0), cancellation).ConfigureAwait(false);
@@ -177,7 +177,7 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.With(m => m.Motion.Axes[axis].Inputs.HomeGrounded = active);
     }
 
-    /// <summary>Holds the shaft of axis 0 to 3 or lets it go: the motor stays, the position error grows.</summary>
+    /// <summary>Blocks or frees the shaft of axis 0 to 3. While it is blocked the motor does not move and the position error grows.</summary>
     public void HoldMotor(int axis, bool held)
     {
         RequireAxis(axis);
@@ -192,7 +192,7 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.With(m => m.Inputs.Set(input, level));
     }
 
-    /// <summary>Closes or opens the abort input. Where it becomes active all motion stops without a ramp, programs too unless CN's fifth field is 1, and <c>_AB</c> is 0 while it lasts (galil-dmc.md D).</summary>
+    /// <summary>Activates or releases the abort input. Its activation stops all motion without a ramp, and programs too unless CN's fifth field is 1; <c>_AB</c> is 0 while it is active (galil-dmc.md D).</summary>
     public void SetAbortInput(bool active) => _core.With(m => m.SetAbortInput(active));
 
     /// <summary>Stops listening, cuts every link, completes the record's file.</summary>

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator;
 
-/// <summary>What is known of the controller, and those who wait for it to be as they want. All members are called under the controller's lock.</summary>
+/// <summary>The controller's status, and the tasks that wait for a condition on it. All members are called under the controller's lock.</summary>
 internal sealed class StatusModel(Machine machine)
 {
     private readonly List<StatusWaiter> _waiters = [];
@@ -11,7 +11,7 @@ internal sealed class StatusModel(Machine machine)
 
     public void Remove(StatusWaiter waiter) => _waiters.Remove(waiter);
 
-    /// <summary>Something may have changed.</summary>
+    /// <summary>Called when something may have changed: completes the tasks whose condition holds.</summary>
     public void Notify()
     {
         if (_waiters.Count == 0) return;
@@ -34,7 +34,7 @@ internal sealed class StatusModel(Machine machine)
     }
 }
 
-/// <summary>Someone who awaits a status of the controller.</summary>
+/// <summary>One task that waits for a condition on the status.</summary>
 internal sealed class StatusWaiter(Func<ControllerStatus, bool> condition)
 {
     private readonly TaskCompletionSource<ControllerStatus> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -30,8 +30,8 @@ public static class AppBuilderExtensions
 
     private static void BindWindowing(SoftwarePlatformOptions options)
     {
-        var door = new InputDoor(options.Filter, options.Regions);
-        if (options.FrontEnd is FrontEnd.Headless headless) HeadlessSetup.Bind(headless.Desktop, options, door);
-        else X11Setup.Bind(options, door);
+        var gate = new InputGate(options.Filter, options.Regions);
+        if (options.FrontEnd is FrontEnd.Headless headless) HeadlessSetup.Bind(headless.Desktop, options, gate);
+        else X11Setup.Bind(options, gate);
     }
 }

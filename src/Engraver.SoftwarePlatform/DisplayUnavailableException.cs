@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform;
 
-/// <summary>No window can be shown: the X server cannot be reached, has gone, or its library is missing. The message is one sentence for the person at the terminal.</summary>
+/// <summary>No window can be shown: the X server cannot be reached, has gone, or its library is missing. The message is one sentence for the user.</summary>
 public sealed class DisplayUnavailableException : Exception
 {
     public DisplayUnavailableException()

@@ -3,7 +3,7 @@ using Avalonia.Input;
 
 namespace Engraver.SoftwarePlatform;
 
-/// <summary>A rectangle of one window that answers a press on the input thread. Disposing takes it away.</summary>
+/// <summary>A rectangle of one window that handles a press on the input thread. Disposing removes it.</summary>
 public sealed class InputRegion : IDisposable
 {
     private readonly InputRegions _owner;

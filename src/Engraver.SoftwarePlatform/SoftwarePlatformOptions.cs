@@ -2,21 +2,21 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.SoftwarePlatform;
 
-/// <summary>What <see cref="AppBuilderExtensions.UseSoftwarePlatform"/> is told. Everything has a usable default.</summary>
+/// <summary>Options of <see cref="AppBuilderExtensions.UseSoftwarePlatform"/>. All have usable defaults.</summary>
 public sealed record SoftwarePlatformOptions
 {
     public FrontEnd FrontEnd { get; init; } = new FrontEnd.X11();
 
-    /// <summary>Pixels for each device independent unit. 0 asks the display (<c>Xft.dpi</c> / 96), and is 1 without an answer.</summary>
+    /// <summary>Pixels for each device independent unit. 0 reads the display's setting (<c>Xft.dpi</c> / 96), or 1 when there is none.</summary>
     public double Scale { get; init; } = 1.0;
 
     /// <summary>The X display, such as ":1"; null is the environment's DISPLAY.</summary>
     public string? DisplayName { get; init; }
 
-    /// <summary>Sees every key before the window does, on the input thread.</summary>
+    /// <summary>Receives every key before the window does, on the input thread.</summary>
     public KeyFilter? Filter { get; init; }
 
-    /// <summary>Rectangles that answer a press on the input thread.</summary>
+    /// <summary>Rectangles that handle a press on the input thread.</summary>
     public InputRegions Regions { get; init; } = new();
 
     /// <summary>WM_CLASS of the windows: how a window manager groups them.</summary>
@@ -36,6 +36,6 @@ public abstract record FrontEnd
     /// <summary>Real windows on an X server.</summary>
     public sealed record X11 : FrontEnd;
 
-    /// <summary>Windows in memory, driven and looked at through <paramref name="Desktop"/>; one application per desktop.</summary>
+    /// <summary>Windows in memory, controlled through <paramref name="Desktop"/>; one application per desktop.</summary>
     public sealed record Headless(HeadlessDesktop Desktop) : FrontEnd;
 }

@@ -9,7 +9,7 @@ internal static class CrossCheckCurves
         "CIRCLE" => Arc(record, 0.0, 360.0),
         "ARC" => Arc(record, record.Number(50, double.NaN), Sweep(record.Number(50, double.NaN), record.Number(51, double.NaN), 360.0)),
         "ELLIPSE" => Ellipse(record),
-        "LWPOLYLINE" => Polyline(LwVertices(record), ((int)record.Number(70, 0.0) & 1) != 0, CrossCheckFrame.OfExtrusion(record)),
+        "LWPOLYLINE" => Polyline(LwVertices(record), ((int)record.Number(70, 0.0) & 1) != 0, CrossCheckFrame.FromExtrusion(record)),
         "POLYLINE" => OldPolyline(record),
         "SPLINE" => CrossCheckSplines.Read(record),
         _ => null,
@@ -36,12 +36,12 @@ internal static class CrossCheckCurves
     private static List<CrossCheckPiece> Arc(CrossCheckRecord record, double start, double sweep)
     {
         var r = Math.Abs(record.Number(40, double.NaN));
-        return Round(CrossCheckFrame.OfExtrusion(record), record.Point(10), new CrossCheckPoint(r, 0, 0), new CrossCheckPoint(0, r, 0), start * Math.PI / 180.0, sweep * Math.PI / 180.0);
+        return Round(CrossCheckFrame.FromExtrusion(record), record.Point(10), new CrossCheckPoint(r, 0, 0), new CrossCheckPoint(0, r, 0), start * Math.PI / 180.0, sweep * Math.PI / 180.0);
     }
 
     private static List<CrossCheckPiece> Ellipse(CrossCheckRecord record)
     {
-        var (major, up, ratio) = (record.Point(11), CrossCheckFrame.OfExtrusion(record).Z, record.Number(40, double.NaN));
+        var (major, up, ratio) = (record.Point(11), CrossCheckFrame.FromExtrusion(record).Z, record.Number(40, double.NaN));
         var minor = ratio * new CrossCheckPoint((up.Y * major.Z) - (up.Z * major.Y), (up.Z * major.X) - (up.X * major.Z), (up.X * major.Y) - (up.Y * major.X));
         var start = record.Number(41, 0.0);
         return Round(CrossCheckFrame.World, record.Point(10), major, minor, start, Sweep(start, record.Number(42, Math.Tau), Math.Tau));
@@ -81,7 +81,7 @@ internal static class CrossCheckCurves
         var flat = (flags & 8) == 0;
         var drawn = record.Vertices.Where(vertex => ((int)vertex.Number(70, 0.0) & 16) == 0);
         var vertices = drawn.Select(vertex => (flat ? vertex.Point(10) with { Z = record.Number(30, 0.0) } : vertex.Point(10), flat ? vertex.Number(42, 0.0) : 0.0)).ToList();
-        return Polyline(vertices, (flags & 1) != 0, flat ? CrossCheckFrame.OfExtrusion(record) : CrossCheckFrame.World);
+        return Polyline(vertices, (flags & 1) != 0, flat ? CrossCheckFrame.FromExtrusion(record) : CrossCheckFrame.World);
     }
 
     private static List<CrossCheckPiece> Polyline(List<(CrossCheckPoint Place, double Bulge)> vertices, bool closed, CrossCheckFrame frame)

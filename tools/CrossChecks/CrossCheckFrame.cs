@@ -6,7 +6,7 @@ internal readonly record struct CrossCheckFrame(CrossCheckPoint X, CrossCheckPoi
     public static CrossCheckFrame World { get; } = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), new(0, 0, 0));
 
     /// <summary>The system of an entity with an extrusion direction (DXF reference, "Arbitrary Axis Algorithm").</summary>
-    public static CrossCheckFrame OfExtrusion(CrossCheckRecord record)
+    public static CrossCheckFrame FromExtrusion(CrossCheckRecord record)
     {
         var z = new CrossCheckPoint(record.Number(210, 0.0), record.Number(220, 0.0), record.Number(230, 1.0));
         var length = z.To(default);

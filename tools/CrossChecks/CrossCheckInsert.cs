@@ -18,7 +18,7 @@ internal sealed class CrossCheckInsert
         Block = block;
         var angle = insert.Number(50, 0.0) * Math.PI / 180.0;
         _turn = (Math.Cos(angle), Math.Sin(angle));
-        (_own, _place) = (outer.Holding(CrossCheckFrame.OfExtrusion(insert)), insert.Point(10));
+        (_own, _place) = (outer.Holding(CrossCheckFrame.FromExtrusion(insert)), insert.Point(10));
         _scale = (insert.Number(41, 1.0), insert.Number(42, 1.0), insert.Number(43, 1.0));
         _step = (insert.Number(44, 0.0), insert.Number(45, 0.0));
         _columns = Repeats(insert.Number(70, 1.0));

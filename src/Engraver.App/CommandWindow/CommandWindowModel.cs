@@ -21,7 +21,7 @@ public sealed class CommandWindowModel : Observable
     public CommandWindowModel(WorkDesk desk)
     {
         _desk = desk;
-        Choose = new Act(option => _ = desk.FeedAsync(((Keyword)option!).Name));
+        Choose = new Act(option => _ = desk.EnterAsync(((Keyword)option!).Name));
         desk.Said += OnSaid;
         desk.Changed += OnChanged;
     }
@@ -78,7 +78,7 @@ public sealed class CommandWindowModel : Observable
         var input = Line;
         _inputs.Add(input);
         Line = "";
-        _ = _desk.FeedAsync(input);
+        _ = _desk.EnterAsync(input);
     }
 
     /// <summary>Pasted text of several lines: the whole ones go to the command session behind what was typed, what follows the last line's end stays to be typed on.</summary>
@@ -88,7 +88,7 @@ public sealed class CommandWindowModel : Observable
         var all = (Line + text).ReplaceLineEndings("\n");
         var end = all.LastIndexOf('\n');
         Line = all[(end + 1)..];
-        _ = _desk.FeedLinesAsync(all[..(end + 1)]);
+        _ = _desk.EnterLinesAsync(all[..(end + 1)]);
     }
 
     public void Take(CommandSuggestion suggestion)
@@ -96,7 +96,7 @@ public sealed class CommandWindowModel : Observable
         var input = Named(suggestion);
         Line = "";
         _inputs.Add(input);
-        _ = _desk.FeedAsync(input);
+        _ = _desk.EnterAsync(input);
     }
 
     /// <summary>Tab: the line becomes the next suggestion.</summary>

@@ -31,13 +31,13 @@ public sealed class CanvasDesk(WorkDesk desk, Action cancel, Action<Point2D> poi
 
     public void Cancel() => cancel();
 
-    public void PointGiven(Point2D place) => _ = desk.FeedAsync(string.Create(CultureInfo.InvariantCulture, $"{place.X:R},{place.Y:R}"));
+    public void PointGiven(Point2D place) => _ = desk.EnterAsync(string.Create(CultureInfo.InvariantCulture, $"{place.X:R},{place.Y:R}"));
 
     public void ZoomExtents() => _ = desk.RunAsync("ZOOM", "Extents");
 
     public void Menu(Point2D place)
     {
-        if (desk.Prompt.Command is not null) _ = desk.FeedAsync("");
+        if (desk.Prompt.Command is not null) _ = desk.EnterAsync("");
         else menu();
     }
 

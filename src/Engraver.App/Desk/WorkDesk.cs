@@ -67,13 +67,13 @@ public sealed class WorkDesk : IAsyncDisposable
     /// <summary>True while a job runs or anything of the machine moves.</summary>
     public bool IsMoving => Moves(Session.Machine);
 
-    /// <summary>Ends when everything that was fed so far is through.</summary>
+    /// <summary>Ends when everything that was entered so far is through.</summary>
     public Task Idle => _feeding;
 
     /// <summary>True while a job runs or anything moves; from any thread.</summary>
     public static bool Moves(MachineSession machine) => machine.IsRunning || machine.Status.State is MachineState.Running or MachineState.Stopping or MachineState.Busy;
 
-    /// <summary>Waits until everything that was fed is through and what follows from the document is computed and delivered.</summary>
+    /// <summary>Waits until everything that was entered is through and what follows from the document is computed and delivered.</summary>
     public async Task SettleAsync()
     {
         await _feeding;
@@ -90,15 +90,15 @@ public sealed class WorkDesk : IAsyncDisposable
     }
 
     /// <summary>Takes one input as typed. While a command is at work it is heard beside it, where the command is one of those; otherwise inputs wait for each other.</summary>
-    public Task<InputResult> FeedAsync(string input)
+    public Task<InputResult> EnterAsync(string input)
     {
-        if (IsBusy && Session.IsBusy) return Watched(Task.Run(() => Session.FeedAsync(input, _closing.Token)));
-        return Enqueue(() => Session.FeedAsync(input, _closing.Token));
+        if (IsBusy && Session.IsBusy) return Watched(Task.Run(() => Session.EnterAsync(input, _closing.Token)));
+        return Enqueue(() => Session.EnterAsync(input, _closing.Token));
     }
 
     /// <summary>Takes pasted lines.</summary>
-    public Task<InputResult> FeedLinesAsync(string lines) =>
-        IsBusy && Session.IsBusy ? Watched(Task.Run(() => Session.FeedLinesAsync(lines, _closing.Token))) : Enqueue(() => Session.FeedLinesAsync(lines, _closing.Token));
+    public Task<InputResult> EnterLinesAsync(string lines) =>
+        IsBusy && Session.IsBusy ? Watched(Task.Run(() => Session.EnterLinesAsync(lines, _closing.Token))) : Enqueue(() => Session.EnterLinesAsync(lines, _closing.Token));
 
     /// <summary>A line of the window itself in the history.</summary>
     public void Tell(MessageKind kind, string text) => Said?.Invoke([new CommandMessage(kind, text)]);
@@ -106,7 +106,7 @@ public sealed class WorkDesk : IAsyncDisposable
     /// <summary>Runs a command with its first answers, as a menu or a switch does: what asks is ended first, unless the command may run inside it.</summary>
     public Task<InputResult> RunAsync(params string[] inputs)
     {
-        if (IsBusy && Session.IsBusy) return FeedAsync(inputs[0]);
+        if (IsBusy && Session.IsBusy) return EnterAsync(inputs[0]);
         return Enqueue(() => RunNowAsync(inputs));
     }
 
@@ -152,7 +152,7 @@ public sealed class WorkDesk : IAsyncDisposable
         InputResult result = new InputResult.Asking();
         for (var at = 0; at < inputs.Length && result is InputResult.Asking; at++)
         {
-            result = at == 0 && inside ? await Session.FeedInsideAsync(inputs[0], _closing.Token).ConfigureAwait(false) : await Session.FeedAsync(inputs[at], _closing.Token).ConfigureAwait(false);
+            result = at == 0 && inside ? await Session.EnterInsideAsync(inputs[0], _closing.Token).ConfigureAwait(false) : await Session.EnterAsync(inputs[at], _closing.Token).ConfigureAwait(false);
         }
 
         if (result is InputResult.NotUnderstood && inputs.Length > 1) await Session.CancelAsync().ConfigureAwait(false);

@@ -37,7 +37,7 @@ public sealed class FileQuestions(WorkDesk desk, Func<IStorageProvider> dialogs)
     private async Task AnswerAsync(string command, IStorageItem? file)
     {
         if (desk.Prompt.Command != command) return;
-        if (file?.TryGetLocalPath() is { } path) await desk.FeedAsync(path);
+        if (file?.TryGetLocalPath() is { } path) await desk.EnterAsync(path);
         else await desk.CancelAsync();
     }
 

@@ -92,7 +92,7 @@ public partial class ShellWindow : Window
     /// <summary>As an answer where objects are asked for, else for the next command.</summary>
     private void SelectAll()
     {
-        if (_desk.Prompt.Options.Any(option => option.Name == "ALL")) _ = _desk.FeedAsync("ALL");
+        if (_desk.Prompt.Options.Any(option => option.Name == "ALL")) _ = _desk.EnterAsync("ALL");
         else if (_desk.Prompt.Command is null) _ = _desk.RunAsync("SELECT", "ALL", "");
     }
 

@@ -31,9 +31,9 @@ internal sealed class ScriptVerb
         session.Said += telling.Say;
         session.Machine.Changed += (_, _) => Follow(session.Machine, stop);
         await using var letGo = stop.Register(() => StopAndLetGo(session.Machine)).ConfigureAwait(false);
-        var result = await session.FeedAsync("SCRIPT", stop).ConfigureAwait(false);
+        var result = await session.EnterAsync("SCRIPT", stop).ConfigureAwait(false);
         stop.ThrowIfCancellationRequested();
-        if (result is InputResult.Asking) result = await session.FeedAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
+        if (result is InputResult.Asking) result = await session.EnterAsync(parsed.GetRequiredValue(_file), stop).ConfigureAwait(false);
         return result switch
         {
             InputResult.Done => telling.SawError ? ExitCode.DrawingError : ExitCode.Done,

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>One finding about a drawing or a setting: permanent id, severity, one sentence that says what, where and what to do.</summary>
+/// <summary>A finding about a drawing or a setting: permanent id, severity, one sentence that says what, where and what to do.</summary>
 public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnlyList<string> Facts)
 {
     public string Id => Rule.Id;
@@ -58,7 +58,7 @@ public enum Severity
     Error,
 }
 
-/// <summary>Where in the drawing a finding stands. <c>default</c> means the drawing as a whole.</summary>
+/// <summary>Where in the drawing a finding is. <c>default</c> means the drawing as a whole.</summary>
 /// <param name="Line">Line of an ASCII DXF (1 is the first), byte offset of a binary one; 0 when there is none.</param>
 /// <param name="Handle">The entity's handle in the DXF's own hexadecimal spelling; null when it has none.</param>
 public readonly record struct SourceRef(long Line, string? Handle = null);

@@ -2,13 +2,13 @@ using System.Text;
 
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>Every rule there is, and the page that documents them: written from the same table the code uses, so it cannot lag behind.</summary>
+/// <summary>All rules, and the page that documents them, written from the same table that the code uses.</summary>
 public static class DiagnosticTable
 {
     public static IReadOnlyList<DiagnosticRule> All { get; } = [.. DocumentRules.All, .. DxfRules.All, .. PreparationRules.All, .. SequencingRules.All, .. MotionRules.All, .. VerificationRules.All];
 
-    /// <summary>docs/diagnostics.md.</summary>
-    /// <param name="fates">What becomes of each entity type, as the reader of drawings says it (DxfReader.TypeFates).</param>
+    /// <summary>The text of docs/diagnostics.md.</summary>
+    /// <param name="fates">What becomes of each entity type, from DxfReader.TypeFates.</param>
     public static string ToMarkdown(IEnumerable<(string Fate, IEnumerable<string> Types)> fates)
     {
         ArgumentNullException.ThrowIfNull(fates);
@@ -25,7 +25,7 @@ public static class DiagnosticTable
         return page.ToString();
     }
 
-    /// <summary>Severity as texts and JSON spell it.</summary>
+    /// <summary>The word for a severity in texts and JSON.</summary>
     public static string SeverityWord(Severity severity) => severity switch
     {
         Severity.Info => "info",

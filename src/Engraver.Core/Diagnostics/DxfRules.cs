@@ -1,6 +1,6 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>Everything the DXF reader can find. Facts of a record's finding are always its type, its place and a detail.</summary>
+/// <summary>The findings of the DXF reader. The facts of a finding about a record are always its type, its position and a detail.</summary>
 public static class DxfRules
 {
     public static readonly DiagnosticRule EmptyFile = new("DXF0001", Severity.Error,
@@ -157,7 +157,7 @@ public static class DxfRules
     public static readonly DiagnosticRule NameDamaged = new("DXF0058", Severity.Error,
         "'{type}' at {place} was left out: the name of this record is damaged, {damage}.", "Repair the name, or export the drawing again.");
 
-    /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: those curves are taken.</summary>
+    /// <summary>Every rule, by id. DXF0013 (curve not read) and DXF0015 (unequal scale) are retired: such curves are read now.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         EmptyFile, NotDxf, UnitsAssumed, DwgFile, Truncated, DamagedRecord, BadValue, MissingValue, RepeatedValue, NoLength, NegativeRadius, TypeNotRead,

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>What is said of a job before it is run, because the drawing cannot be cut as it is seen or would not be cut where it was. Lengths in the sentences are millimetres.</summary>
+/// <summary>Findings before a job is run, when not everything visible is cut or it would be cut in another place. Lengths in the sentences are millimetres.</summary>
 public static class PreparationRules
 {
     public static readonly DiagnosticRule NotCut = new("JOB0001", Severity.Warning,

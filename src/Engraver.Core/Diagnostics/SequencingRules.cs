@@ -1,6 +1,6 @@
 namespace Engraver.Core.Diagnostics;
 
-/// <summary>What sequencing has to say about a drawing. Lengths in the sentences are millimetres.</summary>
+/// <summary>The findings of sequencing. Lengths in the sentences are millimetres.</summary>
 public static class SequencingRules
 {
     public static readonly DiagnosticRule DuplicatesRemoved = new("SEQ0001", Severity.Info,

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Drawings;
 
-/// <summary>The DXF type a curve was written as; an arc in a block stays an Arc here whatever the block's scale makes of it.</summary>
+/// <summary>The DXF type a curve was written as; an arc in a block stays an Arc here, even if the block's scale makes an ellipse of it.</summary>
 public enum CurveType : byte
 {
     Line,
@@ -11,7 +11,7 @@ public enum CurveType : byte
     LwPolyline,
     Polyline,
 
-    /// <summary>A loop of a hatch boundary (this and the following only when the operator has them cut).</summary>
+    /// <summary>A loop of a hatch boundary (this and the following only when the operator chooses to cut them).</summary>
     Hatch,
     MLine,
     Leader,

@@ -17,19 +17,19 @@ public sealed record Drawing(
     DrawingBalance Balance,
     IReadOnlyList<Diagnostic> Diagnostics)
 {
-    /// <summary>The largest coordinate, drawing units: beyond it a square overflows somewhere on the way; nothing that is engraved comes near it.</summary>
+    /// <summary>The largest coordinate, drawing units. A larger one could overflow when squared, and no work piece is nearly that large.</summary>
     public const double LargestCoordinate = 1e100;
 
     /// <summary>Side column of the parts that are ellipses or splines: the exact curves, drawing units.</summary>
     public IReadOnlyList<RationalCurve> Curves { get; init; } = [];
 
-    /// <summary>Every TEXT, MTEXT and ATTRIB with its content and place, blocks expanded (the first million).</summary>
+    /// <summary>Every TEXT, MTEXT and ATTRIB with its content and position, blocks expanded (the first million).</summary>
     public IReadOnlyList<PlacedText> Texts { get; init; } = [];
 
-    /// <summary>What is drawn besides curves and texts and can be seen where its layer can, blocks expanded.</summary>
+    /// <summary>What is drawn besides curves and texts and is visible when its layer is, blocks expanded.</summary>
     public IReadOnlyList<ConstructionCount> Construction { get; init; } = [];
 
-    /// <summary>True when a diagnostic of severity error stands against the drawing (exit code 1; a job does not start without consent).</summary>
+    /// <summary>True when a diagnostic has severity error (exit code 1; a job does not start without consent).</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 
     /// <summary>A drawing from which nothing could be read, with the reason.</summary>
@@ -46,7 +46,7 @@ public sealed record Drawing(
         return new SourceRef(entity.SourceLine, entity.Handle == 0 ? null : entity.Handle.ToString("X", CultureInfo.InvariantCulture));
     }
 
-    /// <summary>The colour of an entity with its layer taken in: an index or a true colour.</summary>
+    /// <summary>The effective colour of an entity, "by layer" resolved: an index or a true colour.</summary>
     public DrawingColour ColourOf(int entityIndex)
     {
         ref var entity = ref Entities[entityIndex];
@@ -72,8 +72,8 @@ public sealed record Drawing(
     }
 }
 
-/// <summary>How often one type of construction other than text stands on one layer, blocks expanded. What is invisible itself or by its insert does not count.</summary>
+/// <summary>Number of one type of construction other than text on one layer, blocks expanded. What is invisible itself or by its insert is not counted.</summary>
 /// <param name="Type">As DXF spells it (HATCH, DIMENSION, POINT).</param>
-/// <param name="Layer">Index into <see cref="Drawing.Layers"/>: the layer that counts.</param>
-/// <param name="First">Where the first one stands in the file, in a block: there.</param>
+/// <param name="Layer">Index into <see cref="Drawing.Layers"/>: the effective layer.</param>
+/// <param name="First">Where the first one is in the file (in a block: the block's entity).</param>
 public readonly record struct ConstructionCount(string Type, int Layer, int Count, SourceRef First);

@@ -1,11 +1,11 @@
 namespace Engraver.Core.Drawings;
 
-/// <summary>The balance sheet of an import: read = cut + construction + refused.</summary>
+/// <summary>The balance of an import: read = cut + construction + refused.</summary>
 /// <param name="EntityCounts">Model-space records as written, by DXF type, any layer.</param>
-/// <param name="Cut">Records from which at least one curve came.</param>
+/// <param name="Cut">Records that gave at least one curve.</param>
 /// <param name="Construction">Text, points, hatches, dimensions and the like.</param>
 /// <param name="Refused">Model-space records that gave no curve though they should have.</param>
-/// <param name="RefusedInBlocks">Trouble inside blocks, listed once per block entity.</param>
+/// <param name="RefusedInBlocks">Refused records inside blocks, listed once per block entity.</param>
 /// <param name="TextCounts">TEXT, MTEXT, ATTRIB ... after expansion.</param>
 /// <param name="Points">POINT entities after expansion.</param>
 public sealed record DrawingBalance(
@@ -17,11 +17,11 @@ public sealed record DrawingBalance(
     IReadOnlyDictionary<string, int> TextCounts,
     int Points)
 {
-    /// <summary>Model-space records as written, by index into <see cref="Drawing.Layers"/> (an INSERT counts on its own layer, what it brings does not).</summary>
+    /// <summary>Model-space records as written, by index into <see cref="Drawing.Layers"/> (an INSERT counts on its own layer, its content does not).</summary>
     public IReadOnlyList<int> RecordsPerLayer { get; init; } = [];
 
     public int Read => EntityCounts.Values.Sum();
 }
 
-/// <summary>An entity whose geometry we could not take: a curve the operator might miss. Every one is listed, none is dropped in silence.</summary>
+/// <summary>An entity whose geometry could not be read: a curve that the operator might miss. Every one is listed.</summary>
 public sealed record RefusedEntity(string Type, string? Handle, long Line, string DiagnosticId, string Reason);

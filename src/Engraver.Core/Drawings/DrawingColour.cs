@@ -39,10 +39,10 @@ public readonly record struct DrawingColour
         _ => ByLayer,
     };
 
-    /// <summary>DXF code 420: 0x00RRGGBB; it stands above code 62.</summary>
+    /// <summary>DXF code 420: 0x00RRGGBB; it has precedence over code 62.</summary>
     public static DrawingColour FromCode420(int value) => new(TrueValue + (value & 0xFFFFFF));
 
-    /// <summary>The colour with by layer and by block replaced by what stands around: by block takes the insert's own colour, by layer that of the layer.</summary>
+    /// <summary>The colour with "by layer" replaced by the layer's colour and "by block" by the insert's.</summary>
     /// <param name="layer">Colour of the layer; never by layer or by block (then index 7).</param>
     /// <param name="insert">Colour of the insert, already resolved; outside blocks index 7.</param>
     public DrawingColour Resolved(DrawingColour layer, DrawingColour insert) => _value switch
@@ -52,6 +52,6 @@ public readonly record struct DrawingColour
         _ => this,
     };
 
-    /// <summary>Itself, or index 7 where it only points elsewhere.</summary>
+    /// <summary>The colour itself, or index 7 for "by layer" and "by block".</summary>
     public DrawingColour OrForeground() => _value is 0 or BlockValue ? Foreground : this;
 }

@@ -2,11 +2,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>Changes to a drawing. Each gives a new drawing and leaves the old one as it is; the balance and the findings of the import stay, because they tell of the file.</summary>
+/// <summary>Changes to a drawing. Each returns a new drawing and leaves the old one unchanged; the balance and the findings of the import stay, because they describe the file.</summary>
 /// <remarks>Entities are named by their index in <see cref="Drawing.Entities"/>; an index given twice counts once.</remarks>
 public static class DrawingEdit
 {
-    /// <summary>The drawing without some entities. Those that stay keep their order and get new indices.</summary>
+    /// <summary>The drawing without some entities. The others keep their order and get new indices.</summary>
     public static Drawing Erase(Drawing drawing, IEnumerable<int> entities)
     {
         var erased = entities.ToHashSet();
@@ -36,7 +36,7 @@ public static class DrawingEdit
         return true;
     }
 
-    /// <summary>Adds a transformed copy of some entities behind the last one, in their order, with handles of their own (after the highest of the drawing).</summary>
+    /// <summary>Adds a transformed copy of some entities after the last one, in their order, with new handles (after the highest of the drawing).</summary>
     /// <returns>False as for <see cref="TryTransform"/>.</returns>
     public static bool TryCopy(Drawing drawing, IEnumerable<int> entities, Transform2D map, out Drawing edited)
     {

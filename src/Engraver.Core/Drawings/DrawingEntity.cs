@@ -1,6 +1,6 @@
 namespace Engraver.Core.Drawings;
 
-/// <summary>A curve of the drawing after every INSERT is expanded: where it came from, and which parts it has.</summary>
+/// <summary>A curve of the drawing after every INSERT is expanded: where it is in the file, and which parts it has.</summary>
 /// <remarks>Its index in <see cref="Drawing.Entities"/> is the EntityIndex that travels with every segment and move to the controller.</remarks>
 public struct DrawingEntity
 {
@@ -15,15 +15,15 @@ public struct DrawingEntity
 
     public int PartCount;
 
-    /// <summary>Index into <see cref="Drawing.Layers"/>: the layer that counts (block content on layer 0 takes the insert's layer).</summary>
+    /// <summary>Index into <see cref="Drawing.Layers"/>: the effective layer (block content on layer 0 takes the insert's layer).</summary>
     public int Layer;
 
-    /// <summary>As written; by block is resolved inside blocks, so that it is left only on an entity that stands in no block.</summary>
+    /// <summary>As written. Inside blocks "by block" is resolved, so that only an entity outside blocks can still have it.</summary>
     public DrawingColour Colour;
 
     public CurveType Type;
 
-    /// <summary>True when the entity is invisible itself (code 60) or by the insert that brought it (frozen or off layer of the insert).</summary>
+    /// <summary>True when the entity is invisible itself (code 60) or by its insert (invisible, or on a frozen or switched-off layer).</summary>
     public bool Hidden;
 
     /// <summary>A closed polyline, a circle.</summary>

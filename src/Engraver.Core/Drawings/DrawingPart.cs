@@ -19,10 +19,10 @@ public struct DrawingPart
 
     public SegmentKind Kind;
 
-    /// <summary>True for an ellipse or spline, whose geometry stands in <see cref="Drawing.Curves"/>.</summary>
+    /// <summary>True for an ellipse or spline, whose geometry is in <see cref="Drawing.Curves"/>.</summary>
     public readonly bool IsFreeCurve => Kind is SegmentKind.Ellipse or SegmentKind.Spline;
 
-    /// <summary>Where an ellipse or spline stands in <see cref="Drawing.Curves"/>.</summary>
+    /// <summary>Index of an ellipse or spline in <see cref="Drawing.Curves"/>.</summary>
     public readonly int CurveIndex => (int)A;
 
     /// <summary>Length along a line, arc or circle in space, drawing units (for every part: <see cref="Drawing.SpaceLengthOf"/>).</summary>
@@ -46,7 +46,7 @@ public struct DrawingPart
         F = arc.Sweep.Degrees,
     };
 
-    /// <summary>An ellipse or spline that stands in the column of curves.</summary>
+    /// <summary>An ellipse or spline in the column of curves.</summary>
     public static DrawingPart FreeCurve(int entity, SegmentKind kind, int curveIndex) => new() { Kind = kind, Entity = entity, A = curveIndex };
 
     /// <summary>A line, arc or circle in plan (z dropped), drawing units (for every part: <see cref="Drawing.SegmentOf"/>).</summary>
@@ -54,7 +54,7 @@ public struct DrawingPart
         ? Segment.FromLine(new Point2D(A, B), new Point2D(D, E))
         : Segment.FromArc(new ArcSegment(new Point2D(A, B), D, Angle.FromDegrees(E), Angle.FromDegrees(F)));
 
-    /// <summary>A line, arc or circle seen through a similarity of the plan; heights scale with it, so it keeps its slope. (Ellipses and splines stand in their own column.)</summary>
+    /// <summary>A line, arc or circle under a similarity of the plane; heights are scaled with it, so it keeps its slope. (Ellipses and splines are in their own column.)</summary>
     public readonly DrawingPart Transformed(Transform2D map)
     {
         if (Kind != SegmentKind.Line) return Arc(Entity, map.Apply(InPlan().Arc), C * map.Scale);

@@ -6,7 +6,7 @@ namespace Engraver.Core.Drawings;
 /// <param name="Leaf">Curves after expansion by the type they were written as; types that do not occur are missing. A curve without length counts.</param>
 /// <param name="Primitives">Lines, arcs and so on, parts of polylines included.</param>
 /// <param name="Length">Lengths by kind; a whole-turn ARC counts as arc, whatever a block's scale makes of a curve.</param>
-/// <param name="Bounds">Tight box in plan (true extremes of every curve), null when no curve has an extent.</param>
+/// <param name="Bounds">Smallest box in plan (true extremes of every curve); null when no curve has an extent.</param>
 public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, PrimitiveCounts Primitives, CurveLengths Length, Bounds2D? Bounds)
 {
     public static DrawingSummary From(Drawing drawing)
@@ -47,7 +47,7 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
             }
         }
 
-        /// <summary>A quick path for lines, of which most drawings consist.</summary>
+        /// <summary>A fast method for lines, of which most drawings consist.</summary>
         private void AddLine(in DrawingPart line, ref double length)
         {
             var (x, y, z) = (line.D - line.A, line.E - line.B, line.F - line.C);
@@ -71,7 +71,7 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
                 Length(CurveType.Line), Length(CurveType.Arc), Length(CurveType.Circle), Length(CurveType.Ellipse), Length(CurveType.Spline), _planLength),
             _bounds.IsEmpty ? null : _bounds);
 
-        /// <summary>What a part of a polyline or an outline counts as. An arc of a polyline stays one, also where a block's scale has made an ellipse of it.</summary>
+        /// <summary>The type that a part of a polyline or an outline counts as. An arc of a polyline stays an arc, even if a block's scale has made an ellipse of it.</summary>
         private static CurveType TypeOf(SegmentKind kind, CurveType whole) => kind switch
         {
             SegmentKind.Line => CurveType.Line,
@@ -87,12 +87,12 @@ public sealed record DrawingSummary(IReadOnlyDictionary<CurveType, int> Leaf, Pr
 }
 
 /// <summary>Lengths by kind, along the curves in space, drawing units. The straight parts of polylines count as lines, their bulge parts as arcs.</summary>
-/// <param name="PlanTotal">All curves as seen from above.</param>
+/// <param name="PlanTotal">All curves, in plan.</param>
 public sealed record CurveLengths(double Line, double Arc, double Circle, double Ellipse, double Spline, double PlanTotal)
 {
     public double Total => Line + Arc + Circle + Ellipse + Spline;
 }
 
-/// <summary>What the curves consist of: polylines taken apart into lines and arcs, and counted themselves.</summary>
-/// <param name="Point">POINT entities; they are no curves.</param>
+/// <summary>Numbers of curves: the lines and arcs of polylines are counted, and the polylines themselves.</summary>
+/// <param name="Point">POINT entities, which are not curves.</param>
 public sealed record PrimitiveCounts(int Line, int Arc, int Circle, int Ellipse, int Spline, int Polyline, int Point);

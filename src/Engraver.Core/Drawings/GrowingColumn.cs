@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>A column of values that grows in chunks: appending never copies what is there, so a million rows cost their own size and no more.</summary>
+/// <summary>A column of values that grows in chunks: appending never copies existing values, so a million rows take only their own size.</summary>
 public sealed class GrowingColumn<T>
     where T : struct
 {
@@ -34,7 +34,7 @@ public sealed class GrowingColumn<T>
         return Count++;
     }
 
-    /// <summary>A column with some rows changed and others added; this one stays as it is. Chunks that nobody touches are shared, so a small edit of a large drawing is cheap.</summary>
+    /// <summary>A column with some rows changed and others added; this one stays as it is. Unchanged chunks are shared, so a small edit of a large drawing is cheap.</summary>
     public GrowingColumn<T> With(IEnumerable<(int Index, T Value)> changes, IEnumerable<T> added)
     {
         ArgumentNullException.ThrowIfNull(changes);

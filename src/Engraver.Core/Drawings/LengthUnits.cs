@@ -25,7 +25,7 @@ public static class LengthUnits
 }
 
 /// <summary>The length unit of a drawing.</summary>
-/// <param name="Code">$INSUNITS, 1 to 24; 0 when none is given.</param>
+/// <param name="Code">$INSUNITS, 1 to 24; 0 when the file has none.</param>
 /// <param name="Name">Short name ("mm", "in").</param>
 /// <param name="Source">Where the unit comes from: "INSUNITS", "assumed" or "option".</param>
 /// <param name="ToMillimetres">Factor from drawing units to millimetres.</param>

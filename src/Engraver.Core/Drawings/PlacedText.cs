@@ -2,13 +2,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Drawings;
 
-/// <summary>A text of the drawing, decoded and placed, drawing units: what a single-line font needs to engrave it. It is no curve yet.</summary>
+/// <summary>A text of the drawing, decoded and placed, in drawing units: everything that is needed to engrave it with a single-line font. It is not a curve yet.</summary>
 public sealed record PlacedText
 {
     /// <summary>TEXT, MTEXT or ATTRIB.</summary>
     public required string Type { get; init; }
 
-    /// <summary>What is to be read: codes resolved, formatting left out, lines parted by LF.</summary>
+    /// <summary>The text as people read it: codes resolved, formatting left out, lines separated by LF.</summary>
     public required string Content { get; init; }
 
     /// <summary>The reference point of the alignment.</summary>
@@ -22,19 +22,19 @@ public sealed record PlacedText
 
     public required Angle Rotation { get; init; }
 
-    /// <summary>Width of the letters against those of the font.</summary>
+    /// <summary>Width of the letters as a multiple of the font's.</summary>
     public double WidthFactor { get; init; } = 1.0;
 
-    /// <summary>Lean of the letters, clockwise positive.</summary>
+    /// <summary>Slant of the letters, clockwise positive.</summary>
     public Angle Oblique { get; init; }
 
-    /// <summary>True when the letters read from the back (a mirrored block, a negative extrusion).</summary>
+    /// <summary>True when the letters are mirrored (a mirrored block, a negative extrusion).</summary>
     public bool Mirrored { get; init; }
 
     /// <summary>Width of the frame in which an MTEXT wraps; 0 when it does not.</summary>
     public double FrameWidth { get; init; }
 
-    /// <summary>Factor on the usual line distance of an MTEXT.</summary>
+    /// <summary>Line distance of an MTEXT as a multiple of the usual.</summary>
     public double LineSpacing { get; init; } = 1.0;
 
     public TextColumnAlignment Column { get; init; }
@@ -53,11 +53,11 @@ public sealed record PlacedText
 
     public long SourceLine { get; init; }
 
-    /// <summary>Invisible itself or by the insert that brought it.</summary>
+    /// <summary>Invisible itself, or because its insert is.</summary>
     public bool Hidden { get; init; }
 }
 
-/// <summary>Where the reference point of a text lies along its line (group 72 of TEXT).</summary>
+/// <summary>Position of the reference point along the text's line (group 72 of TEXT).</summary>
 public enum TextColumnAlignment
 {
     Left,
@@ -74,7 +74,7 @@ public enum TextColumnAlignment
     Fit,
 }
 
-/// <summary>Where the reference point of a text lies across its line (group 73 of TEXT).</summary>
+/// <summary>Position of the reference point across the text's line (group 73 of TEXT).</summary>
 public enum TextRowAlignment
 {
     Baseline,

@@ -17,7 +17,7 @@ internal sealed class BalanceSheet(ImportLog log)
     private int _cut;
     private int _construction;
 
-    /// <summary>How many records were not refused.</summary>
+    /// <summary>Number of records that were not refused.</summary>
     public int Taken => _cut + _construction;
 
     public void AddCut(EntityRecord record)
@@ -32,18 +32,18 @@ internal sealed class BalanceSheet(ImportLog log)
         _construction++;
     }
 
-    public void AddRefused(EntityRecord record, in RecordIssue trouble)
+    public void AddRefused(EntityRecord record, in RecordIssue issue)
     {
         AddRecord(record);
-        _refused.Add(log.Refusal(trouble));
-        log.Add(trouble);
+        _refused.Add(log.Refusal(issue));
+        log.Add(issue);
     }
 
     /// <summary>A finding inside a block: listed among the refusals only when the entity was left out.</summary>
-    public void AddInBlock(in RecordIssue trouble)
+    public void AddInBlock(in RecordIssue issue)
     {
-        if (trouble.Refused) _refusedInBlocks.Add(log.Refusal(trouble));
-        log.Add(trouble);
+        if (issue.Refused) _refusedInBlocks.Add(log.Refusal(issue));
+        log.Add(issue);
     }
 
     public void AddAnnotation(string type, long count) => _annotations[type] = BlockWeight.Sum(_annotations.GetValueOrDefault(type), count);
@@ -63,7 +63,7 @@ internal sealed class BalanceSheet(ImportLog log)
 
     private static int Count(long count) => (int)Math.Min(count, int.MaxValue);
 
-    /// <summary>Records of one type follow one another, so they are counted before the type is looked up.</summary>
+    /// <summary>Counts a record. Records of one type follow one another, so equal types are counted before the type is looked up.</summary>
     private void AddRecord(EntityRecord record)
     {
         if (!ReferenceEquals(record.Type, _runType)) EndRun(record.Type);

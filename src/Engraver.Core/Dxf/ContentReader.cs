@@ -16,7 +16,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
     private readonly CurveMapper _mapper = new();
     private readonly List<PlacedText> _attributes = [];
 
-    /// <summary>Reads the next record and its parts. The caller has made sure that it is no end of block, section or file.</summary>
+    /// <summary>Reads the next record and its parts. The caller has made sure that it is not the end of a block, section or file.</summary>
     public void ReadEntity(IContentTarget target)
     {
         records.Read(_record);
@@ -30,7 +30,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         else AddOther(target);
     }
 
-    /// <summary>Maps the record when it is one of the curves; false when it is not.</summary>
+    /// <summary>Maps the record when its type is a curve; false when it is not.</summary>
     private bool DrawsCurve()
     {
         switch (_record.Kind)
@@ -127,7 +127,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         else _mapper.NoteMissingEnd(_record);
     }
 
-    /// <summary>The attributes of an INSERT are texts of that copy, counted but not entities of their own.</summary>
+    /// <summary>The attributes of an INSERT are texts of that copy: counted, but not entities of their own.</summary>
     private int ReadAttributes()
     {
         var count = 0;

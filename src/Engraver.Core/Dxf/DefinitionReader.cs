@@ -10,18 +10,18 @@ namespace Engraver.Core.Dxf;
 internal sealed class DefinitionReader(
     RecordReader records, ContentReader content, StyleTable styles, LayerTable layers, Dictionary<int, BlockDefinition> blocks, CurveColumns curves, BalanceSheet balance, ImportLog log)
 {
-    /// <summary>The block is an external reference or laid over as one: its drawing is another file.</summary>
+    /// <summary>Flags of an external reference (4) or an overlaid one (8): its drawing is another file.</summary>
     private const int ExternalFlags = 4 | 8;
 
     private readonly EntityRecord _record = new();
 
-    /// <summary>The block that its section's end has cut off before ENDBLK; null when there is none.</summary>
+    /// <summary>The block whose section ended before its ENDBLK; null when there is none.</summary>
     public BlockContent? Unfinished { get; private set; }
 
-    /// <summary>Where the blocks that are model space begin, as far as they hold anything: some programs write the drawing there and not in ENTITIES.</summary>
+    /// <summary>Where the blocks of model space begin, if they are not empty: some programs write the drawing there and not in ENTITIES.</summary>
     public List<(int Position, int Line)> ModelSpaceBlocks { get; } = [];
 
-    /// <summary>Takes a definition; every other record is passed over, and told of when it does not belong into the section.</summary>
+    /// <summary>Reads a definition; any other record is skipped, and reported when it does not belong into the section.</summary>
     /// <param name="section">HEADER, TABLES, BLOCKS, or "" outside of every section.</param>
     public void Take(string section)
     {
@@ -42,7 +42,7 @@ internal sealed class DefinitionReader(
         records.Skip();
     }
 
-    /// <summary>No record that follows belongs to a block that has not ended.</summary>
+    /// <summary>Forgets the unfinished block: no record that follows belongs to it.</summary>
     public void Finish() => Unfinished = null;
 
     private void TakeTableEntry()
@@ -72,7 +72,7 @@ internal sealed class DefinitionReader(
         Define(block);
     }
 
-    /// <summary>R13 and later, and R12 as later releases write it.</summary>
+    /// <summary>True for the block of model space, as R13 and later name it, and R12 when written by later releases.</summary>
     private static bool IsModelSpace(string block) => block.Equals("*MODEL_SPACE", StringComparison.OrdinalIgnoreCase) || block.Equals("$MODEL_SPACE", StringComparison.OrdinalIgnoreCase);
 
     private void PassModelSpace((int Position, int Line) start)
@@ -85,7 +85,7 @@ internal sealed class DefinitionReader(
 
     private bool EndsBlock() => records.Next is RecordKind.Block or RecordKind.BlockEnd or RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;
 
-    /// <summary>An external reference without content is not in the file, so that its inserts are refused instead of drawing nothing.</summary>
+    /// <summary>Adds a block. An external reference without content is not added, because its drawing is in another file: its inserts are then refused instead of drawing nothing.</summary>
     private void Define(BlockDefinition block)
     {
         if (_record.Fault is { } fault) balance.AddInBlock(fault);

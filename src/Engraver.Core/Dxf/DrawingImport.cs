@@ -9,7 +9,7 @@ using Engraver.Core.Dxf.Text;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>One file on its way into a <see cref="Drawing"/>: walks the sections and holds what they share.</summary>
+/// <summary>Reads one file into a <see cref="Drawing"/>: goes through the sections and holds what they share.</summary>
 internal sealed class DrawingImport
 {
     private readonly DxfTagSource _tags;
@@ -53,7 +53,7 @@ internal sealed class DrawingImport
         _modelSpace = new ModelSpaceContent(_curves, expander, _texts, _construction, _balance, _log);
     }
 
-    /// <summary>Reads everything; false when not one section was found, so that the file is no DXF.</summary>
+    /// <summary>Reads all sections; false when there is none, so that the file is not a DXF.</summary>
     public bool ReadSections()
     {
         while (_records.Next != RecordKind.FileEnd)
@@ -131,7 +131,7 @@ internal sealed class DrawingImport
         else if (!_records.Truncated) _log.Add(DxfRules.SectionWithoutEnd, _records.NextLine, name, _log.Place(_records.NextLine));
     }
 
-    /// <summary>Inserts need their blocks and the switches of their layers. In the rare file that has them behind its entities, those wait for a second pass.</summary>
+    /// <summary>True when blocks or tables come after these entities (rare). Inserts need their blocks and the state of their layers, so the entities then wait for a second pass.</summary>
     private bool IsAheadOfItsBlocks()
     {
         if (_readBlocks && _readTables) return false; // the usual order; no need to search the whole file
@@ -142,7 +142,7 @@ internal sealed class DrawingImport
 
     private bool AtSectionEnd() => _records.Next is RecordKind.SectionEnd or RecordKind.Section or RecordKind.FileEnd;
 
-    /// <summary>Sections of other programs and those that hold nothing to cut. Damage in them is told, and so is what can only be part of a drawing.</summary>
+    /// <summary>Skips a section of another program, or one that holds nothing to cut. Damage in it is reported, and so are records that can only be part of a drawing.</summary>
     private void PassSection(string name, int damages)
     {
         var (count, first) = (0, 0);
@@ -175,8 +175,8 @@ internal sealed class DrawingImport
     }
 
     /// <summary>
-    /// Records behind an ENDSEC too many, or in front of the first SECTION. Definitions are taken; entities go on with the block that the ENDSEC has cut off, otherwise they are the
-    /// drawing's. The operator is told.
+    /// Records after a superfluous ENDSEC, or before the first SECTION. Definitions are taken; entities continue the block that the ENDSEC interrupted, and otherwise belong to
+    /// the drawing. The operator is told.
     /// </summary>
     private void ReadLoose()
     {
@@ -202,7 +202,7 @@ internal sealed class DrawingImport
         while (!AtSectionEnd()) _content.ReadEntity(_modelSpace);
     }
 
-    /// <summary>What stands in the block that is model space. It comes last, for its inserts need the blocks behind it.</summary>
+    /// <summary>Reads the content of the block that is model space, last, because its inserts need the blocks after it.</summary>
     private void ReadModelSpaceBlock()
     {
         _records.PassOver();
@@ -224,12 +224,12 @@ internal sealed class DrawingImport
 }
 
 /// <summary>
-/// What follows the place where reading a binary file stopped. AutoCAD's vertical products (Map, Civil) have objects of their own whose values are not as long as their group codes say,
-/// so that nothing behind such a value can be found again; AutoCAD reads it, for it calls the object's own code.
+/// What follows the place where reading a binary file stopped. AutoCAD's vertical products (Map, Civil) write objects whose values are not as long as their group codes say,
+/// so that nothing after such a value can be found again; AutoCAD can, because it calls the object's own code.
 /// </summary>
 internal static class UnreadRest
 {
-    /// <summary>True when damage stopped the reading of a file that is whole (EOF stands in it) and all its sections of entities and definitions lie ahead of the damage.</summary>
+    /// <summary>True when the file is complete (EOF is in it) and all its sections of entities and definitions come before the damage that stopped the reading.</summary>
     public static bool IsHarmless(DxfTagSource tags)
     {
         if (!tags.IsBinary || tags.DamageCount == 0 || tags.LastWord("EOF"u8) < tags.DamageLine) return false;

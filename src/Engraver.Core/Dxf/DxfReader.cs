@@ -10,18 +10,18 @@ namespace Engraver.Core.Dxf;
 /// <summary>Reads a DXF of any version, ASCII or binary.</summary>
 public static class DxfReader
 {
-    /// <summary>The entity types that are known, with what becomes of each: for the page of diagnostics.</summary>
+    /// <summary>The entity types that are known, by what becomes of them; docs/diagnostics.md lists them.</summary>
     public static IEnumerable<(string Fate, IEnumerable<string> Types)> TypeFates => RecordKinds.Fates();
 
     private const int ShownStart = 24;
     private static readonly SearchValues<byte> VersionBytes = SearchValues.Create("0123456789."u8);
 
     /// <summary>
-    /// Every curve of model space, blocks expanded, in drawing units. Total: whatever the bytes are, a drawing comes back; what could not be read is in its
-    /// balance and its diagnostics, each with type, handle and line. A bad entity costs that entity and no other.
+    /// Every curve of model space, blocks expanded, in drawing units. Whatever the bytes are, it returns a drawing; what could not be read is in its
+    /// balance and its diagnostics, each with type, handle and line. A bad entity is left out alone, without any other.
     /// </summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="fileName">Name to show; nothing is opened.</param>
+    /// <param name="fileName">Name for messages; no file is opened.</param>
     /// <param name="options">What the operator decided.</param>
     /// <param name="cancellation">Ends reading with an <see cref="OperationCanceledException"/>.</param>
     public static Drawing Read(ReadOnlyMemory<byte> file, string fileName, DxfReadOptions options, CancellationToken cancellation)
@@ -44,7 +44,7 @@ public static class DxfReader
         return new AsciiTagSource(narrowed is null ? file : narrowed) { IsUtf8 = narrowed is not null || file.Span.StartsWith("\uFEFF"u8) };
     }
 
-    /// <summary>A DWG opens with AC and four digits or dots (the first releases: MC0.0), then binary; in a DXF a version never stands in the first line.</summary>
+    /// <summary>True for a DWG, which begins with AC and four digits or dots (the first releases: MC0.0), then binary; in a DXF no version is in the first line.</summary>
     private static bool IsDwg(ReadOnlySpan<byte> bytes) =>
         bytes.Length > 6 && ((bytes.StartsWith("AC"u8) && bytes[2..6].IndexOfAnyExcept(VersionBytes) < 0) || bytes.StartsWith("MC0.0\0"u8));
 
@@ -60,13 +60,13 @@ public static class DxfReader
 }
 
 /// <summary>What the operator decides before a drawing is read.</summary>
-/// <param name="UnitOverride">The unit to use whatever the file says (its <see cref="LengthUnit.Source"/> is "option"); null takes the file's word.</param>
-/// <param name="MaxExpandedCurves">How many curves and nested inserts the expansion of blocks may visit in one drawing; an INSERT beyond that is refused by name.</param>
-/// <param name="Cut">Construction that counts as curves.</param>
+/// <param name="UnitOverride">The unit to use instead of the file's (its <see cref="LengthUnit.Source"/> is "option"); null uses the file's.</param>
+/// <param name="MaxExpandedCurves">Most curves and nested inserts that the expansion of blocks may visit in one drawing; an INSERT beyond that is refused by name.</param>
+/// <param name="Cut">Construction that is cut like curves.</param>
 public sealed record DxfReadOptions(LengthUnit? UnitOverride = null, int MaxExpandedCurves = 10_000_000, CutChoice Cut = CutChoice.None)
 {
     public static DxfReadOptions Default { get; } = new();
 
-    /// <summary>Is told how much of the file has been read, 0 to 1, about a hundred times; on the reading thread. Null: nobody.</summary>
+    /// <summary>Receives the part of the file that has been read, 0 to 1, about a hundred times, on the reading thread; null for none.</summary>
     public IProgress<double>? Progress { get; init; }
 }

@@ -8,7 +8,7 @@ namespace Engraver.Core.Dxf;
 /// <summary>Where the records of a BLOCK or of model space go.</summary>
 internal interface IContentTarget
 {
-    /// <summary>False for records that are no concern of the target (paper space).</summary>
+    /// <summary>False for records that the target ignores (paper space).</summary>
     bool Takes(EntityRecord record);
 
     void AddCurve(EntityRecord record, CurveShape shape);
@@ -18,15 +18,15 @@ internal interface IContentTarget
 
     void AddInsert(EntityRecord record, in BlockInsert insert, int attributes);
 
-    /// <summary>A text, point, dimension ...: drawn, not cut.</summary>
+    /// <summary>A text, point, dimension and the like: drawn, not cut.</summary>
     void AddConstruction(EntityRecord record);
 
-    /// <summary>The content of a text that has been counted already.</summary>
+    /// <summary>The content of a text that has already been counted.</summary>
     void AddText(PlacedText text);
 
-    /// <summary>What is odd about a record though it was taken.</summary>
+    /// <summary>A finding about a record that was taken.</summary>
     void Note(in RecordIssue oddity);
 
-    /// <summary>A record that gives no curve though it should have.</summary>
-    void Refuse(EntityRecord record, in RecordIssue trouble);
+    /// <summary>A record that should have given a curve and did not.</summary>
+    void Refuse(EntityRecord record, in RecordIssue issue);
 }

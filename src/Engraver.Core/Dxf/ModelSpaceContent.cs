@@ -6,7 +6,7 @@ using Engraver.Core.Dxf.Text;
 
 namespace Engraver.Core.Dxf;
 
-/// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded where they stand.</summary>
+/// <summary>Takes the records of model space: curves go straight into the drawing's columns, inserts are expanded in their order.</summary>
 internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expander, TextExpander texts, ConstructionTally construction, BalanceSheet balance, ImportLog log) : IContentTarget
 {
     public bool Takes(EntityRecord record) => !record.InPaperSpace;
@@ -36,11 +36,11 @@ internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expa
     {
         if (attributes > 0) balance.AddAnnotation("ATTRIB", attributes);
         var before = columns.Count;
-        var trouble = expander.Expand(insert);
+        var issue = expander.Expand(insert);
         texts.Expand(insert);
         construction.Expand(insert);
         if (columns.Count > before) balance.AddCut(record);
-        else if (trouble is { } reason) balance.AddRefused(record, reason);
+        else if (issue is { } reason) balance.AddRefused(record, reason);
         else balance.AddConstruction(record);
     }
 
@@ -51,5 +51,5 @@ internal sealed class ModelSpaceContent(CurveColumns columns, BlockExpander expa
         if (record.Kind is RecordKind.Text or RecordKind.Point or RecordKind.Attribute) balance.AddAnnotation(record.Type, 1);
     }
 
-    public void Refuse(EntityRecord record, in RecordIssue trouble) => balance.AddRefused(record, trouble);
+    public void Refuse(EntityRecord record, in RecordIssue issue) => balance.AddRefused(record, issue);
 }

@@ -1,4 +1,4 @@
 namespace Engraver.Core.Dxf;
 
-/// <summary>Bytes of a text value to text, in the encoding of the file.</summary>
+/// <summary>Decodes the bytes of a text value in the encoding of the file.</summary>
 internal delegate string TextDecoding(ReadOnlySpan<byte> bytes);

@@ -3,13 +3,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>How far the curves that are cut reach, in plan and in height; millimetres.</summary>
-/// <param name="Bounds">In plan, tight; empty when no curve is cut.</param>
+/// <summary>Extent of the curves that are cut, in plan and in height; millimetres.</summary>
+/// <param name="Bounds">Smallest box in plan; empty when no curve is cut.</param>
 /// <param name="Low">The lowest height.</param>
 /// <param name="High">The highest.</param>
-/// <param name="Levels">Heights that the tolerance tells apart; 0 when no curve is cut.</param>
-/// <param name="Slanted">The curves that are not at one height.</param>
-/// <param name="Tolerance">Heights that differ by no more are one.</param>
+/// <param name="Levels">Number of different heights, as the tolerance distinguishes them; 0 when no curve is cut.</param>
+/// <param name="Slanted">The curves that rise or fall.</param>
+/// <param name="Tolerance">Heights that differ by no more are equal.</param>
 internal sealed record CutExtent(Bounds2D Bounds, double Low, double High, int Levels, CutExtent.Slant Slanted, double Tolerance)
 {
     public static CutExtent From(Drawing drawing, LayerSelection selection, double tolerance)
@@ -76,7 +76,7 @@ internal sealed record CutExtent(Bounds2D Bounds, double Low, double High, int L
             _bounds = _bounds.Union(Bounds2D.FromCorners(new Point2D(box.MinX * _scale, box.MinY * _scale), new Point2D(box.MaxX * _scale, box.MaxY * _scale)));
         }
 
-        /// <summary>Lowest and highest; of a curve that of its control points, which hold it.</summary>
+        /// <summary>Lowest and highest height; of a curve those of its control points, which enclose it.</summary>
         private (double, double) HeightsOf(in DrawingPart part)
         {
             if (!part.IsFreeCurve) return part.Kind == SegmentKind.Line ? (part.C * _scale, part.F * _scale) : (part.C * _scale, part.C * _scale);

@@ -5,18 +5,18 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>What has to be said of a drawing before it is cut: what is seen and not cut, heights that no flat machine has, a size or a place that no machine reaches.</summary>
+/// <summary>Findings about a drawing before it is cut: visible content that is not cut, heights that a flat machine does not have, a size or position that no machine reaches.</summary>
 public static class CutFindings
 {
-    /// <summary>Larger than this in either direction is no work piece of an engraver, mm: the largest flat-bed machines on the market have about this. A profile says nothing of its machine's table yet.</summary>
+    /// <summary>Largest size in either direction, mm; about that of the largest flat-bed machines on the market. A profile does not hold the size of its machine's table yet.</summary>
     public const double LargestMm = 10_000.0;
 
-    /// <summary>Farther from the tool's start than this no machine goes, mm: the diagonal of the largest, and room.</summary>
+    /// <summary>Largest distance from the tool's start, mm: the diagonal of the largest machine, with some room.</summary>
     public const double FarthestMm = 20_000.0;
 
     /// <param name="selection">The layers that are cut.</param>
-    /// <param name="toolStart">The drawing point where the tool stands, mm.</param>
-    /// <param name="joinTolerance">As sequencing has it: it also says which heights are one.</param>
+    /// <param name="toolStart">The drawing point at which the tool is, mm.</param>
+    /// <param name="joinTolerance">As for sequencing; heights that differ by less are equal.</param>
     public static IReadOnlyList<Diagnostic> Find(Drawing drawing, LayerSelection selection, Point2D toolStart, double joinTolerance)
     {
         ArgumentNullException.ThrowIfNull(drawing);
@@ -48,7 +48,7 @@ public static class CutFindings
         findings.Add(PreparationRules.TooLarge.At(default, Number(bounds.Width), Number(bounds.Height), Number(distance), Number(LargestMm), Number(FarthestMm), Guess(drawing.Unit, bounds)));
     }
 
-    /// <summary>What such numbers usually mean.</summary>
+    /// <summary>What drawings with such numbers usually mean.</summary>
     private static string Guess(LengthUnit unit, Bounds2D bounds)
     {
         var size = Math.Max(bounds.Width, bounds.Height);

@@ -1,7 +1,7 @@
 namespace Engraver.Core.EntityTables;
 
-/// <summary>At which height (z, millimetres) each segment of a table begins and ends: slots 3 and 6. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
-/// <remarks>Heights that differ by no more than the tolerance are one level, so that the noise of real drawings (1e-10) parts nothing. A drawing at one level, whatever its height, is flat.</remarks>
+/// <summary>The height (z, millimetres) at which each segment of a table begins and ends: slots 3 and 6. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
+/// <remarks>Heights that differ by no more than the tolerance are one level, so that the noise of real drawings (1e-10) separates nothing. A drawing at one level, at any height, is flat.</remarks>
 public sealed class EndHeights
 {
     private readonly double[] _heights;
@@ -12,10 +12,10 @@ public sealed class EndHeights
     /// <summary>Everything at one height.</summary>
     public static EndHeights Flat { get; } = new([], []);
 
-    /// <summary>True when height tells no two ends apart.</summary>
+    /// <summary>True when all ends are at one level.</summary>
     public bool AreFlat => _levels.Length == 0;
 
-    /// <summary>Heights nearer to each other than this are the same, mm: the join tolerance, but no less than 0.01 mm, for a tolerance of 0 is meant for the plan.</summary>
+    /// <summary>Heights nearer to each other than this are equal, mm: the join tolerance, but at least 0.01 mm, because a tolerance of 0 is meant for the plan.</summary>
     public static double ToleranceFor(double joinTolerance) => Math.Max(joinTolerance, 0.01);
 
     /// <summary>The heights of a table's rows.</summary>
@@ -33,13 +33,13 @@ public sealed class EndHeights
         return high - low > ToleranceFor(joinTolerance) ? Sorted(table, ToleranceFor(joinTolerance)) : Flat;
     }
 
-    /// <summary>Counted from the lowest, 0.</summary>
+    /// <summary>Level of an end, counted from the lowest, 0.</summary>
     public int LevelOf(int end) => AreFlat ? 0 : _levels[end];
 
-    /// <summary>Millimetres; 0 in a flat drawing.</summary>
+    /// <summary>Height of an end, millimetres; 0 in a flat drawing.</summary>
     public double HeightOf(int end) => AreFlat ? 0.0 : _heights[end];
 
-    /// <summary>How many levels there are among heights in ascending order: one more wherever the next is higher by more than the tolerance.</summary>
+    /// <summary>Number of levels among heights in ascending order: a new one begins wherever the next is higher by more than the tolerance.</summary>
     internal static int Levels(ReadOnlySpan<double> ascending, double tolerance)
     {
         var levels = ascending.Length == 0 ? 0 : 1;

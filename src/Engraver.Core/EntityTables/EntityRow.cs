@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>Readonly view of one row: one directed segment in millimetres. Valid as long as its table.</summary>
+/// <summary>Read-only view of one row: a directed segment in millimetres. Valid as long as its table.</summary>
 public readonly ref struct EntityRow
 {
     internal EntityRow(ReadOnlySpan<double> slots, int entityIndex, RationalCurve? curve)
@@ -12,7 +12,7 @@ public readonly ref struct EntityRow
         Curve = curve;
     }
 
-    /// <summary>The 16 slots as they stand, see <see cref="EntitySlot"/>.</summary>
+    /// <summary>The 16 slots, see <see cref="EntitySlot"/>.</summary>
     public ReadOnlySpan<double> Slots { get; }
 
     /// <summary>The drawing entity the row came from.</summary>

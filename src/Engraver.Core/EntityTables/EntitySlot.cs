@@ -1,9 +1,9 @@
 namespace Engraver.Core.EntityTables;
 
-/// <summary>The 16 places of a row (paper 001, Table 2; the reading of slots 13 to 15 is in paper-001-readings.md).</summary>
+/// <summary>The 16 slots of a row (paper 001, Table 2; the reading of slots 13 to 15 is in paper-001-readings.md).</summary>
 public static class EntitySlot
 {
-    /// <summary>Places in a row.</summary>
+    /// <summary>Number of slots in a row.</summary>
     public const int Count = 16;
 
     /// <summary>Property mark: 1 line, 2 circle, 3 arc; beyond the paper 4 ellipse or elliptical arc, 5 spline, with slots 1 to 6 only and the curve in a side column.</summary>

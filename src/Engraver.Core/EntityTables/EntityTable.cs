@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>The paper's fixed-slot table: any number of rows of 16 doubles in millimetres, one row per directed segment. Immutable outside this folder's stages.</summary>
-/// <remarks>Paper 001 prints an array of 100 x 20; the reading is 16 slots and no limit. Rows live in chunks, 128 bytes each plus 4 for the entity index; ellipses and splines (kinds 4 and 5) stand in a side column.</remarks>
+/// <summary>The paper's table with fixed slots: any number of rows of 16 doubles in millimetres, one row per directed segment. Immutable outside this folder's stages.</summary>
+/// <remarks>Paper 001 prints an array of 100 x 20; we read it as 16 slots without a limit of rows. Rows are stored in chunks, 128 bytes each plus 4 for the entity index; ellipses and splines (kinds 4 and 5) in a side column.</remarks>
 public sealed class EntityTable
 {
     private readonly GrowingColumn<EntitySlots> _slots = new();
@@ -21,7 +21,7 @@ public sealed class EntityTable
 
     public EntityRow this[int row] => new(_slots[row], _entities[row], CurveOf(row));
 
-    /// <summary>The drawing entity of a row, without touching its slots.</summary>
+    /// <summary>The drawing entity of a row, without reading its slots.</summary>
     public int EntityIndexOf(int row) => _entities[row];
 
     /// <summary>True when a row is an ellipse or a spline.</summary>

@@ -6,7 +6,7 @@ namespace Engraver.Core.EntityTables;
 /// <summary>Drawing to entity table: the only place where drawing units become millimetres.</summary>
 public static class EntityTableBuilder
 {
-    /// <summary>One row per directed segment of the selected layers, in file order and as drawn; polylines are taken apart (paper 001, section 3.3).</summary>
+    /// <summary>One row per directed segment of the selected layers, in file order and as drawn; polylines are divided into their parts (paper 001, section 3.3).</summary>
     /// <returns>Lines, ellipses and splines complete; arcs and circles with slots 7 to 12 only (analysis fills the rest). Slot 15 is already set for parts that have no drawn angles
     /// of their own to compute it from (polyline bulges, ellipses that are circles) and for parts drawn clockwise (mirrored blocks).</returns>
     public static EntityTable Build(Drawing drawing, LayerSelection selection)
@@ -36,7 +36,7 @@ public static class EntityTableBuilder
                 continue;
             }
 
-            if (drawn is { Kind: SegmentKind.Line } && drawn.A == drawn.D && drawn.B == drawn.E) continue; // nothing to cut; the reader has said so
+            if (drawn is { Kind: SegmentKind.Line } && drawn.A == drawn.D && drawn.B == drawn.E) continue; // nothing to cut; the reader has reported it
             var slots = SlotsOf(drawn, drawing.Unit.ToMillimetres, hasDrawnAngles: entity.Type is CurveType.Arc or CurveType.Circle);
             table.Append(slots, entityIndex, null);
         }
@@ -75,6 +75,6 @@ public static class EntityTableBuilder
         return slots;
     }
 
-    /// <summary>350 to 10 degrees is drawn as 10, not 370; 270 to 360 stays 360.</summary>
+    /// <summary>End angle in [0, 360]: 350 to 10 degrees is written as 10, not 370; 270 to 360 stays 360.</summary>
     private static double WithinOneTurn(double degrees) => degrees > 360.0 ? degrees - 360.0 : degrees < -360.0 ? degrees + 360.0 : degrees;
 }

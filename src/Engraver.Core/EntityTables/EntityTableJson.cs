@@ -1,6 +1,6 @@
 namespace Engraver.Core.EntityTables;
 
-/// <summary>The table as one JSON object: <c>{"columns":["s0",...],"rows":[[...],...]}</c>, one row a line.</summary>
+/// <summary>The table as one JSON object: <c>{"columns":["s0",...],"rows":[[...],...]}</c>, one row per line.</summary>
 public static class EntityTableJson
 {
     public static void Write(EntityTable table, TextWriter output)

@@ -42,7 +42,7 @@ public static class EntityTableText
     }
 }
 
-/// <summary>How a cell is spelled: whole numbers without a decimal point, everything else so that it reads back to the same double; never "-0".</summary>
+/// <summary>Text of a cell: whole numbers without a decimal point, others so that they read back to the same double; never "-0".</summary>
 internal static class EntityNumber
 {
     public static string Format(double value) => value == 0.0 ? "0" : value.ToString("R", CultureInfo.InvariantCulture);

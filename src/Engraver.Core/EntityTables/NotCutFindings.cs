@@ -3,9 +3,9 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Core.EntityTables;
 
-/// <summary>What can be seen on the layers that are cut and gives no cut: texts, and construction such as hatches, dimensions and points. What was refused is told by the drawing's balance instead.</summary>
-/// <param name="Counts">By DXF type, in the order of their names, blocks expanded; empty when all that is seen is cut.</param>
-/// <param name="First">Where the first of them stands in the file.</param>
+/// <summary>Visible content of the layers that are cut which is not cut itself: texts, and construction such as hatches, dimensions and points. Refused entities are not among it; the drawing's balance has them.</summary>
+/// <param name="Counts">By DXF type, in the order of their names, blocks expanded; empty when everything visible is cut.</param>
+/// <param name="First">Where the first of them is in the file.</param>
 public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, SourceRef First)
 {
     public static NotCutFindings From(Drawing drawing, LayerSelection selection)

@@ -1,14 +1,14 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Length of a span by adaptive Gauss quadrature of its speed: halves are compared with the whole until they agree to 1e-12 of it.</summary>
+/// <summary>Length of a span by adaptive Gauss quadrature of its speed: a part is halved until the sum of its halves agrees with the whole to a relative 1e-12.</summary>
 public static class ArcLength
 {
     private const double RelativeTolerance = 1e-12;
 
-    /// <summary>A cusp (speed zero in the middle) halves the error at each level; forty levels take it below any drawing's rounding.</summary>
+    /// <summary>Deepest halving. At a cusp (speed zero inside the span) each level halves the error, so that forty take it below the rounding of any drawing.</summary>
     private const int MostHalvings = 40;
 
-    /// <summary>Halvings of one span in all, should rounding keep its halves from ever agreeing.</summary>
+    /// <summary>Most halvings of one span in all, for the case that rounding never lets the halves agree.</summary>
     private const int MostParts = 20_000;
 
     /// <summary>Positive half of the ten Gauss-Legendre nodes on [-1, 1].</summary>
@@ -16,7 +16,7 @@ public static class ArcLength
 
     private static readonly double[] Weights = [0.29552422471475287, 0.26926671930999636, 0.21908636251598204, 0.14945134915058059, 0.06667134430868814];
 
-    /// <summary>Along the curve in space, or as seen from above.</summary>
+    /// <summary>Length in space or, <paramref name="inPlan"/>, of the projection to the XY plane.</summary>
     public static double Measure(BezierSpan span, bool inPlan)
     {
         var local = FromItsStart(span);
@@ -25,7 +25,7 @@ public static class ArcLength
         return Refined(local, inPlan, 0.0, 1.0, whole, RelativeTolerance * whole, MostHalvings, ref parts);
     }
 
-    /// <summary>The span seen from its start. The rounding of large coordinates would be noise in the speed of a very short span, such as lies between two knots 1e-8 apart.</summary>
+    /// <summary>The span moved so that it starts at the origin: rounding of large coordinates would disturb the speed of a very short span, as between two knots 1e-8 apart.</summary>
     private static BezierSpan FromItsStart(BezierSpan span)
     {
         var points = span.Homogeneous.ToArray();

@@ -12,7 +12,7 @@ public readonly record struct ArcSegment(Point2D Centre, double Radius, Angle St
 
     public double Length => Radius * Math.Abs(Sweep.Radians);
 
-    /// <summary>Tight box: the ends and every quadrant point that the sweep passes.</summary>
+    /// <summary>Smallest box: the ends and every quadrant point that the sweep passes.</summary>
     public Bounds2D Bounds
     {
         get

@@ -1,19 +1,19 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Polynomials by their Bernstein coefficients, each held times its binomial coefficient: so a product is a plain convolution and no sign changes.</summary>
+/// <summary>Polynomials by their Bernstein coefficients, each multiplied by its binomial coefficient: a product is then a plain convolution, and signs stay as they are.</summary>
 internal static class Bernstein
 {
     /// <summary>Binomial coefficients up to twice the largest degree.</summary>
     public static double[][] Binomials { get; } = Pascal(2 * NurbsCurve.LargestDegree);
 
-    /// <summary>The product; its length is the sum of both degrees plus 1.</summary>
+    /// <summary>The product of two polynomials; its length is the sum of both degrees plus 1.</summary>
     public static void Multiply(ReadOnlySpan<double> left, ReadOnlySpan<double> right, Span<double> product)
     {
         product.Clear();
         AddProduct(left, right, 1.0, product);
     }
 
-    /// <summary>Adds a multiple of a product.</summary>
+    /// <summary>Adds <paramref name="factor"/> times a product to <paramref name="sum"/>.</summary>
     public static void AddProduct(ReadOnlySpan<double> left, ReadOnlySpan<double> right, double factor, Span<double> sum)
     {
         for (var i = 0; i < left.Length; i++)
@@ -30,8 +30,8 @@ internal static class Bernstein
         for (var k = 0; k < degree; k++) derivative[k] = ((k + 1) * polynomial[k + 1]) - ((degree - k) * polynomial[k]);
     }
 
-    /// <summary>How often the sign changes along the coefficients, zeros passed over: by Descartes' rule at least as often as the polynomial does between 0 and 1.</summary>
-    /// <param name="first">Sign of the first coefficient that is not zero; 0 when all are.</param>
+    /// <summary>Number of sign changes along the coefficients, without zeros: at least the number of roots between 0 and 1 (Descartes' rule of signs).</summary>
+    /// <param name="first">Sign of the first coefficient that is not zero; 0 when all are zero.</param>
     public static int SignChanges(ReadOnlySpan<double> polynomial, out int first)
     {
         (first, var last, var changes) = (0, 0, 0);

@@ -7,12 +7,12 @@ public sealed class BezierSpan
     /// <summary>Doubles for each control point.</summary>
     public const int Stride = 4;
 
-    /// <summary>Of the largest distance of a control point from the first: a speed, or a leg of the control polygon, below it is rounding.</summary>
+    /// <summary>A speed or a leg of the control polygon below this part of the span's size (largest distance of a control point from the first) is rounding and counts as zero.</summary>
     private const double StandingStill = 1e-10;
 
     private readonly double[] _points;
 
-    /// <param name="homogeneous">Degree + 1 times x w, y w, z w, w; taken over, not copied. Degree at least 1.</param>
+    /// <param name="homogeneous">x w, y w, z w, w for each of the degree + 1 control points; taken over, not copied. Degree at least 1.</param>
     public BezierSpan(double[] homogeneous) => _points = homogeneous;
 
     public int Degree => (_points.Length / Stride) - 1;
@@ -23,12 +23,12 @@ public sealed class BezierSpan
 
     public Point2D End => Control(Degree);
 
-    /// <summary>Direction of travel at the start (length 1); where control points coincide that of the first that differs; zero for a point.</summary>
+    /// <summary>Direction of travel at the start (length 1): towards the first control point that differs from the first; zero for a point.</summary>
     public Vector2D StartTangent => FirstDirection(0, 1);
 
     public Vector2D EndTangent => -FirstDirection(Degree, -1);
 
-    /// <summary>True when all control points are one place in plan.</summary>
+    /// <summary>True when all control points coincide in plan.</summary>
     public bool IsPoint => StartTangent == default;
 
     /// <summary>A control point in plan.</summary>
@@ -48,7 +48,7 @@ public sealed class BezierSpan
         return new Point2D(place.X, place.Y);
     }
 
-    /// <summary>Direction of travel (length 1); where the span stands still, that in which it goes on (at its end: in which it arrives).</summary>
+    /// <summary>Direction of travel (length 1). Where the speed is zero, the direction in which the span continues; at its end, the one in which it arrives.</summary>
     public Vector2D TangentAt(double parameter)
     {
         if (parameter <= 0.0) return StartTangent;
@@ -100,7 +100,7 @@ public sealed class BezierSpan
         return new BezierSpan(points);
     }
 
-    /// <summary>Stretched from the origin.</summary>
+    /// <summary>Scaled about the origin.</summary>
     public BezierSpan Scaled(double factor)
     {
         var points = (double[])_points.Clone();
@@ -112,7 +112,7 @@ public sealed class BezierSpan
         return new BezierSpan(points);
     }
 
-    /// <summary>The same points seen through a similarity of the plan; heights scale with it.</summary>
+    /// <summary>The same points under a similarity of the plane; heights are scaled with it.</summary>
     public BezierSpan Mapped(Transform2D map)
     {
         var points = (double[])_points.Clone();

@@ -1,9 +1,9 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Whether a segment touches a box: what a crossing selection asks.</summary>
+/// <summary>Whether a segment touches a box, as a crossing selection asks.</summary>
 public static class BoxTouch
 {
-    /// <summary>A piece of a curve halved so often is its chord to rounding.</summary>
+    /// <summary>After so many halvings a piece of a curve equals its chord within rounding.</summary>
     private const int MostHalvings = 24;
 
     /// <summary>True when any point of the segment lies in the box, its border included.</summary>
@@ -15,7 +15,7 @@ public static class BoxTouch
         return segment.Kind == SegmentKind.Line ? LineCrosses(box, segment.Line) : ArcCrosses(box, segment.Arc);
     }
 
-    /// <summary>Halves what reaches over a border; control points beyond one border keep the curve out.</summary>
+    /// <summary>Halves what extends over a border; a span whose control points all lie beyond one border is outside.</summary>
     private static bool CurveCrosses(Bounds2D box, BezierSpan span, int halvings)
     {
         if (box.Contains(span.Start) || box.Contains(span.End)) return true;
@@ -27,7 +27,7 @@ public static class BoxTouch
         return CurveCrosses(box, first, halvings - 1) || CurveCrosses(box, second, halvings - 1);
     }
 
-    /// <summary>Liang and Barsky's clipping: is anything of the line left between the four borders?</summary>
+    /// <summary>Clips the line at the four borders (Liang and Barsky); true when something is left.</summary>
     private static bool LineCrosses(Bounds2D box, LineSegment line)
     {
         var along = line.End - line.Start;
@@ -57,7 +57,7 @@ public static class BoxTouch
             || Meets(arc, box.MaxY - cy, box.MinX - cx, box.MaxX - cx, vertical: false);
     }
 
-    /// <summary>Does the arc pass one border? Everything relative to its centre.</summary>
+    /// <summary>Whether the arc crosses one border; border and its range are relative to the arc's centre.</summary>
     private static bool Meets(ArcSegment arc, double border, double from, double to, bool vertical)
     {
         if (Math.Abs(border) > arc.Radius) return false;

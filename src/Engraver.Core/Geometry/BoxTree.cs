@@ -1,7 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Boxes sorted along a Hilbert curve under a tree of boxes four to a node: nearest and overlap questions in logarithmic time however unevenly a drawing is spread.</summary>
-/// <remarks>Items can be hidden and shown again, which is how a travelling tool forgets what it has cut. Not safe for use from several threads while items are hidden or shown.</remarks>
+/// <summary>Boxes sorted along a Hilbert curve under a tree of boxes with four children to a node: nearest and overlap queries in logarithmic time, however unevenly a drawing is spread.</summary>
+/// <remarks>Items can be hidden and shown again, for example strokes that have been cut. Not safe for use from several threads while items are hidden or shown.</remarks>
 public sealed class BoxTree
 {
     private const int Fanout = 4;
@@ -10,7 +10,7 @@ public sealed class BoxTree
     private readonly int[] _slotOfItem;
     private readonly Bounds2D[][] _boxes;
 
-    /// <summary>The lowest number of an item that is shown in each box, <see cref="Nobody"/> without one.</summary>
+    /// <summary>For each box the lowest number of an item in it that is shown; <see cref="Nobody"/> when none is.</summary>
     private readonly int[][] _lowest;
 
     private BoxTree(int[] items, Bounds2D[] leaves)
@@ -25,7 +25,7 @@ public sealed class BoxTree
         _lowest = [.. lowest];
     }
 
-    /// <summary>Distance of item <paramref name="item"/> from <paramref name="place"/>. Several items may be pieces of one thing and measure the whole: then each piece's box must hold its piece.</summary>
+    /// <summary>Distance of item <paramref name="item"/> from <paramref name="place"/>. Several items may be pieces of one thing and all return the distance of the whole; each piece must then lie in its box.</summary>
     public delegate double Measure(int item, Point2D place);
 
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>.</summary>
@@ -47,13 +47,13 @@ public sealed class BoxTree
         return Build(boxes);
     }
 
-    /// <summary>Leaves an item out of every answer until it is shown again. Hiding twice is hiding once.</summary>
+    /// <summary>Leaves an item out of every answer until it is shown again. Hiding it twice has no further effect.</summary>
     public void Hide(int item) => Set(item, Nobody);
 
     public void Show(int item) => Set(item, item);
 
     /// <summary>The nearest shown item by <paramref name="measure"/>, ties to the lower number; -1 when none is nearer than or as near as <paramref name="within"/>.</summary>
-    /// <param name="place">Seen from here.</param>
+    /// <param name="place">Point to measure from.</param>
     /// <param name="measure">Exact distance of an item.</param>
     /// <param name="within">Largest distance of interest; positive infinity for any.</param>
     /// <param name="distance">Distance of the answer, or <paramref name="within"/> when there is none.</param>
@@ -99,7 +99,7 @@ public sealed class BoxTree
     {
         var x = Math.Max(0.0, Math.Max(box.MinX - place.X, place.X - box.MaxX));
         var y = Math.Max(0.0, Math.Max(box.MinY - place.Y, place.Y - box.MaxY));
-        return x == 0.0 ? y : y == 0.0 ? x : double.Hypot(x, y); // rounded as Point2D.DistanceTo: the box of a place is as far as the place
+        return x == 0.0 ? y : y == 0.0 ? x : double.Hypot(x, y); // rounded as Point2D.DistanceTo, so that the box of a single point has exactly that point's distance
     }
 
     private static bool Overlap(in Bounds2D a, in Bounds2D b) => a.MinX <= b.MaxX && b.MinX <= a.MaxX && a.MinY <= b.MaxY && b.MinY <= a.MaxY;
@@ -147,7 +147,7 @@ public sealed class BoxTree
         }
     }
 
-    /// <summary>Of the nearest the one with the lowest number: then no other box at that distance need be looked into.</summary>
+    /// <summary>Index of the smallest value; among equals of the one with the lowest number, so that no other box at that distance need be searched.</summary>
     private static int IndexOfSmallest(ReadOnlySpan<double> values, ReadOnlySpan<int> numbers)
     {
         var smallest = 0;
@@ -191,7 +191,7 @@ public sealed class BoxTree
 
         public double Distance { get; private set; } = distance;
 
-        /// <summary>True when an item so far away, with no lower number, is no better.</summary>
+        /// <summary>True when an item this far away, with no lower number, is no better.</summary>
         public readonly bool Beats(double distance, int item) => distance > Distance || (distance == Distance && Item >= 0 && item >= Item);
 
         public void Offer(int item, double distance)

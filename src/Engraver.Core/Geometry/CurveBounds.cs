@@ -1,9 +1,9 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Tight box of a span in plan: extremes are cornered by halving wherever the control points still reach out of the box found so far.</summary>
+/// <summary>Smallest box of a span in plan: the span is halved wherever control points still lie outside the box found so far.</summary>
 public static class CurveBounds
 {
-    /// <summary>Of the span's size: how far the true curve may reach over the box.</summary>
+    /// <summary>Largest distance by which the true curve may leave the box, as a part of the span's size.</summary>
     private const double RelativeTolerance = 1e-13;
 
     private const int MostHalvings = 50;

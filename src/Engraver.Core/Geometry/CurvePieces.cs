@@ -1,6 +1,6 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Takes curves apart into pieces that are nearly straight, so that their boxes are tight, and nearly even in speed, so that steps of the parameter are steps along them.</summary>
+/// <summary>Divides curves into pieces that are nearly straight, so that their boxes are small, and of nearly constant speed, so that equal steps of the parameter are nearly equal lengths.</summary>
 public static class CurvePieces
 {
     /// <summary>Largest distance of a control point from the chord, as a part of the chord.</summary>
@@ -8,16 +8,16 @@ public static class CurvePieces
 
     private const int MostHalvings = 14;
 
-    /// <summary>Cosine of the largest angle between a leg of the control polygon and the chord.</summary>
+    /// <summary>Smallest cosine of the angle between a leg of the control polygon and the chord.</summary>
     private const double LeastAlong = 0.85;
 
-    /// <summary>Largest leg of the control polygon as a multiple of an even one, and largest weight of that of the smallest.</summary>
+    /// <summary>Longest leg of the control polygon as a multiple of the average, and largest weight as a multiple of the smallest.</summary>
     private const double Evenness = 3.0;
 
-    /// <summary>Of its coordinates: what is smaller is rounding, and has no shape to be divided.</summary>
+    /// <summary>A piece smaller than this part of its coordinates is rounding, and is not divided.</summary>
     private const double Speck = 1e-12;
 
-    /// <summary>Lines, arcs and circles as they are, every curve as its pieces.</summary>
+    /// <summary>Lines, arcs and circles unchanged, every curve as its pieces.</summary>
     public static IReadOnlyList<Segment> Split(IReadOnlyList<Segment> segments)
     {
         if (!segments.Any(segment => segment.IsFreeCurve)) return segments;
@@ -57,7 +57,7 @@ public static class CurvePieces
         return hull.Width + hull.Height <= Speck * (Math.Abs(start.X) + Math.Abs(start.Y));
     }
 
-    /// <summary>No control point far from the chord and no leg of the control polygon far from its direction.</summary>
+    /// <summary>True when no control point is far from the chord and no leg of the control polygon far from its direction.</summary>
     private static bool IsFlat(BezierSpan span)
     {
         var chord = new LineSegment(span.Start, span.End);
@@ -72,7 +72,7 @@ public static class CurvePieces
         return true;
     }
 
-    /// <summary>Nowhere much faster than on the average: whoever walks it in steps of the parameter jumps over nothing. Slower it may be, down to standing still.</summary>
+    /// <summary>True when the speed is nowhere much above its average, so that steps of the parameter skip nothing. It may be lower, down to zero.</summary>
     private static bool IsEven(BezierSpan span)
     {
         var (longest, least, most) = (0.0, span.Weight(0), span.Weight(0));

@@ -1,18 +1,18 @@
 namespace Engraver.Core.Geometry;
 
 /// <summary>An ellipse or a part of one, in space: Centre + First cos(a) + Second sin(a) for a from <see cref="Start"/> over <see cref="Sweep"/>.</summary>
-/// <remarks>The two vectors are conjugate half-diameters: perpendicular when the ellipse was drawn as such, not when a block's scale or a tilt made it of a circle. A whole turn is exactly +-360 degrees.</remarks>
+/// <remarks>The two vectors are conjugate half-diameters: perpendicular when the ellipse was drawn as such, not when a circle was scaled unequally or tilted. A whole turn is exactly +-360 degrees.</remarks>
 public readonly record struct EllipseArc(Vector3D Centre, Vector3D First, Vector3D Second, Angle Start, Angle Sweep)
 {
-    /// <summary>Relative difference of two half-diameters under which they make a circle; rounding in deeply nested inserts stays far below.</summary>
+    /// <summary>Relative difference of two half-diameters below which they make a circle; the rounding of deeply nested inserts is far smaller.</summary>
     private const double EqualDiameters = 1e-9;
 
-    /// <summary>Slope under which a tilted circle passes for a flat one: its plan is then an ellipse whose axes differ by less than 1e-12 of the radius.</summary>
+    /// <summary>Slope below which a tilted circle counts as level: its plan is then an ellipse whose axes differ by less than 1e-12 of the radius.</summary>
     private const double FlatSlope = 1e-6;
 
     public bool IsFullTurn => Math.Abs(Sweep.Degrees) == 360.0;
 
-    /// <summary>Level, and both half-diameters equally long and perpendicular: a circle or its arc, to rounding.</summary>
+    /// <summary>Level, with half-diameters equally long and perpendicular: a circle or an arc, within rounding.</summary>
     public bool IsCircular
     {
         get
@@ -31,7 +31,7 @@ public readonly record struct EllipseArc(Vector3D Centre, Vector3D First, Vector
         return new ArcSegment(new Point2D(Centre.X, Centre.Y), First.Length, (mirrored ? turn - Start : turn + Start).Positive(), mirrored ? -Sweep : Sweep);
     }
 
-    /// <summary>The same points as rational parabolas, each over a quarter turn or less.</summary>
+    /// <summary>The same points as rational parabolas, each over at most a quarter turn.</summary>
     public RationalCurve ToCurve()
     {
         var count = Math.Max(1, (int)Math.Ceiling(Math.Abs(Sweep.Degrees) / 90.0));

@@ -1,10 +1,10 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>The cubic spline through given points: twice continuously differentiable, knots at chord lengths, as CAD programs draw a spline of which only the fit points are stored.</summary>
+/// <summary>The cubic spline through given points, twice continuously differentiable, with knots at chord lengths, as CAD programs draw a spline of which only the fit points are stored.</summary>
 public static class FitPointSpline
 {
     /// <param name="points">At least two, no two neighbours equal; closed: the first is not repeated at the end.</param>
-    /// <param name="startTangent">Direction at the start, null for a natural end (no curvature). Without meaning when closed.</param>
+    /// <param name="startTangent">Direction at the start; null for a natural end (no curvature). Not used when closed.</param>
     /// <param name="endTangent">Direction of travel at the end.</param>
     /// <param name="closed">True for a smooth return to the first point.</param>
     public static RationalCurve Through(IReadOnlyList<Vector3D> points, Vector3D? startTangent, Vector3D? endTangent, bool closed)
@@ -34,7 +34,7 @@ public static class FitPointSpline
         return rows.Solve(rows.Right);
     }
 
-    /// <summary>The cyclic system by Sherman and Morrison: a tridiagonal one and a correction for its two corners.</summary>
+    /// <summary>Solves the cyclic system (Sherman and Morrison): a tridiagonal system and a correction for its two corner elements.</summary>
     private static Vector3D[] ClosedSlopes(Vector3D[] steps)
     {
         var n = steps.Length;
@@ -77,14 +77,14 @@ public static class FitPointSpline
             return rows;
         }
 
-        /// <summary>No curvature: 2 m0 + m1 = 3 s0/h0, divided by h so that the rows stay symmetric.</summary>
+        /// <summary>A row for zero curvature: 2 m0 + m1 = 3 s0/h0, divided by h so that the matrix stays symmetric.</summary>
         public void SetNatural(int row, Vector3D step)
         {
             Middle[row] = 2.0 / step.Length;
             Right[row] = step * (3.0 / step.Dot(step));
         }
 
-        /// <summary>The slope itself; what its neighbour's row had of it moves to the right side.</summary>
+        /// <summary>A row for a given slope; the neighbour's term with it moves to the right side.</summary>
         public void SetGiven(int row, Vector3D slope)
         {
             var (neighbour, beside) = row == 0 ? (1, 0) : (row - 1, row - 1);

@@ -1,11 +1,11 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Places along the Hilbert curve of order 16: near keys mean near places, which is what makes a packed tree of boxes tight.</summary>
+/// <summary>Positions along the Hilbert curve of order 16: near keys mean near points, which keeps the boxes of a packed tree small.</summary>
 internal static class HilbertCurve
 {
     private const double LastCell = 65535.0;
 
-    /// <summary>One key for the middle of each box; the longer side of all of them together spans the curve.</summary>
+    /// <summary>One key for the middle of each box; the curve's square has the longer side of all boxes together.</summary>
     public static uint[] KeysOf(ReadOnlySpan<Bounds2D> boxes)
     {
         var all = Bounds2D.Empty;

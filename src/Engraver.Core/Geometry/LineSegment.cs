@@ -1,6 +1,6 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>A straight piece with a direction.</summary>
+/// <summary>A straight line between two points, with a direction.</summary>
 public readonly record struct LineSegment(Point2D Start, Point2D End)
 {
     public double Length => Start.DistanceTo(End);

@@ -1,16 +1,16 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>A non-uniform rational B-spline as written: degree, knots and control points. Its domain is knot[degree] to knot[count], whatever lies outside.</summary>
+/// <summary>A non-uniform rational B-spline as stored: degree, knots and control points. Its domain is knot[degree] to knot[count]; knots outside only shape the ends.</summary>
 public sealed class NurbsCurve
 {
-    /// <summary>A knot that falls by no more than this part of the whole range is one with the knot before it: it was rounded.</summary>
+    /// <summary>A knot lower than the one before it by no more than this part of the whole range was rounded, and is taken as equal.</summary>
     private const double KnotRounding = 1e-9;
 
     private readonly double[] _knots;
     private readonly double[] _points;
 
     /// <param name="degree">1 to <see cref="LargestDegree"/>.</param>
-    /// <param name="knots">For which <see cref="AreUsable"/> holds.</param>
+    /// <param name="knots">Knots for which <see cref="AreUsable"/> holds.</param>
     /// <param name="homogeneous">x w, y w, z w, w for each control point, weights positive.</param>
     public NurbsCurve(int degree, double[] knots, double[] homogeneous)
     {
@@ -20,14 +20,14 @@ public sealed class NurbsCurve
         _points = homogeneous;
     }
 
-    /// <summary>Beyond it binomial coefficients eat the digits; CAD programs stop at 25 or earlier.</summary>
+    /// <summary>Largest degree that is accepted: beyond it binomial coefficients lose too many digits; CAD programs stop at 25 or earlier.</summary>
     public static int LargestDegree => 25;
 
     public int Degree { get; }
 
     public int PointCount => _points.Length / BezierSpan.Stride;
 
-    /// <summary>As many knots as points + degree + 1, never falling but for rounding, with a domain that has a length.</summary>
+    /// <summary>True for points + degree + 1 knots that never fall (except by rounding) and whose domain has a length.</summary>
     public static bool AreUsable(ReadOnlySpan<double> knots, int degree, int points)
     {
         if (degree < 1 || degree > LargestDegree || points <= degree || knots.Length != points + degree + 1) return false;
@@ -41,7 +41,7 @@ public sealed class NurbsCurve
         return knots[degree] < knots[points] && double.IsFinite(knots[^1] - knots[0]);
     }
 
-    /// <summary>Each knot at least as high as all before it.</summary>
+    /// <summary>Raises each knot to the highest before it.</summary>
     private static double[] Levelled(double[] knots)
     {
         var level = (double[])knots.Clone();
@@ -49,7 +49,7 @@ public sealed class NurbsCurve
         return level;
     }
 
-    /// <summary>The knots that stand in for unusable ones: uniform, the curve begins and ends at its outer control points.</summary>
+    /// <summary>Substitutes for unusable knots: uniform, and the curve begins and ends at its outer control points.</summary>
     public static double[] UniformKnots(int degree, int points)
     {
         var knots = new double[points + degree + 1];
@@ -57,7 +57,7 @@ public sealed class NurbsCurve
         return knots;
     }
 
-    /// <summary>The same curve as Bezier spans, one for each knot interval that has a length; spans that are a point are left out. Null when nothing is left.</summary>
+    /// <summary>The same curve as Bezier spans, one for each knot interval with a length; spans that are a point are left out. Null when none is left.</summary>
     public RationalCurve? ToCurve()
     {
         var spans = new List<BezierSpan>(PointCount - Degree);
@@ -71,7 +71,7 @@ public sealed class NurbsCurve
         return spans.Count == 0 ? null : new RationalCurve(SegmentKind.Spline, Closed(spans));
     }
 
-    /// <summary>A curve that closes but for rounding closes exactly.</summary>
+    /// <summary>Makes a curve whose ends differ only by rounding close exactly.</summary>
     private static BezierSpan[] Closed(List<BezierSpan> spans)
     {
         const double Rounding = 1e-12;
@@ -82,7 +82,7 @@ public sealed class NurbsCurve
         return result;
     }
 
-    /// <summary>Control points of the interval from knot i to the next: the knots a = u(i) and b = u(i+1) are inserted until they stand degree times (blossoms f(a.., b..)).</summary>
+    /// <summary>Control points of the interval from knot i to the next: the knots a = u(i) and b = u(i+1) are inserted until each occurs degree times (blossoms f(a.., b..)).</summary>
     private double[] SpanAt(int i)
     {
         var (p, a, b) = (Degree, _knots[i], _knots[i + 1]);
@@ -103,7 +103,7 @@ public sealed class NurbsCurve
         return Forward(tail, i, a, b);
     }
 
-    /// <summary>From f(a.., u(i+1) .. u(i+m)), m = 0 .. degree, to f(a.., b..). The tail holds them with m falling.</summary>
+    /// <summary>From the blossoms f(a.., u(i+1) .. u(i+m)), m = 0 .. degree, to f(a.., b..). <paramref name="tail"/> holds them with m falling.</summary>
     private double[] Forward(double[] tail, int i, double a, double b)
     {
         var p = Degree;

@@ -13,7 +13,7 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
     private static readonly Vector2D s_east = new(1.0, 0.0);
 
     /// <summary>The smallest box in the direction of the chord round the hull of some places.</summary>
-    public static OrientedBox Of(Point2D start, Point2D end, params ReadOnlySpan<Point2D> others)
+    public static OrientedBox Around(Point2D start, Point2D end, params ReadOnlySpan<Point2D> others)
     {
         var extent = new OrientedExtent(start, DirectionOf(end - start));
         extent.Include(start);
@@ -23,23 +23,23 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
     }
 
     /// <summary>A box round the control points.</summary>
-    public static OrientedBox Of(BezierSpan span)
+    public static OrientedBox Around(BezierSpan span)
     {
         Span<Point2D> control = stackalloc Point2D[span.Degree + 1];
         for (var i = 0; i < control.Length; i++) control[i] = span.Control(i);
-        return Of(control[0], control[^1], control[1..^1]);
+        return Around(control[0], control[^1], control[1..^1]);
     }
 
     /// <summary>A box round a line, an arc of any sweep, or a curve of one span.</summary>
-    public static OrientedBox Of(in Segment path)
+    public static OrientedBox Around(in Segment path)
     {
-        if (path.Kind == SegmentKind.Line) return Of(path.Start, path.End);
-        if (path.IsFreeCurve) return Of(path.Curve.Spans[0]);
+        if (path.Kind == SegmentKind.Line) return Around(path.Start, path.End);
+        if (path.IsFreeCurve) return Around(path.Curve.Spans[0]);
         var arc = path.Arc;
         if (Math.Abs(arc.Sweep.Degrees) > 180.0) return new OrientedBox(arc.Centre, s_east, arc.Radius, arc.Radius).Grown(0.0);
         var (start, end, top) = (arc.StartPoint, arc.EndPoint, arc.PointAt(0.5));
         var chord = new Point2D(start.X + ((end.X - start.X) / 2.0), start.Y + ((end.Y - start.Y) / 2.0));
-        return Of(start, end, start + (top - chord), end + (top - chord)); // the chord and the line through the top of the arc
+        return Around(start, end, start + (top - chord), end + (top - chord)); // the chord and the line through the top of the arc
     }
 
     /// <summary>Larger on every side, and by what rounding may hide.</summary>

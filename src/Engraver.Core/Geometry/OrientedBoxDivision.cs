@@ -1,15 +1,15 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Divides oriented boxes into halves that lie in boxes as small as can be: by place along the common direction, by place across it, or by direction (a hatch is two families of lines).</summary>
+/// <summary>Divides oriented boxes in two so that the boxes around both halves are small: by position along their common direction, by position across it, or by direction (a hatch is two families of lines).</summary>
 internal sealed class OrientedBoxDivision
 {
-    /// <summary>Deeper than this halves are made equal in number, so that no drawing makes the tree as deep as it has items.</summary>
+    /// <summary>Below this depth halves get equal numbers of items, so that no drawing makes the tree as deep as it has items.</summary>
     private const int DeepestUneven = 40;
 
-    /// <summary>Of the whole: boxes are weighed as if they were wider by this, or all that have no width would be alike.</summary>
+    /// <summary>Margin added before areas are compared, as a part of the whole extent: otherwise all boxes without width would have the same area.</summary>
     private const double WeighedMargin = 1e-5;
 
-    /// <summary>Resultant of the directions, of their sum, below which there is no common one.</summary>
+    /// <summary>The directions count as a common one when the length of their sum is at least this part of the sum of their lengths.</summary>
     private const double LeastCommon = 0.5;
 
     private readonly OrientedBox[] _boxes;
@@ -26,7 +26,7 @@ internal sealed class OrientedBoxDivision
         _keys = new double[boxes.Length];
     }
 
-    public static (int[] Order, List<OrientedBoxNode> Nodes) Of(OrientedBox[] boxes)
+    public static (int[] Order, List<OrientedBoxNode> Nodes) Divide(OrientedBox[] boxes)
     {
         var division = new OrientedBoxDivision(boxes);
         if (boxes.Length > 0) division.AddRoot();
@@ -56,7 +56,7 @@ internal sealed class OrientedBoxDivision
         Add(first + division.Count, count - division.Count, division.OtherExtent, division.OtherCommon, depth + 1);
     }
 
-    /// <summary>The division of which the boxes are smallest, counted once for each item in them; without items when none parts anything.</summary>
+    /// <summary>The division with the smallest boxes, each weighed by its number of items; a division without items when no criterion separates them.</summary>
     private Division Best(int first, int count, in CourseFrame frame)
     {
         var best = default(Division);
@@ -73,7 +73,7 @@ internal sealed class OrientedBoxDivision
         return best;
     }
 
-    /// <summary>Those below the mean of a criterion, and the others.</summary>
+    /// <summary>Divides at the mean of a criterion: the items below it, and the others.</summary>
     private Division At(int first, int count, Criterion criterion, in CourseFrame frame)
     {
         var sum = 0.0;
@@ -95,7 +95,7 @@ internal sealed class OrientedBoxDivision
         return division;
     }
 
-    /// <summary>Fits a box round each half.</summary>
+    /// <summary>Computes the boxes around both halves.</summary>
     private void Enclose(int first, int count, ref Division division)
     {
         var (own, ownPlaces) = division.Common.Extents();
@@ -136,7 +136,7 @@ internal sealed class OrientedBoxDivision
         }
     }
 
-    /// <summary>Halves of equal number, along the common direction.</summary>
+    /// <summary>Divides into halves of equal number along the common direction.</summary>
     private Division InNumber(int first, int count, in CourseFrame frame)
     {
         for (var slot = first; slot < first + count; slot++) _keys[slot] = frame.Key(Criterion.PlaceAlong, _boxes[_order[slot]]);
@@ -181,7 +181,7 @@ internal sealed class OrientedBoxDivision
         public OrientedExtent OtherExtent;
     }
 
-    /// <summary>Sums over boxes that tell their common direction (angles doubled, so that a line and its reverse are the same) and that in which they are strung out.</summary>
+    /// <summary>Sums over boxes that give their common direction (angles doubled, so that a line and its reverse are the same) and the direction in which their centres are spread most.</summary>
     private struct CommonCourse
     {
         private Point2D _origin;
@@ -209,7 +209,7 @@ internal sealed class OrientedBoxDivision
             _skew += spoke.X * spoke.Y;
         }
 
-        /// <summary>Two to choose from: along the common direction, and along that in which the places are strung out.</summary>
+        /// <summary>Two extents to choose from: along the common direction, and along the direction in which the centres are spread most.</summary>
         public readonly (OrientedExtent Own, OrientedExtent Places) Extents()
         {
             var spread = _spread - (((_x * _x) - (_y * _y)) / _count);
@@ -230,7 +230,7 @@ internal sealed class OrientedBoxDivision
         }
     }
 
-    /// <summary>How the boxes of a node are told apart: by place along and across their common direction, and by the angle to it, to either side; where they have none, to that of the longest.</summary>
+    /// <summary>Criteria by which the boxes of a node are divided: position along and across their common direction, and the signed angle to it; without a common direction, the angle to that of the longest box.</summary>
     private readonly record struct CourseFrame(Point2D Origin, Vector2D Along, bool IsCommon)
     {
         public double Key(Criterion criterion, in OrientedBox box)

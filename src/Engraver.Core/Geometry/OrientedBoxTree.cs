@@ -17,9 +17,9 @@ public sealed class OrientedBoxTree
     public long Steps { get; private set; }
 
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>, which are taken over.</summary>
-    public static OrientedBoxTree Of(OrientedBox[] boxes)
+    public static OrientedBoxTree Build(OrientedBox[] boxes)
     {
-        var (order, nodes) = OrientedBoxDivision.Of(boxes);
+        var (order, nodes) = OrientedBoxDivision.Divide(boxes);
         return new OrientedBoxTree(boxes, order, nodes);
     }
 
@@ -41,7 +41,7 @@ public sealed class OrientedBoxTree
     /// <param name="counts">Which items count; all when left out.</param>
     public bool ComesNear(in Segment path, double reach, Predicate<int>? counts = null)
     {
-        var box = OrientedBox.Of(path).Grown(reach);
+        var box = OrientedBox.Around(path).Grown(reach);
         if (path.Kind == SegmentKind.Line || path.IsFreeCurve) return ComesNear(0, new Strip(box), counts);
         return ComesNear(0, new Ring(box, path.Arc.Centre, path.Arc.Radius - reach, path.Arc.Radius + reach), counts);
     }

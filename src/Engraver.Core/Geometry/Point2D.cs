@@ -1,6 +1,6 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>A place in the plane. <c>==</c> is exact; nearness is <see cref="IsNear"/> with a named tolerance.</summary>
+/// <summary>A point of the plane. <c>==</c> is exact; nearness is <see cref="IsNear"/> with a named tolerance.</summary>
 public readonly record struct Point2D(double X, double Y)
 {
     public static Point2D Origin => default;

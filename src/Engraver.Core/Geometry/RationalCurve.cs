@@ -1,7 +1,7 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>An ellipse, an elliptical arc or a spline, exact: rational Bezier spans joined end to start, with a direction. What the side column of kinds 4 and 5 holds.</summary>
-/// <remarks>Compared by reference. Lengths and box are found when first asked for; a curve never changes otherwise.</remarks>
+/// <summary>An ellipse, an elliptical arc or a spline, exact: rational Bezier spans joined end to start, with a direction. Rows of kinds 4 and 5 of the entity table have one in a side column.</summary>
+/// <remarks>Compared by reference. Immutable; lengths and box are computed when first asked for.</remarks>
 public sealed class RationalCurve
 {
     private readonly BezierSpan[] _spans;
@@ -37,13 +37,13 @@ public sealed class RationalCurve
 
     public Vector2D EndTangent => _spans[^1].EndTangent;
 
-    /// <summary>As seen from above, to 1e-9 relative or better.</summary>
+    /// <summary>Length of the projection to the XY plane, relative error at most 1e-9.</summary>
     public double PlanLength => double.IsNaN(_planLength) ? _planLength = Length(inPlan: true) : _planLength;
 
     /// <summary>Along the curve in space.</summary>
     public double SpaceLength => double.IsNaN(_spaceLength) ? _spaceLength = IsLevel() ? PlanLength : Length(inPlan: false) : _spaceLength;
 
-    /// <summary>Tight box in plan.</summary>
+    /// <summary>Smallest box in plan.</summary>
     public Bounds2D Bounds => _bounds ??= _spans.Aggregate(Bounds2D.Empty, CurveBounds.Including);
 
     /// <summary>The same points in the opposite direction.</summary>
@@ -54,20 +54,20 @@ public sealed class RationalCurve
         return new RationalCurve(Kind, spans) { _planLength = _planLength, _spaceLength = _spaceLength, _bounds = _bounds };
     }
 
-    /// <summary>Stretched from the origin: drawing units to millimetres.</summary>
+    /// <summary>Scaled about the origin: drawing units to millimetres.</summary>
     public RationalCurve Scaled(double factor) => factor == 1.0 ? this : With([.. _spans.Select(span => span.Scaled(factor))]);
 
-    /// <summary>The same curve seen through a similarity of the plan; heights scale with it.</summary>
+    /// <summary>The same curve under a similarity of the plane; heights are scaled with it.</summary>
     public RationalCurve Mapped(Transform2D map) => With([.. _spans.Select(span => span.Mapped(map))]);
 
-    /// <summary>The same curve moved: its spans one for one. What was closed stays exactly closed.</summary>
+    /// <summary>The same kind of curve with other spans, one for one. A closed curve stays exactly closed.</summary>
     public RationalCurve With(BezierSpan[] spans)
     {
         if (IsClosed) CloseExactly(spans);
         return new RationalCurve(Kind, spans);
     }
 
-    /// <summary>The place at a fraction of the parameter (not of the length); 0 and 1 are exactly the ends.</summary>
+    /// <summary>The point at a fraction of the parameter (not of the length); 0 and 1 are exactly the ends.</summary>
     public Point2D PointAt(double fraction)
     {
         if (fraction <= 0.0) return Start;
@@ -77,7 +77,7 @@ public sealed class RationalCurve
         return _spans[span].PointAt(place - span);
     }
 
-    /// <summary>Direction of travel (length 1) at a fraction of the parameter; where the curve stands still, that in which it goes on.</summary>
+    /// <summary>Direction of travel (length 1) at a fraction of the parameter; where the speed is zero, the direction in which the curve continues.</summary>
     public Vector2D TangentAt(double fraction)
     {
         if (fraction <= 0.0) return StartTangent;
@@ -87,7 +87,7 @@ public sealed class RationalCurve
         return _spans[span].TangentAt(place - span);
     }
 
-    /// <summary>The curve in pieces that are nearly straight and nearly even in speed.</summary>
+    /// <summary>The curve in pieces that are nearly straight and of nearly constant speed.</summary>
     public IReadOnlyList<RationalCurve> Pieces() => _pieces ??= CurvePieces.Split(this);
 
     /// <summary>Shortest distance from a place to the curve in plan, its ends included.</summary>
@@ -98,13 +98,13 @@ public sealed class RationalCurve
         return nearest;
     }
 
-    /// <summary>Puts the last end exactly on the first start: quotients of different weights round differently.</summary>
+    /// <summary>Sets the last end to exactly the first start: quotients by different weights round differently.</summary>
     internal static void CloseExactly(BezierSpan[] spans)
     {
         if (spans[0].Start == spans[^1].End) return;
         var points = spans[^1].Homogeneous.ToArray();
         var factor = 1.0 / points[^1];
-        for (var i = 0; i < points.Length; i++) points[i] *= factor; // a common factor changes nothing
+        for (var i = 0; i < points.Length; i++) points[i] *= factor; // a common factor of all homogeneous coordinates leaves the curve as it is
         var start = spans.Length == 1 ? new BezierSpan(points).Start : spans[0].Start;
         (points[^4], points[^3], points[^1]) = (start.X, start.Y, 1.0);
         spans[^1] = new BezierSpan(points);

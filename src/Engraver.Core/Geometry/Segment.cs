@@ -22,7 +22,7 @@ public readonly record struct Segment
 
     public Point2D End { get; }
 
-    /// <summary>True for an ellipse or spline: <see cref="Curve"/> is there, and the toolpath will hold arcs and lines in its place.</summary>
+    /// <summary>True for an ellipse or spline, which has a <see cref="Curve"/>; the toolpath has arcs and lines instead.</summary>
     public bool IsFreeCurve => _curve is not null;
 
     /// <summary>True for a circle, or an ellipse or spline that ends where it starts: a closed contour by itself.</summary>
@@ -65,7 +65,7 @@ public readonly record struct Segment
         return _curve is null ? new Segment(Kind, End, Start, _arc.Reversed()) : FromCurve(_curve.Reversed());
     }
 
-    /// <summary>The place at a fraction of a line's length, an arc's sweep, a curve's parameter.</summary>
+    /// <summary>The point at a fraction of a line's length, an arc's sweep, a curve's parameter.</summary>
     public Point2D PointAt(double fraction) => Kind == SegmentKind.Line ? Line.PointAt(fraction) : _curve?.PointAt(fraction) ?? _arc.PointAt(fraction);
 
     /// <summary>Direction of travel (length 1; zero for a line without length) at a fraction as in <see cref="PointAt"/>.</summary>
@@ -81,15 +81,15 @@ public readonly record struct Segment
     }
 }
 
-/// <summary>What a segment is; the numbers are slot 0 of the entity table (paper 001, Table 2: "1 is line, 2 is circle, 3 is arc").</summary>
-/// <remarks>4 and 5 extend the paper: slots 1 to 6 hold their ends, the curve itself stands in a side column.</remarks>
+/// <summary>The kind of a segment; the numbers are slot 0 of the entity table (paper 001, Table 2: "1 is line, 2 is circle, 3 is arc").</summary>
+/// <remarks>4 and 5 extend the paper: slots 1 to 6 hold the ends, and a side column holds the curve itself.</remarks>
 public enum SegmentKind : byte
 {
     Line = 1,
     Circle = 2,
     Arc = 3,
 
-    /// <summary>An ellipse or elliptical arc, however it came about (drawn, a circle tilted or in an unequally scaled block).</summary>
+    /// <summary>An ellipse or elliptical arc, whether drawn as such or made from a circle by tilting or unequal scaling.</summary>
     Ellipse = 4,
     Spline = 5,
 }

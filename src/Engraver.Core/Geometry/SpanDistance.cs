@@ -1,29 +1,29 @@
 namespace Engraver.Core.Geometry;
 
-/// <summary>Shortest distance from a place to a span, whatever its shape: control points may coincide, run back, or make a cusp.</summary>
+/// <summary>Shortest distance from a point to a span of any shape: control points may coincide, run back, or make a cusp.</summary>
 /// <remarks>
-/// With N the way from the place to the span times the weight w, the squared distance is N.N / w^2, and its slope has the sign of (N.N)' w - 2 N.N w'. Both are polynomials whose Bernstein
-/// coefficients bound them: where no coefficient of N.N - d^2 w^2 is below zero, nothing is nearer than d; where the slope changes its sign once, there is one foot, and Newton's steps
-/// between two parameters on either side find it. What neither decides is halved. Nowhere is a derivative asked whether it is zero.
+/// With N the vector from the point to the span times the weight w, the squared distance is N.N / w^2, and its slope has the sign of (N.N)' w - 2 N.N w'. Both are polynomials whose Bernstein
+/// coefficients bound them: where no coefficient of N.N - d^2 w^2 is below zero, nothing is nearer than d; where the slope changes its sign once, there is one nearest point, and Newton's
+/// steps between two parameters on either side find it. Parts that neither test decides are halved. No test asks whether a derivative is zero.
 /// </remarks>
 internal static class SpanDistance
 {
     private const int MostHalvings = 48;
 
-    /// <summary>Of one question, should rounding keep the halves from ever being decided.</summary>
+    /// <summary>Most parts in one query, for the case that rounding leaves halves undecided.</summary>
     private const int MostParts = 2000;
 
     private const int MostSteps = 60;
 
     private const double ParameterKnown = 1e-14;
 
-    /// <summary>What is nearer by less than this part is not looked for.</summary>
+    /// <summary>Relative precision of the distance: nothing nearer by less is searched for.</summary>
     private const double DistanceKnown = 1e-12;
 
-    /// <summary>Of the place's coordinates: their rounding.</summary>
+    /// <summary>Rounding error as a part of the point's coordinates.</summary>
     private const double Rounding = 4e-16;
 
-    /// <summary>The distance, exact to rounding, or <paramref name="bound"/> when nothing of the span is nearer than that.</summary>
+    /// <summary>The distance, exact within rounding, or <paramref name="bound"/> when no point of the span is nearer than that.</summary>
     public static double Measure(BezierSpan span, Point2D place, double bound = double.PositiveInfinity)
     {
         var count = span.Degree + 1;
@@ -52,7 +52,7 @@ internal static class SpanDistance
 
         public void Take(double x, double y, double weight) => Best = Math.Min(Best, double.Hypot(x, y) / weight);
 
-        /// <summary>Looks for what is nearer than the best so far; the ends have been taken.</summary>
+        /// <summary>Searches a part for points nearer than the best so far; its ends have been measured.</summary>
         public void Look(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w, int halvings)
         {
             var least = Best - (DistanceKnown * Best) - Noise;
@@ -115,7 +115,7 @@ internal static class SpanDistance
             Bernstein.AddProduct(squared, change, -2.0, slope);
         }
 
-        /// <summary>Newton's steps (Gauss's form) to the one foot, between a parameter before it and one behind it; halved where they do not get on.</summary>
+        /// <summary>Newton's steps (Gauss's form) to the one nearest point, between a parameter before it and one after it; halves the interval where they make no progress.</summary>
         private void TakeFoot(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w)
         {
             var (low, high, parameter, before) = (0.0, 1.0, 0.5, double.PositiveInfinity);
@@ -132,7 +132,7 @@ internal static class SpanDistance
             }
         }
 
-        /// <summary>Takes the point at a parameter (de Casteljau). How far the place lies ahead of it times the speed there, and that speed squared.</summary>
+        /// <summary>Measures the point at a parameter (de Casteljau). Returns the scalar product of the vector to the place with the derivative there, and the derivative's square.</summary>
         private (double Ahead, double Speed) At(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> w, double parameter)
         {
             var (px, dx) = Evaluate(x, parameter);

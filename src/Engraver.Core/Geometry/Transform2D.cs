@@ -3,8 +3,8 @@ namespace Engraver.Core.Geometry;
 /// <summary>A similarity of the plane: mirror at the x axis (or not), scale, turn, shift, in this order. Lines stay lines and arcs stay arcs, exactly.</summary>
 /// <param name="Scale">Above 0; one factor for both axes.</param>
 /// <param name="Turn">Counter-clockwise; quarter turns are exact.</param>
-/// <param name="Mirrored">True when the sense of rotation is turned round.</param>
-/// <param name="Shift">Where the origin goes.</param>
+/// <param name="Mirrored">True when left and right are exchanged (arcs change their sign).</param>
+/// <param name="Shift">Where the origin is moved to.</param>
 public readonly record struct Transform2D(double Scale, Angle Turn, bool Mirrored, Vector2D Shift)
 {
     public static Transform2D Identity { get; } = new(1.0, Angle.Zero, false, default);
@@ -20,7 +20,7 @@ public readonly record struct Transform2D(double Scale, Angle Turn, bool Mirrore
 
     public Point2D Apply(Point2D point) => Point2D.Origin + Linear(new Vector2D(point.X, point.Y)) + Shift;
 
-    /// <summary>A whole turn stays a sweep of exactly +-360 degrees.</summary>
+    /// <summary>Maps an arc; a whole turn stays a sweep of exactly +-360 degrees.</summary>
     public ArcSegment Apply(ArcSegment arc) => new(
         Apply(arc.Centre),
         arc.Radius * Scale,
@@ -34,7 +34,7 @@ public readonly record struct Transform2D(double Scale, Angle Turn, bool Mirrore
         return new Vector2D(Scale * ((vector.X * cos) - (y * sin)), Scale * ((vector.X * sin) + (y * cos)));
     }
 
-    /// <summary>The same map, shifted so that one point stays where it is.</summary>
+    /// <summary>The same map with another shift, so that this point stays where it is.</summary>
     private Transform2D Keeping(Point2D point)
     {
         var position = new Vector2D(point.X, point.Y);

@@ -5,7 +5,7 @@ public readonly record struct Vector3D(double X, double Y, double Z)
 {
     public double Length => Math.Sqrt(Dot(this));
 
-    /// <summary>The same direction with length 1, also where the squares of the components underflow or overflow. Not for the zero vector.</summary>
+    /// <summary>The same direction with length 1, also when the squares of the components underflow or overflow. Not for the zero vector.</summary>
     public Vector3D Unit()
     {
         var scaled = this * (1.0 / Math.Max(Math.Max(Math.Abs(X), Math.Abs(Y)), Math.Abs(Z)));

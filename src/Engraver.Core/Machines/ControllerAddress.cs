@@ -3,23 +3,23 @@ using System.Globalization;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>Where a controller is reached: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> or <c>sim:?speed=max</c>. A value; opening it is the caller's business.</summary>
+/// <summary>The address of a controller: <c>tcp://HOST:PORT</c>, <c>serial://DEVICE?baud=19200</c> or <c>sim:?speed=max</c>. A value; opening it is the caller's task.</summary>
 public abstract record ControllerAddress
 {
     /// <summary>Port 23 is the convention of Galil's own hosts (galil-dmc.md A.1).</summary>
     public const int DefaultTcpPort = 23;
 
-    /// <summary>19200 without a jumper (galil-dmc.md A.2).</summary>
+    /// <summary>The controller's rate without a jumper (galil-dmc.md A.2).</summary>
     public const int DefaultBaud = 19200;
 
     /// <summary>What is accepted, for messages.</summary>
     public const string Forms =
         "tcp://HOST:PORT, serial://DEVICE?baud=19200 (1200, 9600, 19200, 38400, 57600 or 115200; &flow=none, xonxoff or rtscts, the default) or sim:?speed=max; behind a simulated controller that is not at speed 1 also clock=PORT";
 
-    /// <summary>Port of loopback at which a simulated controller in another process offers its clock; null for a controller whose clock is the wall's.</summary>
+    /// <summary>Loopback port at which a simulated controller in another process offers its clock; null for a controller that follows the wall clock.</summary>
     public int? ClockPort { get; init; }
 
-    /// <exception cref="FormatException">The text is no address; the message says what is accepted.</exception>
+    /// <exception cref="FormatException">The text is not an address; the message says what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
         TryParse(text, out var address) ? address : throw new FormatException($"'{text}' is no controller address; write {Forms}.");
 
@@ -87,41 +87,41 @@ public abstract record ControllerAddress
 
 /// <param name="Device">Device path or port name.</param>
 /// <param name="Baud">Bits per second, one of <see cref="SerialLine.Rates"/>.</param>
-/// <param name="Flow">How the two ends hold each other back.</param>
+/// <param name="Flow">Flow control.</param>
 public sealed record SerialAddress(string Device, int Baud, SerialFlow Flow = SerialFlow.RtsCts) : ControllerAddress;
 
 /// <param name="Speed">Controller seconds per wall second; infinity is virtual time.</param>
 public sealed record SimulatedAddress(double Speed) : ControllerAddress
 {
-    /// <summary>False for a bare <c>sim:</c>: whoever connects may have a speed of its own in mind; the console has none.</summary>
+    /// <summary>False for <c>sim:</c> without a speed: the connect command then takes the speed of its session.</summary>
     public bool SaysSpeed { get; init; } = true;
 }
 
 public sealed record TcpAddress(string Host, int Port) : ControllerAddress;
 
-/// <summary>How the two ends of a serial line hold each other back.</summary>
+/// <summary>Flow control of a serial line.</summary>
 public enum SerialFlow : byte
 {
-    /// <summary>The lines RTS and CTS: what the controller expects; without it characters are lost in bursts (galil-dmc.md A.2).</summary>
+    /// <summary>The lines RTS and CTS, which the controller expects; without them characters are lost in bursts (galil-dmc.md A.2).</summary>
     RtsCts,
 
-    /// <summary>Nothing: a cable of three wires.</summary>
+    /// <summary>None, for a cable of three wires.</summary>
     None,
 
-    /// <summary>The characters Ctrl-S and Ctrl-Q. Binary records (QR) do not survive it.</summary>
+    /// <summary>The characters Ctrl-S and Ctrl-Q. Binary records (QR) are damaged by it.</summary>
     XonXoff,
 }
 
-/// <summary>What a serial line means for those who talk over it: one wire for everything, characters echoed while EO is 1, and every byte takes its time.</summary>
+/// <summary>Properties of a serial line: one connection for everything, characters echoed while EO is 1, and a time for every byte.</summary>
 /// <param name="Baud">Bits per second; one of <see cref="Rates"/>.</param>
 public sealed record SerialLine(int Baud)
 {
     /// <summary>The rates of galil-dmc.md A.2.</summary>
     public static IReadOnlyList<int> Rates { get; } = [1200, 9600, 19200, 38400, 57600, 115200];
 
-    /// <summary>Seconds a byte takes: a start bit, eight data bits, a stop bit.</summary>
+    /// <summary>Seconds for one byte: a start bit, eight data bits, a stop bit.</summary>
     public double ByteSeconds => 10.0 / Baud;
 
-    /// <summary>Seconds that a number of bytes take.</summary>
+    /// <summary>Time for a number of bytes.</summary>
     public TimeSpan Time(long bytes) => TimeSpan.FromSeconds(bytes * ByteSeconds);
 }

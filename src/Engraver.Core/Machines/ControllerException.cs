@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>The wire failed: gone, silent or speaking nonsense. A refused command is no exception but a <see cref="MachineRefusal"/>.</summary>
+/// <summary>The link failed: it is gone, silent or carries nonsense. A refused command is not an exception but a <see cref="MachineRefusal"/>.</summary>
 public abstract class ControllerException : Exception
 {
     protected ControllerException()

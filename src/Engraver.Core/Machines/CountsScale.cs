@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>Millimetres to counts: the only place where the unit changes. End points are rounded, never increments, so errors cannot accumulate (galil-dmc.md J.2).</summary>
+/// <summary>Converts millimetres to counts: the only place where the unit changes. End points are rounded, never increments, so errors cannot accumulate (galil-dmc.md J.2).</summary>
 /// <remarks>"Exact" values are counts that are not rounded yet; they are carried in the geometry types of Core, whose unit is then the count.</remarks>
 /// <param name="X">Counts per millimetre of the drawing's X; negative mirrors.</param>
 /// <param name="Y">Counts per millimetre of the drawing's Y; negative mirrors.</param>
@@ -11,13 +11,13 @@ public readonly record struct CountsScale(double X, double Y)
     /// <summary>True when a circle in millimetres is a circle in counts; otherwise it is an ellipse, which CR cannot cut.</summary>
     public bool KeepsCircles => Math.Abs(X) == Math.Abs(Y);
 
-    /// <summary>Of the coarser axis, counts per millimetre: one count is the longest there, and no direction is cut faster than the feed by it.</summary>
+    /// <summary>Counts per millimetre of the coarser axis, whose count is the longest. A feed converted by it is exceeded in no direction.</summary>
     public double Smallest => Math.Min(Math.Abs(X), Math.Abs(Y));
 
-    /// <summary>Of the finer axis, counts per millimetre.</summary>
+    /// <summary>Counts per millimetre of the finer axis.</summary>
     public double Largest => Math.Max(Math.Abs(X), Math.Abs(Y));
 
-    /// <summary>Half away from zero. A place that int32 cannot hold is the caller's to refuse beforehand (<see cref="Holds"/>).</summary>
+    /// <summary>Rounds half away from zero. The caller makes sure beforehand that int32 can hold the point (<see cref="Holds"/>).</summary>
     public static CountsPoint Round(Point2D exact) => new(
         checked((int)Math.Round(exact.X, MidpointRounding.AwayFromZero)),
         checked((int)Math.Round(exact.Y, MidpointRounding.AwayFromZero)));
@@ -26,7 +26,7 @@ public readonly record struct CountsScale(double X, double Y)
 
     public CountsPoint ToCounts(Point2D millimetres) => Round(Exact(millimetres));
 
-    /// <summary>The same arc in counts. A mirrored X turns the angle into 180 - angle, a mirrored Y into -angle; either changes the sense of the sweep.</summary>
+    /// <summary>The same arc in counts. A mirrored X turns the angle into 180 - angle, a mirrored Y into -angle; each reverses the sweep.</summary>
     /// <remarks>Only when <see cref="KeepsCircles"/>.</remarks>
     public ArcSegment Exact(ArcSegment millimetres)
     {
@@ -36,12 +36,12 @@ public readonly record struct CountsScale(double X, double Y)
         return new ArcSegment(Exact(millimetres.Centre), millimetres.Radius * Math.Abs(X), start, sweep);
     }
 
-    /// <summary>True when every place of the box (millimetres) has counts in int32, and counts relative to <paramref name="origin"/> too.</summary>
+    /// <summary>True when every point of the box (millimetres) fits int32 in counts, and in counts relative to <paramref name="origin"/> too.</summary>
     public bool Holds(Bounds2D millimetres, CountsPoint origin) =>
         Fits(X * millimetres.MinX, origin.X) && Fits(X * millimetres.MaxX, origin.X) && Fits(Y * millimetres.MinY, origin.Y) && Fits(Y * millimetres.MaxY, origin.Y);
 
     private static bool Fits(double counts, int origin) => Math.Abs(counts) < int.MaxValue && Math.Abs(counts - origin) < int.MaxValue;
 }
 
-/// <summary>A position of the two plane axes in counts, in the job's frame: drawing zero is 0,0. The controller's own zero may stand elsewhere.</summary>
+/// <summary>A position of the two plane axes in counts, in the job's frame: the drawing's zero is 0,0. The controller's own zero may be elsewhere.</summary>
 public readonly record struct CountsPoint(int X, int Y);

@@ -2,7 +2,7 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>A controller with which hands were shaken: the seam between the workbench and a family of controllers (ADR 9). Its words are neutral; what is sent for them is the driver's business.</summary>
+/// <summary>A connected and identified controller: the seam between the workbench and a family of controllers (ADR 9). Its terms are neutral; the driver decides which commands are sent for them.</summary>
 /// <remarks>Disposing leaves the controller as it was found. Stop and abort may be called from any thread, beside everything else.</remarks>
 public interface IMachineConnection : IAsyncDisposable
 {
@@ -17,50 +17,50 @@ public interface IMachineConnection : IAsyncDisposable
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
     ValueTask<MachineReading> LookAsync(CancellationToken cancellation);
 
-    /// <summary>The tool goes off, the path and every axis brake. Returns when the controller has taken it, not at rest.</summary>
-    /// <param name="toolOutput">The output that carries the tool, from 1.</param>
+    /// <summary>Switches the tool off and brakes the path and every axis. Returns when the controller has accepted it, not at rest.</summary>
+    /// <param name="toolOutput">The digital output of the tool, from 1.</param>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task StopAsync(int toolOutput);
 
-    /// <summary>Every motion halts at once and every program ends, the tool goes off, the motors go off.</summary>
+    /// <summary>Halts every motion and program at once, and switches tool and motors off.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task AbortAsync(int toolOutput);
 
-    /// <summary>Switches the motors of the axes that a job moves.</summary>
+    /// <summary>Switches the motors of the axes that a job moves on or off.</summary>
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation);
 
-    /// <summary>Answers a line that an operator typed in the controller's own language.</summary>
+    /// <summary>Sends a line that an operator typed in the controller's own language, and returns the answers.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation);
 
-    /// <summary>Text that programs in the controller have printed since the last time.</summary>
+    /// <summary>Takes text that programs in the controller have printed since the last call.</summary>
     bool TryTakeMessage([NotNullWhen(true)] out string? message);
 
     /// <summary>Runs a motion program to its end, to the operator's stop, to the first refusal or to the loss of the link, and leaves the controller as it was found.</summary>
     /// <param name="stop">The operator's stop: the machine is stopped first, however long it brakes, then this returns.</param>
     Task<JobResult> RunAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
 
-    /// <summary>Moves the machine by hand with the tool off, at rapid speed, under the same watchdog and stop as a job.</summary>
-    /// <param name="program">Without strokes: the machine, and where it stands in the frame in which progress is told.</param>
-    /// <param name="goal">The controller's own counts.</param>
+    /// <summary>Moves the machine without cutting, tool off, at rapid speed, under the same watchdog and stop as a job.</summary>
+    /// <param name="program">Has no strokes; gives the machine, and its position in the frame in which progress is reported.</param>
+    /// <param name="goal">Target in the controller's own counts.</param>
     Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
 
-    /// <summary>Seconds that a program will take over this link.</summary>
+    /// <summary>Planned seconds of a program over this link.</summary>
     double PlannedSeconds(MotionProgram program, JobMode mode);
 }
 
-/// <summary>What a connection can do. A capability that is null is not there: nobody calls a method that throws.</summary>
-/// <param name="IsSingleWire">Everything goes over one wire: nobody can look at the machine beside a job.</param>
+/// <summary>What a connection can do. A capability that is null does not exist, so that nobody calls a method that throws.</summary>
+/// <param name="IsSingleWire">Everything goes over one connection: the machine cannot be observed during a job.</param>
 /// <param name="Jog">Motion while a key is held; null where it is not offered.</param>
 /// <param name="Hold">A job can be held and resumed; null where it is not offered.</param>
 /// <param name="Override">The feed of a job under way can be changed; null where it is not offered.</param>
 public sealed record MachineCapabilities(bool IsSingleWire, SpeedRange? Jog = null, HoldCapability? Hold = null, SpeedRange? Override = null);
 
-/// <summary>Speeds that a capability allows: counts/s for a jog, parts of the programmed feed for an override.</summary>
+/// <summary>Speeds that a capability allows: counts/s for a jog, factors of the programmed feed for an override.</summary>
 public sealed record SpeedRange(double Slowest, double Fastest);
 
 /// <summary>How a job is held.</summary>
-/// <param name="ToolGoesOff">The tool is off during a hold, and on again before the job goes on.</param>
+/// <param name="ToolGoesOff">The tool is off during a hold, and on again before the job resumes.</param>
 public sealed record HoldCapability(bool ToolGoesOff);

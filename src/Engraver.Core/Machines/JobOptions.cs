@@ -10,40 +10,40 @@ public sealed record JobOptions
     /// <summary>Where progress is written as JSON lines, or null for nowhere. The program found in the controller is kept beside it, with <c>.program.dmc</c> added to the name.</summary>
     public string? JournalPath { get; init; }
 
-    /// <summary>Where the controller is reached, for the journal: an unfinished journal of another address is none of this controller.</summary>
+    /// <summary>The controller's address, for the journal: an unfinished journal with another address belongs to another controller.</summary>
     public string Address { get; init; } = "";
 
     /// <summary>Name of the drawing for the journal.</summary>
     public string DrawingName { get; init; } = "";
 
-    /// <summary>Where a drawing entity stands in its file, for diagnostics; null where nobody knows.</summary>
+    /// <summary>Source position of a drawing entity, for diagnostics; null where it is not known.</summary>
     public Func<int, SourceRef>? SourceOf { get; init; }
 
-    /// <summary>Holds what was cut against the drawing when the machine rests, before the journal says how the job ended; null where nobody judges.</summary>
+    /// <summary>Compares what was cut with the drawing when the machine is at rest, before the journal says how the job ended; null for no comparison.</summary>
     public Func<JobResult, JobResult>? Judge { get; init; }
 
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }
 
-    /// <summary>Called once when the job stands ready, after the journal has it and before anything moves; it must not take long, for the watchdog runs. Null for nobody.</summary>
+    /// <summary>Called once when the job is ready, after it is in the journal and before anything moves; must be quick, for the watchdog runs. Null for none.</summary>
     public Action<JournalHeader>? Begins { get; init; }
 
-    /// <summary>Told where the frame of the job lies, counts of the controller at the drawing's zero, before anything moves; null for nobody.</summary>
+    /// <summary>Called with the controller's counts at the drawing's zero before anything moves; null for none.</summary>
     public Action<CountsPoint>? FrameTaken { get; init; }
 
-    /// <summary>Whether every polled position is kept for a judge. Without, only the last ones are, and memory does not grow with the time of the run.</summary>
+    /// <summary>Whether every polled position is kept for a later comparison. If not, only the last ones are, and memory does not grow with the time of the run.</summary>
     public bool KeepsPolledTrace { get; init; } = true;
 
-    /// <summary>The longest pause between two polls, by the session's clock: while the controller works on its own and nothing can have ended yet, or for long does not.</summary>
+    /// <summary>Longest pause between two polls, on the session's clock, while the controller works on its own and no end is expected soon.</summary>
     public TimeSpan PollInterval { get; init; } = UsualPollInterval;
 
-    /// <summary>As planned times take it.</summary>
+    /// <summary>The default, which planned times assume too.</summary>
     public static TimeSpan UsualPollInterval { get; } = TimeSpan.FromMilliseconds(10);
 }
 
 /// <summary>First line of a job in the journal.</summary>
 /// <param name="StartX">_RPA when the job began.</param>
-/// <param name="FrameX">Job frame: what was added to drawing counts to get the controller's.</param>
+/// <param name="FrameX">Job frame: what is added to drawing counts to get the controller's.</param>
 public sealed record JournalHeader(string Drawing, string Controller, JobMode Mode, int SegmentCount, int StartX, int StartY, int FrameX, int FrameY, DateTimeOffset StartedAt)
 {
     public string Kind { get; } = "job";

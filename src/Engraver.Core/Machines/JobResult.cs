@@ -2,12 +2,12 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Machines;
 
-/// <summary>How a job ended, in what the controller said and not in what was planned.</summary>
+/// <summary>How a job ended, by what the controller reported and not by what was planned.</summary>
 public sealed record JobResult
 {
     public required JobOutcome Outcome { get; init; }
 
-    /// <summary>What the job was lost by; null unless it ended with <see cref="JobOutcome.LinkLost"/>.</summary>
+    /// <summary>What caused the loss; null unless the job ended with <see cref="JobOutcome.LinkLost"/>.</summary>
     public LinkLoss? Loss { get; init; }
 
     /// <summary>One sentence for the operator: what happened, where, and what to do.</summary>
@@ -15,19 +15,19 @@ public sealed record JobResult
 
     public required int SegmentsSent { get; init; }
 
-    /// <summary>By _CS or seq of the controller.</summary>
+    /// <summary>As the controller counted them: _CS, or seq.</summary>
     public required int SegmentsExecuted { get; init; }
 
-    /// <summary>Those of them that were counted while the tool was seen off though it should have been on: they have no part in <see cref="LengthByStroke"/>.</summary>
+    /// <summary>Those of them during which the tool was seen off though it should have been on: they are not part of <see cref="LengthByStroke"/>.</summary>
     public int SegmentsUncut { get; init; }
 
-    /// <summary>Controller time, in nominal samples (TM).</summary>
+    /// <summary>Controller time in seconds of nominal samples (TM).</summary>
     public required double Seconds { get; init; }
 
-    /// <summary>How often the segment buffer ran dry before the end of a sequence was sent.</summary>
+    /// <summary>Number of times the segment buffer ran dry before the end of a sequence was sent.</summary>
     public required int Underruns { get; init; }
 
-    /// <summary>Number of <c>?</c> replies; buffer full (32) is none.</summary>
+    /// <summary>Number of <c>?</c> replies, without "buffer full" (TC 32).</summary>
     public required int Rejected { get; init; }
 
     /// <summary>_RPA and _RPB, the controller's own absolute counts; the last known when the link was lost, null when none was ever read.</summary>
@@ -36,7 +36,7 @@ public sealed record JobResult
     /// <summary>Controller counts at the drawing's zero: what was added to the job frame. Null when the job ended before the frame was taken.</summary>
     public required CountsPoint? FrameOrigin { get; init; }
 
-    /// <summary>False when the link was lost before the controller said where it came to rest: it went on with what it had until its watchdog tripped, and may have cut more than is counted here.</summary>
+    /// <summary>False when the link was lost before the controller reported where it came to rest: it continued with its stored segments until the watchdog tripped, and may have cut more than is counted here.</summary>
     public bool IsEndKnown { get; init; } = true;
 
     /// <summary>The refused command that ended the job, when one did.</summary>
@@ -51,17 +51,17 @@ public sealed record JobResult
     /// <summary>Executed segments of each stroke of the motion program.</summary>
     public required IReadOnlyList<int> ExecutedByStroke { get; init; }
 
-    /// <summary>Cut length of each stroke in counts, whole segments only; how far the segment under way was cut is told by the unfinished segment.</summary>
+    /// <summary>Cut length of each stroke in counts, of whole segments only; the journal's unfinished segment has the rest.</summary>
     public required IReadOnlyList<double> LengthByStroke { get; init; }
 
-    /// <summary>What had to be done to the job to run it this way: strokes cut by the controller's memory.</summary>
+    /// <summary>Findings about how the job was run: strokes that were divided because of the controller's memory.</summary>
     public IReadOnlyList<Diagnostic> Diagnostics { get; init; } = [];
 
-    /// <summary>What could not be left as it was found, a sentence each.</summary>
+    /// <summary>Settings that could not be restored, a sentence each.</summary>
     public IReadOnlyList<string> NotRestored { get; init; } = [];
 
-    /// <summary>A job that ended before the controller was told anything.</summary>
-    /// <param name="strokes">Of the program.</param>
+    /// <summary>The result of a job that ended before anything was sent to the controller.</summary>
+    /// <param name="strokes">Number of strokes of the program.</param>
     public static JobResult NotStarted(int strokes, string sentence) => new()
     {
         Outcome = JobOutcome.Refused,
@@ -84,62 +84,62 @@ public enum JobOutcome
 {
     Complete,
 
-    /// <summary>By the operator; the machine stands.</summary>
+    /// <summary>Stopped by the operator; the machine is at rest.</summary>
     Stopped,
 
     /// <summary>The controller refused a command, was busy, or ended a motion that it should have finished.</summary>
     Refused,
 
-    /// <summary>What was cut is not the drawing, by what the controller or the simulator's record says: the path left the drawing, or part of it was never cut.</summary>
+    /// <summary>By the controller's positions or the simulator's record, the path left the drawing, or part of the drawing was never cut.</summary>
     Deviated,
 
-    /// <summary>The link failed, or the watchdog in the controller did not hear from this program and stopped the machine.</summary>
+    /// <summary>The link failed, or the watchdog in the controller received nothing from this program and stopped the machine.</summary>
     LinkLost,
 }
 
-/// <summary>What a job that ended with <see cref="JobOutcome.LinkLost"/> was lost by.</summary>
+/// <summary>The cause of an end with <see cref="JobOutcome.LinkLost"/>.</summary>
 public enum LinkLoss
 {
-    /// <summary>The link failed, or the controller fell silent.</summary>
+    /// <summary>The link failed, or the controller no longer answered.</summary>
     Link,
 
-    /// <summary>The watchdog in the controller did not hear from this program in time and stopped the machine; the link may stand.</summary>
+    /// <summary>The watchdog in the controller received nothing from this program in time and stopped the machine; the link may still work.</summary>
     Watchdog,
 }
 
 /// <summary>How a job is run on the controller (galil-dmc.md F.1).</summary>
 public enum JobMode
 {
-    /// <summary>Vector sequences fed live into the segment buffer; progress by _CS.</summary>
+    /// <summary>Vector sequences streamed into the segment buffer while it is executed; progress by _CS.</summary>
     Stream,
 
-    /// <summary>The paper's way: a program in the controller is called for each entity with assigned variables; progress by seq.</summary>
+    /// <summary>As in the paper: a program in the controller is called for each entity with assigned variables; progress by seq.</summary>
     Calls,
 
-    /// <summary>The job itself as programs in the controller, one chunk after the other; progress by seq and _CS.</summary>
+    /// <summary>The job itself as programs in the controller, one chunk after another; progress by seq and _CS.</summary>
     Program,
 }
 
-/// <summary>Where a job is, from what the controller said last.</summary>
-/// <param name="Stroke">Index of the stroke under way.</param>
+/// <summary>Progress of a job, by the controller's last report.</summary>
+/// <param name="Stroke">Index of the present stroke.</param>
 /// <param name="X">Counts, job frame.</param>
 /// <param name="Seconds">Controller time since the job began.</param>
-/// <param name="Outputs">Outputs 1 to 8 (_OP0), bit 0 is output 1; null where nobody asked.</param>
+/// <param name="Outputs">Outputs 1 to 8 (_OP0), bit 0 is output 1; null where they were not read.</param>
 public readonly record struct JobProgress(int Stroke, int SegmentsSent, int SegmentsExecuted, int SegmentCount, int X, int Y, bool ToolOn, double Seconds, int? Outputs = null);
 
 /// <summary>A polled position.</summary>
 /// <param name="Seconds">Controller time since the job began.</param>
 /// <param name="X">Counts, job frame.</param>
-/// <param name="ToolOn">Whether the tool output was on, as the controller said.</param>
+/// <param name="ToolOn">Whether the tool output was on, as the controller reported.</param>
 public readonly record struct TracePoint(double Seconds, int X, int Y, bool ToolOn)
 {
-    /// <summary>Segments that were known to be done before this poll: the tool is on the next of them, or further.</summary>
+    /// <summary>Segments known to be done before this poll: the tool is on the next of them, or further.</summary>
     public int Executed { get; init; }
 }
 
 /// <summary>A command that the controller refused.</summary>
 /// <param name="Code">The controller's number for the reason; compare this, never the text.</param>
-/// <param name="Text">The controller's own words for it.</param>
-/// <param name="Command">What was refused.</param>
+/// <param name="Text">The controller's text for the reason.</param>
+/// <param name="Command">The refused command.</param>
 /// <param name="Sentence">For the operator: what was refused, why, and what that means here.</param>
 public sealed record MachineRefusal(int Code, string Text, string Command, string Sentence);

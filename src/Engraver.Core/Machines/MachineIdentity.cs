@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>Who answers on the link.</summary>
+/// <summary>The controller that answers on the link.</summary>
 /// <param name="Model">As the controller names itself.</param>
-/// <param name="Axes">How many it has.</param>
+/// <param name="Axes">Number of axes.</param>
 public record MachineIdentity(string Model, int Axes);

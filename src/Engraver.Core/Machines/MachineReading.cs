@@ -1,11 +1,11 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>One look at an idle controller, in its counts. What it does not know is null.</summary>
-/// <param name="X">Where the axis of the drawing's X stands, by the controller's own zero.</param>
-/// <param name="Y">The same of the drawing's Y.</param>
-/// <param name="ErrorX">Following error: commanded less actual position.</param>
-/// <param name="ErrorY">The same of the drawing's Y.</param>
-/// <param name="Moves">An axis or the path is under way.</param>
+/// <summary>The state of an idle controller at one moment, in counts. Null for what it does not report.</summary>
+/// <param name="X">Position of the axis of the drawing's X, from the controller's own zero.</param>
+/// <param name="Y">The same of the axis of the drawing's Y.</param>
+/// <param name="ErrorX">Following error: commanded minus actual position.</param>
+/// <param name="ErrorY">The same of the axis of the drawing's Y.</param>
+/// <param name="Moves">An axis or the path is in motion.</param>
 /// <param name="MotorsOff">The controller's letters of the axes whose motor is off; empty for none.</param>
 public sealed record MachineReading(int X, int Y, int ErrorX, int ErrorY, bool Moves, string MotorsOff)
 {
@@ -15,10 +15,10 @@ public sealed record MachineReading(int X, int Y, int ErrorX, int ErrorY, bool M
     /// <summary>Outputs 1 to 8, bit 0 is output 1.</summary>
     public int? Outputs { get; init; }
 
-    /// <summary>Along the path, counts/s.</summary>
+    /// <summary>Speed along the path, counts/s.</summary>
     public double? Speed { get; init; }
 
-    /// <summary>The limits that are hit, in words; empty for none.</summary>
+    /// <summary>The limits that are active, in words; empty for none.</summary>
     public string Limit { get; init; } = "";
 
     /// <summary>The controller's letters of the axes that were switched off because of their position error.</summary>
@@ -27,10 +27,10 @@ public sealed record MachineReading(int X, int Y, int ErrorX, int ErrorY, bool M
     /// <summary>The abort input is active.</summary>
     public bool AbortInput { get; init; }
 
-    /// <summary>The controller executes a program; it is none of ours while the machine is only watched.</summary>
+    /// <summary>The controller runs a program, which is not ours while the machine is only watched.</summary>
     public bool ProgramRuns { get; init; }
 
-    /// <summary>True when a person or a program has changed something that arming relied on.</summary>
+    /// <summary>True when something that arming depends on has been changed, by a person or a program.</summary>
     public bool DiffersFrom(MachineReading other)
     {
         ArgumentNullException.ThrowIfNull(other);

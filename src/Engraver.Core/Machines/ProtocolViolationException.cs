@@ -1,6 +1,6 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>What came back is not what a Galil controller says.</summary>
+/// <summary>The answer is not one that a Galil controller gives.</summary>
 public sealed class ProtocolViolationException : ControllerException
 {
     public ProtocolViolationException()

@@ -1,14 +1,14 @@
 namespace Engraver.Core.Machines;
 
-/// <summary>What the terminal shows.</summary>
+/// <summary>An answer as the terminal shows it.</summary>
 /// <param name="Kind">Decides the colour.</param>
-/// <param name="Text">One line or more, LF between them.</param>
+/// <param name="Text">One or more lines, separated by LF.</param>
 public readonly record struct TerminalAnswer(TerminalAnswerKind Kind, string Text);
 
-/// <summary>Where a line of the terminal comes from.</summary>
+/// <summary>The origin of a line in the terminal.</summary>
 public enum TerminalAnswerKind : byte
 {
-    /// <summary>The controller's data, or its prompt when it has nothing to say.</summary>
+    /// <summary>The controller's data, or its prompt when it returned none.</summary>
     Reply,
 
     /// <summary>The controller refused the command.</summary>

@@ -8,13 +8,13 @@ namespace Engraver.Core.Motion;
 /// A bend so small that the controller would be around it between two of its samples is a corner too, however smooth it was drawn; near a standstill the tool is slow, and it is none.</remarks>
 public sealed class CornerDetector(MachineProfile profile)
 {
-    /// <summary>Turns of exactly the limit (a regular polygon) must not depend on the last bit of an arc tangent.</summary>
+    /// <summary>Allowance, so that turns of exactly the limit (a regular polygon) do not depend on the last bit of an arc tangent.</summary>
     private const double RoundingDegrees = 1e-6;
 
     /// <summary>At TM 1000, the default sample time.</summary>
     private const double SampleSeconds = 0.001;
 
-    /// <summary>A motor sample may pass a bend inside by what it may differ from the drawing anywhere.</summary>
+    /// <summary>Counts by which a motor sample may pass inside a bend: the same as the general tolerance against the drawing.</summary>
     private const double CountsBesideBend = 2.5;
 
     private Vector2D _lastCut;
@@ -23,7 +23,7 @@ public sealed class CornerDetector(MachineProfile profile)
     private double _bend;
     private double _countsSinceStop;
 
-    /// <summary>True when the path must stand still before this move, which will be cut.</summary>
+    /// <summary>True when the path must stop before this move, which will be cut.</summary>
     public bool IsCornerBefore(in Segment move)
     {
         See(move);
@@ -33,7 +33,7 @@ public sealed class CornerDetector(MachineProfile profile)
         return _countsSinceStop == 0.0;
     }
 
-    /// <summary>The move was cut: the next corner is measured from its end.</summary>
+    /// <summary>Notes a move that was cut: the next corner is measured from its end.</summary>
     public void Cut(in Segment move)
     {
         var tangent = move.EndTangent;
@@ -44,14 +44,14 @@ public sealed class CornerDetector(MachineProfile profile)
         (_lastCut, _lastSeen, _sharpest) = (tangent, tangent, 0.0);
     }
 
-    /// <summary>The move is too small to be cut.</summary>
+    /// <summary>Notes a move that is too small to be cut.</summary>
     public void Skip(in Segment move)
     {
         See(move);
         if (move.EndTangent != default) _lastSeen = move.EndTangent;
     }
 
-    /// <summary>A bend of angle b within one sample's way w is passed by up to w/2 sin(b/2) inside.</summary>
+    /// <summary>True when a motor sample may pass too far inside: for a bend of angle b within one sample's distance w it is up to w/2 sin(b/2).</summary>
     private bool IsBend(double turn, in Segment move)
     {
         var way = WayOfSample(_countsSinceStop);
@@ -62,7 +62,7 @@ public sealed class CornerDetector(MachineProfile profile)
     /// <summary>What the tool travels between two samples, counts.</summary>
     private double WayOfSample(double countsSinceStop) => SampleSeconds * Math.Min(profile.VectorSpeed, Math.Sqrt(2.0 * profile.AccelerationCounts * countsSinceStop));
 
-    /// <summary>What the move turns within one sample's way, degrees.</summary>
+    /// <summary>Turn of the move within one sample's distance, degrees.</summary>
     private double BendOf(in Segment move, double way) =>
         move.Kind == SegmentKind.Line ? 0.0 : Math.Abs(move.Arc.Sweep.Degrees) * Math.Min(1.0, way / Counts(move));
 

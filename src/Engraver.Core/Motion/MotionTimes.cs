@@ -1,6 +1,6 @@
 namespace Engraver.Core.Motion;
 
-/// <summary>Where the time of a motion program goes, in seconds of the controller.</summary>
+/// <summary>The parts of a motion program's time, in seconds of the controller.</summary>
 /// <param name="Cutting">In vector motion.</param>
 /// <param name="Rapid">In moves between strokes, tool off.</param>
 /// <param name="Dwell">At a standstill: tool settling, and the commands that must be exchanged before the machine moves again.</param>

@@ -3,15 +3,15 @@ namespace Engraver.Core.Motion;
 /// <summary>Speed over time for a distance from rest to rest with the same acceleration and deceleration; a triangle when the distance is short. Any unit of length.</summary>
 public readonly record struct SpeedTrapezoid(double Distance, double TopSpeed, double Acceleration)
 {
-    /// <summary>The speed that is really reached.</summary>
+    /// <summary>The speed that is reached.</summary>
     public double Peak => Math.Min(TopSpeed, Math.Sqrt(Distance * Acceleration));
 
-    /// <summary>Seconds up to <see cref="Peak"/>, and again down to rest.</summary>
+    /// <summary>Seconds from rest to <see cref="Peak"/>, and again from it to rest.</summary>
     public double RampSeconds => Peak / Acceleration;
 
     public double Seconds => Time(Distance, TopSpeed, Acceleration);
 
-    /// <summary>How far it has come after some seconds; within 0 and <see cref="Distance"/>.</summary>
+    /// <summary>Distance covered after some seconds; within 0 and <see cref="Distance"/>.</summary>
     public double DistanceAt(double seconds)
     {
         if (seconds <= 0.0) return 0.0;
@@ -24,7 +24,7 @@ public readonly record struct SpeedTrapezoid(double Distance, double TopSpeed, d
 
     public double SpeedAt(double seconds) => Math.Clamp(Math.Min(Acceleration * seconds, Acceleration * (Seconds - seconds)), 0.0, Peak);
 
-    /// <summary>When it has come so far.</summary>
+    /// <summary>Seconds until this distance is covered.</summary>
     public double TimeAt(double distance)
     {
         if (distance <= 0.0) return 0.0;

@@ -2,12 +2,12 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>Keeps numbers and arrows from lying on each other: a place is given once, whoever comes later goes without.</summary>
+/// <summary>Keeps numbers and arrows from overlapping: an area is given only once, and a label that finds none free is left out.</summary>
 internal sealed class LabelField(double cell)
 {
     private readonly HashSet<(int X, int Y)> _given = [];
 
-    /// <summary>Reserves a box of picture units; false when part of it is given already.</summary>
+    /// <summary>Reserves a box of picture units; false when part of it is already taken.</summary>
     public bool TryReserve(Point2D corner, double width, double height)
     {
         var cells = Cells(corner, width, height).ToList();

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>How millimetres become picture units: the longer side of the drawing fills the picture, y points up in the drawing and down in the picture.</summary>
+/// <summary>Converts millimetres to picture units: the longer side of the drawing fills the picture, y points up in the drawing and down in the picture.</summary>
 internal sealed class PlotFrame
 {
     public const double CaptionHeight = 54.0;
@@ -20,7 +20,7 @@ internal sealed class PlotFrame
         FieldHeight = Math.Max(ShortSideAtLeast, seen.Height * Scale) + (2.0 * Margin);
     }
 
-    /// <summary>Picture units for each millimetre.</summary>
+    /// <summary>Picture units per millimetre.</summary>
     public double Scale { get; }
 
     public double FieldWidth { get; }

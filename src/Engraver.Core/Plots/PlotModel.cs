@@ -5,24 +5,24 @@ using Engraver.Core.Toolpaths;
 namespace Engraver.Core.Plots;
 
 /// <summary>What a picture of a drawing or a path shows, in millimetres and independent of any picture format.</summary>
-/// <param name="Title">Caption: the file's name as a rule.</param>
+/// <param name="Title">Caption: usually the file's name.</param>
 /// <param name="Strokes">Curves, in the order of cutting where there is one.</param>
-/// <param name="Rapids">Travel with the tool up, in order.</param>
-/// <param name="ToolStart">Where the tool stands at first; null in a picture of the drawing alone.</param>
+/// <param name="Rapids">Travel with the tool off, in order.</param>
+/// <param name="ToolStart">Position of the tool at the start; null in a picture of the drawing alone.</param>
 public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, IReadOnlyList<LineSegment> Rapids, Point2D? ToolStart)
 {
-    /// <summary>Tight box of what is drawn, without travel; empty when nothing is drawn.</summary>
+    /// <summary>Smallest box of the curves, without travel; empty when nothing is drawn.</summary>
     public Bounds2D Drawn => Strokes.SelectMany(stroke => stroke.Segments).Aggregate(Bounds2D.Empty, (box, segment) => box.Union(segment.Bounds));
 
-    /// <summary>Box of everything to be seen, the tool's start included.</summary>
+    /// <summary>Box of everything shown, the tool's start included.</summary>
     public Bounds2D Seen => ToolStart is { } start ? Drawn.Including(start) : Drawn;
 
     public double CutLength => Strokes.Sum(stroke => stroke.Length);
 
     public double Travel => Rapids.Sum(rapid => rapid.Length);
 
-    /// <summary>The drawing as it stands in the file: one curve for each run of rows of one entity, no order.</summary>
-    public static PlotModel OfDrawing(EntityTable analysed, string title)
+    /// <summary>The drawing as in the file: one curve for each run of rows of one entity, no order.</summary>
+    public static PlotModel FromDrawing(EntityTable analysed, string title)
     {
         var strokes = new List<PlotStroke>();
         for (var row = 0; row < analysed.Count;)
@@ -37,7 +37,7 @@ public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, 
     }
 
     /// <summary>The path in the order of cutting, with numbers and travel.</summary>
-    public static PlotModel OfPath(Toolpath path, string title)
+    public static PlotModel FromPath(Toolpath path, string title)
     {
         var rapids = new List<LineSegment>();
         var tool = path.ToolStart;

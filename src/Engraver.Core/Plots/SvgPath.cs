@@ -5,10 +5,10 @@ using Engraver.Core.Geometry.Biarcs;
 
 namespace Engraver.Core.Plots;
 
-/// <summary>Spells segments as the d attribute of an SVG path; arcs stay arcs.</summary>
+/// <summary>Writes segments as the d attribute of an SVG path; arcs stay arcs.</summary>
 internal static class SvgPath
 {
-    /// <summary>Picture units by which a drawn curve may be off.</summary>
+    /// <summary>Largest distance between a curve and the arcs drawn for it, picture units.</summary>
     private const double CurveNearness = 0.05;
 
     /// <summary>Segments that join become one pen stroke; a jump starts a new one.</summary>
@@ -28,7 +28,7 @@ internal static class SvgPath
         return path.ToString();
     }
 
-    /// <summary>SVG has no splines of ours: they are drawn as arcs, nearer than the eye can see.</summary>
+    /// <summary>Ellipses and splines as arcs, which SVG has, with an error too small to see.</summary>
     private static IReadOnlyList<Segment> Drawable(Segment segment, PlotFrame frame) =>
         segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, CurveNearness / frame.Scale) : [segment];
 
@@ -36,7 +36,7 @@ internal static class SvgPath
 
     public static string Pair(Point2D place) => $"{Number(place.X)},{Number(place.Y)}";
 
-    /// <summary>In two halves: SVG cannot draw a whole turn, and nearly whole ones lose their direction to rounding. Counter-clockwise is sweep flag 0 with y down.</summary>
+    /// <summary>Writes an arc in two halves, because SVG cannot draw a whole turn and nearly whole ones lose their direction by rounding. Counter-clockwise is sweep flag 0 with y down.</summary>
     private static void AppendArc(StringBuilder path, Segment segment, PlotFrame frame)
     {
         var radius = Number(segment.Arc.Radius * frame.Scale);

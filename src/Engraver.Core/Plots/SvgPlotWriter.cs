@@ -63,7 +63,7 @@ public static class SvgPlotWriter
     private static void WriteToolStart(Point2D place, TextWriter output) =>
         Line(output, $"<path class=\"start\" d=\"M{Number(place.X - 9.0)},{Number(place.Y)}h18M{Number(place.X)},{Number(place.Y - 9.0)}v18\"/><circle class=\"start\" cx=\"{Number(place.X)}\" cy=\"{Number(place.Y)}\" r=\"5\"/>");
 
-    /// <summary>A dot where the tool goes down, its number beside it (four places are tried, a crowded number is left out).</summary>
+    /// <summary>Draws a dot where cutting begins and its number beside it (four positions are tried; when all are taken, the number is left out).</summary>
     private static void WriteNumber(PlotStroke stroke, PlotFrame frame, LabelField labels, TextWriter output)
     {
         var text = stroke.Number?.ToString(CultureInfo.InvariantCulture) ?? string.Empty;
@@ -111,7 +111,7 @@ public static class SvgPlotWriter
 
     private static string Millimetres(double value) => value.ToString("0.##", CultureInfo.InvariantCulture);
 
-    /// <summary>Control characters have no place in XML at all.</summary>
+    /// <summary>Without control characters, which XML does not allow.</summary>
     private static string Escaped(string text) => WebUtility.HtmlEncode(string.Concat(text.Where(letter => !char.IsControl(letter))));
 
     private static void Line(TextWriter output, string text)

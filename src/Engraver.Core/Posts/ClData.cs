@@ -5,7 +5,7 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Posts;
 
-/// <summary>CL data: the sequenced, oriented drawing as a drawing again, entity by entity as the tool will run (paper 000).</summary>
+/// <summary>CL data: the sequenced, oriented drawing written as a drawing again, entity by entity as the tool will run (paper 000).</summary>
 public static class ClData
 {
     /// <summary>Layer of strokes that end where they start.</summary>
@@ -14,7 +14,7 @@ public static class ClData
     /// <summary>Layer of the other strokes.</summary>
     public const string OpenLayer = "CUT_OPEN";
 
-    /// <summary>Layer of the moves with the tool up; it does not plot, so that whoever reads the file again does not cut them.</summary>
+    /// <summary>Layer of the moves with the tool off; it does not plot, so that a program that reads the file again does not cut them.</summary>
     public const string RapidLayer = "RAPID";
 
     private static readonly DxfSheetLayer[] s_layers = [new(ClosedLayer, 4), new(OpenLayer, 30), new(RapidLayer, 1, Plots: false)];

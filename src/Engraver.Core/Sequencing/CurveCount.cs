@@ -2,8 +2,8 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Counts what is cut as the operator drew it: a line or arc part is one, and so is an ellipse or spline however many arcs approximate it.</summary>
-/// <remarks>A spline that falls into several strokes counts in the first, so that the strokes add up to the whole.</remarks>
+/// <summary>Counts what is cut in the operator's units: a line or arc part is one, and so is an ellipse or spline, however many arcs approximate it.</summary>
+/// <remarks>A spline that is divided into several strokes counts in the first, so that the strokes add up to the whole.</remarks>
 internal sealed class CurveCount(Drawing? drawing)
 {
     private readonly HashSet<int> _counted = [];

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>Segment ends sorted by small squares, and in each by the direction that leads into their segments, under a tree of boxes four to a node: which of those near to a place leads straightest on.</summary>
+/// <summary>Segment ends sorted into small squares, and within each by the direction into their segments, under a tree of boxes with four children to a node. Finds the near end that continues straightest.</summary>
 internal sealed class DirectionTree
 {
     private const int Fanout = 4;
@@ -10,7 +10,7 @@ internal sealed class DirectionTree
     private const double SmallestSquare = 1e-9;
     private readonly int[] _ends;
 
-    /// <summary>By level, the leaves first: the box of the directions, the box of the places, the lowest end that is not gone.</summary>
+    /// <summary>By level, leaves first: box of the directions, box of the positions, lowest end that has not been removed.</summary>
     private readonly Node[][] _levels;
 
     private DirectionTree(int[] ends, Node[] leaves)
@@ -21,30 +21,30 @@ internal sealed class DirectionTree
         _levels = [.. levels];
     }
 
-    /// <summary>How many nodes were looked at.</summary>
+    /// <summary>Number of nodes that were tested.</summary>
     public long Looks { get; private set; }
 
     /// <param name="ends">Numbers of ends.</param>
-    /// <param name="places">Where each end lies, by its number.</param>
-    /// <param name="reach">How far from here an end may be asked for, mm: what lies out of it must not share boxes with what lies within.</param>
+    /// <param name="places">Position of each end, by its number.</param>
+    /// <param name="reach">Largest distance that queries use, mm: squares are about as large, so that ends beyond it are in other boxes than those within.</param>
     /// <param name="travelInto">Direction into its segment, length 1.</param>
-    public static DirectionTree Of(int[] ends, Point2D[] places, double reach, Func<int, Vector2D> travelInto)
+    public static DirectionTree Build(int[] ends, Point2D[] places, double reach, Func<int, Vector2D> travelInto)
     {
         var square = Math.Max(reach / 2.0, SmallestSquare);
-        var sorted = ends.Select(end => (End: end, Way: travelInto(end)))
+        var sorted = ends.Select(end => (End: end, Into: travelInto(end)))
             .OrderBy(item => Math.Floor(places[item.End].X / square)).ThenBy(item => Math.Floor(places[item.End].Y / square))
-            .ThenBy(item => Math.Atan2(item.Way.Y, item.Way.X)).ThenBy(item => item.End).ToArray();
-        return new DirectionTree([.. sorted.Select(item => item.End)], [.. sorted.Select(item => new Node(PointBox(Point2D.Origin + item.Way), PointBox(places[item.End]), item.End))]);
+            .ThenBy(item => Math.Atan2(item.Into.Y, item.Into.X)).ThenBy(item => item.End).ToArray();
+        return new DirectionTree([.. sorted.Select(item => item.End)], [.. sorted.Select(item => new Node(PointBox(Point2D.Origin + item.Into), PointBox(places[item.End]), item.End))]);
     }
 
-    /// <summary>The largest cosine between the direction of travel and that of an end that counts and is near; <paramref name="best"/> when none is larger.</summary>
+    /// <summary>The largest cosine between the direction of travel and that of a near end that counts; <paramref name="best"/> when none is larger.</summary>
     public double Straightest(in Query query, double best)
     {
         if (_ends.Length > 0) Straightest(_levels.Length - 1, 0, query, ref best);
         return best;
     }
 
-    /// <summary>The lowest end that counts, is near and leads on with this cosine or a larger one; <paramref name="best"/> when none is lower.</summary>
+    /// <summary>The lowest near end that counts and continues with this cosine or a larger one; <paramref name="best"/> when none is lower.</summary>
     public int Lowest(in Query query, double leastCosine, int best)
     {
         if (_ends.Length > 0) Lowest(_levels.Length - 1, 0, query, leastCosine, ref best);
@@ -79,7 +79,7 @@ internal sealed class DirectionTree
         foreach (var child in Children(level, index, query, (child, _) => child.Lowest)) Lowest(level - 1, child, query, leastCosine, ref best);
     }
 
-    /// <summary>The leaf's end may be chosen. One that is gone for good is taken out of the tree.</summary>
+    /// <summary>True when the leaf's end may be chosen. An end that can never be chosen again is removed from the tree.</summary>
     private bool Counts(int leaf, in Query query)
     {
         if (query.Counts(_ends[leaf])) return _levels[0][leaf].Reaches(query);
@@ -109,7 +109,7 @@ internal sealed class DirectionTree
 
     private static Bounds2D PointBox(Point2D place) => Bounds2D.FromCorners(place, place);
 
-    /// <param name="Here">Where the walk stands.</param>
+    /// <param name="Here">Present end of the contour.</param>
     /// <param name="Reach">How far an end may lie from there, mm.</param>
     /// <param name="Travel">Direction of travel, length 1.</param>
     /// <param name="Counts">True for ends that may be chosen.</param>
@@ -120,11 +120,11 @@ internal sealed class DirectionTree
     {
         public Node With(Node other) => new(Directions.Union(other.Directions), Places.Union(other.Places), Math.Min(Lowest, other.Lowest));
 
-        /// <summary>No direction in the box has a larger cosine; of a leaf its own. Rounding keeps the order, for it is monotonic.</summary>
+        /// <summary>An upper bound of the cosine over the box; exact for a leaf. Rounding is monotonic and keeps the order.</summary>
         public double LargestCosine(Vector2D travel) =>
             (travel.X * (travel.X > 0.0 ? Directions.MaxX : Directions.MinX)) + (travel.Y * (travel.Y > 0.0 ? Directions.MaxY : Directions.MinY));
 
-        /// <summary>False when every place is out of reach; of a leaf as <see cref="Point2D.IsNear"/> has it.</summary>
+        /// <summary>False when every position is out of reach; for a leaf the same decision as <see cref="Point2D.IsNear"/>.</summary>
         public bool Reaches(in Query query)
         {
             var nearest = new Point2D(Math.Clamp(query.Here.X, Places.MinX, Places.MaxX), Math.Clamp(query.Here.Y, Places.MinY, Places.MaxY));

@@ -12,12 +12,12 @@ public static class Sequencer
 {
     /// <summary>Chaining and ordering in one.</summary>
     /// <param name="analysed">What <see cref="ArcAnalysis.Analyse"/> returned.</param>
-    /// <param name="drawing">The drawing behind the entity indices: names handles and tells ellipses and splines from their parts. Null when there is none.</param>
-    /// <param name="options">Tolerances and wishes.</param>
+    /// <param name="drawing">The drawing behind the entity indices, for handles and for the parts of ellipses and splines. Null when there is none.</param>
+    /// <param name="options">Tolerances and requests.</param>
     public static SequencingResult Sequence(EntityTable analysed, Drawing? drawing, SequencingOptions options) =>
         Order(Chain(analysed, drawing, options), options);
 
-    /// <summary>Removes duplicates, recovers arcs where that is wished, joins contours, finds which lies inside which.</summary>
+    /// <summary>Removes duplicates, recovers arcs where requested, joins contours, finds which lies inside which.</summary>
     public static ChainedTable Chain(EntityTable analysed, Drawing? drawing, SequencingOptions options)
     {
         var segments = analysed.ToSegments();
@@ -49,7 +49,7 @@ public static class Sequencer
         return new ChainedTable(analysed, kept, segments, chain, inside, drawing, findings.Diagnostics) { DuplicatesRemoved = duplicates };
     }
 
-    /// <summary>Puts the contours in order, turns and rotates them, and writes the sequenced table.</summary>
+    /// <summary>Puts the contours in order, reverses and rotates them, and writes the sequenced table.</summary>
     public static SequencingResult Order(ChainedTable chained, SequencingOptions options)
     {
         var findings = new SequencingFindings(chained.Drawing, options, chained.Diagnostics);
@@ -79,11 +79,11 @@ public static class Sequencer
         var segments = chained.Segments.Span;
         int[] inside = [.. chained.Inside];
         var first = default(StrokeEntry?);
-        if (options.Enter is { } wish)
+        if (options.Enter is { } requested)
         {
-            var enter = EntrySubstitute.Resolve(wish, chained);
+            var enter = EntrySubstitute.Resolve(requested, chained);
             first = EntrySearch.Find(enter, chained, options.ToolStart);
-            findings.AddEntry(wish, enter, first, inside);
+            findings.AddEntry(requested, enter, first, inside);
         }
 
         return options.Order == StrokeOrder.Drawn

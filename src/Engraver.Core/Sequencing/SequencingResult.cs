@@ -28,7 +28,7 @@ public sealed record SequencingResult
     /// <summary>Rapid distance from the tool start through every stroke in order.</summary>
     public required double Travel { get; init; }
 
-    /// <summary><see cref="Travel"/> and the way back to the tool start.</summary>
+    /// <summary><see cref="Travel"/> plus the way back to the tool start.</summary>
     public required double TravelAndBack { get; init; }
 
     /// <summary>The rapid distance if every DXF curve were a stroke of its own, in file order and drawn direction, duplicates included.</summary>

@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing;
 
-/// <summary>A run of rows of a sequenced table seen as moves: nothing is copied, so a million moves cost the table and no more.</summary>
+/// <summary>A range of rows of a sequenced table as a list of moves; nothing is copied, so a million moves cost no memory besides the table.</summary>
 internal sealed class TableMoves(EntityTable table, int firstRow, int count) : IReadOnlyList<StrokeMove>
 {
     public int Count => count;

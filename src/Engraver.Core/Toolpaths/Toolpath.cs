@@ -3,12 +3,12 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Toolpaths;
 
-/// <summary>Ordered strokes in millimetres, machine-neutral. Between strokes the tool is up and travels straight to the next start.</summary>
-/// <param name="ToolStart">Where the tool stands when the job starts (drawing point, millimetres).</param>
+/// <summary>Ordered strokes in millimetres, machine-neutral. Between strokes the tool is off and travels straight to the next start.</summary>
+/// <param name="ToolStart">Position of the tool when the job starts (drawing point, millimetres).</param>
 /// <param name="Strokes">In the order of cutting; may be empty.</param>
 public sealed record Toolpath(Point2D ToolStart, IReadOnlyList<ToolpathStroke> Strokes);
 
-/// <summary>One contour as it will be cut: moves that follow each other, tool down from the first to the last.</summary>
+/// <summary>One contour as it will be cut: consecutive moves, tool on from the first to the last.</summary>
 /// <param name="Index">Place in the order of cutting, 0 is first.</param>
 /// <param name="Closed">True when the stroke ends where it starts.</param>
 /// <param name="Moves">At least one move; each starts within the join tolerance of the end of the one before.</param>

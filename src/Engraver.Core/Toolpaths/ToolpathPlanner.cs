@@ -4,13 +4,13 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Core.Toolpaths;
 
-/// <summary>Sequenced strokes to a machine-neutral toolpath. Here, and nowhere earlier, ellipses and splines become arcs and lines.</summary>
+/// <summary>Sequenced strokes to a machine-neutral toolpath. Ellipses and splines become arcs and lines here.</summary>
 public static class ToolpathPlanner
 {
-    /// <summary>One toolpath stroke for each sequenced stroke. Lines, arcs and circles are untouched (a gap within the join tolerance stays for motion generation to close); of an ellipse or spline every piece carries its entity.</summary>
+    /// <summary>One toolpath stroke for each sequenced stroke. Lines, arcs and circles are unchanged (motion generation closes gaps within the join tolerance); every piece of an ellipse or spline has its entity's index.</summary>
     /// <param name="sequenced">What sequencing returned.</param>
-    /// <param name="toolStart">Where the tool stands when the job starts, millimetres.</param>
-    /// <param name="maxErrorMm">How far arcs and lines may leave an ellipse or spline, above 0.</param>
+    /// <param name="toolStart">Position of the tool when the job starts, millimetres.</param>
+    /// <param name="maxErrorMm">Largest distance of arcs and lines from their ellipse or spline, above 0.</param>
     public static Toolpath Plan(SequencingResult sequenced, Point2D toolStart, double maxErrorMm)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxErrorMm);

@@ -5,9 +5,9 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Pairs the moves of a toolpath that are unchanged (lines, arcs, circles; in CL data curves too) with the rows they are, by entity and exact ends; each row once. In linear time.</summary>
-/// <param name="Rows">Drawn and not paired: ellipses and splines that became arcs, duplicates, lines that an arc stands for, and what is missing.</param>
-/// <param name="Moves">Cut and not paired: what stands for those rows, and what is too much.</param>
+/// <summary>Pairs unchanged moves of a toolpath (lines, arcs, circles; in CL data curves too) with their rows, by entity and exact ends; each row once. In linear time.</summary>
+/// <param name="Rows">Rows without a move: ellipses and splines that became arcs, duplicates, lines replaced by an arc, and missing ones.</param>
+/// <param name="Moves">Moves without a row: what replaces those rows, and superfluous ones.</param>
 internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<StrokeMove> Moves)
 {
     public static DrawnMatch From(EntityTable drawn, Toolpath toolpath)
@@ -18,7 +18,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         for (var row = 0; row < drawn.Count; row++)
         {
             before[row] = -1;
-            var key = PairKey.Of(drawn[row].ToSegment(), drawn.EntityIndexOf(row));
+            var key = PairKey.From(drawn[row].ToSegment(), drawn.EntityIndexOf(row));
             if (!last.TryAdd(key, row)) (before[row], last[key]) = (last[key], row);
         }
 
@@ -42,13 +42,13 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
 
     private static bool Pair(EntityTable drawn, in StrokeMove move, Dictionary<PairKey, int> last, int[] before, bool[] paired)
     {
-        if (!last.TryGetValue(PairKey.Of(move.Segment, move.EntityIndex), out var row)) return false;
+        if (!last.TryGetValue(PairKey.From(move.Segment, move.EntityIndex), out var row)) return false;
         while (row >= 0 && (paired[row] || !AreSame(drawn, row, move.Segment))) row = before[row];
         if (row >= 0) paired[row] = true;
         return row >= 0;
     }
 
-    /// <summary>Their ends are the same: lines and circles are, arcs when they have the same middle, curves span by span.</summary>
+    /// <summary>For segments with the same ends: lines and circles are then the same, arcs when they also have the same middle, curves when all spans are.</summary>
     private static bool AreSame(EntityTable drawn, int row, in Segment cut)
     {
         if (cut.IsFreeCurve) return AreSame(drawn.CurveOf(row)!, cut.Curve);
@@ -57,7 +57,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
         return arc.PointAt(0.5).IsNear(cut.PointAt(0.5), ToolpathTolerances.RoundingOf(arc));
     }
 
-    /// <summary>Span for span, in the one direction or the other.</summary>
+    /// <summary>Compares span by span, in either direction.</summary>
     private static bool AreSame(RationalCurve drawn, RationalCurve cut)
     {
         if (ReferenceEquals(drawn, cut)) return true;
@@ -78,7 +78,7 @@ internal sealed record DrawnMatch(IReadOnlyList<StrokeMove> Rows, IReadOnlyList<
     /// <summary>Both ends in an order that does not depend on the direction; of a circle its centre and radius.</summary>
     private readonly record struct PairKey(int Entity, SegmentKind Kind, double X1, double Y1, double X2, double Y2)
     {
-        public static PairKey Of(in Segment segment, int entity)
+        public static PairKey From(in Segment segment, int entity)
         {
             if (segment.Kind == SegmentKind.Circle) return new PairKey(entity, segment.Kind, segment.Arc.Centre.X, segment.Arc.Centre.Y, segment.Arc.Radius, 0.0);
             var (a, b) = (segment.Start, segment.End);

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>How far a line or an arc goes from a drawn line or arc at most: exact where every place of it has its foot on the drawn one, a bound that is not too low elsewhere.</summary>
+/// <summary>Largest distance of a line or an arc from a drawn line or arc: exact where the nearest point to every point of it is on the drawn one and not beyond its ends, elsewhere an upper bound.</summary>
 internal static class FarthestOf
 {
     /// <param name="drawn">A line, an arc or a circle.</param>
@@ -27,7 +27,7 @@ internal static class FarthestOf
         return Math.Max(Math.Abs(least - arc.Radius), Math.Abs(most - arc.Radius)) + (beyond * most);
     }
 
-    /// <summary>By how much the directions of the part, seen from the centre of the arc, leave the sweep of the arc, radians; infinite when that is not easily told.</summary>
+    /// <summary>Angle by which the part, seen from the centre of the arc, extends beyond the arc's sweep, radians; infinite when it is not easily found.</summary>
     private static double AngleBeyond(ArcSegment arc, in Segment part, double nearest)
     {
         var sag = Sagitta(part);
@@ -37,11 +37,11 @@ internal static class FarthestOf
         if (Math.Abs(last - first) + (2.0 * bend) > Math.PI) return double.PositiveInfinity;
         var sweep = Math.Abs(arc.Sweep.Radians);
         var (low, high) = (Math.Min(first, last) - bend, Math.Max(first, last) + bend);
-        if (low < 0.0 && high > sweep) return double.PositiveInfinity; // the part may pass behind the arc
+        if (low < 0.0 && high > sweep) return double.PositiveInfinity; // the part may pass on the other side of the circle
         return Math.Max(0.0, Math.Max(-low, high - sweep));
     }
 
-    /// <summary>Direction of a place seen from the centre, from the start of the arc in its sense; a little before the start is a little below 0.</summary>
+    /// <summary>Angle of a point seen from the centre, from the arc's start in its direction; a little before the start is a little below 0.</summary>
     private static double Ahead(ArcSegment arc, Point2D place)
     {
         var sweep = arc.Sweep.Radians;
@@ -52,7 +52,7 @@ internal static class FarthestOf
 
     private static double Sagitta(in Segment part) => part.Kind == SegmentKind.Line ? 0.0 : part.Arc.Radius * (1.0 - Math.Cos(Math.Abs(part.Arc.Sweep.Radians) / 2.0));
 
-    /// <summary>Least and largest of (place - origin) in a direction.</summary>
+    /// <summary>Smallest and largest component of (place - origin) in a direction.</summary>
     private static (double Min, double Max) LinearRange(Point2D origin, Vector2D direction, in Segment part)
     {
         var (first, last) = ((part.Start - origin).Dot(direction), (part.End - origin).Dot(direction));
@@ -65,7 +65,7 @@ internal static class FarthestOf
         return (min, max);
     }
 
-    /// <summary>Least and largest distance from a place.</summary>
+    /// <summary>Smallest and largest distance from a point.</summary>
     private static (double Min, double Max) RadialRange(Point2D centre, in Segment part)
     {
         var (first, last) = (part.Start.DistanceTo(centre), part.End.DistanceTo(centre));

@@ -2,17 +2,17 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>The place of a segment nearest to another place, as a fraction of it (see <see cref="Segment.PointAt"/>).</summary>
+/// <summary>The point of a segment nearest to another point (its foot), as a fraction of the segment (see <see cref="Segment.PointAt"/>).</summary>
 internal static class FootOf
 {
     private const int MostSteps = 60;
     private const double ParameterKnown = 1e-12;
 
-    /// <summary>Nearer to an end than this a guess is none: the curve may stand still there, and a step from there leads nowhere.</summary>
+    /// <summary>A guess nearer to an end than this is not used: the derivative may be zero there, and Newton's step would lead nowhere.</summary>
     private const double NearEnd = 1e-4;
 
     /// <param name="segment">A line, an arc, a circle or a nearly straight piece of a curve.</param>
-    /// <param name="guess">Where on a curve the search begins; NaN when nothing is known.</param>
+    /// <param name="guess">Start of the search on a curve; NaN when nothing is known.</param>
     public static (double Foot, double Distance) Place(in Segment segment, Point2D place, double guess)
     {
         if (segment.IsFreeCurve)
@@ -24,7 +24,7 @@ internal static class FootOf
         return segment.Kind == SegmentKind.Line ? Place(segment.Line, place) : Place(segment.Arc, place);
     }
 
-    /// <summary>Newton's steps, kept between two parameters on either side of it.</summary>
+    /// <summary>Newton's steps, kept between two parameters on either side of the foot.</summary>
     public static double Place(BezierSpan span, Point2D place, double guess = double.NaN)
     {
         var (low, high) = (0.0, 1.0);
@@ -32,7 +32,7 @@ internal static class FootOf
         for (var step = 0; step < MostSteps && high - low > ParameterKnown; step++)
         {
             var point = span.Evaluate(parameter, out var derivative);
-            var ahead = (place - point).Dot(derivative.LengthSquared > 0.0 ? derivative : span.TangentAt(parameter)); // where the curve stands still it says nothing of the way
+            var ahead = (place - point).Dot(derivative.LengthSquared > 0.0 ? derivative : span.TangentAt(parameter)); // a zero derivative gives no direction
             if (ahead > 0.0) low = parameter;
             else high = parameter;
             var next = parameter + (ahead / derivative.LengthSquared);

@@ -17,7 +17,7 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double F
     /// <summary>Of what would lie between neighbours if all were spread evenly over the drawing: so wide a box may be. Most of a drawing is empty.</summary>
     private const double Narrow = 1.0 / 16.0;
 
-    public static SegmentBoxes Of(IReadOnlyList<Segment> segments)
+    public static SegmentBoxes From(IReadOnlyList<Segment> segments)
     {
         var (extents, total) = (Bounds2D.Empty, 0.0);
         var sags = new double[segments.Count];
@@ -55,7 +55,7 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double F
     private static double SagOf(in Segment segment)
     {
         if (segment.Kind == SegmentKind.Line) return 0.0;
-        if (segment.IsFreeCurve) return segment.Curve.Spans.ToArray().Max(span => 2.0 * OrientedBox.Of(span).HalfWidth);
+        if (segment.IsFreeCurve) return segment.Curve.Spans.ToArray().Max(span => 2.0 * OrientedBox.Around(span).HalfWidth);
         var half = segment.Arc.Sweep.Radians / 2.0;
         return segment.Arc.Radius * half * half / 2.0;
     }
@@ -69,7 +69,7 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double F
             {
                 var (from, to) = ((double)piece / pieces, (piece + 1.0) / pieces);
                 parts.Add(spans.Length > 1 ? (0.0, 1.0) : (from, to));
-                boxes.Add(spans.Length > 0 ? OrientedBox.Of(spans[span].Part(from, to)) : OrientedBox.Of(SegmentPart.Of(segment, from, to)));
+                boxes.Add(spans.Length > 0 ? OrientedBox.Around(spans[span].Part(from, to)) : OrientedBox.Around(SegmentPart.Of(segment, from, to)));
             }
         }
     }

@@ -25,9 +25,9 @@ internal sealed class SegmentIndex
     {
         _segments = segments;
         _stamps = new int[segments.Length];
-        var pieces = SegmentBoxes.Of(segments);
+        var pieces = SegmentBoxes.From(segments);
         (_owners, _parts) = (pieces.Owners, pieces.Parts);
-        _tree = OrientedBoxTree.Of(pieces.Boxes);
+        _tree = OrientedBoxTree.Build(pieces.Boxes);
         _measure = _distance = Distance;
         _measureOnce = MeasureOnce;
     }

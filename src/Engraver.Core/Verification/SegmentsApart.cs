@@ -11,7 +11,7 @@ internal static class SegmentsApart
     public static bool MayComeNear(in Segment path, in Segment part, double reach)
     {
         if (part.IsFreeCurve && part.Curve.Spans.Length > 1) return true;
-        var (first, second) = (OrientedBox.Of(path), OrientedBox.Of(part));
+        var (first, second) = (OrientedBox.Around(path), OrientedBox.Around(part));
         if (!first.Grown(reach).Overlaps(second)) return false;
         if (Math.Max(first.HalfWidth, second.HalfWidth) <= reach) return true;
         var distance = part.DistanceTo(path.PointAt(0.5));

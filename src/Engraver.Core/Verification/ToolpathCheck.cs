@@ -7,22 +7,22 @@ using Engraver.Core.Toolpaths;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Holds a toolpath against the drawing it was planned from, both ways, before anything is sent or written. Shares nothing with the planning: lines and arcs are found by entity and ends, curves by evaluation.</summary>
-/// <remarks>Linear in the number of segments for what passes unchanged, and n log n for the rest: curves, what was left out as a duplicate, arcs that stand for lines.</remarks>
+/// <summary>Compares a toolpath with the drawing it was planned from, in both directions, before anything is sent or written. Shares no method with the planning: lines and arcs are found by entity and ends, curves by evaluation.</summary>
+/// <remarks>Linear in the number of unchanged segments, and n log n for the rest: curves, omitted duplicates, arcs that replace lines.</remarks>
 public static class ToolpathCheck
 {
-    /// <summary>No more are looked for: one is enough to refuse the path.</summary>
+    /// <summary>Most findings: one is enough to refuse the path.</summary>
     private const int MostFindings = 20;
 
-    /// <summary>A curve may be cut by so much more than its length, and by this many times the tolerance.</summary>
+    /// <summary>Part by which the cut length of a curve may exceed its own, plus a multiple of the tolerance.</summary>
     private const double LongerThanCurve = 1.1;
     private const double LongerByTolerances = 20.0;
 
-    /// <summary>Empty when the path cuts what is drawn and nothing else; otherwise errors (VER0020 to VER0022), one for each entity and kind, that name the entity.</summary>
-    /// <param name="drawn">The analysed table as drawn, millimetres, all coordinates finite: duplicates are in it.</param>
-    /// <param name="toolpath">What is to be cut for it. Ellipses and splines may stand in it as arcs or as they are.</param>
-    /// <param name="tolerances">What may differ on purpose.</param>
-    /// <param name="sourceOf">Where an entity stands in the drawing.</param>
+    /// <summary>Empty when the path cuts exactly what is drawn; otherwise errors (VER0020 to VER0022), one for each entity and kind, that name the entity.</summary>
+    /// <param name="drawn">The analysed table as drawn, duplicates included, millimetres, all coordinates finite.</param>
+    /// <param name="toolpath">The path for it, with ellipses and splines as arcs or as they are.</param>
+    /// <param name="tolerances">Allowed differences.</param>
+    /// <param name="sourceOf">Position of an entity in the drawing's file.</param>
     public static IReadOnlyList<Diagnostic> Findings(EntityTable drawn, Toolpath toolpath, ToolpathTolerances tolerances, Func<int, SourceRef> sourceOf)
     {
         var findings = new Dictionary<(DiagnosticRule Rule, int Entity), Misfit>();
@@ -32,7 +32,7 @@ public static class ToolpathCheck
         return [.. findings.Take(MostFindings).Select(found => Diagnostic(found.Key.Rule, found.Value, sourceOf(found.Key.Entity)))];
     }
 
-    /// <summary>The tool stays down from the first move of a stroke to the last, so what lies between two moves is cut.</summary>
+    /// <summary>Checks the gaps between moves: the tool stays on from the first move of a stroke to the last, so what lies between two moves is cut too.</summary>
     private static void AddJumps(Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         foreach (var stroke in toolpath.Strokes)
@@ -63,7 +63,7 @@ public static class ToolpathCheck
         AddMissing(match, toolpath, tolerances, findings);
     }
 
-    /// <summary>Arcs of a curve that are cut twice lie where they should; their length tells.</summary>
+    /// <summary>Finds arcs of a curve that are cut twice: they lie where they should, but their length is too large.</summary>
     private static void AddRepeated(DrawnMatch match, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         var lengths = new Dictionary<int, double>();
@@ -81,7 +81,7 @@ public static class ToolpathCheck
         }
     }
 
-    /// <summary>First by what stands for curves and lines, then by everything that is cut: a duplicate is covered by what it doubles.</summary>
+    /// <summary>Tests against the moves that replace curves and lines first, then against everything that is cut: a duplicate is covered by its double.</summary>
     private static void AddMissing(DrawnMatch match, Toolpath toolpath, ToolpathTolerances tolerances, Dictionary<(DiagnosticRule Rule, int Entity), Misfit> findings)
     {
         var standing = new CutCover(match.Moves);

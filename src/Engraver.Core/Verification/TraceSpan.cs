@@ -2,10 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Where the machine was during many samples that follow from one another: along a line, or an arc of at most half a turn, at constant speed.</summary>
+/// <summary>Motion of the machine over many samples at constant speed: along a line, or an arc of at most half a turn.</summary>
 /// <param name="FromSeconds">Time of the first sample.</param>
 /// <param name="ToSeconds">Time of the last sample.</param>
-/// <param name="Samples">How many they are.</param>
+/// <param name="Samples">Number of samples.</param>
 /// <param name="Path">From the first to the last, drawing coordinates in millimetres; a line or an arc.</param>
 /// <param name="Cutting">True while the tool output is on, the whole time.</param>
 public readonly record struct TraceSpan(double FromSeconds, double ToSeconds, long Samples, Segment Path, bool Cutting)
@@ -17,7 +17,7 @@ public readonly record struct TraceSpan(double FromSeconds, double ToSeconds, lo
     }
 }
 
-/// <summary>Where the machine was at one moment, as its record says; drawing coordinates in millimetres.</summary>
+/// <summary>Position of the machine at one moment, from its record; drawing coordinates in millimetres.</summary>
 /// <param name="Seconds">Time of the sample.</param>
 /// <param name="XMm">Drawing X.</param>
 /// <param name="YMm">Drawing Y.</param>

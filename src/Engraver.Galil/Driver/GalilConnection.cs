@@ -32,10 +32,10 @@ public sealed class GalilConnection : IMachineConnection
 
     public bool IsBroken => _session.StopHandle.IsBroken;
 
-    /// <summary>Opens a session and shakes hands.</summary>
+    /// <summary>Opens a session and identifies the controller.</summary>
     /// <param name="openLink">Opens one more link to the same controller.</param>
-    /// <param name="trace">Where every line on the wire is written; null for nowhere.</param>
-    /// <exception cref="ControllerException">Nobody answers, or no controller of the family.</exception>
+    /// <param name="trace">Receives every line on the wire; null for none.</param>
+    /// <exception cref="ControllerException">No answer, or not a controller of the family.</exception>
     public static async Task<GalilConnection> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, WireTrace? trace, TimeProvider time, CancellationToken cancellation)
     {
         var messages = new ConcurrentQueue<string>();
@@ -47,7 +47,7 @@ public sealed class GalilConnection : IMachineConnection
 
     public Task StopAsync(int toolOutput) => new OperatorStop(_session, toolOutput, [], _session.Identity.Letters).BrakeAtOnceAsync();
 
-    /// <summary>AB first: it is the only command that halts without braking (galil-dmc.md B.8). A refused command does not keep the next from being tried.</summary>
+    /// <summary>Sends AB first: it is the only command that halts without braking (galil-dmc.md B.8). The other commands are sent even if one is refused.</summary>
     public async Task AbortAsync(int toolOutput)
     {
         foreach (var command in new[] { "AB", string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "MO" + _session.Identity.Letters })

@@ -6,11 +6,11 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Driver;
 
-/// <summary>One program of a posted file in a controller: loaded and started, and afterwards asked for what it refused.</summary>
+/// <summary>Runs one program of a posted file in a controller: loads and starts it, and asks afterwards which line was refused.</summary>
 public static class ReadBackRun
 {
     /// <summary>Downloads the chunk and starts it at #JOB.</summary>
-    /// <returns>Why it does not run; null when it does.</returns>
+    /// <returns>Why it was not started; null when it was.</returns>
     public static async Task<Diagnostic?> StartAsync(ReadBackChunk chunk, CommandChannel channel, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(chunk);

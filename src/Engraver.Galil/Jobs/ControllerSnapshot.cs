@@ -6,16 +6,16 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>What a job finds in the controller and has to give back: its own findings, or those of an earlier run that died and left our program standing there.</summary>
+/// <summary>The state in which a job finds the controller and has to leave it: as found now, or as found by an earlier run that died and left our program in the memory.</summary>
 internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemory memory, MachineProfile profile, JobOptions options, JobLog log)
 {
     private CrashRecovery? _earlier;
 
-    /// <summary>What nobody can give back any more, a sentence each.</summary>
+    /// <summary>What can no longer be restored, a sentence each.</summary>
     public List<string> Lost { get; } = [];
 
-    /// <summary>Looks, writes down and only then changes the program memory.</summary>
-    /// <returns>The refusal, or null when <paramref name="resident"/> stands in the memory.</returns>
+    /// <summary>Reads the state, writes it to the journal and only then changes the program memory.</summary>
+    /// <returns>The refusal, or null when <paramref name="resident"/> is in the memory.</returns>
     /// <exception cref="IOException">The journal or the copy of the program cannot be written.</exception>
     public async Task<Rejected?> BorrowAsync(string resident, CancellationToken stop)
     {
@@ -29,7 +29,7 @@ internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemor
         return await memory.BorrowAsync(resident, _earlier?.Program ?? program, copy, stop).ConfigureAwait(false);
     }
 
-    /// <summary>Program and settings are given back: the earlier run counts as ended.</summary>
+    /// <summary>Called when program and settings are restored: the earlier run counts as ended.</summary>
     /// <exception cref="IOException">Its journal cannot be written.</exception>
     public void GivenBack()
     {

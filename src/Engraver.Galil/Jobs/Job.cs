@@ -8,7 +8,7 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>One run of one motion program: prepare, cut stroke by stroke, bring to rest, leave as found.</summary>
+/// <summary>One run of one motion program: prepare, cut stroke by stroke, bring to rest, leave the controller as found.</summary>
 internal sealed class Job
 {
     private static readonly int[] OwnThreads = [ResidentProgram.MainThread, ResidentProgram.WatchdogThread];
@@ -56,7 +56,7 @@ internal sealed class Job
         }
         finally
         {
-            // A bug of ours is on its way out: the machine stops first.
+            // An exception of our own is being thrown: the machine is stopped first.
             if (step is null) await BringToRestAsync(JobStep.Done).ConfigureAwait(false);
         }
 
@@ -81,14 +81,14 @@ internal sealed class Job
         }
     }
 
-    /// <summary>Everything up to the end of the last stroke. Whatever the operator, the controller, the link or the disk do ends it as a value.</summary>
+    /// <summary>Everything up to the end of the last stroke. A stop or failure, whether of operator, controller, link or disk, is returned as a value.</summary>
     private async Task<JobStep> RunToTheEndAsync()
     {
         try
         {
             var step = await BusyStepAsync().ConfigureAwait(false) is { Ends: true } busy ? busy : await RunFreeMachineAsync().ConfigureAwait(false);
 
-            // A motion that ended early or a halted thread is what the stop has done.
+            // A motion that ended early or a halted thread is a consequence of the stop.
             return step.Outcome == JobOutcome.Refused && _stop.IsCancellationRequested ? Stopped : step;
         }
         catch (OperationCanceledException) when (_stop.IsCancellationRequested)
@@ -108,7 +108,7 @@ internal sealed class Job
     private async Task<JobStep> BusyStepAsync() =>
         await _session.BusyReasonAsync(_stop).ConfigureAwait(false) is { } busy ? JobStep.Broken(busy) : JobStep.Done;
 
-    /// <summary>From here on the machine is ours, and the operator's stop reaches it at once.</summary>
+    /// <summary>Called when the machine is free: from here on the operator's stop acts on it at once.</summary>
     private async Task<JobStep> RunFreeMachineAsync()
     {
         _touched = true;
@@ -140,7 +140,7 @@ internal sealed class Job
         ? end
         : new JobStep(JobOutcome.Complete, JobMachine.Text($"Done: {_ledger.Executed} segments."), null);
 
-    /// <summary>Tool off, stop, our threads halted, rest; after a complete job only the threads have anything to stop. Over a lost link it is tried all the same, for the other handle may stand.</summary>
+    /// <summary>Tool off, stop, our threads halted, at rest; after a complete job only the threads are left to stop. Tried over a lost link too, because the other handle may still work.</summary>
     private async Task<(JobStep Step, StandstillReport? Standstill)> BringToRestAsync(JobStep step)
     {
         if (!_touched) return (step, null);
@@ -161,12 +161,12 @@ internal sealed class Job
         }
     }
 
-    /// <summary>What the controller does behind its last word nobody hears; a buffer, or a program with all of its strokes, goes on until the watchdog trips.</summary>
+    /// <summary>What was last known. After the link is lost the controller continues unseen: with its buffer, or a program with all its strokes, until the watchdog trips.</summary>
     private string LastWord => _machine.Known is { } known
         ? JobMachine.Text($" The last word of the controller was {known.Position.X},{known.Position.Y} with {_ledger.Executed} segments done; it goes on with what it has until its watchdog stops it, so that more may be cut than is counted here.")
         : "";
 
-    /// <summary>The found program, speeds and motors; the machine stands and our threads are halted.</summary>
+    /// <summary>Restores the found program, speeds and motors; the machine is at rest and our threads are halted.</summary>
     private async Task<IReadOnlyList<string>> LeaveAsFoundAsync()
     {
         if (!_touched) return [];

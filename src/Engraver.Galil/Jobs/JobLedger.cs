@@ -3,7 +3,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>What was sent and what the controller confirmed. The one place where a job is counted.</summary>
+/// <summary>Counts what was sent and what the controller confirmed; the one place where a job is counted.</summary>
 internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
 {
     private readonly List<TracePoint> _trace = [];
@@ -16,17 +16,17 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
 
     public int SegmentCount { get; } = program.SegmentCount;
 
-    /// <summary>Place of the stroke under way in the motion program.</summary>
+    /// <summary>Index of the present stroke in the motion program.</summary>
     public int Stroke { get; set; }
 
-    /// <summary>Place of the sequence under way in its stroke.</summary>
+    /// <summary>Index of the present sequence in its stroke.</summary>
     public int Sequence { get; set; }
 
     public int Sent { get; set; }
 
     public int Executed { get; private set; }
 
-    /// <summary>The last poll saw the tool off though it should have been on: what is confirmed now counts as cut only when the next one takes that back.</summary>
+    /// <summary>The last poll saw the tool off although it should have been on. What is confirmed meanwhile counts as cut only if the next poll sees it on.</summary>
     public bool IsToolMissing
     {
         get => _isToolMissing;
@@ -46,7 +46,7 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
 
     public int Rejected { get; set; }
 
-    /// <summary>What had to be done to the job to run it: strokes that the memory cut.</summary>
+    /// <summary>Findings about how the job was run: strokes that were divided because of the memory.</summary>
     public List<Diagnostic> Diagnostics { get; } = [];
 
     /// <summary>What went wrong without ending the job.</summary>
@@ -74,7 +74,7 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
         if (_seen.Add(segment.EntityIndex)) _entities.Add(segment.EntityIndex);
     }
 
-    /// <summary>Keeps a polled position unless nothing has changed since the last; where no trace is kept, the last one with the tool on and the last with the tool off.</summary>
+    /// <summary>Keeps a polled position if it differs from the last; where no trace is kept, only the last with the tool on and the last with the tool off.</summary>
     public void Trail(TracePoint point)
     {
         if (_trace.Count > 0 && _trace[^1] with { Seconds = point.Seconds } == point) return;

@@ -3,13 +3,13 @@ using Engraver.Galil.Jobs.Journal;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>Tells the operator and the journal where the job is.</summary>
+/// <summary>Reports the job's progress to the operator and the journal.</summary>
 internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal journal, IProgress<JobProgress>? progress, TimeProvider time)
 {
-    /// <summary>Between two lines of the journal inside one sequence, controller seconds.</summary>
+    /// <summary>Controller seconds between two lines of the journal inside one sequence.</summary>
     private const double JournalSeconds = 1.0;
 
-    /// <summary>Between two reports to the operator, controller seconds.</summary>
+    /// <summary>Controller seconds between two reports to the operator.</summary>
     private const double ProgressSeconds = 0.05;
 
     private double _reported = double.NegativeInfinity;
@@ -24,7 +24,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         options.Begins?.Invoke(header);
     }
 
-    /// <summary>Before anything in the controller is changed.</summary>
+    /// <summary>Written before anything in the controller is changed.</summary>
     public void Found(JournalFound found) => journal.Write(found);
 
     public void Polled()
@@ -35,7 +35,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         Report();
     }
 
-    /// <summary>The sequence under way is done.</summary>
+    /// <summary>The present sequence is complete.</summary>
     public void SequenceDone() => WriteProgress();
 
     public void End(JobResult result)

@@ -9,10 +9,10 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>The machine as a job sees it: commands with the heartbeat between them, polls, the tool. Nothing is sent after the operator's stop.</summary>
+/// <summary>The machine as a job uses it: commands with heartbeats between them, polls, the tool. Nothing is sent after the operator's stop.</summary>
 internal sealed class JobMachine
 {
-    /// <summary>Between two looks at the program in the controller, on a serial line.</summary>
+    /// <summary>Readings of the path between two whole polls, on a serial line.</summary>
     internal const int GlancesBetweenPolls = 8;
 
     private readonly ControllerSession _session;
@@ -50,10 +50,10 @@ internal sealed class JobMachine
 
     public MachineProfile Profile { get; }
 
-    /// <summary>Where the job frame takes the machine to stand at the start.</summary>
+    /// <summary>Assumed position of the machine at the start, job frame.</summary>
     public CountsPoint Start { get; }
 
-    /// <summary>After so many seconds of the controller without progress a job is given up.</summary>
+    /// <summary>Controller seconds without progress after which a job is given up.</summary>
     public double StandstillSeconds => _progress.Seconds;
 
     /// <summary>The last poll; null before the first.</summary>
@@ -64,10 +64,10 @@ internal sealed class JobMachine
     /// <summary>What is added to a point of the job frame to get the controller's counts.</summary>
     public CountsPoint Frame => FrameTaken ?? default;
 
-    /// <summary>The same; null before <see cref="TakeFrameAsync"/>.</summary>
+    /// <summary>As <see cref="Frame"/>; null before <see cref="TakeFrameAsync"/>.</summary>
     public CountsPoint? FrameTaken { get; private set; }
 
-    /// <summary>Where the machine stands, job frame.</summary>
+    /// <summary>Present position, job frame.</summary>
     public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
 
     /// <summary>The job's clock.</summary>
@@ -78,10 +78,10 @@ internal sealed class JobMachine
 
     public JobTool Tool { get; }
 
-    /// <summary>Whether the tool output is on, as the controller said last; whoever switched it. A dry run has no tool.</summary>
+    /// <summary>Whether the tool output was on at the last poll, whoever switched it. A dry run has no tool.</summary>
     public bool IsToolOn => Tool.IsSeenOn(Known);
 
-    /// <summary>What to add to the report of a refused line of the program in the controller, by its line number.</summary>
+    /// <summary>Text to add to the report of a refused line of the program in the controller, by its line number.</summary>
     public Func<int, string> PlaceInProgram { get; set; } = _ => "";
 
     /// <summary>The operator's stop.</summary>
@@ -123,27 +123,27 @@ internal sealed class JobMachine
         return JobStep.Refused(rejected, where);
     }
 
-    /// <summary>Asks for one number.</summary>
+    /// <summary>Queries one number.</summary>
     public async ValueTask<(double Value, JobStep Step)> AskAsync(string operand)
     {
         var reading = await _session.Commands.ReadAsync(operand, _stop).ConfigureAwait(false);
         return reading.Refusal is { } refused ? (0.0, Refuse(refused, "")) : (reading.Values[0], JobStep.Done);
     }
 
-    /// <summary>Asks for several numbers at once.</summary>
+    /// <summary>Queries several numbers at once.</summary>
     public async ValueTask<(IReadOnlyList<double> Values, JobStep Step)> AskAllAsync(string operands)
     {
         var reading = await _session.Commands.ReadAsync(operands, _stop).ConfigureAwait(false);
         return reading.Refusal is { } refused ? ([], Refuse(refused, "")) : (reading.Values, JobStep.Done);
     }
 
-    /// <summary>Held against every polled state; null while nothing is expected of the position.</summary>
+    /// <summary>A test of every polled state; null while nothing is expected of the position.</summary>
     public Func<MachineState, JobStep>? Expectation { get; set; }
 
     /// <summary>A watch over the path of a sequence from here.</summary>
     public PathWatch Watch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed) => new(start, segments, speed, (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6);
 
-    /// <summary>Asks where the machine is. Ends the job when the watchdog has tripped.</summary>
+    /// <summary>Reads the machine's state. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
         if (Line is null) return await ReadAsync(MachineState.Operands, MachineState.From).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
@@ -151,13 +151,13 @@ internal sealed class JobMachine
         return await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
     }
 
-    /// <summary>Looks at the path alone where a whole poll would hold the feeding up: on a serial line.</summary>
+    /// <summary>Reads only the path where a whole poll would delay the segments: on a serial line.</summary>
     public async ValueTask<JobStep> GlanceAsync()
     {
         if (Line is null || Known is null || _toolWatch.IsSuspicious || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
         if (await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
 
-        // The axes were last seen at work for the path: now that it has ended they must be asked again.
+        // The axes were last seen in motion because of the path: now that it has ended they must be read again.
         return !State.SequenceRunning && State.AxesRunning ? await PollAsync().ConfigureAwait(false) : await PolledAsync().ConfigureAwait(false);
     }
 
@@ -181,10 +181,10 @@ internal sealed class JobMachine
         return await BeatAsync().ConfigureAwait(false);
     }
 
-    /// <summary>What a poll tells against the job: the program in the controller is no longer at work, the tool is not as it should be, or nothing gets on.</summary>
+    /// <summary>Ends the job when a poll shows that the program in the controller has ended, the tool is not as it should be, or there is no progress.</summary>
     private async ValueTask<JobStep> FaultAsync()
     {
-        if (_stop.IsCancellationRequested) return JobStep.Done; // what this poll saw may be the stop's own work
+        if (_stop.IsCancellationRequested) return JobStep.Done; // what this poll saw may be an effect of the stop
         var isToolWrong = _toolWatch.IsWrong(State, Tool.IsOutputOn(State), Tool.Wanted(State), Tool.WantedByProgram is not null);
         var hasProgramEnded = State.Trip != 0 || State.ProgramError != 0 || !State.ProgramRuns;
         _ledger.IsToolMissing = _toolWatch.IsMissing && !hasProgramEnded; // then the controller switched it off and stopped
@@ -194,7 +194,7 @@ internal sealed class JobMachine
         return _progress.IsStalled(State) ? await _fault.StalledAsync().ConfigureAwait(false) : JobStep.Done;
     }
 
-    /// <summary>The program in the controller has started: waits until its watchdog runs, which from then on is looked after.</summary>
+    /// <summary>The program in the controller has started: waits until its watchdog runs, which is checked at every poll from then on.</summary>
     public async ValueTask<JobStep> AwaitWatchdogAsync()
     {
         if (await AwaitAsync(ResidentServer.WatchdogLine, line => line >= 0).ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
@@ -202,7 +202,7 @@ internal sealed class JobMachine
         return JobStep.Done;
     }
 
-    /// <summary>Ends the program in the controller and its watchdog; to be called at rest with the tool off.</summary>
+    /// <summary>Ends the program in the controller and its watchdog; call at rest with the tool off.</summary>
     public ValueTask<JobStep> HaltProgramAsync()
     {
         _isGuarded = false;
@@ -214,11 +214,11 @@ internal sealed class JobMachine
     private async ValueTask<JobStep> BeatAsync() =>
         _heartbeat.IsDue() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
 
-    /// <summary>Asks for one number over the handle of the stop, also after the operator's stop; null when the controller does not know it.</summary>
+    /// <summary>Queries one number over the stop handle, also after the operator's stop; null when the controller does not know it.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async ValueTask<double?> AskAtRestAsync(string operand) => (await _session.StopHandle.ReadAsync(operand, CancellationToken.None).ConfigureAwait(false)).OrNothing;
 
-    /// <summary>Asks for one number until it is as wanted, and polls in between.</summary>
+    /// <summary>Queries one number until it is as wanted, and polls in between.</summary>
     public async ValueTask<JobStep> AwaitAsync(string operand, Func<double, bool> wanted)
     {
         var (pause, start) = (new PollPause(_pollInterval, 0.0), Time.GetTimestamp());
@@ -232,13 +232,13 @@ internal sealed class JobMachine
     }
 
     /// <summary>Polls until <paramref name="reached"/>.</summary>
-    /// <param name="atLeastSeconds">What that takes at the least; until then there are pauses between the polls.</param>
+    /// <param name="atLeastSeconds">Shortest time that this can take; until then there are pauses between the polls.</param>
     public ValueTask<JobStep> PollUntilAsync(Func<MachineState, bool> reached, double atLeastSeconds = 0.0) => UntilAsync(PollAsync, reached, atLeastSeconds);
 
-    /// <summary>The same by glances.</summary>
+    /// <summary>The same with readings of the path (<see cref="GlanceAsync"/>).</summary>
     public ValueTask<JobStep> GlanceUntilAsync(Func<MachineState, bool> reached, double atLeastSeconds = 0.0) => UntilAsync(GlanceAsync, reached, atLeastSeconds);
 
-    /// <summary>A pause in which the controller gets on by itself, no longer than between two polls.</summary>
+    /// <summary>Pauses while the controller works, no longer than the interval between polls.</summary>
     public async ValueTask RestAsync(double seconds)
     {
         var rest = TimeSpan.FromSeconds(Math.Min(seconds, _pollInterval.TotalSeconds));
@@ -256,7 +256,7 @@ internal sealed class JobMachine
         }
     }
 
-    /// <summary>The position at the start of the job becomes the drawing's start point.</summary>
+    /// <summary>Defines the job frame: the position at the start of the job becomes the drawing's start point.</summary>
     public async ValueTask<JobStep> TakeFrameAsync()
     {
         if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
@@ -265,12 +265,12 @@ internal sealed class JobMachine
         return JobStep.Done;
     }
 
-    /// <summary>Nothing is asked over the second handle any more.</summary>
+    /// <summary>Ends the checks of the second handle.</summary>
     public ValueTask EndWatchAsync() => _stopHandle.EndAsync();
 
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>The program in the controller is no longer at work: the watchdog tripped, one of its lines was refused, or somebody halted it.</summary>
+    /// <summary>Reports why the program in the controller has ended: the watchdog tripped, one of its lines was refused, or somebody halted it.</summary>
     private async ValueTask<JobStep> ProgramEndedAsync()
     {
         if (State.Trip == WatchdogProgram.ToolForgotten) return _fault.ToolForgotten();
@@ -285,7 +285,7 @@ internal sealed class JobMachine
         return Refuse(new Rejected(code, TcCodes.Text(code), Text($"line {line:0} of the downloaded program")), PlaceInProgram((int)line));
     }
 
-    /// <summary>An axis was further from its reference position than ER: jammed, or driven beyond what the motor can do.</summary>
+    /// <summary>Reports a position error larger than ER: the axis is jammed, or driven faster than its motor can follow.</summary>
     private async ValueTask<JobStep> CannotFollowAsync()
     {
         var (a, b) = (await AskAtRestAsync("_TEA").ConfigureAwait(false), await AskAtRestAsync("_TEB").ConfigureAwait(false));
@@ -293,7 +293,7 @@ internal sealed class JobMachine
         return JobStep.Broken(Text($"The position error became larger than ER allows at {State.Position.X},{State.Position.Y}{far}: an axis cannot follow. Look for what holds it; a lower feed or acceleration may help."));
     }
 
-    /// <summary>Halted from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is closed, by AB, or by HX.</summary>
+    /// <summary>Reports a halt from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is active, by AB, or by HX.</summary>
     private async ValueTask<JobStep> ProgramHaltedAsync()
     {
         var where = Text($"at {State.Position.X},{State.Position.Y}");

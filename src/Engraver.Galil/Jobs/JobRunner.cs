@@ -8,18 +8,18 @@ namespace Engraver.Galil.Jobs;
 /// <summary>Runs a motion program on a controller and leaves the controller as it was found.</summary>
 public static class JobRunner
 {
-    /// <summary>Runs the job to its end, to the operator's stop, to the first refusal or to the loss of the link; it always returns with what the controller said last.</summary>
+    /// <summary>Runs the job to its end, to the operator's stop, to the first refusal or to the loss of the link; it always returns, with what the controller last reported.</summary>
     /// <param name="session">Open, and the machine at rest. It stays open.</param>
-    /// <param name="progress">Told where the job is, 20 times a second of controller time; may be null.</param>
+    /// <param name="progress">Receives the progress, 20 times a second of controller time; may be null.</param>
     /// <param name="stop">The operator's stop: the machine is stopped first, however long it brakes, then this returns.</param>
     public static async Task<JobResult> RunAsync(
         MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
         await RunAsync(program, null, session, options, progress, stop).ConfigureAwait(false);
 
-    /// <summary>Moves the machine by hand: with the tool off, at rapid speed, each axis at its own pace, under the same watchdog and stop as a job.</summary>
-    /// <param name="program">Without strokes: the machine, and where it stands in the frame in which progress is told.</param>
-    /// <param name="goal">The controller's own counts.</param>
-    /// <returns>As of a job; refused when a motor is off, for nothing is switched on by a move.</returns>
+    /// <summary>Moves the machine without cutting: tool off, at rapid speed, each axis at its own, under the same watchdog and stop as a job.</summary>
+    /// <param name="program">Has no strokes; gives the machine, and its position in the frame in which progress is reported.</param>
+    /// <param name="goal">Target in the controller's own counts.</param>
+    /// <returns>As for a job; refused when a motor is off, because a move switches nothing on.</returns>
     public static async Task<JobResult> GoToAsync(
         MotionProgram program, CountsPoint goal, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
     {
@@ -47,7 +47,7 @@ public static class JobRunner
             return JobResult.NotStarted(program.Strokes.Count, $"The journal cannot be written: {failure.Message} Name another file.");
         }
 
-        // Replies from memory come at once: without a thread of its own the whole job would run before this method returns.
+        // Replies from memory are immediate: without a thread of its own the whole job would run before this method returns.
         using (journal) return await Task.Run(new Job(program, session, options, progress, journal, stop, goTo).RunAsync, CancellationToken.None).ConfigureAwait(false);
     }
 }

@@ -3,12 +3,12 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>The result of one step of a job: it goes on, or it ends and says why.</summary>
+/// <summary>The result of one step of a job: the job continues, or it ends for this reason.</summary>
 internal sealed record JobStep(JobOutcome Outcome, string Sentence, Rejected? Refusal)
 {
     public static JobStep Done { get; } = new(JobOutcome.Complete, "", null);
 
-    /// <summary>Of a step that ended with <see cref="JobOutcome.LinkLost"/>; null for any other.</summary>
+    /// <summary>The cause, for a step that ended with <see cref="JobOutcome.LinkLost"/>; otherwise null.</summary>
     public LinkLoss? Loss { get; private init; }
 
     public bool Ends => Outcome != JobOutcome.Complete;

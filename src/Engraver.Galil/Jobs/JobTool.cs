@@ -2,28 +2,28 @@ using Engraver.Galil.Jobs.Watching;
 
 namespace Engraver.Galil.Jobs;
 
-/// <summary>The tool of a job: switched by commands, and given its time to settle by the controller's clock. A dry run has none.</summary>
+/// <summary>The tool of a job: switched by commands, with a settle time by the controller's clock. A dry run never switches it on.</summary>
 internal sealed class JobTool(JobMachine machine, bool dryRun)
 {
-    /// <summary>Samples in a second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so a settle time is never cut short.</summary>
+    /// <summary>Samples per second on hardware at TM 1000 (galil-dmc.md C, TIME); the larger of the two readings, so that a settle time is never too short.</summary>
     private const double SamplesPerSecond = 1024.0;
 
     private bool _isOn;
 
-    /// <summary>What the output is to be by a poll, where a program in the controller switches it; null where this job does.</summary>
+    /// <summary>State of the output that a poll should show, where a program in the controller switches it; null where this job does.</summary>
     public Func<MachineState, bool?>? WantedByProgram { get; set; }
 
-    /// <summary>What the output is to be by this poll: what this job switched it to, or what the program is to have done; null where that cannot be said. A dry run never wants it.</summary>
+    /// <summary>State of the output that this poll should show: as this job switched it, or as the program should have; null where it is not known. In a dry run always off.</summary>
     public bool? Wanted(MachineState state) => dryRun ? false : WantedByProgram is { } program ? program(state) : _isOn;
 
     public ValueTask<JobStep> OnAsync() => dryRun || _isOn ? new(JobStep.Done) : SwitchAsync(true);
 
     public ValueTask<JobStep> OffAsync() => _isOn ? SwitchAsync(false) : new(JobStep.Done);
 
-    /// <summary>Whether the output is on, as the controller said last; whoever switched it.</summary>
+    /// <summary>Whether the output was on at the last poll, whoever switched it.</summary>
     public bool IsSeenOn(MachineState? known) => !dryRun && known is { } state && IsOutputOn(state);
 
-    /// <summary>The same, a dry run too.</summary>
+    /// <summary>The same, in a dry run too.</summary>
     public bool IsOutputOn(MachineState state) => (state.Outputs & (1 << (machine.Profile.ToolOutput - 1))) != 0;
 
     private async ValueTask<JobStep> SwitchAsync(bool on)

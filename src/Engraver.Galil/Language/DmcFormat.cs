@@ -3,10 +3,10 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Language;
 
-/// <summary>How numbers and vector segments are spelled for the controller: invariant point, no exponent, at most four decimals (galil-dmc.md F.5).</summary>
+/// <summary>Writes numbers and vector segments for the controller: invariant point, no exponent, at most four decimals (galil-dmc.md F.5).</summary>
 public static class DmcFormat
 {
-    /// <summary>A number with at most four decimals; what the controller then keeps is the caller's business (angle quantum).</summary>
+    /// <summary>A number with at most four decimals; how the controller then rounds it is the caller's concern (angle quantum).</summary>
     public static string Number(double value) => value.ToString("0.####", CultureInfo.InvariantCulture) is var text && text == "-0" ? "0" : text;
 
     /// <summary>VP or CR for one segment; VP is written relative to the start of its sequence, as the controller understands it (galil-dmc.md B.2).</summary>

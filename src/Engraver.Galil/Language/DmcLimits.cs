@@ -2,10 +2,10 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Language;
 
-/// <summary>What the controller refuses, checked before a byte is sent (galil-dmc.md F.5 and B.1).</summary>
+/// <summary>Limits beyond which the controller refuses, checked before a byte is sent (galil-dmc.md F.5 and B.1).</summary>
 public static class DmcLimits
 {
-    /// <summary>Counts. Newer manuals allow 8,388,607; the older text is planned with.</summary>
+    /// <summary>Counts. Newer manuals allow 8,388,607; this is the older, smaller limit.</summary>
     public const int LongestSegment = 8_000_000;
 
     /// <summary>Counts of path in one sequence must stay below this (TC 31).</summary>

@@ -2,8 +2,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>A link to a controller whose clock is offered: what comes over it tells that the clock has gone on.</summary>
-/// <param name="link">Owned.</param>
+/// <summary>A link to a controller whose clock is offered: every answer over it shows that the clock may have advanced.</summary>
+/// <param name="link">Owned by this link.</param>
 /// <param name="heard">Called with each answer.</param>
 public sealed class ClockedLink(IControllerLink link, Action heard) : IControllerLink
 {

@@ -2,11 +2,11 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>Bytes to and from a controller, whatever carries them: a socket, a serial line, memory. One reader and one writer at a time.</summary>
+/// <summary>Bytes to and from a controller over any medium: a socket, a serial line, memory. One reader and one writer at a time.</summary>
 /// <remarks>Failures are <see cref="IOException"/>; the protocol above turns them into the three link exceptions.</remarks>
 public interface IControllerLink : IAsyncDisposable
 {
-    /// <summary>What the operator knows it by, for example <c>tcp://10.0.0.5:23</c>.</summary>
+    /// <summary>The link as the operator names it, for example <c>tcp://10.0.0.5:23</c>.</summary>
     string Description { get; }
 
     /// <summary>The serial line under the link; null where the link is fast and can be opened twice.</summary>

@@ -6,18 +6,18 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>The clock that a controller in another process offers on loopback (contract, <c>?clock=PORT</c>): while this stands, the controller's time goes on only by our commands and while we wait.</summary>
+/// <summary>The clock that a controller in another process offers on loopback (contract, <c>?clock=PORT</c>): while this object exists, the controller's time passes only by our commands and while we wait.</summary>
 /// <remarks>
-/// <para>Over the wire, in lines: <c>now</c> and <c>wait N</c> are answered with the controller's time, the latter when N have passed; <c>stop</c> ends a wait. Whole microseconds.</para>
-/// <para>A timer that is created with a time to go (<c>Task.Delay</c>) is a wait; one that is created at rest and set later is a deadline, which fires when time passes it and lets none pass.</para>
-/// <para>When the other end is gone, time goes on with the wall from where it was, so that every wait and every deadline still ends.</para>
+/// <para>Over the wire, in lines: <c>now</c> is answered with the controller's time; <c>wait N</c> too, when N have passed; <c>stop</c> ends a wait. Whole microseconds.</para>
+/// <para>A timer that is created with a due time (<c>Task.Delay</c>) is a wait; one that is created without and set later is a deadline, which fires when time reaches it and does not let time pass.</para>
+/// <para>When the other end is gone, time continues with the wall clock from its last value, so that every wait and every deadline still ends.</para>
 /// </remarks>
 public sealed class OfferedClock : TimeProvider, IDisposable
 {
-    /// <summary>How long the other end may take for an answer, on the wall.</summary>
+    /// <summary>Wall time after which an answer of the other end is overdue.</summary>
     private const int AnswerMilliseconds = 10_000;
 
-    /// <summary>While a reply is awaited nobody asks the time; it is looked at so often, on the wall.</summary>
+    /// <summary>While a reply is awaited nobody reads the time; deadlines are then tested at this interval of wall time.</summary>
     private static readonly TimeSpan LookAtDeadlines = TimeSpan.FromMilliseconds(250);
 
     private readonly Lock _gate = new();
@@ -43,7 +43,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
     public override long TimestampFrequency => TimeSpan.TicksPerSecond;
 
     /// <summary>Takes the clock at this port of loopback.</summary>
-    /// <exception cref="ControllerLinkException">Nobody offers one there.</exception>
+    /// <exception cref="ControllerLinkException">No clock is offered there.</exception>
     public static OfferedClock Take(int port)
     {
         var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true, ReceiveTimeout = AnswerMilliseconds, SendTimeout = AnswerMilliseconds };
@@ -85,10 +85,10 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         return timer;
     }
 
-    /// <summary>The controller answered something: its clock may have gone on. While nothing is said and nothing waited for it stands, and need not be asked again.</summary>
+    /// <summary>The controller answered something: its clock may have advanced. Without commands and waits it does not, and need not be queried again.</summary>
     public void Heard() => _isKnown = false;
 
-    /// <summary>Gives the clock back; what still waits ends.</summary>
+    /// <summary>Gives the clock back and ends all waits.</summary>
     public void Dispose()
     {
         _looking.Dispose();
@@ -126,7 +126,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
 
     private long NextDue => _set.Count == 0 ? long.MaxValue : _set.Min(timer => timer.Due);
 
-    /// <summary>Under the lock: asks for the time up to the first timer.</summary>
+    /// <summary>Under the lock: sends a wait up to the first timer.</summary>
     private void AskToWait()
     {
         _askedFor = NextDue;
@@ -179,7 +179,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         foreach (var timer in due) ThreadPool.UnsafeQueueUserWorkItem(static fired => fired.Fire(), timer, preferLocal: false);
     }
 
-    /// <summary>A host that awaits a reply looks at no clock: its deadlines are looked at for it, and so is everything when the other end is gone.</summary>
+    /// <summary>Tests the deadlines for a host that awaits a reply and does not read the clock itself; and all timers when the other end is gone.</summary>
     private void Look()
     {
         bool isDeadlineSet;
@@ -193,11 +193,11 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         GetTimestamp();
     }
 
-    /// <summary>Under the lock. While a wait is under way its answer will tell the time.</summary>
+    /// <summary>Under the lock. While a wait is under way its answer will give the time.</summary>
     private void AskNow()
     {
         if (_isAsked || _isLost) return;
-        _isKnown = true; // what is heard from here on makes it unknown again
+        _isKnown = true; // any answer from here on makes it unknown again
         Try(() => Ask("now\n"));
     }
 
@@ -250,7 +250,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
 
         public void Fire() => callback(state);
 
-        /// <remarks>The period is not used by anybody: a timer fires once.</remarks>
+        /// <remarks>The period is ignored, because no caller uses it: a timer fires once.</remarks>
         public bool Change(TimeSpan dueTime, TimeSpan period)
         {
             clock.Set(this, dueTime, isWait: false);

@@ -7,7 +7,7 @@ using static Engraver.Galil.Links.SerialNative;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>An open serial device and the bell that wakes whoever waits for it. No call of it waits but <see cref="Wait"/>.</summary>
+/// <summary>An open serial device, with an event that wakes the thread that waits for it. No method blocks except <see cref="Wait"/>.</summary>
 internal sealed class SerialDevice : IDisposable
 {
     private readonly SafeFileHandle _device;
@@ -21,8 +21,8 @@ internal sealed class SerialDevice : IDisposable
         _watched = [new Watched { File = (int)device.DangerousGetHandle() }, new Watched { File = (int)bell.DangerousGetHandle(), Wanted = PollIn }];
     }
 
-    /// <summary>Opens the device for this program alone and sets the line. What another program left unread is dropped.</summary>
-    /// <exception cref="ControllerLinkException">There is no such device, it may not be opened, another program has it, or it does not take the rate.</exception>
+    /// <summary>Opens the device exclusively and sets the line. Bytes that another program left unread are dropped.</summary>
+    /// <exception cref="ControllerLinkException">There is no such device, it may not be opened, another program has it, or it does not support the rate.</exception>
     public static SerialDevice Open(SerialAddress address)
     {
         var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
@@ -43,8 +43,8 @@ internal sealed class SerialDevice : IDisposable
         }
     }
 
-    /// <summary>Waits until bytes are there, until bytes can be sent (when <paramref name="toSend"/>), or until the bell.</summary>
-    /// <returns>What has happened to the device, as poll spells it.</returns>
+    /// <summary>Waits until bytes are there, until bytes can be sent (when <paramref name="toSend"/>), or until <see cref="Ring"/>.</summary>
+    /// <returns>The events of the device, as flags of poll.</returns>
     public short Wait(bool toSend)
     {
         _watched[0].Wanted = toSend ? (short)(PollIn | PollOut) : PollIn;
@@ -77,7 +77,7 @@ internal sealed class SerialDevice : IDisposable
         };
     }
 
-    /// <summary>Bytes taken; 0 when there is no room.</summary>
+    /// <summary>Writes bytes; returns how many were taken, 0 when the buffer is full.</summary>
     /// <exception cref="IOException">The device is gone.</exception>
     public int Write(ReadOnlySpan<byte> bytes)
     {
@@ -85,7 +85,7 @@ internal sealed class SerialDevice : IDisposable
         return count >= 0 ? (int)count : NothingOr(Marshal.GetLastPInvokeError());
     }
 
-    /// <summary>Closes. What was not sent yet is dropped first: closing would wait for it, for ever when the other side holds us back.</summary>
+    /// <summary>Closes the device. Unsent bytes are dropped first: closing would wait for them, for ever while the other side stops the flow.</summary>
     public void Dispose()
     {
         _ = Control(_device, Flush, FlushBoth);

@@ -7,7 +7,7 @@ namespace Engraver.Galil.Links;
 
 /// <summary>A link over an RS-232 line on Linux; a pseudo-terminal is one too (galil-dmc.md A.2: 8 data bits, no parity, 1 stop bit).</summary>
 /// <remarks>One thread waits for the device in both directions, without a time limit and without polling. An adapter that is unplugged ends that wait, and so every read and write, with an
-/// <see cref="IOException"/>. Closing rings the thread's bell, so it never waits for a byte.</remarks>
+/// <see cref="IOException"/>. Closing wakes the thread, so that it never waits for a byte.</remarks>
 public sealed class SerialLink : IControllerLink
 {
     private readonly SerialDevice _device;
@@ -31,7 +31,7 @@ public sealed class SerialLink : IControllerLink
         new Thread(Watch) { IsBackground = true, Name = Description }.Start();
     }
 
-    /// <summary>Why serial links cannot be opened on this machine, a sentence; null where they can.</summary>
+    /// <summary>Why serial links cannot be opened on this computer, a sentence; null where they can.</summary>
     public static string? WhyUnsupported => OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture != Architecture.Ppc64le
         ? null
         : "serial links are built for Linux only so far; connect the controller by tcp://HOST:PORT.";
@@ -40,9 +40,9 @@ public sealed class SerialLink : IControllerLink
 
     public SerialLine? Line { get; }
 
-    /// <summary>Opens the device for this program alone.</summary>
-    /// <param name="writeTimeout">How long the device may take no byte at all before the link counts as lost.</param>
-    /// <exception cref="ControllerLinkException">There is no such device, it is no serial line, or another program has it.</exception>
+    /// <summary>Opens the device exclusively.</summary>
+    /// <param name="writeTimeout">Time in which the device takes no byte at all after which the link counts as lost.</param>
+    /// <exception cref="ControllerLinkException">There is no such device, it is not a serial line, or another program has it.</exception>
     /// <exception cref="PlatformNotSupportedException"><see cref="WhyUnsupported"/> says why.</exception>
     public static SerialLink Open(SerialAddress address, TimeSpan writeTimeout, TimeProvider time)
     {
@@ -97,7 +97,7 @@ public sealed class SerialLink : IControllerLink
         }
     }
 
-    /// <summary>The thread: carries bytes in, tells when there is room for bytes out, and closes the device at the end.</summary>
+    /// <summary>Runs on the thread: reads bytes, reports when bytes can be sent, and closes the device at the end.</summary>
     private void Watch()
     {
         try
@@ -123,7 +123,7 @@ public sealed class SerialLink : IControllerLink
         }
     }
 
-    /// <summary>What the other side said before it hung up is still read.</summary>
+    /// <summary>Handles events; bytes received before a hang-up are still read.</summary>
     private void Serve(short happened)
     {
         if ((happened & SerialNative.PollOut) != 0) TellRoom(null);
@@ -131,7 +131,7 @@ public sealed class SerialLink : IControllerLink
         {
             _received.Writer.Advance(count);
 
-            // Without a threshold flushing is done at once; the reader runs on a thread of its own.
+            // Without a threshold the flush completes at once; the reader runs on a thread of its own.
             _received.Writer.FlushAsync(CancellationToken.None).AsTask().GetAwaiter().GetResult();
         }
 

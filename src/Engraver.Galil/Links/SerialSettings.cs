@@ -4,7 +4,7 @@ using static Engraver.Galil.Links.SerialNative;
 
 namespace Engraver.Galil.Links;
 
-/// <summary>Eight data bits, no parity, one stop bit, every byte as it is (cfmakeraw), a rate and a flow control, spelled as the kernel's line settings.</summary>
+/// <summary>Line settings of the kernel: eight data bits, no parity, one stop bit, every byte unchanged (cfmakeraw), a rate and a flow control.</summary>
 internal static class SerialSettings
 {
     // Names of termios.h behind each value.
@@ -27,15 +27,15 @@ internal static class SerialSettings
         Local = found.Local & ~LocalProcessing,
         Control = (found.Control & ~(RateMask | InputRateMask | Framing | HardwareFlow)) | Rate(baud) | EightBits | Receiver | (flow == SerialFlow.RtsCts ? HardwareFlow : 0),
         ReadTime = 0,
-        ReadMinimum = 1, // with 0 an empty line would read as nothing, which is what a hang-up reads as
+        ReadMinimum = 1, // with 0 a read without bytes would return 0, as it does after a hang-up
         Start = 0x11,
         Stop = 0x13,
     };
 
-    /// <summary>True when the device has taken the rate.</summary>
+    /// <summary>True when the device has accepted the rate.</summary>
     public static bool HasRate(LineSettings settings, int baud) => (settings.Control & RateMask) == Rate(baud);
 
-    /// <summary>B1200 and so on.</summary>
+    /// <summary>The kernel's code for a rate (B1200 and so on).</summary>
     private static uint Rate(int baud) => baud switch
     {
         1200 => 0x9,

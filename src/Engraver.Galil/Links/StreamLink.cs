@@ -7,7 +7,7 @@ public sealed class StreamLink(Stream stream, string description) : IControllerL
 {
     public string Description => description;
 
-    /// <summary>The serial line that the stream stands for; null for none.</summary>
+    /// <summary>The serial line that the stream represents; null for none.</summary>
     public SerialLine? Line { get; init; }
 
     public async ValueTask WriteAsync(ReadOnlyMemory<byte> bytes, CancellationToken cancellation)

@@ -4,7 +4,7 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs;
 
-/// <summary>The routines in the controller that the calls way needs, as lines. The paper's #LINEAR made right (galil-dmc.md F.0, EX1), and the #CIRC it does not print.</summary>
+/// <summary>The routines in the controller for job mode calls, as lines: the paper's #LINEAR, corrected (galil-dmc.md F.0, EX1), and the #CIRC that it does not print.</summary>
 internal static class Subprograms
 {
     public const string Linear = "#LINEAR";
@@ -12,7 +12,7 @@ internal static class Subprograms
     public const string Rapid = "#RAPID";
     public const string CommandError = "#CMDERR";
 
-    /// <summary>Cuts a straight to x, y relative to where the machine stands, and waits for its end.</summary>
+    /// <summary>Cuts a straight line to x, y relative to the machine's position, and waits for its end.</summary>
     /// <param name="last">A statement before the return ("seq=seq+1"), or empty.</param>
     public static IReadOnlyList<string> LinearLines(string last) => Interpolation(Linear, "VP x,y", last);
 
@@ -26,7 +26,7 @@ internal static class Subprograms
     /// <param name="last">A statement before the return, or empty.</param>
     public static IReadOnlyList<string> RapidLines(string target, string last) => new ProgramLines().Line(Rapid).Line(target).Line("BG" + DmcAxes.Plane).Line("AM" + DmcAxes.Plane).Line(last).Line("EN").Lines;
 
-    /// <summary>Plane S, speeds and accelerations of the profile. VS goes with every sequence. Only valid at rest.</summary>
+    /// <summary>Plane S, speeds and accelerations of the profile. VS is sent with every sequence. Only valid at rest.</summary>
     public static IReadOnlyList<string> SetUpLines(MachineProfile profile)
     {
         var acceleration = profile.AccelerationCounts;

@@ -5,20 +5,20 @@ using Engraver.Galil.Links;
 namespace Engraver.Galil.Protocol;
 
 /// <summary>Commands and replies over one link: one outstanding command, every prompt counted, the reason of a <c>?</c> fetched with TC1 (galil-dmc.md A.3, A.4).</summary>
-/// <remarks>A cancellation is honoured before a command is sent; what was sent is waited for, otherwise the prompts would shift. After an exception of the
-/// <see cref="ControllerException"/> family the channel is dead and says so.</remarks>
+/// <remarks>A cancellation is honoured before a command is sent; the reply to a sent command is always awaited, otherwise the prompts would no longer match. After an exception of the
+/// <see cref="ControllerException"/> family the channel refuses all further use.</remarks>
 public sealed class CommandChannel : IAsyncDisposable
 {
     /// <summary>DL, UL and burning take longer than a command (galil-dmc.md A.6).</summary>
     public static readonly TimeSpan TransferTimeout = TimeSpan.FromSeconds(10);
 
-    /// <summary>Characters that an upload is given time for on a serial line when nobody knows how many will come.</summary>
+    /// <summary>Assumed number of characters of an upload over a serial line, for its time-out, when it is not known.</summary>
     private const int UsualProgram = 10_000;
 
-    /// <summary>A reply to a command is shorter than this, bytes; on a serial line it takes its time.</summary>
+    /// <summary>Longest reply to a command, bytes, for its time-out on a serial line.</summary>
     private const int LongestCommandReply = 512;
 
-    /// <summary>A download over a serial line is sent in portions of about so many bytes, so that it can be cut short.</summary>
+    /// <summary>Bytes of each portion of a download over a serial line, so that it can be cancelled between them.</summary>
     private const int DownloadPortion = 128;
 
     private const string EchoProbe = "MG \"ECHO\"";
@@ -57,13 +57,13 @@ public sealed class CommandChannel : IAsyncDisposable
     /// <summary>Called with each line that a program in the controller printed.</summary>
     public Action<string>? MessageReceived { get; set; }
 
-    /// <summary>The first words on a serial line: ends what an earlier host left open, and switches the echo off (galil-dmc.md F.2).</summary>
+    /// <summary>The first lines on a serial line: ends what an earlier host left open, and switches the echo off (galil-dmc.md F.2).</summary>
     /// <returns>Whether the echo was on.</returns>
-    /// <exception cref="ControllerException">Nobody answers.</exception>
+    /// <exception cref="ControllerException">No answer.</exception>
     public async ValueTask<bool> GreetAsync(CancellationToken cancellation) =>
         await ExchangeAsync(SerialGreeting.Text, ReplyShape.Greeting, 0, _replyTimeout, cancellation).ConfigureAwait(false) is Accepted { Data: var said } && SerialGreeting.WasEchoed(said);
 
-    /// <summary>From here on every command is compared with its echo (EO 1): on a serial line a byte can arrive as another one. A controller that does not echo is talked to as before.</summary>
+    /// <summary>From here on every command is compared with its echo (EO 1), because a serial line can damage a byte. With a controller that does not echo nothing changes.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async ValueTask CompareEchoAsync(CancellationToken cancellation)
     {
@@ -73,7 +73,7 @@ public sealed class CommandChannel : IAsyncDisposable
 
     /// <summary>Sends one line and waits for the prompts of all its parts. The first refused part makes the reply a <see cref="Rejected"/>.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    /// <exception cref="EchoException">The line does not carry what is said; the stop can still be sent.</exception>
+    /// <exception cref="EchoException">The echo differs from what was sent; the stop can still be sent.</exception>
     /// <exception cref="ArgumentException">The line breaks the rules of <see cref="CommandLine"/>.</exception>
     public ValueTask<Reply> SendAsync(string line, CancellationToken cancellation)
     {
@@ -81,7 +81,7 @@ public sealed class CommandChannel : IAsyncDisposable
         return _echo is not null && text.Contains(';', StringComparison.Ordinal) ? SendEachAsync(CommandLine.Parts(text), cancellation) : ExchangeAsync(text, ReplyShape.Text, 0, _replyTimeout, cancellation);
     }
 
-    /// <summary>Where echoes are compared, the parts of a line go one after the other: else the reply to one would come in the middle of the echo of the next. It takes as many bytes.</summary>
+    /// <summary>Sends the parts of a line one after the other where echoes are compared: else the reply to one would come in the middle of the echo of the next. The number of bytes is the same.</summary>
     private async ValueTask<Reply> SendEachAsync(IReadOnlyList<string> parts, CancellationToken cancellation)
     {
         Rejected? refused = null;
@@ -96,20 +96,20 @@ public sealed class CommandChannel : IAsyncDisposable
         return refused ?? (data.Count == 0 ? Accepted.Silent : (Reply)new Accepted(string.Join('\n', data)));
     }
 
-    /// <summary>UL: the program memory, lines separated by LF, without the end mark; empty when the memory is.</summary>
-    /// <param name="expected">Characters that are known to stand there; 0 when nobody knows. A link may hand over all of them at once, after the time that they take on the wire.</param>
+    /// <summary>UL: the program memory, lines separated by LF, without the end mark; empty when the memory is empty.</summary>
+    /// <param name="expected">Number of characters, for the time-out; 0 when it is not known. Some links deliver all of them at once, after the time that they take on the wire.</param>
     public async ValueTask<Reply> UploadAsync(CancellationToken cancellation, int expected = 0) =>
         await ExchangeAsync("UL", ReplyShape.Upload, 0, TransferTimeout + WireTime(Math.Max(expected, UsualProgram)), cancellation).ConfigureAwait(false) is var reply && reply is Accepted text
             ? new Accepted(ProgramText.FromUpload(text.Data))
             : reply;
 
-    /// <summary>DL: replaces the program memory. The controller is silent until the end mark and then prompts twice (galil-dmc.md A.6).</summary>
-    /// <remarks>The caller has made sure that no thread runs: after a refused DL the lines would be taken for commands. On a serial line a cancellation ends the download
-    /// where it is, with the end mark behind a whole line (galil-dmc.md F.4); part of the program then stands in the memory.</remarks>
+    /// <summary>DL: replaces the program memory. The controller answers nothing until the end mark and then prompts twice (galil-dmc.md A.6).</summary>
+    /// <remarks>The caller makes sure that no thread runs: after a refused DL the lines would be taken for commands. On a serial line a cancellation ends the download
+    /// early, with the end mark after a whole line (galil-dmc.md F.4); part of the program is then in the memory.</remarks>
     public ValueTask<Reply> DownloadAsync(string program, CancellationToken cancellation) =>
         ExchangeAsync("DL\r" + ProgramText.ForDownload(program) + "\\", ReplyShape.Text, 0, TransferTimeout, cancellation);
 
-    /// <summary>QR: the data record, one character of the data is one byte.</summary>
+    /// <summary>QR: the data record; each character of the data is one byte.</summary>
     /// <param name="length">Bytes of the record, from QZ.</param>
     public ValueTask<Reply> ReadRecordAsync(int length, CancellationToken cancellation) => ExchangeAsync("QR", ReplyShape.Record, length, _replyTimeout, cancellation);
 
@@ -155,7 +155,7 @@ public sealed class CommandChannel : IAsyncDisposable
 
     private static string Trimmed(string data) => data.Replace("\r\n", "\n", StringComparison.Ordinal).Trim();
 
-    /// <summary>The command's own <c>?</c> says nothing; TC1 gives number and text and clears them.</summary>
+    /// <summary>A <c>?</c> does not say why; TC1 gives number and text of the reason and clears them.</summary>
     private async ValueTask<Rejected> FetchReasonAsync(string command)
     {
         await WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
@@ -165,7 +165,7 @@ public sealed class CommandChannel : IAsyncDisposable
         return new Rejected(code, text, command);
     }
 
-    /// <returns>True when a download was cut short.</returns>
+    /// <returns>True when a download was ended early.</returns>
     private async ValueTask<bool> WriteAsync(string text, bool isDownload, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
     {
         _trace?.Write(_name, '>', text);
@@ -228,7 +228,7 @@ public sealed class CommandChannel : IAsyncDisposable
         return frame;
     }
 
-    /// <summary>What the controller made of it is not known, but the stop must still reach it: the line is greeted anew, which ends whatever was half said, and goes on without echoes.</summary>
+    /// <summary>After a wrong echo it is not known what the controller executed, but the stop must still reach it: the line is greeted again, which ends any half command, and continues without echoes.</summary>
     private async ValueTask<EchoException> HarmedAsync(string text, string heard)
     {
         _echo = null;
@@ -246,7 +246,7 @@ public sealed class CommandChannel : IAsyncDisposable
             count = _echo?.Strip(_received.AsSpan(0, count)) ?? count;
             _framer.Append(_received.AsSpan(0, count));
 
-            // A whole program memory takes a minute at 19,200 baud: as long as some of it comes, the link lives.
+            // A whole program memory takes a minute at 19,200 baud: the link counts as alive as long as characters arrive.
             if (Line is not null && _framer.Shape == ReplyShape.Upload) _deadline.Start(_timeout);
         }
         catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)

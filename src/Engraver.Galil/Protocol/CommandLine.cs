@@ -6,7 +6,7 @@ public static class CommandLine
     /// <summary>Characters of a line, parts and semicolons included.</summary>
     public const int MaximumLength = 80;
 
-    /// <summary>The commands of a line; a semicolon in quotes separates nothing. The n parts of a line give n prompts.</summary>
+    /// <summary>The commands of a line; a semicolon in quotes does not separate. A line of n parts gives n prompts.</summary>
     public static IReadOnlyList<string> Parts(string line)
     {
         ArgumentNullException.ThrowIfNull(line);
@@ -25,7 +25,7 @@ public static class CommandLine
         return parts;
     }
 
-    /// <summary>The line without a last semicolon: whether that gives a prompt of its own is not settled (galil-dmc.md L.2), so it is never sent.</summary>
+    /// <summary>The line without a trailing semicolon: whether that gives a prompt of its own is not known (galil-dmc.md L.2), so it is never sent.</summary>
     /// <exception cref="ArgumentException">Too long, or with characters that end a line or a download.</exception>
     internal static string Checked(string line)
     {

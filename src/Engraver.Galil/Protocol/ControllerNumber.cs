@@ -3,13 +3,13 @@ using System.Globalization;
 namespace Engraver.Galil.Protocol;
 
 /// <summary>Numbers as the controller prints them: blanks or commas between them, leading zeros, a point, or hexadecimal with a dollar sign (galil-dmc.md A.3).</summary>
-/// <remarks>Whether a blank stands between two numbers of one MG differs from page to page of the manuals (A.3): where the column of the sign is all that divides them, a minus follows the last digit directly, <c>20000.0000-81.0000</c>.</remarks>
+/// <remarks>Whether a blank separates two numbers of one MG differs from page to page of the manuals (A.3): with only the column of the sign between them, a minus follows the last digit directly, <c>20000.0000-81.0000</c>.</remarks>
 public static class ControllerNumber
 {
     private static readonly char[] Separators = [' ', ',', '\t', '\r', '\n'];
 
     /// <summary>All numbers of a reply's data, in order.</summary>
-    /// <returns>False when anything in it is no number; column widths are never relied on.</returns>
+    /// <returns>False when anything in it is not a number; column widths are never relied on.</returns>
     public static bool TryParseAll(string data, out double[] values)
     {
         ArgumentNullException.ThrowIfNull(data);
@@ -24,7 +24,7 @@ public static class ControllerNumber
         return true;
     }
 
-    /// <summary>One number, or several that only their signs divide.</summary>
+    /// <summary>One number, or several separated only by their signs.</summary>
     private static bool TryParseWord(string word, List<double> numbers)
     {
         for (var start = 0; start < word.Length;)

@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>The controller heard something else than what was sent. The channel still carries the stop.</summary>
+/// <summary>The echo differs from what was sent: the controller received something else. The stop can still be sent over the channel.</summary>
 public sealed class EchoException : ControllerException
 {
     public EchoException()

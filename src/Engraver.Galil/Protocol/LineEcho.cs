@@ -2,10 +2,10 @@ using System.Text;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Takes the echo of a serial line (EO 1, galil-dmc.md A.2) out of what comes back and compares it with what was sent. Full duplex: it costs no time.</summary>
+/// <summary>Removes the echo of a serial line (EO 1, galil-dmc.md A.2) from what is received and compares it with what was sent. It takes no time, because the line is full duplex.</summary>
 /// <remarks>
-/// Lines go out one command at a time, so that an echo is whole before its reply begins. Whether the end of a line comes back as CR, as CR LF or not at all is not settled (A.2), so each is taken.
-/// A download is compared by the upload behind it: here its echo, if there is one, is passed over. Bytes with bit 7 set are messages (A.5) and come in between.
+/// Lines are sent one command at a time, so that an echo is complete before its reply begins. Whether the end of a line is echoed as CR, as CR LF or not at all is not known (A.2), so each is accepted.
+/// A download is verified by the upload after it: its echo, if there is one, is only removed. Bytes with bit 7 set are messages (A.5) and may come in between.
 /// </remarks>
 internal sealed class LineEcho
 {
@@ -15,10 +15,10 @@ internal sealed class LineEcho
     private int _heard;
     private bool _isDownload;
 
-    /// <summary>What came instead of what was sent, up to the first other byte; null while all agrees.</summary>
+    /// <summary>The echo up to the first byte that differs; null while all agrees.</summary>
     public string? Harm { get; private set; }
 
-    /// <summary>A line is about to be sent.</summary>
+    /// <summary>Call before a line is sent.</summary>
     public void Begin(bool isDownload)
     {
         _expected.Clear();
@@ -27,8 +27,8 @@ internal sealed class LineEcho
 
     public void Sent(ReadOnlySpan<byte> bytes) => _expected.AddRange(bytes);
 
-    /// <summary>Takes the echo out, in place.</summary>
-    /// <returns>Bytes that are left at the front of <paramref name="received"/>.</returns>
+    /// <summary>Removes the echo from the received bytes, in place.</summary>
+    /// <returns>Number of bytes that are left at the front of <paramref name="received"/>.</returns>
     public int Strip(Span<byte> received)
     {
         var left = 0;
@@ -62,7 +62,7 @@ internal sealed class LineEcho
         return false;
     }
 
-    /// <summary>LF directly behind the CR of the echo.</summary>
+    /// <summary>True for an LF directly after the CR of the echo.</summary>
     private bool IsFeedBehindEcho(byte value)
     {
         var isFeed = value == (byte)'\n' && _expected.Count > 0 && _expected[^1] == Return;

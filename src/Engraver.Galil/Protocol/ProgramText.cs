@@ -2,10 +2,10 @@ using System.Text;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Program text on its way to and from the controller's memory (galil-dmc.md A.6).</summary>
+/// <summary>Converts program text to and from the form of the controller's memory (galil-dmc.md A.6).</summary>
 public static class ProgramText
 {
-    /// <summary>Lines ended with CR; an empty line becomes a comment, for the controller does not store empty lines.</summary>
+    /// <summary>Lines ended with CR; an empty line becomes a comment, because the controller does not store empty lines.</summary>
     /// <exception cref="ArgumentException">A line is longer than the controller takes, or holds a character that would end the download.</exception>
     public static string ForDownload(string program)
     {
@@ -23,7 +23,7 @@ public static class ProgramText
     /// <summary>The lines as uploaded, separated by LF, without the end mark and without the empty line before it.</summary>
     public static string FromUpload(string data) => string.Join('\n', Lines(data.TrimEnd('\x1A', '\\')));
 
-    /// <summary>True when both hold the same lines; line ends and trailing blanks do not count.</summary>
+    /// <summary>True when both have the same lines; line ends and trailing blanks are ignored.</summary>
     public static bool AreSame(string left, string right) => Lines(ForComparison(left)).SequenceEqual(Lines(ForComparison(right)));
 
     private static string ForComparison(string program) => string.Join('\n', Lines(program).Select(line => line.Length == 0 ? "'" : line.TrimEnd()));

@@ -12,15 +12,15 @@ public sealed record Accepted(string Data) : Reply
     internal static Accepted Silent { get; } = new("");
 }
 
-/// <summary>The prompt was <c>?</c>; the reason was asked with TC1.</summary>
+/// <summary>The prompt was <c>?</c>; the reason was fetched with TC1.</summary>
 /// <param name="Code">The number of TC1; compare this, never the text.</param>
-/// <param name="Text">The controller's own words.</param>
-/// <param name="Command">What was refused.</param>
+/// <param name="Text">The controller's text for the code.</param>
+/// <param name="Command">The refused command.</param>
 public sealed record Rejected(TcCode Code, string Text, string Command) : Reply
 {
     /// <summary>One sentence for the operator: what was refused, code and text, and what the code means here.</summary>
     public string Explain() => $"The controller refused '{Command}' with TC {(int)Code} ({Text}){TcCodes.Hint(Code)}.";
 
-    /// <summary>The same for those who know no controller.</summary>
+    /// <summary>The same in the neutral form of the machine seam.</summary>
     public MachineRefusal ToRefusal() => new((int)Code, Text, Command, Explain());
 }

@@ -1,6 +1,6 @@
 namespace Engraver.Galil.Protocol;
 
-/// <summary>One timer for all replies of a channel. It is armed once and only looks at the time when it fires, so a command in the hot path costs no timer.</summary>
+/// <summary>One timer for all replies of a channel. It stays armed and compares the time only when it fires, so that most commands do not touch a timer.</summary>
 internal sealed class ReplyDeadline : IDisposable
 {
     private readonly TimeProvider _time;
@@ -18,7 +18,7 @@ internal sealed class ReplyDeadline : IDisposable
         _timer = time.CreateTimer(_ => OnTimer(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
     }
 
-    /// <summary>Cancelled when a reply was overdue; it stays so, for a channel that missed a reply has lost count of its prompts.</summary>
+    /// <summary>Cancelled when a reply was overdue, for good: the prompts that a channel missed can no longer be matched.</summary>
     public CancellationToken Expired => _expired.Token;
 
     public void Start(TimeSpan limit)
@@ -26,7 +26,7 @@ internal sealed class ReplyDeadline : IDisposable
         lock (_gate)
         {
             _started = _time.GetTimestamp();
-            // A shorter wait than the timer was armed for must not sit out the longer one.
+            // A wait that is shorter than the armed one must not last as long as that.
             var mustArm = !_armed || limit < _limit;
             _limit = limit;
             _waiting = true;
@@ -65,7 +65,7 @@ internal sealed class ReplyDeadline : IDisposable
             }
         }
 
-        // Outside the lock: whoever waits for the token may run here.
+        // Outside the lock, because callbacks of the token may run here.
         _expired.Cancel();
     }
 }

@@ -4,12 +4,12 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Bytes in, replies out: finds the prompts and takes the unsolicited text out of the stream. Any split of the bytes gives the same replies.</summary>
-/// <remarks>A prompt stands at the start of a line, so a colon inside a data line is none. Bytes with bit 7 set are unsolicited characters
-/// (galil-dmc.md A.5, CW 1) except inside a binary record and in an uploaded program, which comes back byte for byte: nothing runs then that could say anything. Not thread-safe: the channel has one command under way.</remarks>
+/// <summary>Divides received bytes into replies: finds the prompts and takes unsolicited text out of the stream. The result does not depend on how the bytes arrive.</summary>
+/// <remarks>A prompt is at the start of a line, so that a colon inside a data line is none. Bytes with bit 7 set are unsolicited characters
+/// (galil-dmc.md A.5, CW 1) except inside a binary record and in an uploaded program, which is returned byte for byte while no program runs. Not thread-safe: the channel has one command under way.</remarks>
 public sealed class ReplyFramer
 {
-    /// <summary>Longest reply taken, bytes; a whole program memory is 80,000.</summary>
+    /// <summary>Longest reply that is accepted, bytes; a whole program memory is 80,000.</summary>
     public const int LongestReply = 1 << 20;
 
     private const byte CtrlZ = 0x1A;
@@ -18,13 +18,13 @@ public sealed class ReplyFramer
     private readonly Queue<ReplyFrame> _frames = new();
     private int _recordLength;
 
-    /// <summary>How the reply under way is framed.</summary>
+    /// <summary>The shape of the present reply.</summary>
     public ReplyShape Shape { get; private set; }
 
     /// <summary>Called with each unsolicited line, without its line end.</summary>
     public Action<string>? MessageReceived { get; init; }
 
-    /// <summary>A command is about to be sent. What is left of an earlier one (the extra colon that a trailing <c>;</c> may bring, text under CW 2) is dropped.</summary>
+    /// <summary>Call before a command is sent. Drops what is left of an earlier one (the extra colon that a trailing <c>;</c> may bring, text under CW 2).</summary>
     /// <param name="recordLength">Bytes of the record when <paramref name="shape"/> is <see cref="ReplyShape.Record"/>.</param>
     public void Expect(ReplyShape shape, int recordLength)
     {
@@ -85,7 +85,7 @@ public sealed class ReplyFramer
 /// <summary>One prompt and the bytes before it; a character of <paramref name="Data"/> is one byte.</summary>
 public readonly record struct ReplyFrame(bool Accepted, string Data);
 
-/// <summary>How the reply to a command is framed.</summary>
+/// <summary>Shapes of replies.</summary>
 public enum ReplyShape
 {
     /// <summary>Data lines, CR LF, prompt; or the prompt alone.</summary>
@@ -97,13 +97,13 @@ public enum ReplyShape
     /// <summary>QR: a binary record of known length, then the prompt (galil-dmc.md A.9).</summary>
     Record,
 
-    /// <summary>The first words on a serial line (<see cref="SerialGreeting"/>): whatever comes, up to the answer to the last of them.</summary>
+    /// <summary>The answer to the first lines on a serial line (<see cref="SerialGreeting"/>): anything up to the answer to the last of them.</summary>
     Greeting,
 }
 
-/// <summary>The first words on a serial line, whatever state an earlier host left it in (galil-dmc.md A.2, F.2, F.4).</summary>
-/// <remarks>The backslash ends a download that was left open, and spoils a command that was left half said, so that it is refused and not executed. Then the echo is switched off.
-/// The last line is answered by a text that no echo of it can be taken for: there the prompts are counted from.</remarks>
+/// <summary>The first lines on a serial line, for whatever state an earlier host left it in (galil-dmc.md A.2, F.2, F.4).</summary>
+/// <remarks>The backslash ends a download that was left open, and makes an unfinished command invalid, so that it is refused and not executed. Then the echo is switched off.
+/// The answer to the last line cannot be confused with its echo: prompts are counted from there.</remarks>
 internal static class SerialGreeting
 {
     public const string Text = "\\\rEO 0\rMG \"READY\"";
@@ -115,6 +115,6 @@ internal static class SerialGreeting
     /// <summary>True when a colon behind these bytes is the prompt of the last line.</summary>
     public static bool IsAnswered(ReadOnlySpan<byte> received) => received.EndsWith(Answer);
 
-    /// <summary>True when the controller has echoed what it was told: EO was 1.</summary>
+    /// <summary>True when the controller has echoed the lines: EO was 1.</summary>
     public static bool WasEchoed(string received) => received.Contains(EchoOff, StringComparison.Ordinal);
 }

@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>What SC says about why an axis stands or stops (galil-dmc.md A.10).</summary>
+/// <summary>The codes of SC: why an axis stopped or is stopping (galil-dmc.md A.10).</summary>
 public static class StopCodes
 {
-    /// <summary>An independent move that ended where it was sent.</summary>
+    /// <summary>An independent move that ended at its target.</summary>
     public const int AtTarget = 1;
 
     public const int AbortInput = 6;

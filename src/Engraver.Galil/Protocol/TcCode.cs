@@ -1,6 +1,6 @@
 namespace Engraver.Galil.Protocol;
 
-/// <summary>Why a command was refused: the number of TC1 (galil-dmc.md A.8). A number that is not named here is kept as it is.</summary>
+/// <summary>Why a command was refused: the number of TC1 (galil-dmc.md A.8). Numbers without a name here are kept too.</summary>
 public enum TcCode
 {
     None = 0,

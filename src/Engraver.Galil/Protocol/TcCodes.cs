@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Engraver.Galil.Protocol;
 
-/// <summary>The texts of TC1 and, for those an operator may meet, what they mean in plain words (galil-dmc.md A.8).</summary>
+/// <summary>The texts of TC1 and, for those that an operator may see, their meaning in plain words (galil-dmc.md A.8).</summary>
 public static class TcCodes
 {
     private static readonly FrozenDictionary<TcCode, string> Texts = new Dictionary<TcCode, string>
@@ -127,7 +127,7 @@ public static class TcCodes
     /// <summary>What the code means, as the second half of a sentence that begins with a colon; empty where the text says it all.</summary>
     public static string Hint(TcCode code) => Meanings.TryGetValue(code, out var meaning) ? ": " + meaning : "";
 
-    /// <summary>Reads the answer of TC1: number and text with any white space between them.</summary>
+    /// <summary>Parses the answer of TC1: number and text, with any white space between them.</summary>
     /// <returns>False when the answer does not begin with a number.</returns>
     public static bool TryParse(string answer, out TcCode code, out string text)
     {

@@ -5,14 +5,14 @@ namespace Engraver.Galil.Protocol;
 
 /// <summary>Every line sent and every reply received, with the time, for <c>--trace</c>. Several channels may write into one trace.</summary>
 /// <remarks>A line is: seconds since the trace began, the handle's name, <c>&gt;</c> sent or <c>&lt;</c> received or <c>!</c> unsolicited, the text.
-/// Lines are written by a thread of the trace's own, for the stop of the machine goes over the same channels: a trace that cannot be written any more, above all on a full disk, and one that
-/// leads to somebody who has stopped reading (a pager, a named pipe), ends there and disturbs nothing.</remarks>
+/// A thread of the trace's own writes the lines, because the stop of the machine goes over the same channels. When the trace cannot be written any more (a full disk), or
+/// its reader has stopped reading (a pager, a named pipe), the trace ends and nothing else is disturbed.</remarks>
 public sealed class WireTrace
 {
-    /// <summary>Lines that may wait for the file: some twenty minutes of a job, some twenty megabytes.</summary>
+    /// <summary>Most lines that wait for the file: some twenty minutes of a job, some twenty megabytes.</summary>
     internal const int MostWaiting = 1 << 18;
 
-    /// <summary>After the operator's stop: whoever takes nothing for so long has stopped reading.</summary>
+    /// <summary>After the operator's stop: wall time without progress after which the trace's reader is given up.</summary>
     internal static readonly TimeSpan Patience = TimeSpan.FromSeconds(5);
 
     private readonly Channel<string> _lines = Channel.CreateBounded<string>(new BoundedChannelOptions(MostWaiting) { SingleReader = true });
@@ -23,9 +23,9 @@ public sealed class WireTrace
     private volatile string? _failure;
     private long _taken;
 
-    /// <param name="writer">Owned: it is closed behind the last line.</param>
-    /// <param name="time">The clock of the conversation: lines are dated by it.</param>
-    /// <param name="wall">Where whoever reads the trace lives; null when that is the same.</param>
+    /// <param name="writer">Owned: closed after the last line.</param>
+    /// <param name="time">The clock of the conversation, for the times in the lines.</param>
+    /// <param name="wall">The wall clock, for the waits for the trace's reader; null when both are the same.</param>
     public WireTrace(TextWriter writer, TimeProvider time, TimeProvider? wall = null)
     {
         ArgumentNullException.ThrowIfNull(time);
@@ -36,8 +36,8 @@ public sealed class WireTrace
     /// <summary>Why the trace ended early; null while all of it was written.</summary>
     public string? Failure => _failure;
 
-    /// <summary>What still waits goes to the file, and the file is closed.</summary>
-    /// <param name="stop">The operator's stop: from then on whoever reads is waited for only while something is taken.</param>
+    /// <summary>Writes the lines that wait and closes the file.</summary>
+    /// <param name="stop">The operator's stop: from then on the trace's reader is waited for only while it takes something.</param>
     public async Task CloseAsync(CancellationToken stop)
     {
         _lines.Writer.TryComplete();

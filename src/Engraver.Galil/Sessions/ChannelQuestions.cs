@@ -3,11 +3,11 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Questions with numbers for answers.</summary>
+/// <summary>Queries for numbers.</summary>
 public static class ChannelQuestions
 {
-    /// <summary>MG of a list of operands, for example <c>_RPA,_RPB,TIME</c>; as many numbers come back as were asked for.</summary>
-    /// <exception cref="ProtocolViolationException">The answer is not that many numbers.</exception>
+    /// <summary>MG of a list of operands, for example <c>_RPA,_RPB,TIME</c>; returns one number for each.</summary>
+    /// <exception cref="ProtocolViolationException">The answer has another number of numbers.</exception>
     public static async ValueTask<Reading> ReadAsync(this CommandChannel channel, string operands, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(channel);
@@ -19,14 +19,14 @@ public static class ChannelQuestions
         return new Reading(values, null);
     }
 
-    /// <summary>MG of one operand that is a whole number, in a format of its own: before the session has set VF the owner's would cut it off (VF 4.0 prints 256000 as 9999) or print it in hexadecimal.</summary>
-    /// <exception cref="ProtocolViolationException">The answer is no number.</exception>
+    /// <summary>MG of one operand that is a whole number, in a format of its own: before the session has set VF, the format found might truncate it (VF 4.0 prints 256000 as 9999) or print it in hexadecimal.</summary>
+    /// <exception cref="ProtocolViolationException">The answer is not a number.</exception>
     internal static ValueTask<Reading> ReadWholeAsync(this CommandChannel channel, string operand, CancellationToken cancellation) => channel.ReadAsync(operand + "{F10.0}", cancellation);
 }
 
-/// <summary>The numbers that answered a question, or the refusal to answer it.</summary>
+/// <summary>The numbers that answer a query, or its refusal.</summary>
 public readonly record struct Reading(IReadOnlyList<double> Values, Rejected? Refusal)
 {
-    /// <summary>The single number of a question with one operand, or null when the controller does not know it: such a feature is not fitted.</summary>
+    /// <summary>The number that answers a query with one operand; null when the controller refuses it, because it does not have that feature.</summary>
     public double? OrNothing => Refusal is null ? Values[0] : null;
 }

@@ -3,18 +3,18 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Who answers on the link.</summary>
+/// <summary>The controller that answers on the link.</summary>
 /// <param name="Model">The answer to ^R^V, for example <c>DMC2143 Rev 1.0o</c>.</param>
 /// <param name="Axes">Number of axes, from the model string (galil-dmc.md G).</param>
 /// <param name="Handle">The answer to WH for the command handle: IHA to IHH, or RS232.</param>
-/// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9); null when the controller refuses to say, for nothing in a job needs it.</param>
+/// <param name="RecordBytes">Bytes of a QR record by QZ: header, general, coordinated and axis blocks (galil-dmc.md A.9); null when the controller refuses the query (a job does not need it).</param>
 public sealed record ControllerIdentity(string Model, int Axes, string Handle, int? RecordBytes, ControllerLimits Limits) : MachineIdentity(Model, Axes)
 {
     /// <summary>The letters of the axes: ABCD for four.</summary>
     public string Letters => DmcAxes.All[..Axes];
 }
 
-/// <summary>What the controller says it has left, asked and not assumed (galil-dmc.md J 16). Null where it does not know the question.</summary>
+/// <summary>Free memory and other limits, as the controller reports them (galil-dmc.md J 16). Null where it does not know the query.</summary>
 /// <param name="Labels">_DL.</param>
 /// <param name="Variables">_UL.</param>
 /// <param name="ArrayElements">_DM.</param>

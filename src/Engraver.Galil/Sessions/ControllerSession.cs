@@ -5,8 +5,8 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>A conversation with one controller: a handle for commands and, where the link allows, a second one for the stop and for unsolicited text.</summary>
-/// <remarks>Disposing leaves the controller as it was found, best effort when the link is lost. A job changes speeds and motors and calls <see cref="RestoreAsync"/>.</remarks>
+/// <summary>A connection to one controller: a handle for commands and, where the link allows, a second one for the stop and for unsolicited text.</summary>
+/// <remarks>Disposing restores the controller's state, as far as possible when the link is lost. A job changes speeds and motors and calls <see cref="RestoreAsync"/>.</remarks>
 public sealed class ControllerSession : IAsyncDisposable
 {
     private readonly CommandChannel _commands;
@@ -26,24 +26,24 @@ public sealed class ControllerSession : IAsyncDisposable
 
     public ControllerIdentity Identity { get; }
 
-    /// <summary>The controller as it is to be left.</summary>
+    /// <summary>The state to restore at the end.</summary>
     public FoundState Found { get; private set; }
 
-    /// <summary>What everything here waits on: the system's with a real controller, the controller's own with a simulated one that gives its clock.</summary>
+    /// <summary>The clock for all waits: the system's with a real controller, the controller's own with a simulated one that gives its clock.</summary>
     public TimeProvider Time { get; }
 
-    /// <summary>The serial line that everything goes over, the stop too; null for a link with a handle for each.</summary>
+    /// <summary>The serial line for everything, the stop too; null for a link with two handles.</summary>
     public SerialLine? Line => _commands.Line;
 
-    /// <summary>The handle for commands; when its link is lost and the second handle still stands, that one.</summary>
+    /// <summary>The handle for commands; when its link is lost and the second handle still works, that one.</summary>
     public CommandChannel Commands => _commands.IsBroken && _second is { IsBroken: false } ? _second : _commands;
 
-    /// <summary>The handle for the operator's stop: it never waits behind the feeder, except on a single wire.</summary>
+    /// <summary>The handle for the operator's stop: it never waits for the sending of segments, except on a serial line.</summary>
     public CommandChannel StopHandle => _second is { IsBroken: false } ? _second : _commands;
 
-    /// <summary>Opens both handles and shakes hands (galil-dmc.md F.2). Changes CW, CF, DR, the number format and on a serial line the echo, nothing else.</summary>
+    /// <summary>Opens both handles and identifies the controller (galil-dmc.md F.2). Changes only CW, CF, DR, the number format and on a serial line the echo.</summary>
     /// <param name="openLink">Opens one more link to the same controller; called twice when a second handle is wanted.</param>
-    /// <exception cref="ControllerException">No link, silence, or no controller at the other end.</exception>
+    /// <exception cref="ControllerException">No link, no answer, or not a controller.</exception>
     public static async Task<ControllerSession> OpenAsync(
         Func<CancellationToken, Task<IControllerLink>> openLink, SessionOptions options, TimeProvider time, CancellationToken cancellation)
     {
@@ -74,7 +74,7 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <summary>A controller without a free handle takes a connection and drops it at once (galil-dmc.md A.1): that must not read like a pulled cable.</summary>
+    /// <summary>Opens the second handle. A controller without a free handle accepts a connection and drops it at once (galil-dmc.md A.1); the message must not sound like a pulled cable.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     private static async Task SignOfLifeAsync(CommandChannel channel, CancellationToken cancellation)
     {
@@ -88,8 +88,8 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Asks for a sign of life over the second handle, and opens it again when it is lost; meanwhile the stop goes over the first.</summary>
-    /// <returns>Null while all is well, and where there is no second handle.</returns>
+    /// <summary>Tests the second handle, and opens it again when it is lost; meanwhile the stop goes over the first.</summary>
+    /// <returns>Null when it works, and where there is no second handle.</returns>
     internal async Task<StopHandleLoss?> CheckStopHandleAsync(CancellationToken cancellation)
     {
         if (_second is not { } second) return null;
@@ -105,7 +105,7 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <returns>Why it could not be opened; null when it stands again.</returns>
+    /// <returns>Why it could not be opened; null when it is open again.</returns>
     private async Task<string?> ReopenAsync(CancellationToken cancellation)
     {
         try
@@ -122,7 +122,7 @@ public sealed class ControllerSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Why no job can start now: a thread of somebody else runs, or something moves. Null when the machine is free.</summary>
+    /// <summary>Why no job can start now: another program's thread runs, or something moves. Null when the machine is free.</summary>
     public async Task<string?> BusyReasonAsync(CancellationToken cancellation)
     {
         if (await IsOurJobRunningAsync(cancellation).ConfigureAwait(false))
@@ -142,17 +142,17 @@ public sealed class ControllerSession : IAsyncDisposable
         return null;
     }
 
-    /// <summary>An earlier session changed the controller and could not give it back: it is to be left as that one had found it.</summary>
+    /// <summary>Takes the state that an earlier session found and could not restore as the one to restore.</summary>
     internal void Inherit(FoundState found) => Found = found;
 
-    /// <summary>Our watchdog runs and somebody winds it up: halting it would leave a machine without a guard.</summary>
+    /// <summary>True when our watchdog runs and another program sends it heartbeats: halting it would leave a machine without supervision.</summary>
     private async Task<bool> IsOurJobRunningAsync(CancellationToken cancellation) =>
         (await Commands.ReadAsync($"_XQ{ResidentProgram.WatchdogThread}", cancellation).ConfigureAwait(false)).OrNothing is >= 0
         && (await Commands.ReadAsync(ResidentProgram.Variables.Heartbeat, cancellation).ConfigureAwait(false)).OrNothing is > 0;
 
-    /// <summary>Speeds, accelerations and motors as they were found. To be called at rest.</summary>
-    /// <returns>One sentence for each setting that could not be brought back.</returns>
-    /// <exception cref="ControllerException">The link failed on the way.</exception>
+    /// <summary>Restores speeds, accelerations and motors. Call at rest.</summary>
+    /// <returns>One sentence for each setting that could not be restored.</returns>
+    /// <exception cref="ControllerException">The link failed meanwhile.</exception>
     public async Task<IReadOnlyList<string>> RestoreAsync(CancellationToken cancellation)
     {
         var commands = Found.Motion.Select(setting => setting.RestoreCommand).Concat(Found.MotorsOff.Select(letter => $"MO{letter}"));
@@ -168,7 +168,7 @@ public sealed class ControllerSession : IAsyncDisposable
         }
         catch (ControllerException)
         {
-            // The link is gone: there is nobody left to tell.
+            // The link is gone: nothing can be sent.
         }
 
         if (_second is not null) await _second.DisposeAsync().ConfigureAwait(false);
@@ -186,35 +186,35 @@ public sealed class ControllerSession : IAsyncDisposable
         return failures;
     }
 
-    /// <summary>No pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not carry the job, numbers wide enough for any position; without
-    /// the decimals where every byte takes its time.</summary>
+    /// <summary>Sets up the conversation: no pushed records, unsolicited bytes marked with bit 7 and sent to the handle that does not carry the job, numbers wide enough for any position; on a serial
+    /// line without decimals, because every byte takes time.</summary>
     private async Task AgreeOnWireAsync(CancellationToken cancellation)
     {
         if (Found.Wire.RecordPeriod is not 0.0) await _commands.SendAsync("DR 0", cancellation).ConfigureAwait(false);
         await _commands.SendAsync("CW 1", cancellation).ConfigureAwait(false);
         await (_second ?? _commands).SendAsync("CF I", cancellation).ConfigureAwait(false);
         await _commands.SendAsync(Line is null ? "VF 10.4" : "VF 10.0", cancellation).ConfigureAwait(false);
-        if (Line is not null) await _commands.CompareEchoAsync(cancellation).ConfigureAwait(false); // only now: unsolicited text is marked, and cannot be taken for a wrong echo
+        if (Line is not null) await _commands.CompareEchoAsync(cancellation).ConfigureAwait(false); // only now, when unsolicited text is marked and cannot be taken for a wrong echo
     }
 }
 
-/// <summary>How a session talks.</summary>
+/// <summary>Settings of a session.</summary>
 public sealed record SessionOptions
 {
-    /// <summary>How long a reply may take before the link counts as lost.</summary>
+    /// <summary>Time without a reply after which the link counts as lost.</summary>
     public TimeSpan ReplyTimeout { get; init; } = TimeSpan.FromSeconds(2);
 
-    /// <summary>Open a second handle for the operator's stop and for unsolicited text. A serial line is a single wire and never has one: the stop then goes at the next prompt.</summary>
+    /// <summary>Open a second handle for the operator's stop and for unsolicited text. Not possible on a serial line: the stop is then sent after the next prompt.</summary>
     public bool SecondHandle { get; init; } = true;
 
-    /// <summary>Where every line on the wire is written, or null for nowhere.</summary>
+    /// <summary>Receives every line on the wire; null for none.</summary>
     public WireTrace? Trace { get; init; }
 
-    /// <summary>Called with each line that a program in the controller prints. It runs on the reader: it must return at once.</summary>
+    /// <summary>Called with each line that a program in the controller prints, on the reading thread: it must return at once.</summary>
     public Action<string>? MessageReceived { get; init; }
 }
 
-/// <summary>The second handle was lost in the middle.</summary>
-/// <param name="Reason">What cut it.</param>
-/// <param name="NotReopened">Why it could not be opened again; null when it stands again.</param>
+/// <summary>The second handle was lost during a session.</summary>
+/// <param name="Reason">Why it was lost.</param>
+/// <param name="NotReopened">Why it could not be opened again; null when it is open again.</param>
 internal sealed record StopHandleLoss(string Reason, string? NotReopened);

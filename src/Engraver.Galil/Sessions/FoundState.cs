@@ -3,7 +3,7 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>The controller as it was found: what this program changes, so that it can be left so (galil-dmc.md F.2, L.3). What the controller cannot say is not in it.</summary>
+/// <summary>The settings that this program changes, as found, so that they can be restored (galil-dmc.md F.2, L.3). Settings that the controller does not report are missing.</summary>
 /// <param name="Wire">CF, CW, DR and the number format: changed by the handshake.</param>
 /// <param name="Motion">The selected plane, VS VA VD VR of the S plane and SP AC DC of every axis: changed by a job.</param>
 /// <param name="MotorsOff">Letters of the axes whose motor was off.</param>
@@ -31,7 +31,7 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
         return new FoundState(wire, motion, off);
     }
 
-    /// <summary>VR has a resolution of 1/65536, finer than four decimals, which are moreover cut off: 0.3 would come back as 0.2999. Hexadecimal is exact (galil-dmc.md A.3 Numbers, E Messages).</summary>
+    /// <summary>VR as hexadecimal, which is exact: it has a resolution of 1/65536, and decimals are truncated to four (0.3 would be read as 0.2999; galil-dmc.md A.3 Numbers, E Messages).</summary>
     /// <remarks>VR has no form with a plane letter; the first field is the S plane (galil-dmc.md B.1).</remarks>
     private static async Task<string?> SpeedRatioAsync(CommandChannel channel, CancellationToken cancellation)
     {
@@ -49,7 +49,7 @@ public sealed record FoundState(WireState Wire, IReadOnlyList<FoundSetting> Moti
     }
 }
 
-/// <summary>A setting as the controller had it at connect, as the command that sets it so again, to the last bit.</summary>
-/// <param name="Operand">What was asked, for example <c>_VAS</c>.</param>
+/// <summary>A setting as found at connect, with the command that restores it exactly.</summary>
+/// <param name="Operand">The operand that was read, for example <c>_VAS</c>.</param>
 /// <param name="RestoreCommand">For example <c>VAS=256000</c>.</param>
 public sealed record FoundSetting(string Operand, string RestoreCommand);

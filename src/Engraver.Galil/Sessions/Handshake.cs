@@ -3,12 +3,12 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>The first questions on a connection that has given a sign of life (galil-dmc.md F.2): nothing here changes the controller.</summary>
+/// <summary>The first queries on a connection that has answered (galil-dmc.md F.2); none of them changes the controller.</summary>
 internal static class Handshake
 {
     private const string RevisionQuestion = "\x12\x16";
 
-    /// <exception cref="ProtocolViolationException">What answers is no controller of the DMC family.</exception>
+    /// <exception cref="ProtocolViolationException">The answers are not those of a controller of the DMC family.</exception>
     public static async Task<ControllerIdentity> IdentifyAsync(CommandChannel channel, CancellationToken cancellation)
     {
         var model = await TextAsync(channel, RevisionQuestion, cancellation).ConfigureAwait(false);
@@ -22,8 +22,8 @@ internal static class Handshake
     private static async Task<string> TextAsync(CommandChannel channel, string question, CancellationToken cancellation) =>
         await channel.SendAsync(question, cancellation).ConfigureAwait(false) is Accepted { Data: var text } ? text : "";
 
-    /// <summary>QZ: axes, bytes of the general, coordinated and axis blocks. The first number is not trusted: EPICS takes the model's digit too.</summary>
-    /// <returns>Null when the question is refused: such a record is not fitted.</returns>
+    /// <summary>QZ: axes, bytes of the general, coordinated and axis blocks. The first number is not relied on, because EPICS uses the model's digit too.</summary>
+    /// <returns>Null when the query is refused: the controller has no such record.</returns>
     private static async Task<int?> RecordBytesAsync(CommandChannel channel, int axes, CancellationToken cancellation)
     {
         if (await channel.SendAsync("QZ", cancellation).ConfigureAwait(false) is not Accepted { Data: var answer }) return null;
@@ -44,8 +44,8 @@ internal static class Handshake
             await Ask("_TM").ConfigureAwait(false));
     }
 
-    /// <summary>The axes by the model string: the digit after the family, which is the sixth character, on the 500x0 the seventh.</summary>
-    /// <returns>Null when the string is no model of the DMC family.</returns>
+    /// <summary>Number of axes from the model string: the digit after the family, which is the sixth character, on the 500x0 the seventh.</summary>
+    /// <returns>Null when the string is not a model of the DMC family.</returns>
     public static int? AxesOf(string model)
     {
         ArgumentNullException.ThrowIfNull(model);

@@ -14,37 +14,37 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 {
     private const string Operands = "_BGS,_BGA,_BGB,_CSS,_RPA,_RPB,TIME";
 
-    /// <summary>Polls at standstill after which an open sequence is ended by AB1: STS does not close one that ran dry (galil-dmc.md B.7).</summary>
+    /// <summary>Polls at standstill after which an open sequence is ended by AB1, because STS does not close one that ran dry (galil-dmc.md B.7).</summary>
     private const int PatiencePolls = 20;
 
     private Task _begun = Task.CompletedTask;
 
-    /// <summary>Polls at which an axis is said to move and does not; behind the patience and AB1 that is a standstill (VR 0, a jog at no speed).</summary>
+    /// <summary>Polls in which an axis is reported as moving and does not change its position; after these and AB1 it counts as at rest (VR 0, a jog at speed 0).</summary>
     private const int MostStandingPolls = 100;
 
-    /// <summary>Switches the tool off, stops the plane and the axes and halts the thread that commands motion, at once; the watchdog lives on until the machine stands. Returns without waiting; failures are told by <see cref="FinishAsync"/>.</summary>
+    /// <summary>Switches the tool off, stops the plane and the axes and halts the thread that commands motion, at once; the watchdog runs on until the machine is at rest. Returns without waiting; <see cref="FinishAsync"/> reports failures.</summary>
     public void Begin() => _begun = BeginAsync();
 
-    /// <summary>The same at rest, before anything moves: what a stop needs has then been loaded and run once, which on a busy computer would otherwise take its time at the worst moment.</summary>
-    /// <exception cref="ControllerException">The handle of the stop failed.</exception>
+    /// <summary>Runs the stop once at rest, before anything moves, so that its code is loaded and compiled: on a busy computer that would otherwise take time at the worst moment.</summary>
+    /// <exception cref="ControllerException">The stop handle failed.</exception>
     public Task RehearseAsync() => BeginAsync();
 
-    /// <summary>The stop of a machine whose motion is nobody's job: the same, without waiting for rest. When it returns the controller has taken it.</summary>
-    /// <exception cref="ControllerException">The handle of the stop failed.</exception>
+    /// <summary>Stops motion that belongs to no job: the same commands, without waiting for rest. Returns when the controller has accepted them.</summary>
+    /// <exception cref="ControllerException">The stop handle failed.</exception>
     public Task BrakeAtOnceAsync() => BeginAsync();
 
-    /// <summary>Everything in one line: what comes behind it may wait for a computer that is busy.</summary>
+    /// <summary>All commands in one line: a further line could be delayed by a busy computer.</summary>
     private async Task BeginAsync()
     {
         var halt = ownThreads.Take(1).Select(thread => string.Create(CultureInfo.InvariantCulture, $"HX{thread}"));
         await SendAsync(string.Join(';', [.. BrakeCommands, .. halt])).ConfigureAwait(false);
 
-        // A program of ours may have begun a motion or switched the tool between the stop and its halt.
+        // Our program may have begun a motion or switched the tool between the stop and its halt.
         await BrakeAsync().ConfigureAwait(false);
     }
 
-    /// <summary>Brakes again, halts our threads and waits until the machine stands, however long it brakes. Then the segment buffer is emptied.</summary>
-    /// <returns>Where the machine stands, and _CSS before the buffer was emptied.</returns>
+    /// <summary>Brakes again, halts our threads and waits until the machine is at rest, however long it brakes. Then empties the segment buffer.</summary>
+    /// <returns>The position at rest, and _CSS before the buffer was emptied.</returns>
     /// <exception cref="ControllerException">Both handles failed.</exception>
     public async Task<StandstillReport> FinishAsync(TimeSpan pollInterval, CancellationToken cancellation)
     {
@@ -55,7 +55,7 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
         }
         catch (ControllerException) when (!session.StopHandle.IsBroken)
         {
-            // The handle for the stop is lost, the one for commands still stands.
+            // The stop handle is lost, the one for commands still works.
             return await StopAsync(pollInterval, cancellation).ConfigureAwait(false);
         }
     }
@@ -118,7 +118,7 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
         return values;
     }
 
-    /// <summary>A refusal does not keep the stop from going on: each command is worth trying on its own.</summary>
+    /// <summary>Sends one command of the stop; its refusal does not prevent the others.</summary>
     private ValueTask<Reply> SendAsync(string command) => session.StopHandle.SendAsync(command, CancellationToken.None);
 }
 

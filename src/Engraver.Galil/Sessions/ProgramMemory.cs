@@ -6,29 +6,29 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Borrows the controller's program memory: what stands in it is uploaded and kept, and written back at the end (galil-dmc.md A.6).</summary>
+/// <summary>Borrows the controller's program memory: its content is uploaded and kept, and restored at the end (galil-dmc.md A.6).</summary>
 public sealed class ProgramMemory(ControllerSession session)
 {
     private const string OwnThreads = "_XQ0,_XQ1";
 
-    /// <summary>A controller with fewer threads refuses it.</summary>
+    /// <summary>Threads to halt; a controller with fewer threads refuses the command, which is ignored.</summary>
     private const string AllThreads = OwnThreads + ",_XQ2,_XQ3,_XQ4,_XQ5,_XQ6,_XQ7";
 
     private const int MostHalts = 4;
 
     private string? _found;
 
-    /// <summary>One character is one byte of the memory, whatever language its comments are in.</summary>
+    /// <summary>Latin-1: one character is one byte of the memory, whatever encoding its comments have.</summary>
     public static Encoding CopyEncoding => Encoding.Latin1;
 
-    /// <summary>What stands in the memory; it changes nothing.</summary>
+    /// <summary>Reads the content of the memory without changing it.</summary>
     public ValueTask<Reply> LookAsync(CancellationToken cancellation) => session.Commands.UploadAsync(cancellation);
 
-    /// <summary>Keeps a copy of what is to be given back in a file, downloads <paramref name="program"/> and compares it with what then stands in the memory.</summary>
-    /// <param name="found">What is given back at the end.</param>
-    /// <param name="copyPath">Where it is kept in case this program dies; null for nowhere.</param>
-    /// <returns>The refusal, or null when the program stands in the memory.</returns>
-    /// <exception cref="ProtocolViolationException">The memory holds something else than what was sent.</exception>
+    /// <summary>Keeps a copy of the found program in a file, downloads <paramref name="program"/> and compares the memory with it.</summary>
+    /// <param name="found">The program to restore at the end.</param>
+    /// <param name="copyPath">File for it, in case this program dies; null for none.</param>
+    /// <returns>The refusal, or null when the program is in the memory.</returns>
+    /// <exception cref="ProtocolViolationException">The memory's content differs from what was sent.</exception>
     /// <exception cref="IOException">The copy could not be written; the memory is untouched.</exception>
     public async Task<Rejected?> BorrowAsync(string program, string found, string? copyPath, CancellationToken cancellation)
     {
@@ -38,11 +38,11 @@ public sealed class ProgramMemory(ControllerSession session)
     }
 
     /// <summary>Replaces the borrowed memory's content by another program of ours. No thread may run.</summary>
-    /// <returns>The refusal, or null when the program stands in the memory.</returns>
-    /// <exception cref="ProtocolViolationException">The memory holds something else than what was sent.</exception>
+    /// <returns>The refusal, or null when the program is in the memory.</returns>
+    /// <exception cref="ProtocolViolationException">The memory's content differs from what was sent.</exception>
     public Task<Rejected?> SwapAsync(string program, CancellationToken cancellation) => ReplaceAsync(program, cancellation);
 
-    /// <summary>Writes back what was found; an empty memory is an empty download. No thread may run. Does nothing when nothing was borrowed.</summary>
+    /// <summary>Restores the found program; an empty memory is an empty download. No thread may run. Does nothing when nothing was borrowed.</summary>
     public async Task<Rejected?> GiveBackAsync(CancellationToken cancellation)
     {
         if (_found is null) return null;
@@ -60,11 +60,11 @@ public sealed class ProgramMemory(ControllerSession session)
         return ProgramText.AreSame(program, stored) ? null : throw new ProtocolViolationException("The program memory does not hold what was downloaded; the upload differs.");
     }
 
-    /// <summary>While a thread runs DL is refused with TC 17, and the program behind it would be taken for commands (galil-dmc.md A.6): a thread of ours that did not hear its halt is halted again.</summary>
+    /// <summary>While a thread runs DL is refused with TC 17, and the program after it would be taken for commands (galil-dmc.md A.6): a thread of ours that still runs is halted again.</summary>
     /// <returns>The refusal that a download would get; null when no thread runs.</returns>
     private async Task<Rejected?> HaltAsync(CancellationToken cancellation)
     {
-        if (session.Line is not null) return null; // there each halt was compared with its echo, and the question would take as long as a segment
+        if (session.Line is not null) return null; // there each halt was compared with its echo, and a query takes as long as a segment
         for (var tries = 0; await RunningThreadAsync(cancellation).ConfigureAwait(false) is { } thread; tries++)
         {
             if (tries == MostHalts || thread is not (ResidentProgram.MainThread or ResidentProgram.WatchdogThread))

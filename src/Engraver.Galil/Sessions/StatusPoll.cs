@@ -4,7 +4,7 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>One look at an idle controller: two questions, of which a controller with fewer fittings may refuse the second.</summary>
+/// <summary>Reads the state of an idle controller: two queries, of which a controller with fewer features may refuse the second.</summary>
 internal static class StatusPoll
 {
     /// <summary>Stop code of an axis that was switched off because of its position error (galil-dmc.md A.10).</summary>

@@ -2,12 +2,12 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Terminals;
 
-/// <summary>What a terminal does not send, or not without a word of confirmation.</summary>
+/// <summary>Commands that a terminal does not send, or only after a word of confirmation.</summary>
 public static class CommandGuard
 {
-    /// <summary>Why a line is withheld; null when it may go.</summary>
+    /// <summary>Why a line is withheld; null when it may be sent.</summary>
     /// <param name="line">One or more commands, separated by semicolons.</param>
-    /// <param name="confirmed">The operator has said that it is meant.</param>
+    /// <param name="confirmed">The operator typed the word of confirmation.</param>
     public static string? WhyNot(string line, bool confirmed)
     {
         if (line.Length > CommandLine.MaximumLength) return $"The line has {line.Length} characters; the controller takes {CommandLine.MaximumLength}.";

@@ -24,7 +24,7 @@ public sealed class MachineTerminal : IAsyncDisposable
     /// <summary>Lines as typed, oldest first.</summary>
     public IReadOnlyList<string> History => _history;
 
-    /// <exception cref="ControllerException">The link never came up.</exception>
+    /// <exception cref="ControllerException">The link could not be opened.</exception>
     public static async Task<MachineTerminal> OpenAsync(Func<CancellationToken, Task<IControllerLink>> openLink, TimeProvider time, CancellationToken cancellation)
     {
         var messages = new ConcurrentQueue<string>();
@@ -39,7 +39,7 @@ public sealed class MachineTerminal : IAsyncDisposable
         return new MachineTerminal(session, messages);
     }
 
-    /// <summary>A terminal on a session that somebody else owns: never to be disposed.</summary>
+    /// <summary>A terminal on a session that somebody else owns: it must not be disposed.</summary>
     internal static MachineTerminal On(ControllerSession session, ConcurrentQueue<string> messages) => new(session, messages);
 
     /// <summary>Answers one line: what programs have printed by now, then the answer itself. <see cref="TerminalLine.Quit"/> is the caller's business.</summary>
@@ -58,7 +58,7 @@ public sealed class MachineTerminal : IAsyncDisposable
         return [.. TakeMessages(), answer];
     }
 
-    /// <summary>What programs have printed since the last answer; asks the controller for its prompt, for text only travels with a reply.</summary>
+    /// <summary>What programs have printed since the last answer. Sends an empty command, because text only arrives with a reply.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<IReadOnlyList<TerminalAnswer>> PollAsync(CancellationToken cancellation)
     {
@@ -66,7 +66,7 @@ public sealed class MachineTerminal : IAsyncDisposable
         return [.. TakeMessages()];
     }
 
-    /// <summary>The operator ends the program: the tool goes off, every axis and plane brakes, and the machine is waited for (ADR 4: in this order, in one line).</summary>
+    /// <summary>Stops the machine for an operator who ends the program: the tool goes off, every axis and plane brakes, and rest is awaited (ADR 4: in this order, in one line).</summary>
     public async Task StopAsync(int toolOutput, TimeSpan pollInterval)
     {
         var stop = new OperatorStop(Session, toolOutput, [], Session.Identity.Letters);

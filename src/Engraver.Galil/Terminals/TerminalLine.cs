@@ -1,16 +1,16 @@
 namespace Engraver.Galil.Terminals;
 
-/// <summary>What a line typed into the terminal asks for. Words of the terminal's own are lower case; the controller's commands are upper case, so they cannot be confused.</summary>
+/// <summary>What a line typed into the terminal asks for. The terminal's own words are lower case; the controller's commands are upper case, so that they cannot be confused.</summary>
 public abstract record TerminalLine
 {
-    /// <summary>The word that a dangerous command needs before it.</summary>
+    /// <summary>The word to type before a dangerous command.</summary>
     public const string ConfirmWord = "confirm";
 
     private TerminalLine()
     {
     }
 
-    /// <summary>Reads a line. Nothing is sent that would hang the conversation (downloads, binary replies) or that the operator may regret.</summary>
+    /// <summary>Parses a line. Nothing is sent that would hang the conversation (downloads, binary replies) or that the operator may regret.</summary>
     public static TerminalLine Read(string line)
     {
         var text = line.Trim();
@@ -22,7 +22,7 @@ public abstract record TerminalLine
         return CommandGuard.WhyNot(command, confirmed) is { } why ? new Withheld(why) : new ToSend(command);
     }
 
-    /// <summary>A line for the controller; empty is a bare return, which answers a prompt.</summary>
+    /// <summary>A line for the controller; an empty one is a carriage return alone, which is answered with a prompt.</summary>
     public sealed record ToSend(string Text) : TerminalLine;
 
     /// <summary>A line that is not sent, and why.</summary>

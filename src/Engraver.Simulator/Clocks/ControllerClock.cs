@@ -1,18 +1,18 @@
 namespace Engraver.Simulator.Clocks;
 
-/// <summary>How the controller's time goes on: by its hosts' leave where one has the clock, else with the wall, else (speed max) by commands and silence. All members are called under the controller's lock.</summary>
+/// <summary>Decides when controller time passes: while hosts have the clock, only as they wait and send commands; otherwise with the wall; otherwise (speed max) by commands and silence. All members are called under the controller's lock.</summary>
 internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
 {
-    /// <summary>A wait of a host lets so much time pass before anybody else gets the lock.</summary>
+    /// <summary>Controller time that one wait of a host lets pass before another thread can take the lock.</summary>
     private const long LongestStep = TimeSpan.TicksPerSecond;
 
-    /// <summary>By so much of the wall's time a finite speed may be ahead of the wall or behind it: waits are shorter than a timer of the computer is exact.</summary>
+    /// <summary>Wall time by which a finite speed may be ahead of the wall or behind it, because waits are shorter than the resolution of the computer's timers.</summary>
     private static readonly TimeSpan WallLeeway = TimeSpan.FromMilliseconds(20);
 
-    /// <summary>A host that has the clock and is silent so long, while it waits for an answer that does not come, waits for its own time-out.</summary>
+    /// <summary>Wall time of silence after which a host with the clock that waits for an answer which does not come is taken to be waiting for its own time-out.</summary>
     private static readonly TimeSpan Unanswered = TimeSpan.FromMilliseconds(500);
 
-    /// <summary>And one that says nothing at all for so long is given up: time goes on without it, and a watchdog finds it dead.</summary>
+    /// <summary>Wall time of silence after which any host with the clock is given up: time passes without it, and a watchdog finds it dead.</summary>
     private static readonly TimeSpan GivenUp = TimeSpan.FromSeconds(10);
 
     private readonly SilenceRule _silence = new(machine, options.Time);
@@ -25,7 +25,7 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     /// <summary>Wall time since the controller was switched on.</summary>
     public TimeSpan Wall => options.Time.GetElapsedTime(_started);
 
-    /// <summary>A command or a byte takes its time, but only where time does not follow the wall.</summary>
+    /// <summary>Lets the time of a command or of a byte pass, unless time follows the wall.</summary>
     public void Spend(TimeSpan cost)
     {
         if (!options.IsVirtual && !Hosts.AreThere) return;
@@ -33,11 +33,11 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
         _credit -= cost;
     }
 
-    /// <summary>A host came, went or said something.</summary>
+    /// <summary>Called when a host has connected, disconnected or sent something.</summary>
     public void Heard() => _silence.Heard();
 
-    /// <summary>Brings the controller up to the wall, as far as it follows it. Where it is to run ahead of the wall, the time that the computing takes does not count: a busy computer makes the
-    /// controller slower instead of letting it fall behind its host for ever.</summary>
+    /// <summary>Brings controller time up to the wall where it follows the wall. At a speed above 1 the time that computing takes does not count: a busy computer makes the
+    /// controller slower instead of letting it fall further and further behind its host.</summary>
     public void Pace()
     {
         var now = Wall;
@@ -47,8 +47,8 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
         _paced = options.Speed > 1.0 ? Wall : now;
     }
 
-    /// <summary>Every few milliseconds while something can happen.</summary>
-    /// <param name="isHeldUp">A host waits for an answer that the controller does not give, or has said half a command.</param>
+    /// <summary>Called every few milliseconds while something can happen: lets time pass after silence, or past a host that is stuck.</summary>
+    /// <param name="isHeldUp">A host waits for an answer that the controller does not give, or has sent half a command.</param>
     public void Look(bool isHeldUp)
     {
         if (!Hosts.AreThere)
@@ -63,13 +63,13 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
     }
 
     /// <summary>Lets time pass towards the first timer of a host, while all of them wait.</summary>
-    /// <returns>False when a host is at work, or the wall has to come up first.</returns>
+    /// <returns>False when a host is at work, or when controller time is ahead of the wall.</returns>
     public bool PassTowardsNext()
     {
         if (!Hosts.AllWait) return false;
         var step = Math.Clamp(Hosts.NextDue - machine.ClockTicks, 0, LongestStep);
         if (!options.IsVirtual) step = Math.Min(step, (_credit + Leeway).Ticks);
-        if (step < 0) return false; // the wall has to come up first
+        if (step < 0) return false; // controller time is ahead of the wall
         machine.Advance(TimeSpan.FromTicks(step));
         _credit -= TimeSpan.FromTicks(step);
         return step > 0 || Hosts.NextDue <= machine.ClockTicks;
@@ -81,7 +81,7 @@ internal sealed class ControllerClock(Machine machine, SimulatorOptions options)
 
     private TimeSpan SinceLook() => Wall - _looked is var gap && gap < Unanswered ? gap : TimeSpan.Zero;
 
-    /// <summary>A finite speed holds hosts that wait back to the wall; what passes while one is at work is not caught up with.</summary>
+    /// <summary>At a finite speed, hosts that wait may not run ahead of the wall; wall time that passes while a host is at work is not made up for.</summary>
     private void PaceHosts(TimeSpan elapsed)
     {
         if (options.IsVirtual) return;

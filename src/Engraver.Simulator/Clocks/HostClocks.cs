@@ -6,10 +6,10 @@ internal sealed class HostClocks
     private readonly List<HostClock> _hosts = [];
     private readonly List<HostTimer> _set = [];
 
-    /// <summary>A host has the clock: time is the hosts' to let go on.</summary>
+    /// <summary>At least one host has the clock: time passes only as the hosts let it.</summary>
     public bool AreThere => _hosts.Count > 0;
 
-    /// <summary>No host has anything left to do before its timers fire.</summary>
+    /// <summary>Every host waits for one of its timers.</summary>
     public bool AllWait => _hosts.TrueForAll(static host => host.IsWaiting);
 
     /// <summary>When the first timer fires, ticks; <see cref="long.MaxValue"/> when none is set.</summary>
@@ -25,14 +25,14 @@ internal sealed class HostClocks
 
     public void Add(HostClock host) => _hosts.Add(host);
 
-    /// <summary>Its timers will not fire any more.</summary>
+    /// <summary>Removes a host with its timers, which fire no more.</summary>
     public void Remove(HostClock host)
     {
         _hosts.Remove(host);
         _set.RemoveAll(timer => timer.Host == host);
     }
 
-    /// <param name="due">Ticks of the controller; <see cref="long.MaxValue"/> lays the timer to rest.</param>
+    /// <param name="due">Ticks of controller time; <see cref="long.MaxValue"/> stops the timer.</param>
     public void Set(HostTimer timer, long due, long period, bool isWait)
     {
         // A wait that is ended early, by a cancellation, leaves the host at work.
@@ -44,7 +44,7 @@ internal sealed class HostClocks
         _set.Add(timer);
     }
 
-    /// <summary>Takes the first timer that is due; its host is at work from now on when it waited for it. Null when none is due.</summary>
+    /// <summary>Takes the first timer that is due; its host counts as at work from now on if it waited for this timer. Null when none is due.</summary>
     public HostTimer? TakeDue(long now)
     {
         HostTimer? first = null;

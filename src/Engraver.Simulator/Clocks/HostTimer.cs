@@ -1,28 +1,28 @@
 namespace Engraver.Simulator.Clocks;
 
 /// <summary>A timer on a host's clock. All but the callback is guarded by the controller's lock.</summary>
-internal sealed class HostTimer(HostDesk desk, HostClock host, TimerCallback callback, object? state) : ITimer
+internal sealed class HostTimer(HostClockCoordinator coordinator, HostClock host, TimerCallback callback, object? state) : ITimer
 {
     public HostClock Host => host;
 
-    /// <summary>Controller time at which it fires, ticks; <see cref="long.MaxValue"/> at rest.</summary>
+    /// <summary>Controller time at which it fires, ticks; <see cref="long.MaxValue"/> while stopped.</summary>
     public long Due { get; set; } = long.MaxValue;
 
-    /// <summary>Ticks between two firings; 0 fires once.</summary>
+    /// <summary>Ticks between two firings; 0 fires only once.</summary>
     public long Period { get; set; }
 
-    /// <summary>The host waits for it, so that time may go on to it.</summary>
+    /// <summary>The host waits for it, so that time may pass up to it.</summary>
     public bool IsWait { get; set; }
 
     public void Fire() => callback(state);
 
     public bool Change(TimeSpan dueTime, TimeSpan period)
     {
-        desk.Set(this, dueTime, period, isWait: false);
+        coordinator.Set(this, dueTime, period, isWait: false);
         return true;
     }
 
-    public void Dispose() => desk.Set(this, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan, isWait: false);
+    public void Dispose() => coordinator.Set(this, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan, isWait: false);
 
     public ValueTask DisposeAsync()
     {

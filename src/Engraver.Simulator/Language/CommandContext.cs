@@ -3,7 +3,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>Who executes a command: a host on a handle, or a program thread. Exactly one of the two is set.</summary>
+/// <summary>The issuer of a command: a host on a handle, or a program thread. Exactly one of the two is set.</summary>
 internal sealed class CommandContext
 {
     private CommandContext(Handle? handle, ProgramThread? thread)
@@ -24,7 +24,7 @@ internal sealed class CommandContext
 
     public bool IsProgram => Thread is not null;
 
-    /// <summary>Ready for the next command of the same host or thread.</summary>
+    /// <summary>Clears the output, ready for the next command of the same host or thread.</summary>
     public CommandContext Restart()
     {
         Output.Clear();

@@ -8,7 +8,7 @@ internal static class Expressions
     private const int DeepestParentheses = 32;
 
     /// <summary>An expression strictly from left to right, no precedence.</summary>
-    /// <param name="comparisons">False where "&lt;" and "&gt;" introduce speeds (VP, CR, LI); inside parentheses they compare again.</param>
+    /// <param name="comparisons">False where "&lt;" and "&gt;" introduce speeds (VP, CR, LI); inside parentheses they are comparisons again.</param>
     public static FixedPoint Take(StatementReader reader, bool comparisons)
     {
         var value = TakeOperand(reader);

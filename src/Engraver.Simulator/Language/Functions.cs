@@ -19,7 +19,7 @@ internal static class Functions
             "ABS" => argument.Raw < 0 ? -argument : argument,
             "INT" => FixedPoint.FromInteger(argument.Integer),
             "FRAC" => argument - FixedPoint.FromInteger(argument.Integer),
-            "RND" => FixedPoint.FromInteger((argument.Raw + 0x8000) >> 16), // half goes up, also below zero: -5.5 -> -5
+            "RND" => FixedPoint.FromInteger((argument.Raw + 0x8000) >> 16), // half rounds up, also below zero: -5.5 -> -5
             "SQR" => FixedPoint.FromDouble(Math.Sqrt(Math.Abs(argument.Value))),
             "COM" => FixedPoint.FromInteger(~argument.Integer),
             "SIN" => FixedPoint.FromDouble(Math.Sin(Radians(argument))),
@@ -37,11 +37,11 @@ internal static class Functions
         };
     }
 
-    /// <summary>Angles outside +-32768 degrees are out of range (E, Functions).</summary>
+    /// <summary>Radians; angles outside +-32768 degrees are out of range (E, Functions).</summary>
     private static double Radians(FixedPoint degrees) =>
         Math.Abs(degrees.Value) <= LargestAngle ? degrees.Value * Degree : throw new CommandRefusedException(Tc.OutOfRange);
 
-    /// <summary>@REAL reads the bits that @FLOT gives: an IEEE number of 32 bits [U].</summary>
+    /// <summary>@REAL interprets the bits that @FLOT gives as an IEEE number of 32 bits [U].</summary>
     private static FixedPoint Real(FixedPoint bits)
     {
         var value = BitConverter.Int32BitsToSingle(bits.Integer);

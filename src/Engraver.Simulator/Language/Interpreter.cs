@@ -9,7 +9,7 @@ internal sealed class Interpreter(Machine machine)
     private readonly StatementReader _reader = new(machine);
     private readonly StatementCache _cache = new();
 
-    /// <summary>Runs what a host sent; a refusal leaves as <see cref="CommandRefusedException"/>.</summary>
+    /// <summary>Runs a command of a host; a refusal is thrown as <see cref="CommandRefusedException"/>.</summary>
     public void Execute(ReadOnlySpan<char> source, CommandContext context) => Execute(_cache.Read(source), context);
 
     /// <inheritdoc cref="Execute(ReadOnlySpan{char}, CommandContext)"/>
@@ -38,7 +38,7 @@ internal sealed class Interpreter(Machine machine)
     }
 }
 
-/// <summary>The last statements of the hosts, already read: one that polls asks the same thing thousands of times.</summary>
+/// <summary>The last statements of hosts in parsed form: a host that polls asks the same thing thousands of times.</summary>
 internal sealed class StatementCache
 {
     private const int Places = 64;

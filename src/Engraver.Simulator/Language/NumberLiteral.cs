@@ -5,9 +5,9 @@ namespace Engraver.Simulator.Language;
 /// <summary>Numbers and texts as they are written in statements (galil-dmc.md A.3 Numbers, E).</summary>
 internal static class NumberLiteral
 {
-    private const long LargestWhole = 2147483648; // one beyond the range: only its negative is a number, and 48 bits wrap to it
+    private const long LargestWhole = 2147483648; // one beyond the largest number: only its negative exists, and wrapping to 48 bits gives that
 
-    /// <summary>Decimal, or hexadecimal behind a dollar sign; a fraction is cut off at 1/65536 (0.6 becomes 0.59999).</summary>
+    /// <summary>A decimal number, or a hexadecimal one after a dollar sign; digits below 1/65536 are cut off (0.6 becomes 0.59999).</summary>
     /// <param name="length">Characters read.</param>
     public static FixedPoint Read(ReadOnlySpan<char> text, out int length)
     {

@@ -4,14 +4,14 @@ using Engraver.Simulator.Values;
 namespace Engraver.Simulator.Language;
 
 /// <summary>One operand being read: <c>_SCA</c> has the suffix A, <c>_XQ0</c> the suffix 0.</summary>
-/// <param name="Suffix">Characters behind the two letters; longer than two is nothing we know.</param>
+/// <param name="Suffix">Characters after the two letters; a suffix of more than two is unknown.</param>
 internal readonly record struct OperandRequest(Machine Machine, CommandContext Context, OperandSuffix Suffix)
 {
     public Axis Axis => Suffix.Length == 1 && AxisSelection.IndexOf(Suffix.First) is >= 0 and var index
         ? Machine.Motion.Axes[index]
         : throw new CommandRefusedException(Tc.BadOperand);
 
-    /// <summary>S without a suffix (galil-dmc.md I.12).</summary>
+    /// <summary>The plane of the suffix; S without one (galil-dmc.md I.12).</summary>
     public VectorPlane Plane => Suffix switch
     {
         { Length: 0 } or { Length: 1, First: 'S' } => Machine.Motion.Planes[0],
@@ -27,7 +27,7 @@ internal readonly record struct OperandRequest(Machine Machine, CommandContext C
         : throw new CommandRefusedException(Tc.BadOperand);
 }
 
-/// <summary>What stands behind the two letters of an operand: nothing, an axis, a plane, a digit, or a handle and a digit.</summary>
+/// <summary>What follows the two letters of an operand: nothing, an axis, a plane, a digit, or a handle and a digit.</summary>
 internal readonly record struct OperandSuffix(char First, char Second, int Length)
 {
     public static OperandSuffix Parse(ReadOnlySpan<char> text) =>

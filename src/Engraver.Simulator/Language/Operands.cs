@@ -86,7 +86,7 @@ internal static class Operands
 
     public static IEnumerable<string> Names => Table.Keys;
 
-    /// <summary>The operand behind the underscore: two letters and a suffix, which may be a variable axis (<c>_TP~a</c>).</summary>
+    /// <summary>The operand after the underscore: two letters and a suffix, which may be a variable axis (<c>_TP~a</c>).</summary>
     public static FixedPoint Take(StatementReader reader)
     {
         var name = reader.TakeName();
@@ -102,7 +102,7 @@ internal static class Operands
 
     private static FixedPoint Real(double value) => FixedPoint.FromDouble(value);
 
-    /// <summary>A path length in whole counts; the tolerance keeps an exact end from reading one less.</summary>
+    /// <summary>A path length in whole counts; the tolerance of 1e-6 keeps rounding from reporting one count less at an exact end.</summary>
     private static FixedPoint Length(double value) => Whole((long)Math.Floor(value + 1e-6));
 
     private static FixedPoint ProgramError(OperandRequest request)

@@ -2,12 +2,12 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>One line of program memory: the text as downloaded, its label if any, and the statements behind the label.</summary>
+/// <summary>One line of program memory: the text as downloaded, its label if any, and the statements after the label.</summary>
 internal sealed record ProgramLine(string Text, string? Label, Statement[] Parts)
 {
     private const int LongestLabel = 7;
 
-    /// <summary>Reads a line; a bad label refuses with TC 61. Characters other than letters and digits are tolerated ("_" occurs in the field, E Label).</summary>
+    /// <summary>Parses a line; a bad label is refused with TC 61. Characters other than letters and digits are tolerated ("_" occurs in the field, E Label).</summary>
     public static ProgramLine Parse(string text)
     {
         var parts = Statements.Split(text);

@@ -15,7 +15,7 @@ internal sealed class ProgramThread
 
     public int Number { get; }
 
-    /// <summary>What its commands print into; restarted for each.</summary>
+    /// <summary>Where its commands print; restarted for each.</summary>
     public CommandContext Context { get; }
 
     public bool IsRunning { get; private set; }
@@ -26,16 +26,16 @@ internal sealed class ProgramThread
     /// <summary>Statement within the line.</summary>
     public int Part { get; set; }
 
-    /// <summary>What it waits for; null when it can run.</summary>
+    /// <summary>What the thread waits for; null when it can run.</summary>
     public Trippoint? Trippoint { get; set; }
 
-    /// <summary>Set by a jump: the turn of the line is over.</summary>
+    /// <summary>Set by a jump: the rest of the line is not run.</summary>
     public bool Jumped { get; set; }
 
-    /// <summary>AT counts from here.</summary>
+    /// <summary>The sample from which AT counts.</summary>
     public long TimeReference { get; set; }
 
-    /// <summary>What the last EN gave back: <c>_JS</c>.</summary>
+    /// <summary>The value that the last EN returned: <c>_JS</c>.</summary>
     public FixedPoint ReturnValue { get; set; }
 
     public Stack<CallFrame> Calls { get; } = new();
@@ -73,7 +73,7 @@ internal sealed class ProgramThread
         JumpTo(line, 0);
     }
 
-    /// <summary>Goes on behind the call.</summary>
+    /// <summary>Returns to the statement after the call.</summary>
     /// <param name="restoreTrippoint">Whether an interrupted trippoint is waited for again (C.3).</param>
     public void Return(bool restoreTrippoint)
     {
@@ -83,9 +83,9 @@ internal sealed class ProgramThread
     }
 }
 
-/// <summary>Where a subroutine or an automatic subroutine goes back to.</summary>
+/// <summary>Where a subroutine or an automatic subroutine returns to.</summary>
 /// <param name="Interrupt">True for an automatic subroutine, which may restore the trippoint it interrupted.</param>
 internal readonly record struct CallFrame(int Line, int Part, bool Interrupt, Trippoint? Trippoint);
 
-/// <summary>What a thread waits for. <paramref name="AtSample"/> is the sample of release when it is known beforehand.</summary>
+/// <summary>A condition that a thread waits for. <paramref name="AtSample"/> is the sample of release when it is known beforehand.</summary>
 internal sealed record Trippoint(Func<bool> IsReleased, long? AtSample = null);

@@ -3,7 +3,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>The eight threads. One line of each running thread in turn, every command costs controller time (galil-dmc.md E Threads, A.4).</summary>
+/// <summary>The eight threads: each running thread executes one line in turn, and every command costs controller time (galil-dmc.md E Threads, A.4).</summary>
 internal sealed class Scheduler
 {
     public const int ThreadCount = 8;
@@ -23,7 +23,7 @@ internal sealed class Scheduler
     /// <summary>Line (_ED0) and thread (_ED1) of the last program error.</summary>
     public (int Line, int Thread) LastError { get; private set; } = (0, -1);
 
-    /// <summary>TR 1: every line is told before it runs.</summary>
+    /// <summary>TR 1: every line is printed before it runs.</summary>
     public bool IsTracing { get; set; }
 
     /// <summary>Bit mask of running threads: _NO.</summary>
@@ -40,7 +40,7 @@ internal sealed class Scheduler
 
     public bool AnyRunning => Running != 0;
 
-    /// <summary>The first sample in which a thread can run; long.MaxValue when only motion or a command can release one.</summary>
+    /// <summary>The first sample in which a thread can run while nothing moves; long.MaxValue when only motion or a command can release one.</summary>
     public long QuietUntil(long sample)
     {
         var first = long.MaxValue;
@@ -52,7 +52,7 @@ internal sealed class Scheduler
         return first;
     }
 
-    /// <summary>The same while motion is steady: a thread that goes round in a <see cref="WaitLoop"/> is quiet as well, when it is the only one that can run. <see cref="Pass"/> takes it round.</summary>
+    /// <summary>As <see cref="QuietUntil"/>, during steady motion: a thread in a <see cref="WaitLoop"/> counts as waiting too, when it is the only one that can run. <see cref="Pass"/> then advances it round its loop.</summary>
     public long QuietWhileSteady(long sample)
     {
         _waiting = null;
@@ -72,7 +72,7 @@ internal sealed class Scheduler
         return first;
     }
 
-    /// <summary>A thread waits for something that has come about.</summary>
+    /// <summary>The condition of at least one waiting thread holds.</summary>
     public bool IsAnyReleased()
     {
         foreach (var thread in _threads)
@@ -83,7 +83,7 @@ internal sealed class Scheduler
         return false;
     }
 
-    /// <summary>Samples passed in which no thread could run but the one that <see cref="QuietWhileSteady"/> found waiting; what was spent too much before is paid back.</summary>
+    /// <summary>Accounts for samples in which only the thread that <see cref="QuietWhileSteady"/> found in a loop could run; processor time that was overspent before is paid back first.</summary>
     public void Pass(long samples)
     {
         var time = _budget.Ticks + (samples * TimeSpan.TicksPerMillisecond);
@@ -109,10 +109,10 @@ internal sealed class Scheduler
         while (_budget > TimeSpan.Zero && NextReady() is { } thread)
         {
             var commands = RunLine(thread);
-            _budget -= commands * _machine.Options.LineCost; // a label alone costs nothing
+            _budget -= commands * _machine.Options.LineCost; // a label alone takes no time
             if (_machine.Options.LineCost == TimeSpan.Zero)
             {
-                _budget -= TimeSpan.FromTicks(TimeSpan.TicksPerMillisecond / 100); // free lines must not stop the clock
+                _budget -= TimeSpan.FromTicks(TimeSpan.TicksPerMillisecond / 100); // lines without a cost must not stop the clock
             }
         }
 
@@ -130,7 +130,7 @@ internal sealed class Scheduler
         thread.Halt();
     }
 
-    /// <summary>Sends thread 0 into an automatic subroutine (C.3). False when there is none or it cannot run.</summary>
+    /// <summary>Makes thread 0 run an automatic subroutine (C.3). False when the program has none or it cannot run.</summary>
     public bool Interrupt(string label)
     {
         var zero = _threads[0];
@@ -235,7 +235,7 @@ internal sealed class Scheduler
         Events += thread.IsRunning ? 0 : 1;
     }
 
-    /// <summary>A message that nobody acknowledges is error 123 and runs #TCPERR (A.5, C.3).</summary>
+    /// <summary>Sends a message of a program. One that nobody acknowledges is error 123 and runs #TCPERR (A.5, C.3).</summary>
     private void Tell(ReadOnlySpan<char> text, int? handle)
     {
         if (_machine.Messages.Send(text, handle)) return;
@@ -243,7 +243,7 @@ internal sealed class Scheduler
         Interrupt("TCPERR");
     }
 
-    /// <summary>Without #CMDERR a command error stops all threads; with it only the faulty one, and thread 0 is interrupted (C.3).</summary>
+    /// <summary>Handles a command error: without #CMDERR all threads stop; with it only the faulty one, and thread 0 is interrupted (C.3).</summary>
     private void Fail(ProgramThread thread, int line, Statement? statement, int code)
     {
         _machine.LastError = code;
@@ -255,7 +255,7 @@ internal sealed class Scheduler
         if (!handled || !Interrupt("CMDERR")) HaltAll();
     }
 
-    /// <summary>An error inside #CMDERR itself finds the stack deep or thread 0 in the handler: then everything stops.</summary>
+    /// <summary>False for an error inside #CMDERR itself (the stack is deep or thread 0 is in the handler): then all threads stop.</summary>
     private bool CanHandle(ProgramThread thread) =>
         _machine.Program.TryFind("CMDERR", out _)
         && _threads[0].Calls.Count < ProgramThread.DeepestCall

@@ -3,7 +3,7 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>One statement, read once and run as often as its program wants: what it is, and its text without meaningless blanks.</summary>
+/// <summary>One statement, parsed once and run as often as its program needs: what it is, and its text without meaningless blanks.</summary>
 internal sealed class Statement
 {
     private Statement(StatementKind kind, string text, CommandEntry? command)
@@ -17,7 +17,7 @@ internal sealed class Statement
 
     public string Text { get; }
 
-    /// <summary>The row of the dispatch table; null unless it is a command.</summary>
+    /// <summary>Its row of the dispatch table; null unless it is a command.</summary>
     public CommandEntry? Command { get; }
 
     public static Statement Parse(ReadOnlySpan<char> source)
@@ -41,7 +41,7 @@ internal sealed class Statement
         return assigned && !IsAxisAssignment(statement, entry, name) ? null : entry;
     }
 
-    /// <summary>SPA=1000: the mnemonic, one axis, plane or handle letter, an equals sign. Plain SP=.. is the command too and will be refused there.</summary>
+    /// <summary>SPA=1000: the mnemonic, one axis, plane or handle letter, an equals sign. SP=1000 without a letter is the command too and is refused when it runs.</summary>
     private static bool IsAxisAssignment(string statement, CommandEntry entry, int name) =>
         name == entry.Mnemonic.Length
         || (entry.TakesLetter && name == entry.Mnemonic.Length + 1 && IsLetterOfMachine(statement[name - 1]));
@@ -57,7 +57,7 @@ internal sealed class Statement
         return close >= 0 && close + 1 < text.Length && text[close + 1] == '=';
     }
 
-    /// <summary>EW 1=5 with its blank is the command, EW1=5 a variable.</summary>
+    /// <summary>True for EW 1=5: with its blank it is a command (which this controller lacks); without, EW1=5 is a variable.</summary>
     private static bool HasAbsentMnemonic(string text) => text.Length > 2 && text[2] == ' ' && CommandTable.IsNotModelled(text[..2]);
 
     private static bool IsCommandNotModelled(string text, int name) =>
@@ -88,7 +88,7 @@ internal sealed class Statement
 
 internal enum StatementKind
 {
-    /// <summary>Nothing to do: blank, or a comment behind an apostrophe.</summary>
+    /// <summary>Nothing to do: blank, or a comment after an apostrophe.</summary>
     Nothing,
     Command,
     Assignment,

@@ -19,10 +19,10 @@ internal sealed class StatementReader(Machine machine)
 
     public char Next => _position < _text.Length ? _text[_position] : '\0';
 
-    /// <summary>What is still to be read.</summary>
+    /// <summary>What has not been read yet.</summary>
     public ReadOnlySpan<char> Rest => _text.AsSpan(_position);
 
-    /// <summary>Parentheses and brackets open around the place being read.</summary>
+    /// <summary>Number of parentheses and brackets that are open at the reading position.</summary>
     public int Depth { get; set; }
 
     public StatementReader On(string text, CommandContext context)
@@ -85,7 +85,7 @@ internal sealed class StatementReader(Machine machine)
         return _text.AsSpan(start, _position - start);
     }
 
-    /// <summary>Comma separated fields up to the end, or up to "&lt;" or "&gt;" of a segment speed. The list is the reader's own and filled anew by the next call.</summary>
+    /// <summary>Comma separated fields up to the end, or up to the "&lt;" or "&gt;" of a segment speed. The list belongs to the reader and is filled anew by the next call.</summary>
     public List<Field> TakeFields(bool comparisons = true)
     {
         _fields.Clear();
@@ -105,7 +105,7 @@ internal sealed class StatementReader(Machine machine)
     /// <inheritdoc cref="Expressions.Take"/>
     public FixedPoint TakeExpression(bool comparisons = true) => Expressions.Take(this, comparisons);
 
-    /// <summary>The index in brackets behind an array name.</summary>
+    /// <summary>The index in brackets after an array name.</summary>
     public int TakeIndex()
     {
         Take('[', Tc.MissingBracket);
@@ -130,11 +130,11 @@ internal sealed class StatementReader(Machine machine)
         return selection;
     }
 
-    /// <summary>The letter of an axis or plane, also by way of a variable axis <c>~a</c> to <c>~h</c> (E: 0-7 axes, 8 and 9 planes, 10 and 11 virtual axes).</summary>
+    /// <summary>The letter of an axis or plane, also through a variable axis <c>~a</c> to <c>~h</c> (E: 0-7 axes, 8 and 9 planes, 10 and 11 virtual axes).</summary>
     public char TakeLetter() => TryTake('~') ? machine.VariableAxes.LetterOf(TakeCharacter()) : TakeCharacter();
 }
 
-/// <summary>One positional argument: left out, a question mark, or a value.</summary>
+/// <summary>One positional argument: omitted, a question mark, or a value.</summary>
 internal readonly record struct Field(bool IsQuery, FixedPoint? Value)
 {
     public bool IsMissing => !IsQuery && Value is null;

@@ -2,10 +2,10 @@ using System.Text;
 
 namespace Engraver.Simulator.Language;
 
-/// <summary>Cuts lines into statements and removes blanks that mean nothing (galil-dmc.md A.3).</summary>
+/// <summary>Divides lines into statements and removes blanks without meaning (galil-dmc.md A.3).</summary>
 internal static class Statements
 {
-    /// <summary>The parts between semicolons; quotes protect. Whether ";" ends a comment is not documented (L.3): here it does.</summary>
+    /// <summary>The parts between semicolons; a semicolon in quotes does not divide. Whether ";" ends a comment is not documented (L.3): here it does.</summary>
     public static Statement[] Split(string line)
     {
         var parts = new List<Statement>();
@@ -27,7 +27,7 @@ internal static class Statements
         return [.. parts];
     }
 
-    /// <summary>Removes blanks and tabs outside quotes, except one behind a leading pair of letters: it tells "MG x=5" from the variable MGx.</summary>
+    /// <summary>Removes blanks and tabs outside quotes, except one after two leading letters: it distinguishes "MG x=5" from the variable MGx.</summary>
     public static string Compact(ReadOnlySpan<char> text)
     {
         text = text.Trim(" \t");

@@ -40,16 +40,16 @@ internal sealed class Axis
     /// <summary>Commanded position as the controller reports it (RP).</summary>
     public int Reference => (int)Math.Round(_smoothed, MidpointRounding.AwayFromZero);
 
-    /// <summary>TP: the main encoder; without an error it is the commanded position.</summary>
+    /// <summary>TP: the main encoder; of a stepper, which has none in its loop, the commanded position.</summary>
     public int Encoder => IsStepper ? Reference : Motor.Counts;
 
     /// <summary>TD: the auxiliary encoder, for a stepper the pulses sent.</summary>
     public int SecondEncoder => IsStepper ? Reference : Auxiliary;
 
-    /// <summary>RP - TP: <c>_TE</c>, the largest number where it does not fit; a stepper has none.</summary>
+    /// <summary>RP - TP: <c>_TE</c>, limited to the 32-bit range; 0 for a stepper.</summary>
     public int Error => IsStepper ? 0 : (int)Math.Clamp((long)Reference - Motor.Counts, -int.MaxValue, int.MaxValue);
 
-    /// <summary>The register of DE: the auxiliary encoder of a servo, the main encoder of a stepper.</summary>
+    /// <summary>The register that DE sets: the auxiliary encoder of a servo, the main encoder of a stepper.</summary>
     public int Auxiliary { get; set; }
 
     public double CruiseSpeed { get; set; } = 25000;
@@ -68,20 +68,20 @@ internal sealed class Axis
 
     public AxisMove CurrentMove { get; private set; } = AxisMove.Relative;
 
-    /// <summary>PT 1: every PA moves at once.</summary>
+    /// <summary>PT 1: every PA starts a move at once.</summary>
     public bool IsTracking { get; set; }
 
-    /// <summary>The share of the way to the profile that a sample goes: IT in independent moves, VT in vector moves; 1 is no smoothing.</summary>
+    /// <summary>Part of the distance to the profile that one sample covers: IT in independent moves, VT in vector moves; 1 is no smoothing.</summary>
     public double Smoothing { get; set; } = 1;
 
     public bool IsMoving { get; private set; }
 
     public bool IsStopping { get; private set; }
 
-    /// <summary>It brakes for the end of its move: the final deceleration of the status word (A.9).</summary>
+    /// <summary>The axis brakes for the end of its move: bit "final deceleration" of the status word (A.9).</summary>
     public bool IsEnding => _profile.IsEnding;
 
-    /// <summary>The profile has ended but its smoothed output has not.</summary>
+    /// <summary>The profile has ended but its smoothed output has not reached it.</summary>
     public bool IsSmoothing => !IsMoving && Math.Abs(Position - _smoothed) >= 0.5;
 
     /// <summary>A sample will still change something although no profile runs.</summary>
@@ -90,13 +90,13 @@ internal sealed class Axis
     /// <summary>A homing move in progress; null otherwise.</summary>
     public HomingRun? Homing { get; private set; }
 
-    /// <summary>Where the running or last independent move began.</summary>
+    /// <summary>Position at which the running or last independent move began.</summary>
     public double MoveStart { get; private set; }
 
-    /// <summary>Where the next AR counts from: the beginning of the move, or the place of the AR before.</summary>
+    /// <summary>Position from which the next AR counts: of the beginning of the move, or of the AR before.</summary>
     public double TrippointReference { get; set; }
 
-    /// <summary>Where the last motion stopped: what PA reports (galil-dmc.md C).</summary>
+    /// <summary>Position at which the last motion stopped: what PA reports (galil-dmc.md C).</summary>
     public int LastStop { get; set; }
 
     public int StopCode { get; set; } = Motion.StopCode.AtTarget;
@@ -107,14 +107,14 @@ internal sealed class Axis
 
     public int OffOnError { get; set; }
 
-    /// <summary>ER: position errors beyond it are a fault; 0 and -1 are none.</summary>
+    /// <summary>ER: a position error beyond this many counts is a fault; 0 and -1 switch the check off.</summary>
     public double ErrorLimit { get; set; } = 16384;
 
     public int ForwardSoftLimit { get; set; } = int.MaxValue;
 
     public int ReverseSoftLimit { get; set; } = int.MinValue;
 
-    /// <summary>Stored settings: KP, KD, ER and the like.</summary>
+    /// <summary>Settings that are stored and read back: KP, KD, ER and the like.</summary>
     public Dictionary<string, FixedPoint> Settings { get; } = [];
 
     public bool IsStepper => Math.Abs(MotorType.Value) >= 2;
@@ -132,7 +132,7 @@ internal sealed class Axis
         if (Smoothing >= 1) _smoothed = position;
     }
 
-    /// <summary>DP, or the zero of a homing: the axis stands where it stands, but the place is called otherwise.</summary>
+    /// <summary>Redefines the position without moving the axis: DP, or the zero at the end of a homing.</summary>
     public void Redefine(double position)
     {
         _shift += position - Position;
@@ -142,7 +142,7 @@ internal sealed class Axis
         Motor.Define(position);
     }
 
-    /// <summary>The same place gets another number, in the middle of a motion too: the electronic cam tells positions within a cycle (C.4).</summary>
+    /// <summary>Shifts the position's number without moving the axis, even in motion: the electronic cam counts positions within a cycle (C.4).</summary>
     public void Renumber(double difference)
     {
         _shift += difference;
@@ -154,10 +154,10 @@ internal sealed class Axis
         Motor.Define(Motor.Position + difference);
     }
 
-    /// <summary>SH: the place where the motor stands becomes the command (C).</summary>
+    /// <summary>SH: the motor's position becomes the commanded position (C).</summary>
     public void TakeMotorPosition() => SetPosition(_smoothed = Motor.Counts);
 
-    /// <summary>The move as BG would make it: its end for PA and PR, null for a jog or a homing.</summary>
+    /// <summary>Target of the move that BG would begin: for PA and PR; null for a jog or a homing.</summary>
     public long? PendingTarget() => NextMove switch
     {
         AxisMove.Absolute or AxisMove.Tracking => AbsoluteTarget,
@@ -165,7 +165,7 @@ internal sealed class Axis
         _ => null,
     };
 
-    /// <summary>Sense of the move as BG would make it; 0 when it goes nowhere.</summary>
+    /// <summary>Direction of the move that BG would begin: 1, -1, or 0 when its target is the present position.</summary>
     public double PendingHeading() =>
         PendingTarget() is { } target ? target - (long)Reference : NextMove == AxisMove.Jog ? JogSpeed : HomingRun.Heading(this, NextMove);
 
@@ -184,7 +184,7 @@ internal sealed class Axis
         StopCode = Motion.StopCode.Running;
     }
 
-    /// <summary>PA under PT: the running move turns to another target, or one begins.</summary>
+    /// <summary>PA under PT: the running move takes another target, or a move begins.</summary>
     public void Track(int target)
     {
         AbsoluteTarget = target;
@@ -193,8 +193,8 @@ internal sealed class Axis
         _profile.Target = target;
     }
 
-    /// <summary>IP in motion: a jog jumps, a move goes further (C).</summary>
-    /// <exception cref="CommandRefusedException">TC 16: the other way, or the axis already stops.</exception>
+    /// <summary>IP in motion: a jog jumps by these counts, a move gets a farther target (C).</summary>
+    /// <exception cref="CommandRefusedException">TC 16: against the direction of the move, or the axis already stops.</exception>
     public void Extend(int counts)
     {
         if (IsStopping || (CurrentMove != AxisMove.Jog && Math.Sign(counts) != _profile.Direction)) throw new CommandRefusedException(Tc.WrongSignOfIncrement);
@@ -210,7 +210,7 @@ internal sealed class Axis
         StopCode = stopCode;
     }
 
-    /// <summary>Stands still at once, without a ramp (AB).</summary>
+    /// <summary>Stops at once, without a ramp (AB).</summary>
     public void Halt(int stopCode)
     {
         if (!IsMoving) return;
@@ -230,21 +230,21 @@ internal sealed class Axis
     /// <summary>For how many samples its independent move goes on at constant speed.</summary>
     public long SteadySamples(long atMost) => _profile.SteadySamples(atMost);
 
-    /// <summary>The place so many samples of constant speed from now; the profile stays.</summary>
+    /// <summary>Sets the position to where it will be after so many samples of constant speed; the profile does not advance.</summary>
     public void PlaceSteady(long samples) => SetPosition(_profile.PlaceAfter(samples));
 
     public void PassSteady(long samples) => _profile.PassSteady(samples);
 
-    /// <summary>What it does at constant speed from now on.</summary>
+    /// <summary>The axis' positions from now on at constant speed.</summary>
     public AxisCourse Course() => _profile.Course();
 
-    /// <summary>Nothing but its profile decides where it stands: no smoothing, no lag, no held or idle motor, no switch that it could pass, no latch at an index.</summary>
+    /// <summary>Only the profile determines the position: no smoothing, no lag, no blocked or disabled motor, no switch that it could pass, no latch that waits for an index.</summary>
     public bool IsPlain => Smoothing >= 1 && !MotorOff && Motor.IsPlain && !Inputs.HasSwitches && Latch is not { IsArmed: true, WaitsForIndex: true };
 
-    /// <summary>In a homing the switches are passed by the command, not by the motor behind it.</summary>
+    /// <summary>Moves the switches with the command: in a homing the commanded position operates them, not the motor that trails it.</summary>
     public void PassSwitches() => Inputs.MoveTo(Position - _shift);
 
-    /// <summary>Behind every sample: the smoothed output and the motor follow.</summary>
+    /// <summary>After every sample: the smoothed output and the motor follow the profile.</summary>
     public void Follow()
     {
         _smoothed = Smoothing >= 1 ? Position : _smoothed + ((Position - _smoothed) * Smoothing);
@@ -254,7 +254,7 @@ internal sealed class Axis
         Inputs.MoveTo(Motor.Position - _shift);
     }
 
-    /// <summary>True when the axis moves towards a limit switch or has reached a software limit.</summary>
+    /// <summary>True when the axis moves towards an active limit switch or has reached a software limit.</summary>
     public bool RunsIntoLimit(double velocity, out int stopCode)
     {
         stopCode = velocity > 0 ? Motion.StopCode.ForwardLimit : Motion.StopCode.ReverseLimit;
@@ -273,7 +273,7 @@ internal sealed class Axis
     }
 }
 
-/// <summary>What the next BG of an axis means: the last of PA, PR, JG, HM, FE and FI given.</summary>
+/// <summary>What the next BG of an axis starts: the last of PA, PR, JG, HM, FE and FI given.</summary>
 internal enum AxisMove
 {
     Relative,

@@ -1,12 +1,12 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>Limit switches, home switch and index of one axis (galil-dmc.md C.1, C.2). A switch is pressed by hand, by the axis standing on it, or both.</summary>
+/// <summary>Limit switches, home switch and index of one axis (galil-dmc.md C.1, C.2). A switch is operated by hand, by the position of the axis, or both.</summary>
 internal sealed class AxisInputs(InputPolarity polarity, AxisSwitches? switches)
 {
     private const int UsualPeriod = 4000;
     private double _place;
 
-    /// <summary>Switches or an index are fitted that the axis itself can reach.</summary>
+    /// <summary>The axis has switches or an index that its own motion operates.</summary>
     public bool HasSwitches => switches is not null;
 
     /// <summary>The forward limit input was grounded by hand.</summary>
@@ -24,10 +24,10 @@ internal sealed class AxisInputs(InputPolarity polarity, AxisSwitches? switches)
     /// <summary>What <c>_HM</c> reads (C.2, table).</summary>
     public bool Home => IsGrounded(HomeGrounded, switches?.HomeAt is { } at && _place >= at, switches?.HomeAt) == polarity.HomeReversed;
 
-    /// <summary>The index pulse passed in the last sample, as a distance from the present place; null when it did not.</summary>
+    /// <summary>Where the index pulse was passed in the last sample, as a distance from the present position; null when it was not.</summary>
     public double? IndexPassed { get; private set; }
 
-    /// <summary>The motor stands here now, in counts from its place at power up.</summary>
+    /// <summary>Takes the motor's present position, in counts from where it was at power up.</summary>
     public void MoveTo(double place)
     {
         IndexPassed = null;

@@ -16,14 +16,14 @@ internal sealed class AxisSelection(MotionKernel motion)
     /// <summary>Axes A to D when nothing was named.</summary>
     public IEnumerable<Axis> AxesOrAll => IsEmpty ? motion.Axes.Take(Axis.Real) : Axes;
 
-    /// <summary>0 to 5 for A to D, N, M and their other names X to W; -1 for anything else (A.3).</summary>
+    /// <summary>0 to 5 for A to D, N, M and the alternative letters X to W; -1 for anything else (A.3).</summary>
     public static int IndexOf(char letter)
     {
         var index = Axis.Letters.IndexOf(letter, StringComparison.Ordinal);
         return index >= 0 ? index : Alternatives.IndexOf(letter, StringComparison.Ordinal);
     }
 
-    /// <summary>E= to H=: an axis that larger models have (TC 90).</summary>
+    /// <summary>True for E= to H=: an axis that only larger models have (TC 90).</summary>
     public static bool IsAbsent(ReadOnlySpan<char> text) => text is [>= 'E' and <= 'H', '=', ..];
 
     public void Add(char letter)

@@ -20,7 +20,7 @@ internal sealed class AxisSetup
         _settings = new(axis.Settings);
     }
 
-    /// <summary>What is not burned goes back as well: the kind of the next move, its target, position tracking.</summary>
+    /// <summary>Also resets what is not burned: the kind of the next move, its target, position tracking.</summary>
     public void ApplyTo(Axis axis, MotionKernel motion)
     {
         (axis.CruiseSpeed, axis.Acceleration, axis.Deceleration, axis.JogSpeed) = _motion;

@@ -28,7 +28,7 @@ internal sealed class CircularSegment : VectorSegment
         point[1] = _centreY + (_radius * Sine(angle));
     }
 
-    /// <summary>Every axis goes one way within a quarter of the circle.</summary>
+    /// <summary>Within a quarter of the circle no axis changes direction.</summary>
     public override double OneWayUntil(double distance)
     {
         var angle = AngleAt(distance);
@@ -36,7 +36,7 @@ internal sealed class CircularSegment : VectorSegment
         return Math.Min(Length, distance + ((quarter - angle) / _sweep * Length));
     }
 
-    /// <summary>The part between two distances in the sequence frame, scaled: what the axes of the first two slots do before rounding.</summary>
+    /// <summary>The arc between two distances, in counts of the axes of the first two slots before rounding and from the sequence frame's origin.</summary>
     public ArcCourse Course(double from, double to, double scaleX, double scaleY) =>
         new(_centreX * scaleX, _centreY * scaleY, _radius * scaleX, _radius * scaleY, AngleAt(from), AngleAt(to) - AngleAt(from));
 

@@ -2,7 +2,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion;
 
-/// <summary>CM, DT, CD, WC (galil-dmc.md C.4): increments of several axes over 2^n samples each, straight in between, without any ramp.</summary>
+/// <summary>CM, DT, CD, WC (galil-dmc.md C.4): increments of several axes over 2^n samples each, at constant speed within a record and without any ramp.</summary>
 internal sealed class ContourMode(int capacity)
 {
     private readonly Queue<ContourRecord> _waiting = new();
@@ -11,18 +11,18 @@ internal sealed class ContourMode(int capacity)
     private ContourRecord? _record;
     private double _elapsed;
 
-    /// <summary>Axes contour; until the end record, ST, AB or a limit.</summary>
+    /// <summary>At least one axis is in contour mode; ended by the end record, ST, AB or a limit.</summary>
     public bool IsOn => _axes.Length > 0;
 
     /// <summary>A record is being executed or waits.</summary>
     public bool CanProgress => _record is not null || _waiting.Count > 0;
 
-    /// <summary>A motion was begun and its end has not been sent: it stands when its host is late.</summary>
+    /// <summary>A contour was begun and its end record has not been sent: when its host is late, the axes stop.</summary>
     public bool AwaitsRecords => _record is not null && !_waiting.Any(r => r.IsEnd);
 
     public ReadOnlySpan<Axis> Axes => _axes;
 
-    /// <summary>Records that still fit: <c>_CM</c>. The one being executed has left its place.</summary>
+    /// <summary>Free places for records: <c>_CM</c>. The record being executed takes none.</summary>
     public int FreeRecords => capacity - _waiting.Count;
 
     /// <summary>DT: the exponent of the interval, 1 to 8; 0 ends the mode with the next CD.</summary>
@@ -31,10 +31,10 @@ internal sealed class ContourMode(int capacity)
     /// <summary>Samples of TM in a millisecond: the interval counts samples (C, TM).</summary>
     public double SamplesPerStep { get; set; } = 1;
 
-    /// <summary>The records ran out in motion since the last question: TC 42.</summary>
+    /// <summary>The records ran out in motion since the last query: TC 42.</summary>
     public bool WasLate { get; private set; }
 
-    /// <summary>WC: there is room for the next record, or nothing contours.</summary>
+    /// <summary>WC: there is room for the next record, or no axis is in contour mode.</summary>
     public bool IsReady => !IsOn || _waiting.Count == 0;
 
     public bool Drives(Axis axis) => Array.IndexOf(_axes, axis) >= 0;
@@ -60,7 +60,7 @@ internal sealed class ContourMode(int capacity)
         _waiting.Enqueue(record);
     }
 
-    /// <summary>Stands at once: the end record, ST, AB, a limit.</summary>
+    /// <summary>Stops at once: for the end record, ST, AB, a limit.</summary>
     public void End(int code)
     {
         foreach (var axis in _axes)
@@ -75,7 +75,7 @@ internal sealed class ContourMode(int capacity)
         _waiting.Clear();
     }
 
-    /// <summary>True once for each time the records ran out.</summary>
+    /// <summary>True once each time the records have run out.</summary>
     public bool TakeLateness()
     {
         var late = WasLate;
@@ -83,7 +83,7 @@ internal sealed class ContourMode(int capacity)
         return late;
     }
 
-    /// <summary>One sample, which may lie in several records.</summary>
+    /// <summary>One sample, which may extend over several records.</summary>
     public void Step()
     {
         for (var left = SamplesPerStep; left > 0 && (_record is not null || TryTake());)
@@ -124,7 +124,7 @@ internal sealed class ContourMode(int capacity)
     }
 }
 
-/// <summary>One CD: how far each axis of CM goes within so many samples. No samples is the end of the contour.</summary>
+/// <summary>One CD: counts that each axis of CM moves within so many samples. 0 samples mark the end of the contour.</summary>
 internal sealed record ContourRecord(int[] Increments, int Samples)
 {
     public bool IsEnd => Samples == 0;

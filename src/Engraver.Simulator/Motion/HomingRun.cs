@@ -24,12 +24,12 @@ internal sealed class HomingRun
 
     public int Direction { get; private set; }
 
-    /// <summary>The sense in which a homing move begins: the home input decides, for FI the jog speed.</summary>
+    /// <summary>Direction in which a homing move begins: decided by the home input, for FI by the sign of the jog speed.</summary>
     public static double Heading(Axis axis, AxisMove kind) =>
         kind == AxisMove.FindIndex ? axis.JogSpeed : axis.Inputs.Home ? -1 : 1;
 
-    /// <summary>Looks at the inputs behind one sample of motion.</summary>
-    /// <param name="speed">Present speed; 0 afterwards where the stage ends with a dead stop.</param>
+    /// <summary>Reads the inputs after one sample of motion.</summary>
+    /// <param name="speed">Present speed; set to 0 where the stage ends without a ramp.</param>
     /// <returns>The stop code at the end of the move, null while it goes on.</returns>
     public int? Look(Axis axis, ref double speed)
     {
@@ -72,20 +72,20 @@ internal sealed class HomingRun
     }
 }
 
-/// <summary>Where a homing move is (galil-dmc.md C.2).</summary>
+/// <summary>Stages of a homing move (galil-dmc.md C.2).</summary>
 internal enum HomingPhase
 {
     /// <summary>At full speed until the home input changes.</summary>
     Search,
     SearchBrake,
 
-    /// <summary>Back, slowly, until the input changes again.</summary>
+    /// <summary>Back at low speed until the input changes again.</summary>
     Approach,
 
     /// <summary>Until the index pulse.</summary>
     Index,
     IndexBrake,
 
-    /// <summary>Back to where the pulse was.</summary>
+    /// <summary>Back to the position of the pulse.</summary>
     Return,
 }

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>Speed and way of one axis in an independent move, sample by sample (galil-dmc.md C): to a place, at a speed, or as a homing run wants it.</summary>
+/// <summary>Speed and distance of one axis in an independent move, sample by sample (galil-dmc.md C): to a position, at a speed, or as a homing run asks.</summary>
 internal sealed class IndependentProfile(Axis axis)
 {
     private double _speed;
@@ -9,7 +9,7 @@ internal sealed class IndependentProfile(Axis axis)
     private long _steadySamples;
     private bool _isSteady;
 
-    /// <summary>Where the move ends; without meaning for a jog or a homing.</summary>
+    /// <summary>Position at which the move ends; not used in a jog or a homing.</summary>
     public double Target { get; set; }
 
     /// <summary>1 or -1.</summary>
@@ -20,13 +20,13 @@ internal sealed class IndependentProfile(Axis axis)
 
     public bool IsAtSpeed => _speed == Commanded;
 
-    /// <summary>It brakes for the end of its move.</summary>
+    /// <summary>The axis brakes for the end of its move.</summary>
     public bool IsEnding { get; private set; }
 
     private double Commanded => axis.IsStopping ? 0 : axis.Homing?.Speed ?? (axis.CurrentMove == AxisMove.Jog ? Math.Abs(axis.JogSpeed) : axis.CruiseSpeed);
 
-    /// <summary>From a standstill.</summary>
-    /// <param name="direction">Sense of the move; 0 counts as forwards.</param>
+    /// <summary>Begins a move from a standstill.</summary>
+    /// <param name="direction">1 or -1; 0 counts as 1.</param>
     public void Begin(double target, int direction)
     {
         Target = target;
@@ -69,7 +69,7 @@ internal sealed class IndependentProfile(Axis axis)
         return null;
     }
 
-    /// <summary>For how many samples the speed stays as it is and the move does not end; 0 when the next sample must be looked at.</summary>
+    /// <summary>Number of samples for which the speed stays constant and the move does not end; 0 when the next sample must be stepped.</summary>
     public long SteadySamples(long atMost)
     {
         const double FarthestPlace = 2e9;
@@ -85,14 +85,14 @@ internal sealed class IndependentProfile(Axis axis)
         long Samples(double length) => Math.Min(atMost, (long)Math.Max(0, (length / way) - 3));
     }
 
-    /// <summary>The place so many samples of constant speed from now.</summary>
+    /// <summary>Position after so many samples of constant speed.</summary>
     public double PlaceAfter(long samples)
     {
         StartSteady();
         return _steadyPlace = SteadyPlace(samples);
     }
 
-    /// <summary>Goes on by so many samples of <see cref="SteadySamples"/>; the same place as that many samples one by one, to the last bit.</summary>
+    /// <summary>Advances by so many samples of <see cref="SteadySamples"/>; the position equals that of single steps to the last bit.</summary>
     public void PassSteady(long samples)
     {
         StartSteady();
@@ -109,7 +109,7 @@ internal sealed class IndependentProfile(Axis axis)
 
     private double SteadyPlace(long samples) => _steadyFrom + ((_steadySamples + samples) * (Direction * (_speed * Ramp.Sample)));
 
-    /// <summary>At constant speed the way is counted in samples from where it began, so that no rounding adds up; a place that a command changed begins anew.</summary>
+    /// <summary>Remembers where constant speed began: distances are then a number of samples times the distance of one, so that rounding does not add up. Begins anew when a command changed the position.</summary>
     private void StartSteady()
     {
         if (_isSteady && axis.Position == _steadyPlace) return;
@@ -129,7 +129,7 @@ internal sealed class IndependentProfile(Axis axis)
         axis.SetPosition(axis.Position + (Direction * distance));
     }
 
-    /// <summary>A tracked target lies behind, or too near to stop in front of it.</summary>
+    /// <summary>A tracked target (PT) lies behind the axis, or too near to stop before it.</summary>
     private bool MustTurn() =>
         _speed > 0 && (Target - axis.Position) * Direction < (_speed * _speed / (2 * axis.Deceleration)) - (_speed * Ramp.Sample);
 

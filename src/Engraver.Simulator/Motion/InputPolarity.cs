@@ -17,6 +17,6 @@ internal sealed class InputPolarity
     /// <summary>Fourth field 1: inputs 5 to 8 abort axes A to D.</summary>
     public bool SelectiveAbort => Fields[3] == 1;
 
-    /// <summary>Fifth field 1: programs survive the abort input.</summary>
+    /// <summary>Fifth field 1: programs go on when the abort input stops the motion.</summary>
     public bool AbortKeepsPrograms => Fields[4] == 1;
 }

@@ -5,7 +5,7 @@ namespace Engraver.Simulator.Motion;
 /// <summary>All axes and both planes, one sample at a time (galil-dmc.md I.9 to I.11).</summary>
 internal sealed class MotionKernel
 {
-    /// <summary>Counts each axis went along a vector path in the last sample.</summary>
+    /// <summary>Counts that each axis moved along a vector path in the last sample.</summary>
     private readonly int[] _sampleSteps = new int[Axis.Letters.Length];
     private readonly bool[] _isBeyondError = new bool[Axis.Real];
     private int _limitHits;
@@ -26,22 +26,22 @@ internal sealed class MotionKernel
 
     public Axis[] Axes { get; }
 
-    /// <summary>S and T.</summary>
+    /// <summary>The planes S and T.</summary>
     public VectorPlane[] Planes { get; }
 
-    /// <summary>CM.</summary>
+    /// <summary>Contour mode (CM, DT, CD).</summary>
     public ContourMode Contour { get; }
 
-    /// <summary>EA to EQ.</summary>
+    /// <summary>The electronic cam (EA to EQ).</summary>
     public ElectronicCam Cam { get; }
 
     /// <summary>The plane that CA selected.</summary>
     public VectorPlane Selected { get; set; }
 
-    /// <summary>Counts ends of moves and sequences; what waits for an event compares it.</summary>
+    /// <summary>Number of moves and sequences that have ended.</summary>
     public long Ends { get; private set; }
 
-    /// <summary>Something follows something else, or a change by a command has not reached the motors.</summary>
+    /// <summary>An axis follows something other than its own profile, or a change by a command has not reached the motors yet.</summary>
     public bool HasFollowers => _isUnsettled || Contour.CanProgress || Cam.IsEnabled || Array.Exists(Axes, static axis => axis.Gear.IsEngaged || axis.IsSettling);
 
     /// <summary>True when the next sample will change a position or end a motion.</summary>
@@ -79,16 +79,16 @@ internal sealed class MotionKernel
         return moved;
     }
 
-    /// <summary>What jumps over the samples of constant speed.</summary>
+    /// <summary>Computes samples of constant speed in one jump.</summary>
     public SteadyMotion Steady => _steady ??= new SteadyMotion(this);
 
-    /// <summary>Behind a jump the motors and the switches follow.</summary>
+    /// <summary>After a jump: the motors and the switches follow.</summary>
     public void FollowAll()
     {
         foreach (var axis in Axes) axis.Follow();
     }
 
-    /// <summary>A place was changed by a command: the next sample carries it to the motors.</summary>
+    /// <summary>Called when a command changed a position: the next sample carries it to the motors.</summary>
     public void Unsettle() => _isUnsettled = true;
 
     public bool IsCoordinated(Axis axis) => PlaneOf(axis) is not null;
@@ -101,7 +101,7 @@ internal sealed class MotionKernel
     /// <summary>The axis is a slave of the running cam.</summary>
     public bool IsOnCam(Axis axis) => axis.Index < Axis.Real && Cam.Followers[axis.Index].IsEngaged;
 
-    /// <summary>The position of an axis gets another number while everything that moves it, and everything that follows it, goes on.</summary>
+    /// <summary>Shifts the number of an axis' position, while everything that moves it and everything that follows it goes on.</summary>
     public void Renumber(Axis axis, double difference)
     {
         axis.Renumber(difference);
@@ -118,7 +118,7 @@ internal sealed class MotionKernel
         : PlaneOf(axis) is { Profile.Speed: > 0 } || (IsLed(axis) && CanProgress) ? _sampleSteps[axis.Index] / Ramp.Sample
         : 0;
 
-    /// <summary>What a gear's master has gone so far: the length of a path, or the place of an axis (B.6).</summary>
+    /// <summary>Position of a gear's master: the path length of a plane, or the position of an axis (B.6).</summary>
     public double PlaceOfMaster(char master) =>
         master is 'S' or 'T' ? Planes[master - 'S'].Profile.Odometer
         : AxisSelection.IndexOf(master) is >= 0 and var index ? Axes[index].Motor.Position
@@ -140,7 +140,7 @@ internal sealed class MotionKernel
         return hits;
     }
 
-    /// <summary>Stops an axis at once with whatever moves it; its motor goes off where OE asks for it (C, OE).</summary>
+    /// <summary>Stops an axis at once, with the plane or contour that moves it; its motor is switched off where OE asks for it (C, OE).</summary>
     public void Halt(Axis axis, int code, bool motorsOff)
     {
         var plane = PlaneOf(axis);
@@ -154,7 +154,7 @@ internal sealed class MotionKernel
         Contour.End(code);
     }
 
-    /// <summary>ST: what leads the axis from outside lets it go, where it stands.</summary>
+    /// <summary>ST: ends gear, cam and contour motion of the axis; cam and contour stop at once.</summary>
     public void LetGo(Axis axis, int code)
     {
         axis.Gear.Release();
@@ -222,7 +222,7 @@ internal sealed class MotionKernel
         return true;
     }
 
-    /// <summary>A ramp like ST; with OE 2 or 3 the motor is switched off instead (C.1).</summary>
+    /// <summary>Brakes as ST does; with OE 2 or 3 the motor is switched off instead (C.1).</summary>
     private void HitLimit(Axis axis, int code, VectorPlane? plane)
     {
         _limitHits++;
@@ -257,10 +257,10 @@ internal sealed class MotionKernel
         }
 
         _sampleSteps[axis.Index] = (int)Math.Round(counts);
-        axis.SetPosition(Math.Clamp(axis.Position + counts, int.MinValue, int.MaxValue)); // gears that drive each other would run to infinity
+        axis.SetPosition(Math.Clamp(axis.Position + counts, int.MinValue, int.MaxValue)); // limited, because gears that drive each other would run to infinity
     }
 
-    /// <summary>An error beyond ER counts once until it has been smaller again; with OE 1 or 3 everything that moves the axis stops and its motors go off (C, ER, OE).</summary>
+    /// <summary>Counts a position error beyond ER once until it has been smaller again; with OE 1 or 3 everything that moves the axis stops and its motors are switched off (C, ER, OE).</summary>
     private void CheckError(Axis axis)
     {
         var beyond = !axis.MotorOff && axis.ErrorLimit > 0 && Math.Abs(axis.Error) > axis.ErrorLimit;

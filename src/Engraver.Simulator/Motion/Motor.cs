@@ -6,18 +6,18 @@ internal sealed class Motor(TimeSpan lag)
     private const double AlmostThere = 0.01;
     private readonly double _share = lag <= TimeSpan.Zero ? 1 : 1 - Math.Exp(-Ramp.Sample / lag.TotalSeconds);
 
-    /// <summary>What the encoder counts.</summary>
+    /// <summary>Encoder position, counts.</summary>
     public double Position { get; private set; }
 
-    /// <summary>Something holds the shaft: the position error grows.</summary>
+    /// <summary>The shaft is blocked: the motor does not move and the position error grows.</summary>
     public bool IsHeld { get; set; }
 
-    /// <summary>It stands where its command is, always.</summary>
+    /// <summary>Always at its commanded position: no lag, not blocked.</summary>
     public bool IsPlain => _share >= 1 && !IsHeld;
 
     public int Counts => (int)Math.Round(Position, MidpointRounding.AwayFromZero);
 
-    /// <summary>One sample towards the command; a motor that is off stays where it is.</summary>
+    /// <summary>Moves for one sample towards the commanded position; a motor that is off stays where it is.</summary>
     public void Follow(double commanded, bool isOff)
     {
         if (IsHeld || isOff) return;
@@ -25,7 +25,7 @@ internal sealed class Motor(TimeSpan lag)
         if (Math.Abs(commanded - Position) < AlmostThere) Position = commanded;
     }
 
-    /// <summary>It will still move although its command stands.</summary>
+    /// <summary>It will still move although the commanded position does not change.</summary>
     public bool IsSettling(double commanded, bool isOff) => _share < 1 && !IsHeld && !isOff && Position != commanded;
 
     public void Define(double position) => Position = position;

@@ -19,19 +19,19 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     public bool IsStopping { get; set; }
 
-    /// <summary>It brakes for the end of the closed sequence: the final deceleration of the status word (A.9).</summary>
+    /// <summary>The plane brakes for the end of the closed sequence: bit "final deceleration" of the status word (A.9).</summary>
     public bool IsEnding { get; private set; }
 
-    /// <summary>Momentary commanded speed: <c>_VMS</c>.</summary>
+    /// <summary>Present commanded speed: <c>_VMS</c>.</summary>
     public double Speed { get; private set; }
 
     /// <summary>Path length from the start of the sequence: <c>_AVS</c>.</summary>
     public double Travelled { get; private set; }
 
-    /// <summary>Path length of all sequences since power up: what a gear follows, always forwards (B.6).</summary>
+    /// <summary>Path length of all sequences since power up, which only grows: what a gear follows (B.6).</summary>
     public double Odometer => _earlier + Travelled;
 
-    /// <summary>Index of the segment being executed, from 0; after the end the number executed: <c>_CSS</c>.</summary>
+    /// <summary>Index of the segment being executed, from 0; after the end of the sequence the number executed: <c>_CSS</c>.</summary>
     public int SegmentIndex { get; private set; }
 
     public bool IsAtSpeed => Speed == Target;
@@ -41,7 +41,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 
     private double Target => _commanded * SpeedRatio;
 
-    /// <summary>VS, at once and also in motion.</summary>
+    /// <summary>VS; takes effect at once, also in motion.</summary>
     public void SetSpeed(double speed)
     {
         VectorSpeed = speed;
@@ -75,8 +75,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         IsEnding = false;
     }
 
-    /// <summary>Goes on for <paramref name="dt"/> or to the end of the segment, whichever comes first.</summary>
-    /// <param name="crossed">True at the end of the segment, which then has left the buffer.</param>
+    /// <summary>Advances by <paramref name="dt"/> or to the end of the segment, whichever comes first.</summary>
+    /// <param name="crossed">True when the end of the segment was reached, which has then left the buffer.</param>
     /// <returns>The time used.</returns>
     public double Advance(VectorSegment segment, double dt, out bool crossed)
     {
@@ -98,8 +98,8 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return used;
     }
 
-    /// <summary>For how many samples the speed stays as it is and the segment does not end; 0 when the next sample may change either.</summary>
-    /// <remarks>What limits the speed only falls along a segment, so that it is enough to look at the last of the samples. It is not looked for the very last one: samples left over are stepped.</remarks>
+    /// <summary>Number of samples for which the speed stays constant and the segment does not end; 0 when the next sample may change either.</summary>
+    /// <remarks>The speed limit never rises along a segment, so that testing the last of the samples is enough. The search need not find the largest number: samples left over are stepped.</remarks>
     public long SteadySamples(VectorSegment segment, long atMost)
     {
         if (Speed <= 0 || Speed != Target || IsStopping || IsEnding) return 0;
@@ -112,7 +112,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return samples;
     }
 
-    /// <summary>Goes on at the present speed by so many samples of <see cref="SteadySamples"/>; the same place as that many samples one by one, to the last bit.</summary>
+    /// <summary>Advances at the present speed by so many samples of <see cref="SteadySamples"/>; the position equals that of single steps to the last bit.</summary>
     public void PassSteady(long samples)
     {
         var way = Speed * Ramp.Sample;
@@ -120,13 +120,13 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         Travelled = _steadyFrom + (_steadySamples * way);
     }
 
-    /// <summary>Shows the path length so many samples from now, for what waits for it; <see cref="PassSteady"/> must follow.</summary>
+    /// <summary>Sets the path length to what it will be after so many samples, so that conditions can be tested; <see cref="PassSteady"/> must follow.</summary>
     public void ShowSteady(long samples) => Travelled = TravelledAfter(samples);
 
     /// <summary>Path length so many samples of constant speed from now.</summary>
     public double TravelledAfter(long samples) => _steadyFrom + ((_steadySamples + samples) * (Speed * Ramp.Sample));
 
-    /// <summary>What <see cref="TravelledAfter"/> is made of: the place that samples are counted from, their number and the way of one.</summary>
+    /// <summary>The terms of <see cref="TravelledAfter"/>: path length at which constant speed began, samples since, distance of one sample.</summary>
     public (double From, long Samples, double Way) SteadyState => (_steadyFrom, _steadySamples, Speed * Ramp.Sample);
 
     private static long SamplesOver(double length, double way)
@@ -135,7 +135,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return (long)Math.Clamp((length / way) - 3, 0, Most);
     }
 
-    /// <summary>Path length until the brakes or the exit speed may ask for another speed; not exact, the speed itself is asked behind it.</summary>
+    /// <summary>Path length to where braking or the exit speed may change the speed; approximate, the speed itself is then tested.</summary>
     private double WayToChange(VectorSegment segment)
     {
         var end = buffer.IsClosed ? buffer.Length - Travelled - (Speed * Speed / (2 * Deceleration)) : double.PositiveInfinity;
@@ -145,7 +145,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
         return Math.Min(end, segment.EndLength - Travelled - change);
     }
 
-    /// <summary>At constant speed the way is counted in samples from where it began, so that no rounding adds up and a jump ends where single samples do.</summary>
+    /// <summary>Advances the path length. At constant speed it is a number of samples times the distance of one, so that rounding does not add up and a jump ends exactly where single samples do.</summary>
     private void Go(double distance, bool isSteady)
     {
         if (isSteady)

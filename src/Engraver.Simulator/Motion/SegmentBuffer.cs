@@ -19,10 +19,10 @@ internal sealed class SegmentBuffer
 
     public VectorSegment? Current => _segments.TryPeek(out var segment) ? segment : null;
 
-    /// <summary>Path length of the whole sequence so far, executed segments included.</summary>
+    /// <summary>Path length of all segments stored for the sequence, executed ones included.</summary>
     public double Length { get; private set; }
 
-    /// <summary>VE or LE stands behind the last segment.</summary>
+    /// <summary>VE or LE has ended the sequence.</summary>
     public bool IsClosed { get; set; }
 
     /// <summary>The end of the last stored segment in the sequence frame; after a CR it is a real point (I, rounding rule).</summary>
@@ -44,7 +44,7 @@ internal sealed class SegmentBuffer
 
     public void Drop() => _segments.Dequeue();
 
-    /// <summary>What was not executed is given up; length and end stay readable.</summary>
+    /// <summary>Drops the segments that were not executed; length and end stay readable.</summary>
     public void Abandon() => _segments.Clear();
 
     public void Clear()

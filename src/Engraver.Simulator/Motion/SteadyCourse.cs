@@ -1,13 +1,13 @@
 namespace Engraver.Simulator.Motion;
 
-/// <summary>Where axes stand while what moves them keeps its speed; samples are counted from where the course was taken.</summary>
+/// <summary>Positions of axes during constant speed, by number of samples from the moment at which this object was made.</summary>
 internal abstract class SteadyCourse
 {
     /// <summary>Writes the commanded positions, counts, of the axes it moves; the others stay as they are.</summary>
     /// <param name="positions">One for each axis letter.</param>
     public abstract void At(long sample, Span<int> positions);
 
-    /// <summary>Adds the positions before rounding.</summary>
+    /// <summary>As <see cref="At"/>, before rounding to counts.</summary>
     public abstract void Exactly(long sample, Span<double> positions);
 
     /// <summary>The arc that axes A and B follow between two samples; null when they go straight or stand.</summary>

@@ -21,7 +21,7 @@ internal sealed class StraightSegment : VectorSegment
 
     public override void PointAt(double distance, Span<double> point)
     {
-        // The last point is the programmed one, not a sum that may round beside it (galil-dmc.md I, rounding rule).
+        // The last point is the programmed one, not a sum with rounding errors (galil-dmc.md I, rounding rule).
         var part = distance >= Length ? 1 : distance / Length;
         for (var i = 0; i < _start.Length; i++)
         {
@@ -29,6 +29,6 @@ internal sealed class StraightSegment : VectorSegment
         }
     }
 
-    /// <remarks>The line of a single axis (LM A) leads forwards or backwards.</remarks>
+    /// <remarks>With a single axis (LM A) the direction is 0 or 180 degrees.</remarks>
     public override double TangentAt(double distance) => Math.Atan2(_end.Length > 1 ? _end[1] - _start[1] : 0, _end[0] - _start[0]) * (180 / Math.PI);
 }

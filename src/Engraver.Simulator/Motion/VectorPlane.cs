@@ -32,22 +32,22 @@ internal sealed class VectorPlane
 
     public TangentFollower Tangent { get; } = new();
 
-    /// <summary>VT: the share of the way to the profile that the axes go in a sample; 1 is no smoothing (B.1).</summary>
+    /// <summary>VT: the part of the distance to the profile that the axes cover in one sample; 1 is no smoothing (B.1).</summary>
     public double Smoothing { get; set; } = 1;
 
-    /// <summary>BGS was given and the sequence has not come to its end, smoothing included: <c>_BGS</c>.</summary>
+    /// <summary>BGS was given and the sequence has not ended, smoothing included: <c>_BGS</c>.</summary>
     public bool IsActive => IsRunning || Array.Exists(_axes, static a => a.IsSmoothing);
 
-    /// <summary>The path profile has not come to its end.</summary>
+    /// <summary>The path profile has not ended.</summary>
     public bool IsRunning { get; private set; }
 
-    /// <summary>The buffer ran empty without VE (B.7): the plane stands until it is fed, closed or aborted.</summary>
+    /// <summary>The buffer became empty without VE (B.7): the axes wait until segments come or the sequence is closed or aborted.</summary>
     public bool IsDry { get; private set; }
 
     /// <summary>How often the buffer ran dry since power up.</summary>
     public int Underruns { get; private set; }
 
-    /// <summary>Where the next AV counts from (B.1).</summary>
+    /// <summary>Path length from which the next AV counts (B.1).</summary>
     public double TrippointReference { get; set; }
 
     /// <summary>True when the next sample will move something.</summary>
@@ -61,14 +61,14 @@ internal sealed class VectorPlane
     /// <summary>A running sequence moves the axis, along the path or its tangent.</summary>
     public bool Drives(Axis axis) => IsRunning && (Tangent.Axis == axis || Array.IndexOf(_axes, axis) >= 0);
 
-    /// <summary>Slot 1 to n of the frame as absolute counts at the last segment joint: <c>_VPx</c>.</summary>
+    /// <summary>Position of an axis of the frame, absolute counts, at the last segment end: <c>_VPx</c>.</summary>
     public int JointOf(Axis axis)
     {
         var i = Array.IndexOf(_axes, axis);
         return i < 0 ? axis.Reference : _origin[i] + _joint[i];
     }
 
-    /// <summary>The position of an axis got another number while the path goes on.</summary>
+    /// <summary>Called when the number of an axis' position was shifted while the path goes on.</summary>
     public void Renumber(Axis axis, double difference)
     {
         var i = Array.IndexOf(_axes, axis);
@@ -76,7 +76,7 @@ internal sealed class VectorPlane
         if (Tangent.Axis == axis) Tangent.Zero += difference;
     }
 
-    /// <summary>VM or LM: new axes, empty buffer, no scaling.</summary>
+    /// <summary>VM or LM: sets the axes, empties the buffer, removes scaling.</summary>
     public void SetUp(PlaneMode mode, Axis[] newAxes, Axis? tangentAxis)
     {
         Mode = mode;
@@ -86,10 +86,10 @@ internal sealed class VectorPlane
         Clear();
     }
 
-    /// <summary>ES m,n: the axis with the smaller number is driven further by the quotient (B.1).</summary>
+    /// <summary>ES m,n: the axis with the smaller number moves further, by the quotient (B.1).</summary>
     public void Scale(double m, double n) => (_firstScale, _secondScale) = (Math.Max(1, m / n), Math.Max(1, n / m));
 
-    /// <summary>CS: removes what was stored (B.1).</summary>
+    /// <summary>CS: removes the stored segments (B.1).</summary>
     public void Clear()
     {
         Buffer.Clear();
@@ -107,7 +107,7 @@ internal sealed class VectorPlane
     /// <summary>VE or LE.</summary>
     public void Close() => Buffer.IsClosed = true;
 
-    /// <summary>A stored sequence that was executed makes room for the next one by itself; CS is not needed then (B.1).</summary>
+    /// <summary>Before a segment is stored: a sequence that has been executed is removed, so that CS is not needed (B.1).</summary>
     public void PrepareForSegment()
     {
         if (IsRunning && Buffer.IsClosed) throw new CommandRefusedException(Tc.NotWhileRunning);
@@ -115,7 +115,7 @@ internal sealed class VectorPlane
         Buffer.IsClosed = false;
     }
 
-    /// <summary>BGS: latches the frame origin at the present position (B.2).</summary>
+    /// <summary>BGS: sets the frame's origin to the present position (B.2).</summary>
     public void Begin()
     {
         if (Buffer.IsEmpty) throw new CommandRefusedException(Tc.NoSequence);
@@ -134,7 +134,7 @@ internal sealed class VectorPlane
         MarkAxes(StopCode.VectorRunning);
     }
 
-    /// <summary>STS or a limit: brakes at VD, the rest of the sequence is given up (B.8). A dry plane is not helped by it; that needs VE or AB1 (B.7).</summary>
+    /// <summary>STS or a limit: brakes at VD and drops the rest of the sequence (B.8). A plane that ran out of segments is not ended by it; that needs VE or AB1 (B.7).</summary>
     public void Stop(int code)
     {
         if (!IsRunning || Profile.IsStopping || IsDry) return;
@@ -143,13 +143,13 @@ internal sealed class VectorPlane
         MarkAxes(code);
     }
 
-    /// <summary>AB: at once, without a ramp; the buffer is emptied.</summary>
+    /// <summary>AB: stops at once, without a ramp, and empties the buffer.</summary>
     public void Halt(int code)
     {
         if (IsRunning) End(code);
     }
 
-    /// <summary>One sample. The sample may lie in several segments: time is split at the joints, so every point lies on the path.</summary>
+    /// <summary>One sample, which may extend over several segments: its time is divided at their ends, so that every point lies on the path.</summary>
     /// <returns>True when something moved or the sequence ended.</returns>
     public bool Step()
     {
@@ -169,7 +169,7 @@ internal sealed class VectorPlane
         return Profile.Travelled != before || !IsRunning;
     }
 
-    /// <summary>For how many samples the path goes on at its speed within one segment, no axis changing its sense; 0 when the next sample must be looked at.</summary>
+    /// <summary>Number of samples for which the speed stays constant within one segment and no axis changes direction; 0 when the next sample must be stepped.</summary>
     public long SteadySamples(long atMost)
     {
         if (IsDry || Tangent.Axis is not null || Buffer.Current is not { } segment || !CanBeCourse(segment)) return 0;
@@ -179,17 +179,17 @@ internal sealed class VectorPlane
         return Math.Min(samples, (long)(oneWay / (Profile.Speed * Ramp.Sample)));
     }
 
-    /// <summary>The axes so many samples of constant speed from now.</summary>
+    /// <summary>Sets the axes to where they will be after so many samples of constant speed.</summary>
     public void PlaceSteady(long samples)
     {
         Profile.ShowSteady(samples);
         MoveAxes();
     }
 
-    /// <summary>What the axes do at constant speed from now on.</summary>
+    /// <summary>The positions of the axes from now on at constant speed.</summary>
     public PathCourse Course() => new(Buffer.Current!, Profile, _axes, _origin, _firstScale, _secondScale);
 
-    /// <summary>An arc can be told as one only where its two axes are A and B or neither is.</summary>
+    /// <summary>An arc has a closed form only when its two axes are A and B, or neither of them is.</summary>
     private bool CanBeCourse(VectorSegment segment) => segment is not CircularSegment || _axes[0].Index < 2 == _axes[1].Index < 2;
 
     private bool HasPath()
@@ -254,7 +254,7 @@ internal sealed class VectorPlane
         foreach (var axis in _axes) axis.StopCode = code;
     }
 
-    /// <summary>Counts of a place on the path.</summary>
+    /// <summary>A position on the path, rounded to whole counts.</summary>
     public static int Rounded(double place) => (int)Math.Round(place, MidpointRounding.AwayFromZero);
 
     private int Scaled(int slot) => Rounded(_point[slot] * (slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1));

@@ -19,9 +19,9 @@ internal abstract class VectorSegment
     /// <summary>Frame coordinates at a distance from the start of this segment, 0 to <see cref="Length"/>.</summary>
     public abstract void PointAt(double distance, Span<double> point);
 
-    /// <summary>How far, from <paramref name="distance"/> on, no axis changes its sense.</summary>
+    /// <summary>Distance up to which, from <paramref name="distance"/> on, no axis changes direction.</summary>
     public virtual double OneWayUntil(double distance) => Length;
 
-    /// <summary>Direction of travel in degrees, counter-clockwise from the first axis; straight segments give -180 to 180.</summary>
+    /// <summary>Direction of travel in degrees, counter-clockwise from the first axis; -180 to 180 for straight segments.</summary>
     public abstract double TangentAt(double distance);
 }

@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>One direction of a serial line in real time: bytes are through when their time on the wire has passed.</summary>
-/// <param name="byteTime">Wall time of a byte; zero for a line of virtual time, where the clock is moved instead.</param>
+/// <summary>One direction of a serial line in real time: a byte has arrived when its time on the wire has passed.</summary>
+/// <param name="byteTime">Wall time of a byte; zero for a line in virtual time, where the clock is advanced instead.</param>
 internal sealed class BytePacer(TimeProvider time, TimeSpan byteTime)
 {
     private static readonly TimeSpan Shortest = TimeSpan.FromMilliseconds(1);

@@ -10,7 +10,7 @@ internal sealed class ByteQueue
     private bool _completed;
     private TaskCompletionSource? _waiting;
 
-    /// <summary>Bytes that were not read yet.</summary>
+    /// <summary>Bytes that have not been read.</summary>
     public int Count
     {
         get
@@ -38,7 +38,7 @@ internal sealed class ByteQueue
         reader?.TrySetResult();
     }
 
-    /// <summary>No more bytes will come; what is there can still be read.</summary>
+    /// <summary>Says that no more bytes will come; those present can still be read.</summary>
     public void Complete()
     {
         TaskCompletionSource? reader;
@@ -51,7 +51,7 @@ internal sealed class ByteQueue
         reader?.TrySetResult();
     }
 
-    /// <summary>At least one byte, or 0 after <see cref="Complete"/>.</summary>
+    /// <summary>Reads at least one byte; returns 0 after <see cref="Complete"/> when none is left.</summary>
     public async ValueTask<int> ReadAsync(Memory<byte> destination, CancellationToken cancellation)
     {
         while (true)

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Replies that a fault plan makes late, in the order they were given.</summary>
+/// <summary>Replies that a fault plan delays, in the order in which they were given.</summary>
 internal sealed class DelayedReplies(TimeProvider time, TimeSpan delay)
 {
     private readonly Queue<(long Due, Handle Handle, byte[] Bytes)> _waiting = new();
@@ -19,7 +19,7 @@ internal sealed class DelayedReplies(TimeProvider time, TimeSpan delay)
         _waiting.Enqueue((time.GetTimestamp() + ticks, handle, bytes.ToArray()));
     }
 
-    /// <summary>Lets go what is due.</summary>
+    /// <summary>Sends the replies that are due.</summary>
     public void Release()
     {
         while (_waiting.TryPeek(out var next) && time.GetTimestamp() >= next.Due)

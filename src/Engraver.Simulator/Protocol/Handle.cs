@@ -3,8 +3,8 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>One connection: cuts the incoming bytes into commands and gives every command its prompt (galil-dmc.md A.3, A.6, L.2).</summary>
-/// <remarks>All members are called under the controller's lock, except that <see cref="Output"/> may be read by anyone.</remarks>
+/// <summary>One connection: divides the incoming bytes into commands and answers every command with its prompt (galil-dmc.md A.3, A.6, L.2).</summary>
+/// <remarks>All members are called under the controller's lock, except that <see cref="Output"/> may be read from any thread.</remarks>
 internal sealed class Handle
 {
     private const int LongestCommand = 80;
@@ -41,12 +41,12 @@ internal sealed class Handle
 
     public bool IsClosed { get; private set; }
 
-    /// <summary>Answers leave as datagrams; null for a connection.</summary>
+    /// <summary>Sends answers as datagrams (UDP); null for a connection.</summary>
     public DatagramSender? Datagrams { get; init; }
 
     public bool IsUdp => Datagrams is not null;
 
-    /// <summary>The bytes leave for the client now.</summary>
+    /// <summary>Hands bytes to the client now.</summary>
     public void Emit(ReadOnlySpan<byte> bytes)
     {
         if (Datagrams is null) Output.Write(bytes);
@@ -56,7 +56,7 @@ internal sealed class Handle
     /// <summary>Cuts the connection from the controller's side.</summary>
     public Action? Disconnect { get; set; }
 
-    /// <summary>A command has begun and not ended: its host has to say the rest, or waits for an answer that cannot come.</summary>
+    /// <summary>A command has begun and not ended: its host has to send the rest, or waits for an answer that cannot come.</summary>
     public bool IsMidCommand => _length > 0 || IsReceivingText;
 
     /// <summary>Inside a download: the command gets no prompt before its text has ended.</summary>
@@ -77,7 +77,7 @@ internal sealed class Handle
         if (!IsClosed) _sink.Deliver(this, bytes);
     }
 
-    /// <summary>What is said beside the prompts.</summary>
+    /// <summary>Sends text that belongs to no prompt.</summary>
     public void SendText(ReadOnlySpan<char> text)
     {
         Span<byte> bytes = text.Length <= 512 ? stackalloc byte[text.Length] : new byte[text.Length];
@@ -85,7 +85,7 @@ internal sealed class Handle
         Send(bytes);
     }
 
-    /// <summary>Closes now, or behind the prompt of the running command when it is this handle's own.</summary>
+    /// <summary>Closes now, or after the prompt of the running command when that came on this handle.</summary>
     public void CloseWhenAnswered(bool own)
     {
         if (own)
@@ -109,10 +109,10 @@ internal sealed class Handle
         }
     }
 
-    /// <summary>Frees the handle and breaks the line at once.</summary>
+    /// <summary>Frees the handle and drops the connection at once.</summary>
     public void Cut()
     {
-        Disconnect?.Invoke(); // first: a closed handle would end its socket politely
+        Disconnect?.Invoke(); // first, because a handle closed before would end its socket in the regular way
         Close();
     }
 
@@ -132,7 +132,7 @@ internal sealed class Handle
         }
         else if (c == '\r')
         {
-            // A CR behind the terminator of a download belongs to it (L.2 point 3).
+            // A CR after the terminator of a download belongs to it (L.2 point 3).
             if (!afterTerminator) EndCommand();
         }
         else if (c == ';' && (!_quoted || _length > LongestCommand))
@@ -145,7 +145,7 @@ internal sealed class Handle
         }
     }
 
-    /// <summary>What is longer than a line is not kept. A quote that never ends protects no semicolon beyond it: some clients never send a CR (L.1.2), and must not fall silent.</summary>
+    /// <summary>Appends to the command, up to the longest line. After that length even an open quote no longer protects a semicolon: some clients never send a CR (L.1.2), and must still be answered.</summary>
     private void Append(char c)
     {
         if (++_length > LongestCommand) return;
@@ -177,7 +177,7 @@ internal sealed class Handle
         Answer(reply);
     }
 
-    /// <summary>An empty reply means silence: a download begins, or the controller is frozen.</summary>
+    /// <summary>An empty reply means that nothing is sent: a download begins, or the fault plan has frozen the controller.</summary>
     private void Answer(ReadOnlySpan<char> reply)
     {
         Commands++;

@@ -18,7 +18,7 @@ internal sealed class HandleTable(int capacity)
 
     public IEnumerable<Handle> Open => _handles.OfType<Handle>();
 
-    /// <summary>The client of a handle went away and nobody has noticed yet; true once.</summary>
+    /// <summary>True once for a handle whose client has gone without the controller having noticed.</summary>
     public bool NoticeLoss(int index)
     {
         var lost = (_lost & (1 << index)) != 0;

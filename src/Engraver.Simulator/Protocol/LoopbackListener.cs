@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Accepts connections on loopback until it is disposed, and then waits for the end of those that are served. A bug while serving breaks the controller.</summary>
+/// <summary>Accepts connections on loopback until it is disposed, and then waits for the end of those that are being served. An exception while serving ends the controller's work.</summary>
 internal sealed class LoopbackListener : IAsyncDisposable
 {
     private readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
@@ -15,7 +15,7 @@ internal sealed class LoopbackListener : IAsyncDisposable
     private readonly Task _accepting;
 
     /// <param name="port">0 lets the system pick.</param>
-    /// <param name="serve">Owns the socket; returns what serves it until the client is gone, null when it was turned away.</param>
+    /// <param name="serve">Owns the socket; returns the task that serves it until the client has gone, null when it was turned away.</param>
     /// <exception cref="SocketException">The port is taken or not allowed.</exception>
     public LoopbackListener(ControllerCore core, int port, Func<Socket, CancellationToken, Task?> serve)
     {

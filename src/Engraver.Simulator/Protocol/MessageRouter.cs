@@ -5,20 +5,20 @@ internal sealed class MessageRouter(HandleTable handles, SerialPort serial, Simu
 {
     private const int Marked = 1;
 
-    /// <summary>A to H, or S for the serial port, where nobody on Ethernet hears it (factory).</summary>
+    /// <summary>A to H, or S (factory setting) for the serial port, where no host on Ethernet receives messages.</summary>
     public char Port { get; set; } = options.MessagePort;
 
-    /// <summary>CW, first field: 1 sets bit 7, 2 does not (factory).</summary>
+    /// <summary>CW, first field: 1 sets bit 7, 2 (factory setting) does not.</summary>
     public int Marking { get; set; } = options.MessageMarking;
 
     /// <summary>CW, second field.</summary>
     public int WhenBlocked { get; set; } = 1;
 
-    /// <summary>CF is not burned: every reset brings the serial port back.</summary>
+    /// <summary>CF is not burned: every reset brings back the port of the options.</summary>
     public void Reset() => Port = options.MessagePort;
 
     /// <param name="handle">The handle that {Ex} named; null leaves it to CF, -1 is the serial port.</param>
-    /// <returns>False when the client it goes to has left without the controller having noticed (#TCPERR, C.3).</returns>
+    /// <returns>False when the client it is sent to has left without the controller having noticed (#TCPERR, C.3).</returns>
     public bool Send(ReadOnlySpan<char> text, int? handle)
     {
         var index = handle ?? (Port == 'S' ? -1 : Port - 'A');

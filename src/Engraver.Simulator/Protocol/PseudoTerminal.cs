@@ -6,8 +6,8 @@ using Microsoft.Win32.SafeHandles;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>A pseudo-terminal of Linux: the simulator holds the master, a host opens the slave as it would open a serial device.</summary>
-/// <remarks>The slave is held open too. A host that leaves is then not noticed, as on a real RS-232 line, and the next one finds the terminal as it was set.</remarks>
+/// <summary>A pseudo-terminal of Linux: the simulator opens the master, a host opens the slave as it would open a serial device.</summary>
+/// <remarks>The simulator keeps the slave open too. So a host that leaves is not noticed, as on a real RS-232 line, and the next one finds the terminal's settings unchanged.</remarks>
 internal sealed class PseudoTerminal : IDisposable
 {
     private const int ReadWriteNoTerminal = 0x2 | 0x100; // O_RDWR O_NOCTTY
@@ -32,7 +32,7 @@ internal sealed class PseudoTerminal : IDisposable
     /// <summary>The device a host opens, for example <c>/dev/pts/3</c>.</summary>
     public string SlaveName { get; }
 
-    /// <exception cref="IOException">There is none to be had.</exception>
+    /// <exception cref="IOException">The system has no free terminal.</exception>
     public static PseudoTerminal Open()
     {
         var master = Native.OpenMaster(ReadWriteNoTerminal | NonBlocking | CloseOnExec);
@@ -45,23 +45,23 @@ internal sealed class PseudoTerminal : IDisposable
     }
 
     /// <summary>Waits for bytes of the host.</summary>
-    /// <returns>How many were read; 0 when the bell rang.</returns>
+    /// <returns>How many were read; 0 after <see cref="Ring"/>.</returns>
     /// <exception cref="IOException">The terminal is gone.</exception>
     public int WaitAndRead(Span<byte> buffer)
     {
         while (true)
         {
-            if (Native.Poll(_watched, (nuint)_watched.Length, -1) < 0) continue; // a signal
+            if (Native.Poll(_watched, (nuint)_watched.Length, -1) < 0) continue; // interrupted by a signal
             if (_watched[1].Happened != 0) return 0;
             if (Native.Read(_master, ref MemoryMarshal.GetReference(buffer), (nuint)buffer.Length) is > 0 and var count) return (int)count;
             if ((_watched[0].Happened & PollGone) != 0) throw Failure();
         }
     }
 
-    /// <summary>Bytes the host's side has taken; 0 when it has no room for any.</summary>
+    /// <summary>Writes to the host; returns the number of bytes taken, 0 when the buffer is full.</summary>
     public int Write(ReadOnlySpan<byte> bytes) => (int)Math.Max(0, Native.Write(_master, ref MemoryMarshal.GetReference(bytes), (nuint)bytes.Length));
 
-    /// <summary>Ends the wait, from any thread.</summary>
+    /// <summary>Ends <see cref="WaitAndRead"/>, from any thread.</summary>
     public void Ring()
     {
         ulong one = 1;
@@ -71,11 +71,11 @@ internal sealed class PseudoTerminal : IDisposable
         }
         catch (ObjectDisposedException)
         {
-            // Nobody waits any more.
+            // The wait has ended already.
         }
     }
 
-    /// <summary>A host that has the slave open sees that its device hung up.</summary>
+    /// <summary>Closes the terminal; a host that has the slave open sees a hang-up.</summary>
     public void Dispose()
     {
         _master.Dispose();
@@ -83,7 +83,7 @@ internal sealed class PseudoTerminal : IDisposable
         _bell.Dispose();
     }
 
-    /// <summary>Raw: the kernel's own echo and line editing off, for hosts that do not set the line themselves.</summary>
+    /// <summary>Sets raw mode: the kernel's echo and line editing off, for hosts that do not set the line themselves.</summary>
     private static bool PassesEveryByte(SafeFileHandle slave)
     {
         var settings = default(LineSettings);

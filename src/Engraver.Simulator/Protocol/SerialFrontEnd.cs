@@ -3,10 +3,10 @@ namespace Engraver.Simulator.Protocol;
 /// <summary>The serial port on a pseudo-terminal: a thread waits for the host's bytes, two tasks carry bytes at the speed of the line.</summary>
 internal sealed class SerialFrontEnd : IAsyncDisposable
 {
-    /// <summary>Bytes that go over the wire before they are looked at: little, so that a long download is not one leap.</summary>
+    /// <summary>Bytes that go over the wire before the controller sees them: few, so that time does not jump over a long download.</summary>
     private const int Portion = 32;
 
-    /// <summary>How long to wait before a host that does not read is tried again: by the computer's clock, for it is the operating system that is waited for.</summary>
+    /// <summary>Wait before writing again to a host that does not read; wall time, because it is the operating system's buffer that must empty.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(5);
 
     private readonly ControllerCore _core;
@@ -29,7 +29,7 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
         _serving = Task.WhenAll(core.WatchAsync(ReceiveAsync(_stopping.Token)), core.WatchAsync(SendAsync(_stopping.Token)));
     }
 
-    /// <exception cref="IOException">The path is taken, the port has a client, or there is no terminal to be had.</exception>
+    /// <exception cref="IOException">The path is taken, the port already has a client, or the system has no free terminal.</exception>
     /// <exception cref="PlatformNotSupportedException">This is not Linux.</exception>
     public static SerialFrontEnd Open(ControllerCore core, string path, int baud, SimulatorOptions options)
     {
@@ -56,7 +56,7 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
         _stopping.Dispose();
     }
 
-    /// <summary>The thread, and the one place that ends the port: the bell rings when the controller is switched off and when the link is cut.</summary>
+    /// <summary>Reads until the port is closed, and is the only place that closes it: woken when the controller is disposed or the link is cut.</summary>
     private void Listen()
     {
         var buffer = new byte[4096];

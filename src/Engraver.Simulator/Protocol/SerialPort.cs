@@ -3,19 +3,19 @@ namespace Engraver.Simulator.Protocol;
 /// <summary>The controller's main serial port (galil-dmc.md A.2): one client, echo until EO 0, every byte takes ten bits at the baud rate.</summary>
 internal sealed class SerialPort
 {
-    /// <summary><c>_WH</c> of the port: it stands in no place of the handle table (A.1).</summary>
+    /// <summary><c>_WH</c> of the port, which is not in the handle table (A.1).</summary>
     public const int HandleIndex = -1;
 
     /// <summary>EO: 1 is the factory setting; a reset brings back what BN burned.</summary>
     public bool Echo { get; set; } = true;
 
-    /// <summary>Who is plugged in; null for nobody.</summary>
+    /// <summary>The connected client; null when there is none.</summary>
     public Handle? Client { get; set; }
 
     /// <summary>Start bit, eight data bits, stop bit.</summary>
     public TimeSpan ByteTime { get; private set; }
 
-    /// <summary>Null when somebody is plugged in already.</summary>
+    /// <summary>Connects a client; returns null when there already is one.</summary>
     public Handle? Plug(int baud, Handle client)
     {
         if (Client is not null) return null;

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Connections over TCP on loopback; each is one handle, one too many is answered with RST (galil-dmc.md A.1).</summary>
+/// <summary>Connections over TCP on loopback; each takes one handle, and one too many is answered with RST (galil-dmc.md A.1).</summary>
 internal sealed class TcpFrontEnd : IAsyncDisposable
 {
     private readonly ControllerCore _core;

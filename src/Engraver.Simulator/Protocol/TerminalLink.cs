@@ -1,11 +1,11 @@
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>The name under which a host finds the pseudo-terminal: a symbolic link.</summary>
+/// <summary>The symbolic link by which a host finds the pseudo-terminal.</summary>
 internal static class TerminalLink
 {
     private const string Terminals = "/dev/pts/";
 
-    /// <summary>Makes the link. One that points to a pseudo-terminal is taken for the leftover of a run that was killed, and replaced.</summary>
+    /// <summary>Makes the link. An existing link to a pseudo-terminal is taken for the remains of a killed run, and replaced.</summary>
     /// <exception cref="IOException">Something else has the name, or the folder does not exist.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be written.</exception>
     public static void Create(string path, string terminal)
@@ -14,7 +14,7 @@ internal static class TerminalLink
         File.CreateSymbolicLink(path, terminal);
     }
 
-    /// <summary>Removes the link, if it is still ours.</summary>
+    /// <summary>Removes the link if it still points to this terminal.</summary>
     public static void Remove(string path, string terminal)
     {
         try
@@ -23,7 +23,7 @@ internal static class TerminalLink
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            // A link that cannot be removed points to nothing from now on; the next run replaces it.
+            // A link that cannot be removed now points to nothing; the next run replaces it.
         }
     }
 }

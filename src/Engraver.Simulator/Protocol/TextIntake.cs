@@ -3,7 +3,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Text that follows a command up to an end mark and gets its prompt only then: a program (DL) or the elements of an array (QD) (galil-dmc.md A.6).</summary>
+/// <summary>Text that follows a command up to an end mark and is answered with a prompt only then: a program (DL) or the elements of an array (QD) (galil-dmc.md A.6).</summary>
 internal sealed class TextIntake(Handle handle, ICommandSink sink)
 {
     private readonly StringBuilder _received = new();
@@ -21,7 +21,7 @@ internal sealed class TextIntake(Handle handle, ICommandSink sink)
         _received.Clear();
     }
 
-    /// <param name="store">Is given the whole text.</param>
+    /// <param name="store">Called with the whole text at its end.</param>
     public void BeginArray(Action<string> store)
     {
         _arrayTarget = store;
@@ -33,11 +33,11 @@ internal sealed class TextIntake(Handle handle, ICommandSink sink)
     {
         var isEnd = c is '\\' or '\x1A' || (_isProgram && c is '\x11' or '\x04');
         if (_isProgram && (c == '\r' || isEnd)) EndLine();
-        else if (!isEnd && _received.Length < Longest) _received.Append(c); // what is longer is refused and need not be kept
+        else if (!isEnd && _received.Length < Longest) _received.Append(c); // longer text is refused at its end and need not be kept
         return isEnd;
     }
 
-    /// <returns>The answer to the whole; null for silence.</returns>
+    /// <returns>The answer to the whole text; null when none is sent.</returns>
     public string? End()
     {
         if (_isProgram)

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace Engraver.Simulator.Protocol;
 
-/// <summary>Datagrams on loopback; every sender is one handle until IHx=>-1 frees it (galil-dmc.md A.1). A sender for whom there is no handle gets no answer.</summary>
+/// <summary>Datagrams on loopback; every sender has one handle until IHx=>-1 frees it (galil-dmc.md A.1). A sender without a free handle gets no answer.</summary>
 internal sealed class UdpFrontEnd : IAsyncDisposable
 {
     private const int LargestDatagram = 2048;
@@ -48,7 +48,7 @@ internal sealed class UdpFrontEnd : IAsyncDisposable
             }
             catch (SocketException)
             {
-                // A datagram came back because its receiver is gone, or one was too long: neither ends the service.
+                // A datagram came back because its receiver has gone, or one was too long: neither ends the service.
             }
         }
     }
@@ -61,7 +61,7 @@ internal sealed class UdpFrontEnd : IAsyncDisposable
         return opened;
     }
 
-    /// <summary>A datagram leaves at once or is lost; nobody waits for it.</summary>
+    /// <summary>Sends a datagram without waiting; it may be lost.</summary>
     private void Send(IPEndPoint receiver, ReadOnlySpan<byte> bytes)
     {
         try
@@ -70,7 +70,7 @@ internal sealed class UdpFrontEnd : IAsyncDisposable
         }
         catch (SocketException)
         {
-            // Lost on the way, as datagrams may be.
+            // Lost, as datagrams may be.
         }
         catch (ObjectDisposedException)
         {

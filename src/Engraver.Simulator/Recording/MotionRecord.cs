@@ -1,8 +1,8 @@
 namespace Engraver.Simulator;
 
-/// <summary>Everything the axes and outputs did: one row for every sample of motion and one for every output change at rest (galil-dmc.md I.16).</summary>
-/// <remarks>Thread safe. Kept rows lie in chunks, spans of constant speed as what they follow from. The first row of a motion away from an unrecorded place is that place.
-/// A record that keeps nothing still tells its listeners and its file.</remarks>
+/// <summary>Everything that the axes and outputs did: one row for every sample of motion and one for every output change at rest (galil-dmc.md I.16).</summary>
+/// <remarks>Thread safe. Rows lie in chunks; a span of constant speed is kept as its closed form. When a motion begins at a position that no row has, a row with that position comes first.
+/// A record that keeps no rows still passes them to its listeners and its file.</remarks>
 public sealed class MotionRecord
 {
     private readonly Lock _gate = new();
@@ -14,7 +14,7 @@ public sealed class MotionRecord
 
     internal MotionRecord(bool isKept) => _isKept = isKept;
 
-    /// <summary>Rows kept so far; those of spans count.</summary>
+    /// <summary>Rows kept so far, those within spans included.</summary>
     public int Count
     {
         get
@@ -48,8 +48,8 @@ public sealed class MotionRecord
         }
     }
 
-    /// <summary>From here on the listener is told every row, on the thread that computes it; it must be quick and must not call the controller.</summary>
-    /// <returns>Ends it.</returns>
+    /// <summary>From here on the listener is called with every row, on the thread that computes it; it must be quick and must not call the controller.</summary>
+    /// <returns>Dispose it to end the subscription.</returns>
     public IDisposable Subscribe(IMotionListener listener)
     {
         ArgumentNullException.ThrowIfNull(listener);
@@ -61,7 +61,7 @@ public sealed class MotionRecord
         return new Subscription(this, listener);
     }
 
-    /// <summary>Writes the header now and from here on every row, also those already kept, whenever <see cref="FlushCsv"/> runs (the controller does so every few milliseconds and when it is disposed).</summary>
+    /// <summary>Writes the header now, and all rows, also those already kept, whenever <see cref="FlushCsv"/> runs (the controller does so every few milliseconds and when it is disposed).</summary>
     public void AttachCsv(TextWriter writer)
     {
         ArgumentNullException.ThrowIfNull(writer);
@@ -77,7 +77,7 @@ public sealed class MotionRecord
         FlushCsv();
     }
 
-    /// <summary>The file is told no more; what waited for it is given up.</summary>
+    /// <summary>Ends the writing of the file; rows that wait for it are dropped.</summary>
     internal void DetachCsv()
     {
         lock (_gate)
@@ -86,7 +86,7 @@ public sealed class MotionRecord
         }
     }
 
-    /// <summary>Brings the attached file up to date, through to the operating system.</summary>
+    /// <summary>Writes the rows that wait to the attached file and flushes it to the operating system.</summary>
     public void FlushCsv()
     {
         lock (_csvGate)

@@ -2,7 +2,7 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator;
 
-/// <summary>Writes down what the axes and the outputs do: every sample of motion with the place it began from, spans of constant speed as such, and every change of an output at rest.</summary>
+/// <summary>Records what the axes and outputs do: every sample of motion with the position it began from, spans of constant speed in closed form, and every change of an output at rest.</summary>
 internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool keepsRows)
 {
     private MotionSample? _last;
@@ -15,7 +15,7 @@ internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool kee
     /// <summary>The sample of the last row; 0 before the first.</summary>
     public long LastSample => _last?.Sample ?? 0;
 
-    /// <summary>Before a sample: the place that a motion starts from, unless the last row says it already.</summary>
+    /// <summary>Before a sample: records the position a motion starts from, unless the last row has it already.</summary>
     public void Before(long sample)
     {
         if (IsMoving || !motion.CanProgress) return;
@@ -23,24 +23,24 @@ internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool kee
         if (_last is null || _last.Value with { Sample = row.Sample } != row) Append(row);
     }
 
-    /// <summary>Behind a sample.</summary>
+    /// <summary>After a sample.</summary>
     public void After(long sample, bool moved)
     {
         IsMoving = moved;
         if (moved) Append(Row(sample));
     }
 
-    /// <summary>So many samples behind <paramref name="sample"/> passed at constant speed; the axes stand at their end.</summary>
+    /// <summary>So many samples after <paramref name="sample"/> passed at constant speed; the axes are at the end of the span.</summary>
     public void Passed(long sample, long samples, SteadyCourse[] courses)
     {
         _last = Row(sample + samples);
         Record.Append(new MotionSpan(sample, samples, _last.Value, courses));
     }
 
-    /// <summary>Samples passed in which nothing could happen.</summary>
+    /// <summary>Samples passed in which nothing happened.</summary>
     public void Rested() => IsMoving = false;
 
-    /// <summary>In motion the row of the sample tells it.</summary>
+    /// <summary>Records an output change at rest; in motion the row of the sample has it.</summary>
     public void OutputsChanged(long sample)
     {
         if (!IsMoving || !motion.CanProgress) Append(Row(sample));

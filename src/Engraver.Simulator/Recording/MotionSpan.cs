@@ -2,7 +2,7 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator;
 
-/// <summary>Samples of motion at constant speed in which nothing else happened: each can be asked for, none is stored.</summary>
+/// <summary>Samples of motion at constant speed in which nothing else happened, in closed form: each can be computed, none is stored.</summary>
 public sealed class MotionSpan
 {
     private readonly long _before;
@@ -11,7 +11,7 @@ public sealed class MotionSpan
 
     /// <param name="before">The sample before the first.</param>
     /// <param name="samples">At least one.</param>
-    /// <param name="end">The last row; axes that no course moves stand where it says.</param>
+    /// <param name="end">The last row; axes without a course have its positions throughout.</param>
     internal MotionSpan(long before, long samples, MotionSample end, SteadyCourse[] courses)
     {
         _before = before;
@@ -20,17 +20,17 @@ public sealed class MotionSpan
         Count = samples;
     }
 
-    /// <summary>Samples in it.</summary>
+    /// <summary>Number of samples in it.</summary>
     public long Count { get; }
 
-    /// <summary>The outputs, all the time.</summary>
+    /// <summary>The outputs, constant over the span.</summary>
     public byte Outputs => _end.Outputs;
 
     public MotionSample First => this[0];
 
     public MotionSample Last => _end;
 
-    /// <summary>One of its samples, from 0; the same that single steps give.</summary>
+    /// <summary>One of its samples, from 0; equal to what single steps give.</summary>
     public MotionSample this[long index]
     {
         get
@@ -64,13 +64,13 @@ public sealed class MotionSpan
     }
 }
 
-/// <summary>Is told everything that goes into a record, in order of time, while the controller computes.</summary>
+/// <summary>Receives everything that goes into a record, in order of time, while the controller computes it.</summary>
 public interface IMotionListener
 {
-    /// <summary>A sample of motion, the place where a motion begins, or a change of an output.</summary>
+    /// <summary>A sample of motion, the position at which a motion begins, or a change of an output.</summary>
     void Add(in MotionSample sample);
 
-    /// <summary>Many samples of constant speed.</summary>
+    /// <summary>A span of many samples at constant speed.</summary>
     void Add(MotionSpan span);
 }
 

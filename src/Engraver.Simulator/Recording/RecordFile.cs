@@ -1,9 +1,9 @@
 namespace Engraver.Simulator;
 
-/// <summary>Writes what the record has gathered to its file, until the file takes no more; the controller goes on without it.</summary>
+/// <summary>Writes the gathered rows to the record's file. When writing fails, the controller goes on without the file.</summary>
 internal sealed class RecordFile(MotionRecord record)
 {
-    /// <summary>What stopped it from being written; null while all is well.</summary>
+    /// <summary>The error that ended the writing; null while it works.</summary>
     public IOException? Failure { get; private set; }
 
     public void Flush()

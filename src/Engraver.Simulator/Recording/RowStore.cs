@@ -8,7 +8,7 @@ internal sealed class RowStore
     private readonly List<(long FirstRow, long SinglesBefore, MotionSpan Span)> _spans = [];
     private long _singles;
 
-    /// <summary>Rows, those of the spans too.</summary>
+    /// <summary>Number of rows, those within spans included.</summary>
     public long Count { get; private set; }
 
     /// <summary>A row by its number.</summary>
@@ -37,13 +37,13 @@ internal sealed class RowStore
         Count += span.Count;
     }
 
-    /// <summary>All rows from one on.</summary>
+    /// <summary>All rows from this number on.</summary>
     public IEnumerable<MotionSample> From(long row)
     {
         for (; row < Count; row++) yield return this[row];
     }
 
-    /// <summary>Everything, spans unopened.</summary>
+    /// <summary>All rows in order, each span as one part.</summary>
     public IEnumerable<RecordPart> Parts()
     {
         var single = 0L;

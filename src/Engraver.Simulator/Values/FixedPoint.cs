@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Values;
 
 /// <summary>A number of the controller: 32-bit signed integer part and 16-bit fraction, resolution 1/65536 (galil-dmc.md E, Number).</summary>
-/// <remarks>Held as value times 65536 in 48 bits; what does not fit wraps. Six characters fill the same 48 bits, which is how strings are kept.</remarks>
+/// <remarks>Held as value times 65536 in 48 bits; what does not fit wraps. A string is up to six characters in the same 48 bits.</remarks>
 internal readonly record struct FixedPoint(long Raw)
 {
     private const long One = 1L << 16;

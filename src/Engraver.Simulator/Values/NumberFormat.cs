@@ -30,7 +30,7 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
     /// <summary>m.n as PF and VF take it, negative for hexadecimal: <c>PF ?</c>, <c>_PF</c>.</summary>
     public FixedPoint Argument => FixedPoint.FromDouble((Digits + (Decimals / 10.0)) * (Hex ? -1 : 1));
 
-    /// <summary>The number with one column for the sign: a blank or a minus.</summary>
+    /// <summary>The number with one column for its sign: a blank or a minus.</summary>
     public string Print(FixedPoint value)
     {
         Span<char> text = stackalloc char[Longest];
@@ -50,8 +50,8 @@ internal readonly record struct NumberFormat(int Digits, int Decimals, bool Lead
         var unit = Powers[Decimals];
         var places = (long)((((Int128)Math.Abs(value.Raw) * unit) + (1 << 15)) >> 16);
         var (whole, fraction) = Math.DivRem(places, unit);
-        if (whole > int.MaxValue && value.Raw > 0) (whole, fraction) = (int.MaxValue, unit - 1); // no number is larger (E, Number)
-        if (whole >= Powers[Digits]) (whole, fraction) = (Powers[Digits] - 1, unit - 1); // clipped: all nines (A.3 format commands)
+        if (whole > int.MaxValue && value.Raw > 0) (whole, fraction) = (int.MaxValue, unit - 1); // the largest number there is (E, Number)
+        if (whole >= Powers[Digits]) (whole, fraction) = (Powers[Digits] - 1, unit - 1); // too large for its digits: prints as all nines (A.3 format commands)
         Span<char> zeros = stackalloc char[Digits];
         zeros.Fill('0');
         whole.TryFormat(text, out var length, LeadingZeros ? zeros : default, CultureInfo.InvariantCulture);

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>How much each of the source pixels <paramref name="First"/> to <paramref name="Last"/> counts in the mean over an interval; the weights' sum is 1.</summary>
+/// <summary>Weights of the source pixels <paramref name="First"/> to <paramref name="Last"/> in the mean over an interval; their sum is 1.</summary>
 internal readonly record struct AreaWeights(int First, int Last, float FirstWeight, float InnerWeight, float LastWeight)
 {
     public float this[int index] => index == First ? FirstWeight : index == Last ? LastWeight : InnerWeight;

@@ -12,7 +12,7 @@ internal static class BitmapScaling
         return isSmooth && isSmaller ? Averaged(source, size) : Sampled(source, size, isSmooth);
     }
 
-    /// <summary>Each pixel is the mean of the area that it stands for; right for smaller sizes.</summary>
+    /// <summary>Each pixel is the mean of the area that it covers; meant for smaller sizes.</summary>
     public static SoftwareBitmap Averaged(SoftwareBitmap source, PixelSize size)
     {
         var columns = AreaWeights.Along(source.PixelSize.Width, size.Width);

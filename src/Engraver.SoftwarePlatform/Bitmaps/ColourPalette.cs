@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>At most 256 colours that stand for all the colours of a picture: first the frequent ones, then those that are farthest from what is chosen, so that no colour is far from its stand-in.</summary>
+/// <summary>Chooses at most 256 colours for a picture: first the frequent ones, then those farthest from the chosen ones, so that no colour is far from its substitute.</summary>
 internal sealed class ColourPalette
 {
     public const int MostColours = 256;
@@ -28,7 +28,7 @@ internal sealed class ColourPalette
         return new ColourPalette(counts);
     }
 
-    /// <summary>Place of the colour itself, or of the nearest one.</summary>
+    /// <summary>Index of the colour itself, or of the nearest one.</summary>
     public byte PlaceOf(uint colour)
     {
         if (_places.TryGetValue(colour, out var place)) return place;

@@ -2,7 +2,7 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>Readable copies of one version of a bitmap: converted, halved once, twice and so on. Made when first asked for.</summary>
+/// <summary>Directly readable copies of one version of a bitmap: converted, halved once, twice and so on. Made when first needed.</summary>
 internal sealed class DerivedBitmaps(SoftwareBitmap original) : IDisposable
 {
     private readonly List<SoftwareBitmap> _levels = [];

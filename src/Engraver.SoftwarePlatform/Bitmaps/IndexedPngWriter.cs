@@ -2,7 +2,7 @@ using System.IO.Compression;
 
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>Writes a picture with one byte a pixel.</summary>
+/// <summary>Writes a picture with one byte per pixel.</summary>
 internal static class IndexedPngWriter
 {
     private const int ColourBytes = 3;
@@ -36,7 +36,7 @@ internal static class IndexedPngWriter
         using var memory = new MemoryStream();
         using (var compressor = new ZLibStream(memory, CompressionLevel.SmallestSize, leaveOpen: true))
         {
-            var line = new byte[width + 1]; // its first byte: no row filter, neighbours in a palette say nothing
+            var line = new byte[width + 1]; // its first byte is 0, no row filter: differences of palette indices mean nothing
             for (var from = 0; from < pixels.Length; from += width)
             {
                 for (var x = 0; x < width; x++) line[x + 1] = palette.PlaceOf(pixels[from + x]);

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>Zeroed memory outside of the managed heap, freed when disposed or forgotten.</summary>
+/// <summary>Zeroed memory outside the managed heap, freed when disposed or finalised.</summary>
 internal sealed unsafe class PixelMemory : SafeHandle
 {
     private readonly long _bytes;

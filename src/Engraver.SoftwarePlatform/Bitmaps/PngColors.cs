@@ -3,7 +3,7 @@ using Engraver.SoftwarePlatform.Rasteriser;
 
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>Makes premultiplied pixels of the samples in a row; 16 bit samples keep their upper half.</summary>
+/// <summary>Converts the samples of a row to premultiplied pixels; of 16-bit samples only the upper half is used.</summary>
 internal sealed class PngColors
 {
     private readonly PngHeader _header;

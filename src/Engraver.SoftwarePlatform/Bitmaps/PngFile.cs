@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>Portable Network Graphics, in and out (ISO/IEC 15948).</summary>
+/// <summary>Reads and writes Portable Network Graphics (ISO/IEC 15948).</summary>
 public static class PngFile
 {
     /// <summary>Writes 8 bits for each of red, green, blue and alpha.</summary>
@@ -11,7 +11,7 @@ public static class PngFile
         PngWriter.Write(stream, bitmap);
     }
 
-    /// <summary>Writes at most 256 colours, one byte a pixel: a third of the size of a window's picture. Rare colours are shown by their nearest.</summary>
+    /// <summary>Writes at most 256 colours, one byte per pixel: a third of the size for a window's picture. Rare colours are replaced by the nearest of the palette.</summary>
     /// <exception cref="ArgumentException">A pixel is transparent.</exception>
     public static void WriteIndexed(Stream stream, SoftwareBitmap bitmap)
     {
@@ -21,7 +21,7 @@ public static class PngFile
     }
 
     /// <summary>Reads every colour type and bit depth, interlaced or not. A file without a resolution has 96 dots per inch.</summary>
-    /// <exception cref="InvalidDataException">The stream is no PNG file, or a broken one.</exception>
+    /// <exception cref="InvalidDataException">The stream is not a PNG file, or a damaged one.</exception>
     public static SoftwareBitmap Read(Stream stream)
     {
         ArgumentNullException.ThrowIfNull(stream);

@@ -2,7 +2,7 @@ using System.Buffers.Binary;
 
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>What IHDR says.</summary>
+/// <summary>The content of IHDR.</summary>
 internal readonly record struct PngHeader(int Width, int Height, int BitDepth, PngColorType ColorType, bool IsInterlaced)
 {
     public const double MetresPerInch = 0.0254;
@@ -19,7 +19,7 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, P
 
     public int BitsPerPixel => Channels * BitDepth;
 
-    /// <summary>Distance of the bytes that the row filters compare.</summary>
+    /// <summary>Distance in bytes between the values that the row filters compare.</summary>
     public int FilterDistance => Math.Max(1, BitsPerPixel / 8);
 
     public int BytesPerRow(int width) => (int)(((long)width * BitsPerPixel + 7) / 8);
@@ -48,7 +48,7 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, P
     };
 }
 
-/// <summary>Numbers as they stand in the file.</summary>
+/// <summary>Colour types, by their numbers in the file.</summary>
 internal enum PngColorType
 {
     Gray = 0,

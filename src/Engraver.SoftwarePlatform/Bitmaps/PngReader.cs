@@ -83,7 +83,7 @@ internal static class PngReader
     }
 }
 
-/// <summary>One pass over the image: its pixels stand at every <paramref name="StepX"/>th column and <paramref name="StepY"/>th row.</summary>
+/// <summary>One pass of an interlaced image: its pixels are in every <paramref name="StepX"/>th column and <paramref name="StepY"/>th row.</summary>
 internal readonly record struct PngPass(int StartX, int StartY, int StepX, int StepY)
 {
     private static readonly PngPass[] s_whole = [new(0, 0, 1, 1)];

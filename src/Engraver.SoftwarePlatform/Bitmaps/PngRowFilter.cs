@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
-/// <summary>Takes back the difference to neighbours that a row was stored as.</summary>
+/// <summary>Undoes the row filters, which store a row as differences to its neighbours.</summary>
 internal static class PngRowFilter
 {
     /// <param name="row">Changed in place.</param>
@@ -24,7 +24,7 @@ internal static class PngRowFilter
         }
     }
 
-    /// <summary>Whichever neighbour is nearest to left + above - above left.</summary>
+    /// <summary>The neighbour that is nearest to left + above - above left.</summary>
     private static int Paeth(int left, int above, int aboveLeft)
     {
         var estimate = left + above - aboveLeft;

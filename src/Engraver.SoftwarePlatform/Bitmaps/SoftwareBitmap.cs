@@ -7,7 +7,7 @@ using Engraver.SoftwarePlatform.Rasteriser.Paints;
 namespace Engraver.SoftwarePlatform.Bitmaps;
 
 /// <summary>Pixels in memory: a bitmap to show and to write into. One that is drawn on is a DrawableBitmap.</summary>
-/// <remarks>Stored as asked for (blue or red first; colours multiplied by alpha, plain, or alpha ignored); what is drawn on is always premultiplied with blue first.</remarks>
+/// <remarks>Stored in the format asked for (blue or red first; colours premultiplied, plain, or alpha ignored); a bitmap that is drawn on is always premultiplied with blue first.</remarks>
 public unsafe class SoftwareBitmap : IWriteableBitmapImpl
 {
     private readonly PixelMemory _memory;
@@ -35,7 +35,7 @@ public unsafe class SoftwareBitmap : IWriteableBitmapImpl
 
     public PixelSize PixelSize { get; }
 
-    /// <summary>Grows with each change.</summary>
+    /// <summary>Increases with each change.</summary>
     public int Version { get; private set; } = 1;
 
     public PixelFormat? Format => _format;
@@ -51,12 +51,12 @@ public unsafe class SoftwareBitmap : IWriteableBitmapImpl
 
     internal bool IsOpaqueFormat => _alphaFormat == Avalonia.Platform.AlphaFormat.Opaque;
 
-    /// <summary>Can be read as it is by <see cref="PixelSource"/>.</summary>
+    /// <summary>True when <see cref="PixelSource"/> can read it without conversion.</summary>
     internal bool IsDirectlyReadable => _format == PixelFormats.Bgra8888 && _alphaFormat != Avalonia.Platform.AlphaFormat.Unpremul;
 
     internal PixelSource Source => new(Pixels, PixelSize.Width, PixelSize.Width, PixelSize.Height, IsOpaqueFormat ? 0xFF000000 : 0);
 
-    /// <summary>Premultiplied, with blue first, whatever the storage is.</summary>
+    /// <summary>A pixel, premultiplied with blue first, whatever the storage format.</summary>
     internal uint this[int x, int y] => Converted(Row(y)[x]);
 
     public ILockedFramebuffer Lock() =>
@@ -72,7 +72,7 @@ public unsafe class SoftwareBitmap : IWriteableBitmapImpl
         GC.SuppressFinalize(this);
     }
 
-    /// <summary>This bitmap, or a kept copy of it, such that it is directly readable and at most twice as large as it will be drawn.</summary>
+    /// <summary>This bitmap, or a cached copy, in a directly readable format and halved as often as asked.</summary>
     /// <param name="halvings">How often its sides are halved, averaging.</param>
     internal SoftwareBitmap ForReading(int halvings)
     {

@@ -6,7 +6,7 @@ using Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>Draws bitmaps: pixel for pixel where they fit, else sampled.</summary>
+/// <summary>Draws bitmaps: pixel by pixel where they fit the device's pixels, otherwise sampled.</summary>
 internal static class BitmapDrawing
 {
     private const double OnPixel = 1e-3;
@@ -28,13 +28,13 @@ internal static class BitmapDrawing
             state.FillRectangle(destination, Sampled(bitmap, toImage, part, ImageWrap.Clamp, ImageWrap.Clamp, IsSmooth(state.Options), opacity, state.Options.BitmapBlendingMode));
     }
 
-    /// <summary>Puts a group's pixels at their place; they are already in device pixels.</summary>
+    /// <summary>Draws a group's pixels, which are already device pixels, at their position.</summary>
     public static void PutLayer(ContextStack state, SoftwareBitmap layer, PixelBounds bounds, double opacity) =>
         Copy(state, layer, new PixelBounds(0, 0, bounds.Width, bounds.Height), bounds.Left, bounds.Top, opacity, BitmapBlendingMode.SourceOver);
 
     public static bool IsSmooth(Avalonia.Media.RenderOptions options) => options.BitmapInterpolationMode != BitmapInterpolationMode.None;
 
-    /// <summary>Takes a halved copy where several image pixels fall on one device pixel.</summary>
+    /// <summary>Uses a halved copy where several image pixels fall on one device pixel.</summary>
     public static ImagePaint Sampled(
         SoftwareBitmap bitmap,
         Matrix toImage,

@@ -5,13 +5,13 @@ using Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>Makes paints of brushes. Pictures that were made for them live until the drawing context ends.</summary>
+/// <summary>Makes paints from brushes. Pictures made for them live until the drawing context ends.</summary>
 internal sealed class BrushPaints : IDisposable
 {
     private readonly List<IDisposable> _pictures = [];
 
-    /// <param name="area">What relative coordinates of the brush are relative to.</param>
-    /// <returns>Null when nothing would be seen.</returns>
+    /// <param name="area">The rectangle that relative coordinates of the brush refer to.</param>
+    /// <returns>Null when nothing would be visible.</returns>
     public Paint? Create(IBrush brush, Rect area, double opacity, in Matrix transform, RenderOptions options)
     {
         var total = opacity * brush.Opacity;

@@ -7,7 +7,7 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>Where, how strongly and through what the context draws now, and what it comes back to.</summary>
+/// <summary>The present transform, opacity and clip of a drawing context, and the stack of earlier ones.</summary>
 internal sealed class ContextStack(SurfacePainter painter, DrawingScratch scratch, BrushPaints paints) : IDisposable
 {
     private readonly Stack<DrawingState> _states = new();
@@ -120,7 +120,7 @@ internal sealed class ContextStack(SurfacePainter painter, DrawingScratch scratc
             PutInPlace(layer);
     }
 
-    /// <summary>Ends what was not popped, as when drawing stopped by an exception.</summary>
+    /// <summary>Pops everything that was not popped, as after an exception while drawing.</summary>
     public void Dispose()
     {
         while (_states.TryPop(out var state))
@@ -193,14 +193,14 @@ internal sealed class ContextStack(SurfacePainter painter, DrawingScratch scratc
     }
 }
 
-/// <summary>A group that is drawn apart and then put in its place through a mask or with an opacity.</summary>
-/// <param name="Bitmap">Stands for the device pixels of <paramref name="Bounds"/>.</param>
+/// <summary>A group that is drawn separately and then onto what is beneath, through a mask or with an opacity.</summary>
+/// <param name="Bitmap">Holds the device pixels of <paramref name="Bounds"/>.</param>
 /// <param name="Beneath">What was drawn on before.</param>
-/// <param name="Mask">Brush whose alpha counts; null for a group that only has an opacity.</param>
+/// <param name="Mask">Brush whose alpha is used; null for a group with an opacity only.</param>
 /// <param name="MaskArea">The brush's target, in the coordinates at the push.</param>
 internal sealed record DrawingLayer(SoftwareBitmap Bitmap, PixelBounds Bounds, SurfacePainter Beneath, IBrush? Mask, Rect MaskArea, double GroupOpacity);
 
-/// <summary>What a pop brings back, and what it has to finish.</summary>
-/// <param name="OwnMask">Mask that the push made; nobody needs it after the pop.</param>
+/// <summary>The state that a pop restores, and what it has to finish.</summary>
+/// <param name="OwnMask">Mask made by the push; disposed at the pop.</param>
 /// <param name="Layer">Group that the push began, to be put onto what was drawn on before.</param>
 internal readonly record struct DrawingState(Matrix Transform, double Opacity, ClipShape Clip, CoverageMask? OwnMask, DrawingLayer? Layer);

@@ -5,7 +5,7 @@ using Engraver.SoftwarePlatform.Rasteriser;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>A bitmap that is drawn on: a render target, and a layer that is copied to where it belongs.</summary>
+/// <summary>A bitmap that is drawn on: a render target, or a layer that is copied to its position.</summary>
 public sealed unsafe class DrawableBitmap(PixelSize size, Vector dpi) : SoftwareBitmap(size, dpi), IRenderTargetBitmapImpl, IDrawingContextLayerImpl
 {
     public bool CanBlit => true;
@@ -21,6 +21,6 @@ public sealed unsafe class DrawableBitmap(PixelSize size, Vector dpi) : Software
         target.CopyFrom(this);
     }
 
-    /// <summary>The same as <see cref="CreateDrawingContext"/>, as what it is.</summary>
+    /// <summary>The same as <see cref="CreateDrawingContext"/>, with its own type.</summary>
     internal SoftwareDrawingContext OpenContext() => new(new PixelSurface(Pixels, PixelSize.Width, Bounds), Dpi, Changed);
 }

@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.Text;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>Draws glyphs from kept masks, on whole pixels vertically and on quarters of a pixel horizontally; large or turned ones as outlines.</summary>
+/// <summary>Draws glyphs from cached masks, at whole pixels vertically and quarters of a pixel horizontally; large or rotated ones as outlines.</summary>
 internal static class GlyphDrawing
 {
     private const double LargestMaskedSize = 96;

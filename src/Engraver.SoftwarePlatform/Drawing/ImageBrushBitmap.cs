@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.Bitmaps;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>The one door through an internal member of Avalonia 12.1.6: an image brush does not show its bitmap to a platform from outside.</summary>
+/// <summary>The only use of an internal member of Avalonia 12.1.6: an image brush does not show its bitmap to a platform outside Avalonia.</summary>
 internal static class ImageBrushBitmap
 {
     public static SoftwareBitmap? Find(IImageBrushSource source)

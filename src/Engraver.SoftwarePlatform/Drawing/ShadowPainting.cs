@@ -10,7 +10,7 @@ namespace Engraver.SoftwarePlatform.Drawing;
 /// <summary>Box shadows, outside and inside of a rounded rectangle.</summary>
 internal static class ShadowPainting
 {
-    /// <param name="boxIsOpaque">The box will hide what is under it; else the shadow is cut out there.</param>
+    /// <param name="boxIsOpaque">The box will hide what is under it; otherwise the shadow is not drawn there.</param>
     public static void DrawOuter(ContextStack state, RoundedRect box, BoxShadows shadows, bool boxIsOpaque)
     {
         for (var i = 0; i < shadows.Count; i++)
@@ -54,7 +54,7 @@ internal static class ShadowPainting
         PaintAround(state, box, whole, paint, boxIsOpaque);
     }
 
-    /// <summary>A soft shadow may stand on whole pixels: nobody sees the difference, and its mask can be kept.</summary>
+    /// <summary>A soft shadow is drawn at whole pixels: the difference is not visible, and its mask can be cached.</summary>
     private static StretchedShadow Soft(ContextStack state, RoundedRect grown, in Matrix transform, ShadowBlur blur)
     {
         double scaleX = Math.Abs(transform.M11), scaleY = Math.Abs(transform.M22);
@@ -77,7 +77,7 @@ internal static class ShadowPainting
         Paint(state, mask, paint);
     }
 
-    /// <summary>The shadow of everything outside of a smaller box, seen inside of the box.</summary>
+    /// <summary>The shadow of everything outside a smaller box, visible inside the box.</summary>
     private static void DrawInset(ContextStack state, RoundedRect box, BoxShadow shadow)
     {
         var paint = new SolidPaint(PixelArithmetic.Premultiplied(shadow.Color, state.Opacity));

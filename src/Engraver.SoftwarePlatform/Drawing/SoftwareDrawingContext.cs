@@ -10,7 +10,7 @@ using Engraver.SoftwarePlatform.Text;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>Draws on one surface. Every pop brings back the transform, opacity and clip of its push.</summary>
+/// <summary>Draws on one surface. Every pop restores the transform, opacity and clip before its push.</summary>
 internal sealed class SoftwareDrawingContext : IDrawingContextImpl
 {
     private readonly DrawingScratch _scratch = DrawingScratch.Take();
@@ -128,7 +128,7 @@ internal sealed class SoftwareDrawingContext : IDrawingContextImpl
 
     public void PopRenderOptions() => _state.PopOptions();
 
-    /// <summary>Text is always drawn the same way.</summary>
+    /// <summary>Ignored: text is always drawn the same way.</summary>
     public void PushTextOptions(TextOptions textOptions)
     {
     }
@@ -188,7 +188,7 @@ internal sealed class SoftwareDrawingContext : IDrawingContextImpl
             _state.FillPath(Stroker.Stroke(path, StrokeStyle.From(pen), _state.Scale), paint);
     }
 
-    /// <summary>A solid border is what lies between two rounded rectangles.</summary>
+    /// <summary>A solid border is the area between two rounded rectangles.</summary>
     private void DrawBorder(IPen pen, RoundedRect rect)
     {
         var path = _scratch.Path;

@@ -4,7 +4,7 @@ using Avalonia.Platform.Surfaces;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>Makes render targets; there is no device that could be lost.</summary>
+/// <summary>Makes render targets; there is no graphics device that could be lost.</summary>
 internal sealed class SoftwareRenderContext : IPlatformRenderInterfaceContext
 {
     public bool IsLost => false;

@@ -10,7 +10,7 @@ using Engraver.SoftwarePlatform.Text;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>Makes everything that Avalonia draws with or on. Holds nothing itself.</summary>
+/// <summary>Makes everything that Avalonia draws with or on. Has no state itself.</summary>
 public sealed unsafe class SoftwareRenderInterface : IPlatformRenderInterface
 {
     public bool SupportsIndividualRoundRects => true;
@@ -19,7 +19,7 @@ public sealed unsafe class SoftwareRenderInterface : IPlatformRenderInterface
 
     public PixelFormat DefaultPixelFormat => PixelFormats.Bgra8888;
 
-    /// <summary>Several dirty rectangles are a clip of several rectangles.</summary>
+    /// <summary>True: several dirty rectangles become a clip of several rectangles.</summary>
     public bool SupportsRegions => true;
 
     public bool IsSupportedBitmapPixelFormat(PixelFormat format) => format == PixelFormats.Bgra8888 || format == PixelFormats.Rgba8888;
@@ -117,7 +117,7 @@ public sealed unsafe class SoftwareRenderInterface : IPlatformRenderInterface
         return PngFile.Read(stream);
     }
 
-    /// <summary>The side given as 0 follows from the other one.</summary>
+    /// <summary>Loads an image; a side given as 0 follows from the other one.</summary>
     private static SoftwareBitmap Load(Stream stream, int width, int height, BitmapInterpolationMode mode)
     {
         using var whole = PngFile.Read(stream);

@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.Rasteriser;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>Draws straight into the window's buffer and leaves in it what did not change.</summary>
+/// <summary>Draws directly into the window's buffer, in which unchanged parts stay.</summary>
 internal sealed unsafe class SoftwareRenderTarget(IFramebufferRenderTarget target) : IRenderTarget
 {
     public RenderTargetProperties Properties => new()
@@ -15,7 +15,7 @@ internal sealed unsafe class SoftwareRenderTarget(IFramebufferRenderTarget targe
 
     public PlatformRenderTargetState PlatformRenderTargetState => target.State;
 
-    /// <remarks>The buffer is given back, and thereby shown, when the context is disposed.</remarks>
+    /// <remarks>Disposing the context gives the buffer back, which shows it.</remarks>
     public IDrawingContextImpl CreateDrawingContext(IRenderTarget.RenderTargetSceneInfo sceneInfo, out RenderTargetDrawingContextProperties properties)
     {
         var buffer = target.Lock(sceneInfo, out var lockProperties);

@@ -3,8 +3,8 @@ using Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>A mask that is stretched in its middle row and column to a larger box.</summary>
-/// <param name="bounds">Where the stretched mask lies; at least as large as the mask.</param>
+/// <summary>A mask whose middle row and column are stretched to fill a larger box.</summary>
+/// <param name="bounds">Position of the stretched mask; at least as large as the mask.</param>
 internal readonly struct StretchedShadow(CoverageMask mask, PixelBounds bounds)
 {
     private int MiddleX => mask.Bounds.Left + mask.Bounds.Width / 2;
@@ -25,7 +25,7 @@ internal readonly struct StretchedShadow(CoverageMask mask, PixelBounds bounds)
         }
     }
 
-    /// <summary>Pixel for pixel, for a mask that is to be changed.</summary>
+    /// <summary>The stretched mask as a mask of its own, which may be changed.</summary>
     public CoverageMask ToMask()
     {
         var whole = new CoverageMask(bounds);

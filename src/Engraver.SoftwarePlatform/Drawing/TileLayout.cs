@@ -3,7 +3,7 @@ using Avalonia.Media;
 
 namespace Engraver.SoftwarePlatform.Drawing;
 
-/// <summary>Where the content of a tile brush goes.</summary>
+/// <summary>Positions of the content of a tile brush.</summary>
 /// <param name="Tile">First tile, in the brush's coordinates.</param>
 /// <param name="Source">Part of the content that is shown.</param>
 internal readonly record struct TileLayout(Rect Tile, Rect Source, Matrix ContentToBrush)

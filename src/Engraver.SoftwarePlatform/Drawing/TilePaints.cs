@@ -7,7 +7,7 @@ using Engraver.SoftwarePlatform.Rasteriser.Paints;
 namespace Engraver.SoftwarePlatform.Drawing;
 
 /// <summary>Makes paints of image brushes and of brushes that show a visual or a drawing.</summary>
-/// <param name="pictures">Takes the pictures that must live as long as the paints.</param>
+/// <param name="pictures">Receives pictures that must live as long as the paints.</param>
 internal sealed class TilePaints(List<IDisposable> pictures)
 {
     private const int LargestPicture = 1 << 13;
@@ -25,7 +25,7 @@ internal sealed class TilePaints(List<IDisposable> pictures)
         return Repeated(content, layout, opacity, toDevice, toPicture, isSmooth);
     }
 
-    /// <summary>One picture; around it, and outside of its tile, there is nothing.</summary>
+    /// <summary>A single picture; everything outside it and its tile is transparent.</summary>
     private static ImagePaint? Single(TileContent content, TileLayout layout, double opacity, in Matrix toDevice, in Matrix toPicture, bool isSmooth)
     {
         if (!layout.ContentToBrush.TryInvert(out var toContent) || !toDevice.TryInvert(out var toBrush))
@@ -89,7 +89,7 @@ internal sealed class TilePaints(List<IDisposable> pictures)
     private static int Pixels(double length) => (int)Math.Clamp(Math.Ceiling(length - 1e-6), 1, LargestPicture);
 }
 
-/// <summary>What a tile brush shows.</summary>
+/// <summary>The content of a tile brush.</summary>
 /// <param name="Size">In the brush's units.</param>
 /// <param name="Resolution">Pixels of the picture per unit.</param>
 internal sealed record TileContent(ITileBrush Brush, SoftwareBitmap Picture, Size Size, double Resolution);

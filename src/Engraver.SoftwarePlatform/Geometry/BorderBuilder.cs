@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Geometry;
 
-/// <summary>Joins the borders of trapezoids, given in bands from the top, to closed figures. Sides that two bands share are no border.</summary>
+/// <summary>Joins the borders of trapezoids, given in bands from the top, to closed figures. Sides shared by two bands are left out.</summary>
 internal sealed class BorderBuilder
 {
     private const double SamePlace = 1e-7;
@@ -40,7 +40,7 @@ internal sealed class BorderBuilder
         return path;
     }
 
-    /// <summary>Horizontal borders: where there is only something below (to the right on screen) or only above (to the left).</summary>
+    /// <summary>Horizontal borders: to the right on screen where there is only something below, to the left where there is only something above.</summary>
     private void AddLevel(double y, List<Trapezoid> above, List<Trapezoid> below)
     {
         var changes = new List<(double X, int Above, int Below)>();

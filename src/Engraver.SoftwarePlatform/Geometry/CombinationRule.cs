@@ -2,7 +2,7 @@ using Avalonia.Media;
 
 namespace Engraver.SoftwarePlatform.Geometry;
 
-/// <summary>Whether a place is inside the result, from how often each path winds around it.</summary>
+/// <summary>Decides whether a point is inside the result, from the winding numbers of both paths around it.</summary>
 internal sealed record CombinationRule(FillRule FirstRule, FillRule SecondRule, GeometryCombineMode Mode)
 {
     public bool Holds(int firstWinding, int secondWinding)

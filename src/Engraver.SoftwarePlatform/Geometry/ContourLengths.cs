@@ -27,7 +27,7 @@ internal sealed class ContourLengths(List<Polyline> figures)
         return false;
     }
 
-    /// <summary>What lies between two distances, one figure for each figure that it touches.</summary>
+    /// <summary>The part between two distances, one figure for each figure that it touches.</summary>
     public VectorPath Piece(double from, double to)
     {
         var piece = new VectorPath();

@@ -5,8 +5,8 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Geometry;
 
-/// <summary>Writes figures into the stroke path, and into a fill path of its own as soon as one figure is not to be filled.</summary>
-/// <param name="strokePath">Takes all figures.</param>
+/// <summary>Writes figures into the stroke path, and into a separate fill path as soon as one figure is not to be filled.</summary>
+/// <param name="strokePath">Receives all figures.</param>
 /// <param name="finish">Called at the end with the path to fill.</param>
 internal sealed class GeometryWriter(VectorPath strokePath, Action<VectorPath> finish) : IStreamGeometryContextImpl
 {

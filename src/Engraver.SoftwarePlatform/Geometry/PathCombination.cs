@@ -5,7 +5,7 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 namespace Engraver.SoftwarePlatform.Geometry;
 
 /// <summary>Union, intersection, exclusive or and difference of two filled paths, as the outline of the result.</summary>
-/// <remarks>Between two neighbouring heights at which a vertex or a crossing lies, all edges are straight and do not cross: there the result is trapezoids.
+/// <remarks>Between two neighbouring heights with a vertex or a crossing, all edges are straight and do not cross, so that the result consists of trapezoids.
 /// Their outer borders, joined, are the outline. Quadratic in the number of edges.</remarks>
 internal static class PathCombination
 {

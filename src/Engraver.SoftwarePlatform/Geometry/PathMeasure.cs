@@ -4,12 +4,12 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Geometry;
 
-/// <summary>Answers about paths that need no drawing.</summary>
+/// <summary>Queries about paths that need no drawing.</summary>
 internal static class PathMeasure
 {
     private const double BoundsTolerance = 0.02;
 
-    /// <summary>Tight box around the figures; empty at the origin for an empty path.</summary>
+    /// <summary>Smallest box around the figures; an empty one at the origin for an empty path.</summary>
     public static Rect Bounds(VectorPath path)
     {
         var outline = new VectorPath();
@@ -21,7 +21,7 @@ internal static class PathMeasure
         return outline.ControlBounds(Matrix.Identity) ?? default;
     }
 
-    /// <summary>How far a pen draws outside of the figure at most.</summary>
+    /// <summary>Largest distance from the figure at which a pen draws.</summary>
     public static double Reach(IPen pen)
     {
         var half = pen.Thickness / 2;

@@ -6,10 +6,10 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Geometry;
 
-/// <summary>A path with what Avalonia asks about it. Figures that are not to be filled are only in the stroke path.</summary>
+/// <summary>A path with the queries that Avalonia makes about it. Figures that are not to be filled are only in the stroke path.</summary>
 internal class SoftwareGeometry : IGeometryImpl
 {
-    /// <summary>For questions about places and lengths, in the geometry's own units.</summary>
+    /// <summary>Largest flattening error for queries about points and lengths, in the geometry's own units.</summary>
     private const double Tolerance = 0.02;
 
     private Rect? _bounds;
@@ -61,7 +61,7 @@ internal class SoftwareGeometry : IGeometryImpl
         return segmentGeometry is not null;
     }
 
-    /// <summary>To be called when the paths were written anew.</summary>
+    /// <summary>Call when the paths were written anew.</summary>
     protected void Rewritten(VectorPath fillPath)
     {
         FillPath = fillPath;

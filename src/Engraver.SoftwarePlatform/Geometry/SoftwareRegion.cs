@@ -26,7 +26,7 @@ internal sealed class SoftwareRegion : IPlatformRenderInterfaceRegion
         }
     }
 
-    /// <summary>Adds the parts that are not covered yet.</summary>
+    /// <summary>Adds the parts of a rectangle that are not covered yet.</summary>
     public void AddRect(LtrbPixelRect rect)
     {
         var parts = new List<PixelBounds> { PixelsOf(rect) };

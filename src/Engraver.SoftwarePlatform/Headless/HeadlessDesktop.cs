@@ -8,8 +8,8 @@ using Engraver.SoftwarePlatform.Windows;
 
 namespace Engraver.SoftwarePlatform.Headless;
 
-/// <summary>The desktop in memory of one application: its windows, its clipboard, and the hand that fires the frames.</summary>
-/// <remarks>Stepping belongs on the user interface thread; the list of windows may be read from any.</remarks>
+/// <summary>The desktop in memory of one application: its windows, its clipboard, and the trigger of its frames.</summary>
+/// <remarks>Step on the user interface thread only; the list of windows may be read from any.</remarks>
 public sealed class HeadlessDesktop
 {
     private static readonly TimeSpan FrameTime = TimeSpan.FromSeconds(1.0 / 60);
@@ -20,13 +20,13 @@ public sealed class HeadlessDesktop
     private MemoryClipboard? _clipboard;
     private nint _lastHandle;
 
-    /// <param name="time">The clock of dispatcher timers and of input; null is the system's. Avalonia's transitions run by the computer's clock whatever is given here.</param>
+    /// <param name="time">The clock of dispatcher timers and of input; null for the system's. Avalonia's transitions always use the computer's clock.</param>
     public HeadlessDesktop(TimeProvider? time = null) => Time = time ?? TimeProvider.System;
 
     /// <summary>The windows that are shown, oldest first.</summary>
     public IReadOnlyList<HeadlessWindow> Windows => _windows;
 
-    /// <summary>The window that has the keyboard, or null.</summary>
+    /// <summary>The window with the keyboard focus, or null.</summary>
     public HeadlessWindow? ActiveWindow { get; private set; }
 
     public PixelSize ScreenSize { get; init; } = new(1920, 1080);
@@ -42,8 +42,8 @@ public sealed class HeadlessDesktop
 
     private SoftwareDispatcher Loop => _dispatcher ?? throw new InvalidOperationException("The desktop is not in use yet: set the application up first.");
 
-    /// <summary>Does all work that is due, draws it, and does the work that came of it: afterwards the windows show all that was wanted before.</summary>
-    /// <remarks>Avalonia hands its changes to the renderer in one batch at a time, and a batch may be waiting from before: then the changes of now go with the second frame.</remarks>
+    /// <summary>Does all work that is due, draws it, and does the work that follows from it: afterwards the windows show everything requested before.</summary>
+    /// <remarks>Avalonia passes its changes to the renderer in one batch at a time, and an earlier batch may still wait: then the new changes come with the second frame.</remarks>
     public void Step()
     {
         Dispatcher.UIThread.VerifyAccess();
@@ -53,8 +53,8 @@ public sealed class HeadlessDesktop
         if (_frames!.IsWanted) Draw();
     }
 
-    /// <summary>Steps until the condition holds; between steps it waits for what the dispatcher waits for, and draws 60 frames a second while something moves.</summary>
-    /// <exception cref="TimeoutException">The condition did not come to hold within the timeout (by the computer's clock).</exception>
+    /// <summary>Steps until the condition holds; between steps it waits for what the dispatcher waits for, and draws 60 frames a second while something is animated.</summary>
+    /// <exception cref="TimeoutException">The condition did not hold within the timeout (by the computer's clock).</exception>
     public void StepUntil(Func<bool> condition, TimeSpan timeout)
     {
         ArgumentNullException.ThrowIfNull(condition);
@@ -65,7 +65,7 @@ public sealed class HeadlessDesktop
             if (condition()) return;
             var left = timeout - watch.Elapsed;
             if (left <= TimeSpan.Zero) throw new TimeoutException($"The condition did not come to hold within {timeout.TotalSeconds} s.");
-            var rest = left > s_shortestWait ? left : s_shortestWait; // a wait below the clock's step is none
+            var rest = left > s_shortestWait ? left : s_shortestWait; // a wait shorter than the clock's resolution would not wait at all
             Loop.WaitForWork(_frames!.IsWanted && left > FrameTime ? FrameTime : rest, CancellationToken.None);
         }
     }
@@ -106,7 +106,7 @@ public sealed class HeadlessDesktop
         Dispatcher.UIThread.RunJobs();
     }
 
-    /// <summary>Text on this clipboard is there at once, so nothing is waited for.</summary>
+    /// <summary>Reads text on this clipboard, which is available at once without waiting.</summary>
     private string? ReadClipboardText()
     {
         var data = _clipboard?.TryGetDataAsync().Result;

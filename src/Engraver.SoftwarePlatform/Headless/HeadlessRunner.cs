@@ -3,7 +3,7 @@ using Avalonia.Threading;
 
 namespace Engraver.SoftwarePlatform.Headless;
 
-/// <summary>Runs one Avalonia application on a thread of its own, for tests. A process can hold one: Avalonia is set up once.</summary>
+/// <summary>Runs one Avalonia application on a thread of its own, for tests. Only one per process, because Avalonia can be set up only once.</summary>
 public sealed class HeadlessRunner : IDisposable
 {
     private readonly CancellationTokenSource _ending = new();
@@ -25,7 +25,7 @@ public sealed class HeadlessRunner : IDisposable
 
     private Dispatcher Ui => _dispatcher ?? throw new InvalidOperationException("The application is not set up.");
 
-    /// <summary>Does it on the user interface thread and waits for it. What it throws is thrown here.</summary>
+    /// <summary>Runs the action on the user interface thread and waits for it. Its exceptions are thrown here.</summary>
     public void Run(Action done) => Ui.Invoke(done);
 
     public T Run<T>(Func<T> done) => Ui.Invoke(done);
@@ -49,7 +49,7 @@ public sealed class HeadlessRunner : IDisposable
             _dispatcher = Dispatcher.UIThread;
             Desktop.Step();
         }
-        catch (Exception e) // whatever it is, it belongs to who asked for the application
+        catch (Exception e) // any exception belongs to the caller that asked for the application
         {
             _ready.SetException(e);
             return;

@@ -5,15 +5,15 @@ using Engraver.SoftwarePlatform.Windows;
 
 namespace Engraver.SoftwarePlatform.Headless;
 
-/// <summary>Puts the pieces of the front end in memory together.</summary>
+/// <summary>Assembles the front end in memory.</summary>
 internal static class HeadlessSetup
 {
-    public static void Bind(HeadlessDesktop desktop, SoftwarePlatformOptions options, InputDoor door)
+    public static void Bind(HeadlessDesktop desktop, SoftwarePlatformOptions options, InputGate gate)
     {
         var scale = options.Scale > 0 ? options.Scale : 1.0;
         var dispatcher = new SoftwareDispatcher(desktop.Time);
         Dispatcher.InitializeUIThreadDispatcher(dispatcher);
-        var seat = new Seat(door, new SingleScreen(() => desktop.ScreenSize, () => scale), desktop.Time);
+        var seat = new Seat(gate, new SingleScreen(() => desktop.ScreenSize, () => scale), desktop.Time);
         var frames = new HandFiredTimer(desktop.Time);
         var clipboard = new MemoryClipboard();
         desktop.Attach(dispatcher, frames, clipboard);
@@ -21,7 +21,7 @@ internal static class HeadlessSetup
     }
 }
 
-/// <summary>Frames come when they are asked for.</summary>
+/// <summary>A render timer whose frames are triggered by a call.</summary>
 internal sealed class HandFiredTimer(TimeProvider time) : IRenderTimer
 {
     private readonly long _start = time.GetTimestamp();

@@ -6,7 +6,7 @@ using Engraver.SoftwarePlatform.Input;
 
 namespace Engraver.SoftwarePlatform.Headless;
 
-/// <content>The hands: positions in device independent units of the window. Modifiers are those held beside what the call itself does.</content>
+/// <content>Simulated input: positions in device independent units of the window. Modifiers are those held in addition to what the call itself does.</content>
 public sealed partial class HeadlessWindow
 {
     public void MovePointer(Point at, RawInputModifiers modifiers = RawInputModifiers.None) =>
@@ -16,13 +16,13 @@ public sealed partial class HeadlessWindow
 
     public void PressButton(Point at, MouseButton button = MouseButton.Left, RawInputModifiers modifiers = RawInputModifiers.None)
     {
-        if (!Seat.Door.AdmitsPress(Handle!.Handle, at, button)) return;
+        if (!Seat.Gate.AdmitsPress(Handle!.Handle, at, button)) return;
         Queue(() => DeliverPointer(MouseButtons.DownEvent(button), at, modifiers | MouseButtons.HeldBit(button)));
     }
 
     public void ReleaseButton(Point at, MouseButton button = MouseButton.Left, RawInputModifiers modifiers = RawInputModifiers.None)
     {
-        if (!Seat.Door.AdmitsRelease(Handle!.Handle, button)) return;
+        if (!Seat.Gate.AdmitsRelease(Handle!.Handle, button)) return;
         Queue(() => DeliverPointer(MouseButtons.UpEvent(button), at, modifiers & ~MouseButtons.HeldBit(button)));
     }
 
@@ -40,7 +40,7 @@ public sealed partial class HeadlessWindow
         ReleaseButton(at, button, modifiers);
     }
 
-    /// <summary>Pressed at one place, moved in <paramref name="steps"/> equal steps, let go at the other.</summary>
+    /// <summary>Pressed at one point, moved in <paramref name="steps"/> equal steps, released at the other.</summary>
     public void Drag(Point from, Point to, int steps = 4, MouseButton button = MouseButton.Left, RawInputModifiers modifiers = RawInputModifiers.None)
     {
         MovePointer(from, modifiers);
@@ -49,8 +49,8 @@ public sealed partial class HeadlessWindow
         ReleaseButton(to, button, modifiers);
     }
 
-    /// <param name="at">Where the pointer is.</param>
-    /// <param name="notches">Y positive is away from the person, which scrolls up.</param>
+    /// <param name="at">Position of the pointer.</param>
+    /// <param name="notches">Y positive is away from the user, which scrolls up.</param>
     /// <param name="modifiers">The keys held.</param>
     public void Wheel(Point at, Vector notches, RawInputModifiers modifiers = RawInputModifiers.None) => Queue(() => DeliverWheel(at, notches, modifiers));
 
@@ -64,7 +64,7 @@ public sealed partial class HeadlessWindow
         KeyUp(key, modifiers);
     }
 
-    /// <summary>Types characters one by one, each with its key where a plain keyboard has one.</summary>
+    /// <summary>Types characters one by one, each with its key where a US keyboard has one.</summary>
     public void Type(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
@@ -76,7 +76,7 @@ public sealed partial class HeadlessWindow
         }
     }
 
-    /// <summary>Files or folders dragged from another program and let go here.</summary>
+    /// <summary>Files or folders dragged from another program and released here.</summary>
     public DragDropEffects DropFiles(Point at, IEnumerable<string> paths)
     {
         var data = DroppedFiles.Create(paths);
@@ -89,7 +89,7 @@ public sealed partial class HeadlessWindow
 
     private void SendKey(bool isDown, Key key, RawInputModifiers modifiers, string? text)
     {
-        if (!Seat.Door.Admits(key, MouseButtons.KeysOf(modifiers), isDown)) return;
+        if (!Seat.Gate.Admits(key, MouseButtons.KeysOf(modifiers), isDown)) return;
         Queue(() => DeliverKey(isDown, key, modifiers, text));
     }
 

@@ -8,8 +8,8 @@ using Engraver.SoftwarePlatform.Windows;
 
 namespace Engraver.SoftwarePlatform.Headless;
 
-/// <summary>A window in memory, with a person's hands and eyes as methods.</summary>
-/// <remarks>Input methods may be called from any thread. On the user interface thread they also step the desktop, so that what they caused is done when they return; from another
+/// <summary>A window in memory, with methods that simulate input and read what it shows.</summary>
+/// <remarks>Input methods may be called from any thread. On the user interface thread they also step the desktop, so that all effects are complete when they return; from another
 /// thread they return as soon as the input has passed the key filter and is queued.</remarks>
 public sealed partial class HeadlessWindow : SoftwareWindow
 {
@@ -60,14 +60,14 @@ public sealed partial class HeadlessWindow : SoftwareWindow
         base.Dispose();
     }
 
-    /// <summary>As a person does it at the window's border. In device independent units.</summary>
+    /// <summary>Resizes the window as the user does at its border. In device independent units.</summary>
     public void Resize(Size size)
     {
         ChangeSize(size, WindowResizeReason.User);
         _desktop.Step();
     }
 
-    /// <summary>As when the window is moved to a screen of another density: it keeps its size in device independent units.</summary>
+    /// <summary>Simulates a move to a screen of another density: the window keeps its size in device independent units.</summary>
     public void SetScale(double scale)
     {
         RenderScaling = scale;
@@ -76,10 +76,10 @@ public sealed partial class HeadlessWindow : SoftwareWindow
         _desktop.Step();
     }
 
-    /// <summary>As when another program's window is clicked.</summary>
+    /// <summary>Simulates a click on another program's window.</summary>
     public void LoseFocus()
     {
-        Seat.Door.ForgetHeldKeys();
+        Seat.Gate.ForgetHeldKeys();
         _desktop.Focus(null);
         _desktop.Step();
     }
@@ -106,7 +106,7 @@ public sealed partial class HeadlessWindow : SoftwareWindow
         CapturePng(file);
     }
 
-    /// <summary>The colour of a pixel of the last frame, as premultiplied as it is.</summary>
+    /// <summary>A pixel of the last frame; a transparent one is premultiplied.</summary>
     public Color PixelAt(int x, int y)
     {
         var frame = DrawnFrame();
@@ -124,7 +124,7 @@ public sealed partial class HeadlessWindow : SoftwareWindow
         Dispatcher.UIThread.Post(() => ChangeSize(clientSize, reason), DispatcherPriority.Send);
     }
 
-    /// <summary>The frame stays where it is drawn.</summary>
+    /// <summary>Does nothing: the frame stays where it was drawn.</summary>
     private protected override void Present(WindowFrame frame)
     {
     }

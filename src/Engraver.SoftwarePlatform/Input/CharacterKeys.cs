@@ -2,10 +2,10 @@ using Avalonia.Input;
 
 namespace Engraver.SoftwarePlatform.Input;
 
-/// <summary>The key that carries a character on a plain (US) keyboard.</summary>
+/// <summary>The key for a character on a US keyboard.</summary>
 internal static class CharacterKeys
 {
-    /// <returns><see cref="Key.None"/> for a character that no plain key carries.</returns>
+    /// <returns><see cref="Key.None"/> for a character without a key of its own.</returns>
     public static Key KeyOf(int character) => character switch
     {
         >= 'a' and <= 'z' => Key.A + (character - 'a'),

@@ -2,7 +2,7 @@ using Avalonia.Platform.Storage;
 
 namespace Engraver.SoftwarePlatform.Input;
 
-/// <summary>A file on this machine that was dropped onto a window.</summary>
+/// <summary>A file on this computer that was dropped onto a window.</summary>
 internal sealed class DroppedFile(FileInfo file) : IStorageFile
 {
     public string Name => file.Name;

@@ -2,7 +2,7 @@ using Avalonia.Input;
 
 namespace Engraver.SoftwarePlatform.Input;
 
-/// <summary>Files of another program on their way into a window.</summary>
+/// <summary>Files dragged from another program, as data for a window.</summary>
 internal static class DroppedFiles
 {
     public static DataTransfer Create(IEnumerable<string> paths)

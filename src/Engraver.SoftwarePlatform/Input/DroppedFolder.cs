@@ -2,7 +2,7 @@ using Avalonia.Platform.Storage;
 
 namespace Engraver.SoftwarePlatform.Input;
 
-/// <summary>A folder on this machine that was dropped onto a window.</summary>
+/// <summary>A folder on this computer that was dropped onto a window.</summary>
 internal sealed class DroppedFolder(DirectoryInfo folder) : IStorageFolder
 {
     public string Name => folder.Name;

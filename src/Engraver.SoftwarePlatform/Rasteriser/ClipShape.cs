@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
-/// <summary>Where drawing has an effect: inside one of a few rectangles, and there as far as the mask covers. Never changed, so that a stack can hold it.</summary>
+/// <summary>Limits drawing: to the inside of a few rectangles, and there to the coverage of a mask. Immutable, so that a stack can hold it.</summary>
 internal sealed class ClipShape
 {
     private ClipShape(PixelBounds[] rectangles, CoverageMask? mask)
@@ -21,7 +21,7 @@ internal sealed class ClipShape
     /// <summary>Not empty, and not overlapping.</summary>
     public PixelBounds[] Rectangles { get; }
 
-    /// <summary>Covers at least <see cref="Bounds"/>; null where everything inside the rectangles is drawn.</summary>
+    /// <summary>Covers at least <see cref="Bounds"/>; null when everything inside the rectangles is drawn.</summary>
     public CoverageMask? Mask { get; }
 
     public PixelBounds Bounds { get; }
@@ -62,7 +62,7 @@ internal sealed class ClipShape
         return false;
     }
 
-    /// <summary>The smallest rectangle that holds what can be seen of <paramref name="bounds"/>.</summary>
+    /// <summary>The smallest rectangle that holds the visible part of <paramref name="bounds"/>.</summary>
     public PixelBounds Visible(PixelBounds bounds)
     {
         PixelBounds visible = default;

@@ -7,8 +7,8 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
 /// <summary>Exact area coverage by signed areas: every line adds, to the cells it crosses, how far it changes the covered part of everything right of it.
-/// A running sum along a row then is the winding number times the covered area. One bit per touched cell replaces sorting.</summary>
-/// <remarks>Buffers are kept between shapes and are all zero between them. Not for several threads at once.</remarks>
+/// A running sum along a row is then the winding number times the covered area. One bit per touched cell makes sorting unnecessary.</summary>
+/// <remarks>Buffers are kept between shapes and are all zero between them. Not thread safe.</remarks>
 internal sealed unsafe class CoverageAccumulator
 {
     private const double CurveTolerance = 0.02;
@@ -22,7 +22,7 @@ internal sealed unsafe class CoverageAccumulator
     private int _firstRow;
     private int _endRow;
 
-    /// <summary>Starts a shape; what lies outside the bounds does not count, except that it covers what is right of it.</summary>
+    /// <summary>Starts a shape. A line outside the bounds counts only for what it covers to its right.</summary>
     public void Begin(PixelBounds bounds)
     {
         _bounds = bounds;

@@ -2,7 +2,7 @@ using System.Buffers;
 
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
-/// <summary>One coverage byte for each pixel of a rectangle. Its memory comes from the shared pool; nobody reads it after it was disposed.</summary>
+/// <summary>One coverage byte for each pixel of a rectangle. Its memory comes from the shared pool and must not be read after disposal.</summary>
 internal sealed class CoverageMask : IDisposable
 {
     private byte[]? _cells;

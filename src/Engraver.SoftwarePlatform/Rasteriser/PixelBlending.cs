@@ -16,7 +16,7 @@ internal static class PixelBlending
         return Packed(color, sourceAlpha + backdropAlpha - sourceAlpha * backdropAlpha);
     }
 
-    /// <summary>How much of each pixel stays, for the modes that only ask where they are; null for those that mix colours.</summary>
+    /// <summary>Factors of both pixels, for modes that depend on their alpha only; null for those that mix colours.</summary>
     private static (float Source, float Backdrop)? Compositing(BitmapBlendingMode mode, float source, float backdrop) => mode switch
     {
         BitmapBlendingMode.Unspecified or BitmapBlendingMode.SourceOver => (1, 1 - source),

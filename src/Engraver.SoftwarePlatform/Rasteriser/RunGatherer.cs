@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
-/// <summary>Gathers the short pieces of one row, so that the fillers are called for few long spans instead of single pixels.</summary>
+/// <summary>Gathers the short pieces of one row, so that the fillers are called for a few long spans instead of single pixels.</summary>
 internal ref struct RunGatherer<TSink>(Span<byte> cells, int y, int origin)
     where TSink : struct, ICoverageSink
 {
@@ -11,7 +11,7 @@ internal ref struct RunGatherer<TSink>(Span<byte> cells, int y, int origin)
     private int _start;
     private int _count;
 
-    /// <summary>Cells from <paramref name="left"/> to <paramref name="right"/>, counted from the row's origin; each call goes on where the last one ended.</summary>
+    /// <summary>Cells from <paramref name="left"/> to <paramref name="right"/>, counted from the row's origin; each call continues where the last one ended.</summary>
     public void Add(ref TSink sink, int left, int right, byte coverage)
     {
         if (right <= left)

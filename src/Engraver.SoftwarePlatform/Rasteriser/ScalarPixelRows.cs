@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
-/// <summary>The same as <see cref="PixelRows"/>, pixel by pixel: ends of rows, machines without vectors, and what the tests compare with.</summary>
+/// <summary>The same as <see cref="PixelRows"/>, pixel by pixel: used for ends of rows, on computers without vector instructions, and as the reference in tests.</summary>
 internal static class ScalarPixelRows
 {
     public static void BlendColor(Span<uint> row, uint color)

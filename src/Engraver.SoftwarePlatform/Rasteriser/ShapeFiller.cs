@@ -7,7 +7,7 @@ namespace Engraver.SoftwarePlatform.Rasteriser;
 /// <summary>Fills paths and rectangles on a surface, inside a clip.</summary>
 internal static class ShapeFiller
 {
-    /// <param name="isAliased">Only whole pixels are drawn, without soft edges.</param>
+    /// <param name="isAliased">Pixels are drawn fully or not at all, without soft edges.</param>
     public static void FillPath(SurfacePainter painter, DrawingScratch scratch, VectorPath path, in Matrix transform, Paint paint, ClipShape clip, bool isAliased)
     {
         if (path.ControlBounds(transform) is not { } box)
@@ -40,7 +40,7 @@ internal static class ShapeFiller
         return mask;
     }
 
-    /// <summary>A rectangle in device pixels; borders between pixels are covered partly.</summary>
+    /// <summary>Fills a rectangle in device pixels; a border between pixel edges covers its pixels partly.</summary>
     public static void FillRectangle(SurfacePainter painter, Rect device, Paint paint, ClipShape clip)
     {
         var bounds = clip.Bounds;
@@ -106,7 +106,7 @@ internal readonly struct MaskSink(CoverageMask mask) : ICoverageSink
     public void Cells(int y, int left, ReadOnlySpan<byte> coverages) => coverages.CopyTo(mask.Row(y, left, left + coverages.Length));
 }
 
-/// <summary>Paints coverage as it comes.</summary>
+/// <summary>Paints coverage as it arrives.</summary>
 internal readonly struct PaintSink(SurfacePainter painter, Paint paint, ClipShape clip) : ICoverageSink
 {
     public void Run(int y, int left, int right, byte coverage) => painter.Run(y, left, right, coverage, paint, clip);

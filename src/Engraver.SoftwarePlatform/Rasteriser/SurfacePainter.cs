@@ -2,7 +2,7 @@ using Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
-/// <summary>Puts spans of a paint onto a surface, inside a clip.</summary>
+/// <summary>Draws spans of a paint onto a surface, inside a clip.</summary>
 internal sealed class SurfacePainter(PixelSurface surface, DrawingScratch scratch)
 {
     private const int LongestSpan = DrawingScratch.LongestSpan;
@@ -100,7 +100,7 @@ internal sealed class SurfacePainter(PixelSurface surface, DrawingScratch scratc
     }
 }
 
-/// <summary>Memory that is drawn into: premultiplied pixels that stand for the device pixels of <see cref="Bounds"/>. The owner keeps the memory alive.</summary>
+/// <summary>Memory to draw into: premultiplied pixels for the device pixels of <see cref="Bounds"/>. The owner keeps the memory alive.</summary>
 internal readonly unsafe struct PixelSurface(uint* pixels, int pixelsPerRow, PixelBounds bounds)
 {
     public PixelBounds Bounds { get; } = bounds;

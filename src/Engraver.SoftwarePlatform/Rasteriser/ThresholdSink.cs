@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Rasteriser;
 
-/// <summary>Makes whole pixels of coverage: covered by half or more, or not at all.</summary>
+/// <summary>Rounds coverage to whole pixels: covered by half or more, or not at all.</summary>
 internal readonly struct ThresholdSink<TSink>(TSink sink) : ICoverageSink
     where TSink : struct, ICoverageSink
 {

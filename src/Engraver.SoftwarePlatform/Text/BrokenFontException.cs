@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>A font file says something that cannot be. Never leaves the text folder: the font, or the glyph, is left out instead.</summary>
+/// <summary>A font file has impossible content. Never leaves the text folder: the font, or the glyph, is left out instead.</summary>
 internal sealed class BrokenFontException : Exception
 {
     public BrokenFontException()

@@ -2,13 +2,13 @@ using System.Buffers.Binary;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>Avalonia reads character maps of formats 4, 12 and 13. A font that has only the older formats 0 or 6 gets a map of format 12 instead (OpenType 1.9, cmap).</summary>
+/// <summary>Adds a map of format 12 to a font that has only the older formats 0 or 6: Avalonia reads formats 4, 12 and 13 (OpenType 1.9, cmap).</summary>
 internal static class CharacterMapUpgrade
 {
     private const int UnicodePlatform = 0;
     private const int WindowsPlatform = 3;
 
-    /// <returns>The table itself where nothing has to be done, or nothing can be.</returns>
+    /// <returns>The table itself when it needs no change, or none is possible.</returns>
     public static ReadOnlyMemory<byte> Upgrade(ReadOnlyMemory<byte> table)
     {
         try

@@ -27,7 +27,7 @@ internal readonly record struct FontBytes(ReadOnlyMemory<byte> Memory)
         return new FontBytes(Memory.Slice(offset, length));
     }
 
-    /// <summary>The part that begins where the 16 bit number at <paramref name="offset"/> says.</summary>
+    /// <summary>The part at the offset given by the 16-bit number at <paramref name="offset"/>.</summary>
     public FontBytes Linked(int offset) => Slice(UInt16(offset));
 
     public ReadOnlySpan<byte> Span(int offset, int length)

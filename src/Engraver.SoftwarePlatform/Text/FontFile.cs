@@ -13,7 +13,7 @@ internal sealed class FontFile
     private readonly Dictionary<uint, (uint Offset, uint Length)> _places = [];
     private readonly ConcurrentDictionary<uint, ReadOnlyMemory<byte>> _tables = new();
 
-    /// <exception cref="BrokenFontException">No font, or no face of that number.</exception>
+    /// <exception cref="BrokenFontException">Not a font, or no face of that number.</exception>
     public FontFile(IFontSource source, int face = 0)
     {
         _source = source;
@@ -27,7 +27,7 @@ internal sealed class FontFile
             _places[records.UInt32(16 * i)] = (records.UInt32(16 * i + 8), records.UInt32(16 * i + 12));
     }
 
-    /// <summary>How many faces the file has; 1 for a plain font.</summary>
+    /// <summary>Number of faces in the file; 1 for a plain font.</summary>
     public static int CountFaces(IFontSource source)
     {
         var header = new FontBytes(source.Read(0, 12));
@@ -64,7 +64,7 @@ internal sealed class FontFile
     }
 }
 
-/// <summary>The bytes of a font file, wherever they are.</summary>
+/// <summary>The bytes of a font file in any storage.</summary>
 internal interface IFontSource
 {
     long Length { get; }

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>Where fonts are installed, and the font files there.</summary>
+/// <summary>The folders in which fonts are installed, and the font files there.</summary>
 internal static class FontFolders
 {
     private static readonly string[] s_endings = [".ttf", ".otf", ".ttc", ".otc"];

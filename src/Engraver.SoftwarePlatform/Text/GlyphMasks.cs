@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.Rasteriser;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>The masks of one typeface that were drawn so far. Forgets all when they become too many.</summary>
+/// <summary>Caches the masks of one typeface. Drops all when they become too many.</summary>
 internal sealed class GlyphMasks(SoftwareTypeface typeface)
 {
     private const int MostBytes = 8 << 20;
@@ -12,7 +12,7 @@ internal sealed class GlyphMasks(SoftwareTypeface typeface)
     private readonly ConcurrentDictionary<(ushort Glyph, int Size, int Step, TextTone Tone), GlyphMask?> _masks = new();
     private int _bytes;
 
-    /// <param name="size">As <see cref="GlyphSize.ToParts"/> gives it.</param>
+    /// <param name="size">Result of <see cref="GlyphSize.ToParts"/>.</param>
     /// <param name="step">Quarters of a pixel to the right.</param>
     /// <returns>Null for a glyph without ink.</returns>
     public GlyphMask? Get(ushort glyph, int size, int step, TextTone tone)
@@ -56,10 +56,10 @@ internal sealed class GlyphMask(PixelBounds bounds, byte[] cells)
     public ReadOnlySpan<byte> Row(int y) => cells.AsSpan((y - bounds.Top) * bounds.Width, bounds.Width);
 }
 
-/// <summary>Size and place of a glyph as far as its mask depends on them.</summary>
+/// <summary>Size and position of a glyph, as far as its mask depends on them.</summary>
 internal static class GlyphSize
 {
-    /// <summary>Glyphs stand on quarters of a pixel.</summary>
+    /// <summary>Glyphs are positioned in quarters of a pixel.</summary>
     public const int StepsPerPixel = 4;
 
     private const double PartsPerPixel = 64;

@@ -2,7 +2,7 @@ using Avalonia.Media;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>The usable faces in the font folders; looked for when first asked. Broken files are left out.</summary>
+/// <summary>The usable faces in the font folders, searched when first needed. Broken files are left out.</summary>
 internal sealed class InstalledFonts(IReadOnlyList<string> folders)
 {
     private readonly Lazy<IReadOnlyList<SoftwareTypeface>> _faces = new(() => [.. FontFolders.Files(folders).SelectMany(Open)]);

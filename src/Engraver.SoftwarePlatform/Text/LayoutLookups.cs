@@ -8,7 +8,7 @@ internal static class LayoutLookups
     private const int ExtensionType = 9;
 
     /// <param name="table">GPOS.</param>
-    /// <param name="feature">Four letters; every script's and language's features of that name count.</param>
+    /// <param name="feature">Four letters; features of that name are used for every script and language.</param>
     public static List<FontBytes> Subtables(FontBytes table, string feature, int type)
     {
         var lookups = table.Linked(8);

@@ -5,7 +5,7 @@ using Avalonia.Media.TextFormatting.Unicode;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>Shapes one piece of text of one font; glyphs stand in the order of the text.</summary>
+/// <summary>Shapes one piece of text in one font; glyphs are in the order of the text.</summary>
 internal sealed class LineShaper(TextShaperOptions options)
 {
     private const int SpacesOfTab = 4;
@@ -20,7 +20,7 @@ internal sealed class LineShaper(TextShaperOptions options)
     /// <summary>Glyph that the next one may be kerned to; -1 after anything but a letter.</summary>
     private int _previous = -1;
 
-    /// <summary>Where the glyph of <see cref="_previous"/> stands; marks may stand between.</summary>
+    /// <summary>Index of the glyph of <see cref="_previous"/>; marks may be between.</summary>
     private int _previousPlace;
 
     public IReadOnlyList<GlyphInfo> Glyphs => _glyphs;
@@ -52,7 +52,7 @@ internal sealed class LineShaper(TextShaperOptions options)
         _previous = -1;
     }
 
-    /// <summary>A line feed belongs to the carriage return before it.</summary>
+    /// <summary>Adds a character without a glyph; a line feed belongs to the carriage return before it.</summary>
     private void AddInvisible(Codepoint codepoint, int index, ReadOnlySpan<char> text)
     {
         var belongsToBefore = codepoint.Value == '\n' && index > 0 && text[index - 1] == '\r';
@@ -60,7 +60,7 @@ internal sealed class LineShaper(TextShaperOptions options)
         _previous = -1;
     }
 
-    /// <summary>Stands over the letter that it follows, without an advance.</summary>
+    /// <summary>Adds a mark over the letter that it follows, without an advance.</summary>
     private void AddMark(Codepoint codepoint)
     {
         if (_previous >= 0)
@@ -68,7 +68,7 @@ internal sealed class LineShaper(TextShaperOptions options)
         _glyphs.Add(new GlyphInfo(Glyph((int)codepoint.Value), _glyphs[^1].GlyphCluster, 0));
     }
 
-    /// <summary>After all advances are known: a mark is drawn where its letter ends or, in text that runs to the left, where it begins.</summary>
+    /// <summary>Positions a mark after all advances are known: relative to the end of its letter or, in right-to-left text, to its beginning.</summary>
     private void Place(int mark, int letter)
     {
         var (info, under) = (_glyphs[mark], _glyphs[letter]);
@@ -88,7 +88,7 @@ internal sealed class LineShaper(TextShaperOptions options)
         _previousPlace = _glyphs.Count - 1;
     }
 
-    /// <summary>Changes the advance of whichever of the last two letters stands left: in text that runs to the left, the later one.</summary>
+    /// <summary>Changes the advance of the left one of the last two letters: in right-to-left text, the later one.</summary>
     private void Kern(int glyph)
     {
         var isRightToLeft = (options.BidiLevel & 1) != 0;

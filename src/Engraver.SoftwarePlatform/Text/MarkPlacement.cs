@@ -2,7 +2,7 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>Where accents stand over or under their letters: GPOS mark-to-base attachment (OpenType 1.9, GPOS, lookup type 4).</summary>
+/// <summary>Positions of accents over or under their letters: GPOS mark-to-base attachment (OpenType 1.9, GPOS, lookup type 4).</summary>
 internal sealed class MarkPlacement
 {
     private const int MarkToBase = 4;
@@ -23,7 +23,7 @@ internal sealed class MarkPlacement
         }
     }
 
-    /// <summary>From the letter's origin to the mark's, in font units, y up. Null where the font does not say.</summary>
+    /// <summary>Vector from the letter's origin to the mark's, in font units, y up. Null where the font has none.</summary>
     public Vector? Find(int letter, int mark)
     {
         try
@@ -42,7 +42,7 @@ internal sealed class MarkPlacement
         return null;
     }
 
-    /// <summary>The anchor of the mark and the anchor of the letter for the mark's class come to lie on each other.</summary>
+    /// <summary>The vector that puts the mark's anchor on the letter's anchor for the mark's class.</summary>
     private static Vector? Between(FontBytes subtable, int letterIndex, int markIndex)
     {
         FontBytes marks = subtable.Linked(8), letters = subtable.Linked(10);

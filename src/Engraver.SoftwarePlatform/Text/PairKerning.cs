@@ -3,7 +3,7 @@ using System.Numerics;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>How much nearer or farther than usual two neighbours stand: GPOS pair adjustment, by glyphs and by classes (OpenType 1.9, GPOS, lookup type 2).</summary>
+/// <summary>Corrections of the distance of two neighbours: GPOS pair adjustment, by glyphs and by classes (OpenType 1.9, GPOS, lookup type 2).</summary>
 internal sealed class PairKerning
 {
     private const int PairAdjustment = 2;
@@ -51,7 +51,7 @@ internal sealed class PairKerning
         return 0;
     }
 
-    /// <returns>Null when the next subtable has to be asked.</returns>
+    /// <returns>Null when the next subtable must be searched.</returns>
     private static int? ByGlyph(FontBytes subtable, int covered, int second)
     {
         var set = subtable.Linked(10 + 2 * covered);
@@ -91,7 +91,7 @@ internal sealed class PairKerning
         return values.Int16(record + 2 * BitOperations.PopCount((uint)(format & XAndYPlacement)));
     }
 
-    /// <summary>Two bytes for each value that the formats of both glyphs name.</summary>
+    /// <summary>Size in bytes: two for each value that the formats of both glyphs name.</summary>
     private static int RecordLength(FontBytes subtable) =>
         2 * (BitOperations.PopCount(subtable.UInt16(4)) + BitOperations.PopCount(subtable.UInt16(6)));
 }

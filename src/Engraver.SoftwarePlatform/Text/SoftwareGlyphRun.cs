@@ -6,10 +6,10 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>Glyphs in their places along a baseline.</summary>
+/// <summary>Glyphs at their positions along a baseline.</summary>
 internal sealed class SoftwareGlyphRun : IGlyphRunImpl
 {
-    /// <summary>Glyphs may lean out of their advance by this part of the size.</summary>
+    /// <summary>Part of the font size by which glyphs may extend beyond their advance.</summary>
     private const double Overhang = 0.25;
 
     private readonly ushort[] _glyphs;
@@ -42,7 +42,7 @@ internal sealed class SoftwareGlyphRun : IGlyphRunImpl
 
     public Point BaselineOrigin { get; }
 
-    /// <summary>Larger than the ink: from the highest to the lowest of the font, and an overhang around.</summary>
+    /// <summary>A box larger than the ink: from the font's highest to its lowest point, with an overhang on both sides.</summary>
     public Rect Bounds { get; }
 
     public int Count => _glyphs.Length;

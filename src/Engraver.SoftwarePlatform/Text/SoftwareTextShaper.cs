@@ -22,7 +22,7 @@ public sealed class SoftwareTextShaper : ITextShaperImpl
     }
 }
 
-/// <summary>The shaper keeps what it needs in <see cref="SoftwareTypeface"/>; Avalonia wants an object of its own nevertheless.</summary>
+/// <summary>An empty object, because Avalonia requires one; the shaper keeps what it needs in <see cref="SoftwareTypeface"/>.</summary>
 internal sealed class ShaperTypeface : ITextShaperTypeface
 {
     public void Dispose()

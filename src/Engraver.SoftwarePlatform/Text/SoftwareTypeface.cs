@@ -13,10 +13,10 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
 {
     private const uint CharacterMapTag = 0x636D6170;
 
-    /// <summary>Slant of a face that has no italic of its own.</summary>
+    /// <summary>Slant that replaces a missing italic.</summary>
     private const double ObliqueSlant = 0.25;
 
-    /// <summary>A made bold grows to the right by this part of the size.</summary>
+    /// <summary>Part of the font size by which a synthetic bold is wider to the right.</summary>
     private const double BoldGrowth = 1.0 / 24;
 
     private readonly FontFile _file;
@@ -119,7 +119,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
     {
     }
 
-    /// <summary>Avalonia's reader finds out only when it looks a character or a width up that its tables are broken; better now than while text is drawn.</summary>
+    /// <summary>Reads some characters and widths at once, because Avalonia's reader notices broken tables only then, and while text is drawn would be too late.</summary>
     private static void TryOut(GlyphTypeface typeface, FontFile file)
     {
         foreach (var character in (ReadOnlySpan<int>)[' ', 'A', 0x4E2D, 0xFFFF, 0x1F600])
@@ -141,7 +141,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         }
     }
 
-    /// <summary>The shape and the same a little to the right: both turn the same way, so that together they are filled as one.</summary>
+    /// <summary>The shape and a copy a little to the right, both with the same winding, so that together they are filled as one.</summary>
     private VectorPath Bold(VectorPath path)
     {
         var wide = path.Transformed(Matrix.Identity);
@@ -149,7 +149,7 @@ internal sealed class SoftwareTypeface : IPlatformTypeface
         return wide;
     }
 
-    /// <summary>What Avalonia's and this reader throw for files that are no proper fonts.</summary>
+    /// <summary>True for the exceptions that Avalonia's and this reader throw for files that are not valid fonts.</summary>
     private static bool IsFontFault(Exception e) =>
         e is BrokenFontException or InvalidOperationException or ArgumentException or IndexOutOfRangeException or NotSupportedException
             or IOException or OverflowException or KeyNotFoundException or FormatException or InvalidDataException;

@@ -1,14 +1,14 @@
 namespace Engraver.SoftwarePlatform.Text;
 
-/// <summary>How bright the text is: dark, middle and light text need different coverage to look equally heavy.</summary>
+/// <summary>Brightness of text: dark, middle and light text need different coverage to look equally heavy.</summary>
 internal readonly record struct TextTone(int Level)
 {
     private const int Levels = 4;
 
-    /// <summary>Displays are between this and 2.2; a smaller value keeps thin strokes of light text from growing fat.</summary>
+    /// <summary>Assumed gamma of the display. Real ones are between this and 2.2; a smaller value keeps thin strokes of light text from looking too thick.</summary>
     private const double Gamma = 1.4;
 
-    /// <summary>How much dark text is strengthened.</summary>
+    /// <summary>Factor by which dark text is strengthened.</summary>
     private const double Contrast = 0.35;
 
     private static readonly byte[][] s_tables = [.. Enumerable.Range(0, Levels).Select(level => Table(level / (Levels - 1.0)))];
@@ -33,7 +33,7 @@ internal readonly record struct TextTone(int Level)
             cell = table[cell];
     }
 
-    /// <summary>Mixes text and an opposite background in light instead of in stored numbers, and says which coverage gives the same mix of numbers.</summary>
+    /// <summary>Mixes text and an opposite background in linear light, and returns the coverage that gives the same result with stored (gamma) values.</summary>
     private static byte[] Table(double brightness)
     {
         double text = brightness, background = 1 - brightness;

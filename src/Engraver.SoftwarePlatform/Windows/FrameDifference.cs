@@ -2,8 +2,8 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>Finds what has changed between a frame and the one before it, tile by tile, so that only that is sent to the display.</summary>
-/// <remarks>Comparing a 1600 x 1000 frame reads 13 MB; sending it costs several times as much. What the compositor believed to be dirty but came out the same is not sent either.</remarks>
+/// <summary>Finds the changes between a frame and the one before it, tile by tile, so that only those are sent to the display.</summary>
+/// <remarks>Comparing a 1600 x 1000 frame reads 13 MB; sending it costs several times as much. Parts that the compositor redrew without a change are not sent either.</remarks>
 internal sealed class FrameDifference
 {
     private const int TileWidth = 64;
@@ -11,7 +11,7 @@ internal sealed class FrameDifference
     private uint[] _shown = [];
     private PixelSize _size;
 
-    /// <summary>The rectangles that differ, and from now on count as shown. A frame of another size differs everywhere.</summary>
+    /// <summary>The rectangles that differ; from now on they count as shown. A frame of another size differs everywhere.</summary>
     public IReadOnlyList<PixelRect> Take(ReadOnlySpan<uint> pixels, PixelSize size)
     {
         if (size != _size) return TakeAll(pixels, size);

@@ -3,7 +3,7 @@ using Avalonia.Media.Imaging;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>A small picture: one number a pixel, 0xAARRGGBB, premultiplied, rows from the top.</summary>
+/// <summary>A small picture: one number per pixel, 0xAARRGGBB, premultiplied, rows from the top.</summary>
 internal sealed record IconPicture(PixelSize Size, uint[] Pixels)
 {
     public static unsafe IconPicture From(Bitmap bitmap)

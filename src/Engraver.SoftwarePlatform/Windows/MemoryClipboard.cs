@@ -3,7 +3,7 @@ using Avalonia.Input.Platform;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>A clipboard that lives and dies with the application.</summary>
+/// <summary>A clipboard that exists only within the application.</summary>
 internal sealed class MemoryClipboard : IOwnedClipboardImpl
 {
     private IAsyncDataTransfer? _data;

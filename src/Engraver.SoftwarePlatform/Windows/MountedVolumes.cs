@@ -3,7 +3,7 @@ using Avalonia.Controls.Platform;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>What the managed file dialog lists at its side: the root of the file system and the mounted volumes under /media and /mnt.</summary>
+/// <summary>The volumes that the managed file dialog lists: the root of the file system and those mounted under /media and /mnt.</summary>
 internal sealed class MountedVolumes : IMountedVolumeInfoProvider
 {
     public IDisposable Listen(ObservableCollection<MountedVolumeInfo> mountedDrives)

@@ -9,7 +9,7 @@ using Avalonia.Rendering.Composition;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>What either front end registers with Avalonia, after the dispatcher and in the order that Avalonia needs.</summary>
+/// <summary>Registers with Avalonia the services of both front ends, after the dispatcher and in the order that Avalonia needs.</summary>
 internal static class PlatformServices
 {
     public static void Bind(Seat seat, IRenderTimer frames, IOwnedClipboardImpl clipboard, Func<SoftwareWindow> createWindow)
@@ -38,7 +38,7 @@ internal sealed class SoftwareCursorFactory : ICursorFactory
     public ICursorImpl CreateCursor(Bitmap cursor, PixelPoint hotSpot) => new SoftwareCursor(StandardCursorType.Arrow, IconPicture.From(cursor), hotSpot);
 }
 
-/// <summary>Makes windows of one kind. Windows inside foreign windows and tray icons do not exist here.</summary>
+/// <summary>Makes the windows of one front end. Windows inside foreign windows and tray icons are not supported.</summary>
 internal sealed class SoftwareWindowing(Func<SoftwareWindow> create) : IWindowingPlatform
 {
     public IWindowImpl CreateWindow() => create();

@@ -4,15 +4,15 @@ using Engraver.SoftwarePlatform.Input;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>What the windows of one application share: keyboard, input door, screen, clock and stacking order.</summary>
-internal sealed class Seat(InputDoor door, IScreenImpl screens, TimeProvider time)
+/// <summary>What the windows of one application share: keyboard, input filter, screen, clock and stacking order.</summary>
+internal sealed class Seat(InputGate gate, IScreenImpl screens, TimeProvider time)
 {
     private readonly long _start = time.GetTimestamp();
     private long _stacking;
 
     public IKeyboardDevice Keyboard { get; } = new KeyboardDevice();
 
-    public InputDoor Door => door;
+    public InputGate Gate => gate;
 
     public IScreenImpl Screens => screens;
 

@@ -3,7 +3,7 @@ using Avalonia.Input.Platform;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>What the application sees of the clipboard; the front end's half does the work.</summary>
+/// <summary>The clipboard as Avalonia uses it; the front end does the work.</summary>
 internal sealed class SoftwareClipboard(IOwnedClipboardImpl owned) : IClipboard
 {
     private IAsyncDataTransfer? _last;
@@ -21,7 +21,7 @@ internal sealed class SoftwareClipboard(IOwnedClipboardImpl owned) : IClipboard
         return owned.SetDataAsync(dataTransfer);
     }
 
-    /// <summary>Nothing outlives the application.</summary>
+    /// <summary>Does nothing: the content does not outlive the application.</summary>
     public Task FlushAsync() => Task.CompletedTask;
 
     public Task<IAsyncDataTransfer?> TryGetDataAsync() => owned.TryGetDataAsync();

@@ -4,7 +4,7 @@ using Avalonia.Platform;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>A cursor by its standard shape, or by its picture. A front end makes its own of it when it is first shown.</summary>
+/// <summary>A cursor by its standard shape, or by its picture. A front end creates its own form of it when it is first shown.</summary>
 internal sealed class SoftwareCursor(StandardCursorType shape, IconPicture? picture, PixelPoint hotSpot) : ICursorImpl
 {
     public StandardCursorType Shape => shape;

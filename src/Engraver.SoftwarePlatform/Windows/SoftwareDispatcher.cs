@@ -2,15 +2,15 @@ using Avalonia.Threading;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>The user interface thread's loop: work that was signalled, then the timer, then background work, then a wait that costs nothing until one of them comes.</summary>
-/// <remarks>Input is posted to the dispatcher like any other work, so nothing here knows of X. Time is the provider's: under a fake clock, timers fall due when the clock is moved.</remarks>
+/// <summary>The loop of the user interface thread: signalled work, then the timer, then background work, then a wait without processor time until one of them comes.</summary>
+/// <remarks>Input is posted to the dispatcher like other work, so that nothing here depends on X. Time is the provider's: with a fake clock, timers are due when the clock is advanced.</remarks>
 internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatcherImplWithExplicitBackgroundProcessing, IDisposable
 {
     private readonly Thread _thread = Thread.CurrentThread;
     private readonly object _gate = new();
     private readonly TimeProvider _time;
     private readonly long _start;
-    private readonly ITimer? _alarm; // only for a clock that the wait below cannot know
+    private readonly ITimer? _alarm; // only for a clock that the wait below does not know
     private bool _signalled;
     private bool _background;
     private long? _due;
@@ -32,7 +32,7 @@ internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatche
 
     public long Now => (long)_time.GetElapsedTime(_start).TotalMilliseconds;
 
-    /// <summary>Input stands in the dispatcher's own queue, which knows its priority.</summary>
+    /// <summary>Pending input is in the dispatcher's own queue, which knows its priority.</summary>
     public bool CanQueryPendingInput => false;
 
     public bool HasPendingInput => false;
@@ -75,7 +75,7 @@ internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatche
         }
     }
 
-    /// <summary>Does one piece of what is due now; false when there was nothing.</summary>
+    /// <summary>Does one piece of work that is due; false when there is none.</summary>
     public bool RunOne()
     {
         var work = Take();
@@ -83,7 +83,7 @@ internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatche
         return work is not null;
     }
 
-    /// <summary>Answers everything that calls now, once. What is left unanswered would keep <see cref="WaitForWork"/> from waiting.</summary>
+    /// <summary>Handles each pending signal once. An unhandled one would keep <see cref="WaitForWork"/> from waiting.</summary>
     public void RunDue()
     {
         if (TakeTimer()) Timer?.Invoke();
@@ -91,7 +91,7 @@ internal sealed class SoftwareDispatcher : IControlledDispatcherImpl, IDispatche
         if (TakeCall(ref _background)) ReadyForBackgroundProcessing?.Invoke();
     }
 
-    /// <summary>Blocks until there is something to do, the token is cancelled or the time is over.</summary>
+    /// <summary>Blocks until there is something to do, the token is cancelled or the timeout is over.</summary>
     public void WaitForWork(TimeSpan atMost, CancellationToken token)
     {
         lock (_gate)

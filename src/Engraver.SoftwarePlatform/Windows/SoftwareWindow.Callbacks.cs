@@ -7,7 +7,7 @@ using Avalonia.Platform;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <content>What Avalonia is told, and the wishes that mean nothing here.</content>
+/// <content>Avalonia's callbacks, and requests that have no effect here.</content>
 public abstract partial class SoftwareWindow
 {
     public Action<RawInputEventArgs>? Input { get; set; }

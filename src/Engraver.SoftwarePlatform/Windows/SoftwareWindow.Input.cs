@@ -5,7 +5,7 @@ using Avalonia.Platform;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <content>Input that has passed the door, on the user interface thread.</content>
+/// <content>Input that has passed the input filter, on the user interface thread.</content>
 public abstract partial class SoftwareWindow
 {
     private readonly MouseDevice _mouse = new(new Pointer(Pointer.GetNextFreeId(), PointerType.Mouse, isPrimary: true));
@@ -14,10 +14,10 @@ public abstract partial class SoftwareWindow
 
     public void SetInputRoot(IInputRoot inputRoot) => _root = inputRoot;
 
-    /// <summary>A window under a modal dialog takes no input: what it gets brings the dialog to the front.</summary>
+    /// <summary>A window under a modal dialog takes no input: input brings the dialog to the front instead.</summary>
     public void SetEnabled(bool enable) => _enabled = enable;
 
-    /// <param name="text">What the key types, or null. It follows the key unless somebody handled that, as a shortcut does.</param>
+    /// <param name="text">The text of the key, or null. It follows the key unless the key was handled, for example by a shortcut.</param>
     private protected void DeliverKey(bool isDown, Key key, RawInputModifiers modifiers, string? text)
     {
         if (_root is null || Refused()) return;
@@ -27,7 +27,7 @@ public abstract partial class SoftwareWindow
         if (isDown && text is not null && !press.Handled) DeliverText(text);
     }
 
-    /// <summary>Text that came by itself, such as what a dead key composes.</summary>
+    /// <summary>Text without a key of its own, such as a character composed with a dead key.</summary>
     private protected void DeliverText(string text)
     {
         if (_root is null || Refused()) return;
@@ -40,14 +40,14 @@ public abstract partial class SoftwareWindow
         Input?.Invoke(new RawPointerEventArgs(_mouse, _seat.Now, _root, type, at, modifiers));
     }
 
-    /// <param name="delta">Notches: y up (away from the person) positive, x left positive, as Avalonia has it.</param>
+    /// <param name="delta">Notches: y positive up (away from the user), x positive left, as in Avalonia.</param>
     private protected void DeliverWheel(Point at, Vector delta, RawInputModifiers modifiers)
     {
         if (_root is null || Refused()) return;
         Input?.Invoke(new RawMouseWheelEventArgs(_mouse, _seat.Now, _root, at, delta, modifiers));
     }
 
-    /// <summary>What the target under the pointer would do with the data; none when it refuses or the window is disabled.</summary>
+    /// <summary>The effect of a drop on the target under the pointer; none when it refuses or the window is disabled.</summary>
     private protected DragDropEffects DeliverDrag(RawDragEventType type, Point at, IDataTransfer data, DragDropEffects offered)
     {
         if (_root is null || _closed || !_enabled) return DragDropEffects.None;
@@ -64,7 +64,7 @@ public abstract partial class SoftwareWindow
         return true;
     }
 
-    /// <summary>Leaving and letting go end what began before the dialog came; the rest stops at the disabled window.</summary>
+    /// <summary>True when a window under a modal dialog ignores the event. Leave and release events pass, because they end what began before the dialog opened.</summary>
     private bool Stopped(RawPointerEventType type)
     {
         switch (type)

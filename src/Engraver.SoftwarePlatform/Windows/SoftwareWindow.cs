@@ -9,7 +9,7 @@ using Avalonia.Rendering.Composition;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>What a window is to Avalonia, whichever front end shows it: a frame of pixels that the compositor draws into, and events that go in. All members are for the user interface thread.</summary>
+/// <summary>A window as Avalonia sees it, in either front end: a frame of pixels that the compositor draws into, and events that go in. All members are for the user interface thread.</summary>
 public abstract partial class SoftwareWindow : IWindowImpl, IFramebufferPlatformSurface
 {
     private readonly Seat _seat;
@@ -43,10 +43,10 @@ public abstract partial class SoftwareWindow : IWindowImpl, IFramebufferPlatform
 
     public Size MaxAutoSizeHint => _seat.Screens.AllScreens[0].WorkingArea.Size.ToSize(RenderScaling);
 
-    /// <summary>The client area in pixels: rounded up, so that the last device independent unit is never cut.</summary>
+    /// <summary>The client area in pixels: rounded up, so that the last device independent unit is complete.</summary>
     public PixelSize PixelSize => InPixels(ClientSize);
 
-    /// <summary>Grows as windows come to the front.</summary>
+    /// <summary>Increases as windows come to the front.</summary>
     internal long Stacking { get; private set; }
 
     internal WindowFrame? Frame => _frame;
@@ -79,7 +79,7 @@ public abstract partial class SoftwareWindow : IWindowImpl, IFramebufferPlatform
         GC.SuppressFinalize(this);
     }
 
-    /// <summary>The frame has been drawn: show it.</summary>
+    /// <summary>Called when the frame has been drawn, to show it.</summary>
     private protected abstract void Present(WindowFrame frame);
 
     private protected PixelSize InPixels(Size size) =>
@@ -87,7 +87,7 @@ public abstract partial class SoftwareWindow : IWindowImpl, IFramebufferPlatform
 
     private protected void ComeToFront() => Stacking = _seat.NextStacking();
 
-    /// <summary>The size that the scene was laid out for, which the window may have left behind while it is being resized.</summary>
+    /// <summary>The size for which the scene was laid out; while the window is being resized it may differ from the present size.</summary>
     private ILockedFramebuffer LockFrame(IRenderTarget.RenderTargetSceneInfo scene, out FramebufferLockProperties properties)
     {
         var kept = _frame is not null && _frame.Size == scene.Size;

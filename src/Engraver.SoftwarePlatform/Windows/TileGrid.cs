@@ -2,7 +2,7 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>Marked tiles, and the few rectangles that cover exactly them.</summary>
+/// <summary>Marked tiles, and a few rectangles that cover exactly these.</summary>
 internal sealed class TileGrid(int columns, int rows)
 {
     private readonly bool[] _marked = new bool[columns * rows];

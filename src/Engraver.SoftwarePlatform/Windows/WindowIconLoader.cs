@@ -3,7 +3,7 @@ using Avalonia.Platform;
 
 namespace Engraver.SoftwarePlatform.Windows;
 
-/// <summary>Reads window icons. What the bitmap loader cannot read (it reads PNG) is its exception.</summary>
+/// <summary>Reads window icons. Only PNG is supported; for anything else the bitmap loader throws.</summary>
 internal sealed class WindowIconLoader : IPlatformIconLoader
 {
     public IWindowIconImpl LoadIcon(string fileName) => new WindowIcon(File.ReadAllBytes(fileName));
@@ -23,7 +23,7 @@ internal sealed class WindowIconLoader : IPlatformIconLoader
     }
 }
 
-/// <summary>A window's icon: kept as the bytes it came in, and as pixels for the window manager.</summary>
+/// <summary>A window's icon: its original bytes, and pixels for the window manager.</summary>
 internal sealed class WindowIcon(byte[] file) : IWindowIconImpl
 {
     public IconPicture Picture { get; } = Decode(file);

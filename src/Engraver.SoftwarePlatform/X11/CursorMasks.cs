@@ -2,7 +2,7 @@ using Engraver.SoftwarePlatform.Windows;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>A picture as an X bitmap pair: where it is light, and where it is there at all. Rows are padded to bytes, the lowest bit is the leftmost pixel.</summary>
+/// <summary>A picture as a pair of X bitmaps: where it is light, and where it is opaque. Rows are padded to bytes, the lowest bit is the leftmost pixel.</summary>
 internal static class CursorMasks
 {
     public static (byte[] Light, byte[] Mask) Create(IconPicture picture)
@@ -22,6 +22,6 @@ internal static class CursorMasks
         return (light, mask);
     }
 
-    /// <summary>Brighter than half, weighted as the eye sees it (ITU-R BT.601).</summary>
+    /// <summary>True for a luminance above half (ITU-R BT.601).</summary>
     private static bool IsLight(uint pixel) => ((pixel >> 16) & 0xFF) * 299 + ((pixel >> 8) & 0xFF) * 587 + (pixel & 0xFF) * 114 >= 127_500;
 }

@@ -2,7 +2,7 @@ using Avalonia.Threading;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>A queue of one: while the user interface has not taken a value yet, a newer one replaces it.</summary>
+/// <summary>A queue of one: a newer value replaces one that the user interface has not taken yet.</summary>
 internal sealed class LatestOnly<T>(Action<T> taken)
     where T : struct
 {
@@ -24,7 +24,7 @@ internal sealed class LatestOnly<T>(Action<T> taken)
         }
     }
 
-    /// <summary>Something else is queued after the value: it keeps its place, and the next one gets its own.</summary>
+    /// <summary>Called when something else is queued after the value: the value keeps its place in the queue, and the next one gets its own.</summary>
     public void Seal()
     {
         lock (_gate) _waiting = null;

@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>What a window tells the window manager about itself, and asks of it (ICCCM and EWMH), over the drawing connection.</summary>
+/// <summary>Sets a window's properties for the window manager and sends it requests (ICCCM and EWMH), over the drawing connection.</summary>
 internal sealed class WindowProperties(X11Desktop desktop, nint window)
 {
     private readonly List<nint> _firstStates = [];
@@ -18,7 +18,7 @@ internal sealed class WindowProperties(X11Desktop desktop, nint window)
 
     private XAtoms Atoms => desktop.Atoms;
 
-    /// <summary>Once, before the window is shown.</summary>
+    /// <summary>Called once, before the window is shown.</summary>
     public void Introduce()
     {
         const int inputHint = 1;
@@ -47,7 +47,7 @@ internal sealed class WindowProperties(X11Desktop desktop, nint window)
     public void SetType(bool isDialog) =>
         Connection.SetLongs(window, Atoms.NetWmWindowType, XAtoms.Atom, isDialog ? Atoms.NetWmWindowTypeDialog : Atoms.NetWmWindowTypeNormal);
 
-    /// <summary>The hint that every window manager still takes from Motif: with decorations or without.</summary>
+    /// <summary>Motif's hint for windows with or without decorations, which every window manager still supports.</summary>
     public void SetDecorations(bool wanted)
     {
         const int decorationsHint = 2;
@@ -56,7 +56,7 @@ internal sealed class WindowProperties(X11Desktop desktop, nint window)
 
     public void SendHints() => Connection.SetLongs(window, XAtoms.WmNormalHints, XAtoms.WmSizeHints, Hints.Pack());
 
-    /// <summary>Before the window is shown its states are a property that the window manager reads; afterwards they are asked for.</summary>
+    /// <summary>Before the window is shown its states are a property that the window manager reads; afterwards they are requested by messages.</summary>
     public void ChangeState(bool shown, bool wanted, nint state, nint second = 0)
     {
         const nint fromApplication = 1;
@@ -75,7 +75,7 @@ internal sealed class WindowProperties(X11Desktop desktop, nint window)
         Connection.SetLongs(window, Atoms.NetWmState, XAtoms.Atom, [.. _firstStates]);
     }
 
-    /// <summary>The window manager decides who has the focus; without one, it is taken.</summary>
+    /// <summary>Asks the window manager for the focus; without a window manager, takes it.</summary>
     public void AskForFocus()
     {
         const nint fromApplication = 1;

@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>The server's cursors for ours: standard shapes from the cursor font, pictures as two-coloured masks (what the core protocol knows).</summary>
+/// <summary>The server's cursors: standard shapes from the cursor font, pictures as two-coloured masks (the core protocol supports no more).</summary>
 internal sealed unsafe class X11Cursors(XConnection connection)
 {
     private readonly Dictionary<StandardCursorType, nint> _shapes = [];

@@ -6,8 +6,8 @@ using Engraver.SoftwarePlatform.X11.Selections;
 namespace Engraver.SoftwarePlatform.X11;
 
 /// <summary>What the windows of one application share on an X server.</summary>
-/// <remarks>Two connections: the input connection makes the windows and gets their events, on the event thread alone; the drawing connection decorates and paints them, on the user
-/// interface thread alone. So a key reaches its filter whatever the user interface is doing.</remarks>
+/// <remarks>Two connections: the input connection makes the windows and receives their events, used by the event thread only; the drawing connection decorates and paints them, used by the user
+/// interface thread only. So a key reaches its filter even while the user interface is busy.</remarks>
 internal sealed unsafe class X11Desktop
 {
     private const int InputOnly = 2;
@@ -18,9 +18,9 @@ internal sealed unsafe class X11Desktop
     private readonly nint _helper;
     private long _screenSize;
 
-    public X11Desktop(SoftwarePlatformOptions options, InputDoor door, Action lost)
+    public X11Desktop(SoftwarePlatformOptions options, InputGate gate, Action lost)
     {
-        Door = door;
+        Gate = gate;
         ApplicationName = options.ApplicationName;
         Libc.ChooseUtf8Locale();
         _input = XConnection.Open(options.DisplayName);
@@ -43,7 +43,7 @@ internal sealed unsafe class X11Desktop
         _input.Flush();
     }
 
-    public InputDoor Door { get; }
+    public InputGate Gate { get; }
 
     public XConnection Drawing { get; }
 
@@ -64,7 +64,7 @@ internal sealed unsafe class X11Desktop
 
     public double Scale { get; }
 
-    /// <summary>The server's time of the last event: what selections want instead of "now". For the event thread.</summary>
+    /// <summary>The server's time of the last event, which selections require instead of "now". For the event thread.</summary>
     public nint LastEventTime { get; private set; }
 
     /// <summary>Follows the server's screen when that is resized. From any thread.</summary>
@@ -74,11 +74,11 @@ internal sealed unsafe class X11Desktop
         private set => Interlocked.Exchange(ref _screenSize, ((long)value.Width << 32) | (uint)value.Height);
     }
 
-    /// <summary>Makes a window whose events come to <paramref name="window"/>. Called from the user interface thread, which waits for it.</summary>
+    /// <summary>Makes a window whose events are passed to <paramref name="window"/>. Called from the user interface thread, which waits for it.</summary>
     public X11WindowEvents Open(X11Window window, PixelSize size) =>
         Events.Invoke(() => MakeWindow(window, size)) ?? new X11WindowEvents(this, _input, 0, 0, window);
 
-    /// <summary>The drawing connection must have sent all that it has for the window.</summary>
+    /// <summary>Destroys a window. The drawing connection must have sent all requests for it.</summary>
     public void Close(X11WindowEvents window) => Events.Post(() =>
     {
         _windows.Remove(window.Handle);
@@ -87,7 +87,7 @@ internal sealed unsafe class X11Desktop
 
     private X11WindowEvents MakeWindow(X11Window window, PixelSize size)
     {
-        var attributes = new XSetWindowAttributes { BitGravity = XSetWindowAttributes.NorthWestGravity }; // no background: nothing flickers before it is drawn
+        var attributes = new XSetWindowAttributes { BitGravity = XSetWindowAttributes.NorthWestGravity }; // no background, so that nothing flickers before it is drawn
         var handle = Xlib.XCreateWindow(_input.Display, _input.Root, 0, 0, (uint)size.Width, (uint)size.Height, 0, 0, 0, 0, XSetWindowAttributes.BackgroundAndGravity, &attributes);
         Xlib.XSelectInput(_input.Display, handle, XEventMask.Window);
         _input.SetLongs(handle, Atoms.XdndAware, XAtoms.Atom, XdndTarget.Version);
@@ -105,7 +105,7 @@ internal sealed unsafe class X11Desktop
         return helper;
     }
 
-    /// <summary>On the event thread. Keys go through the door before the input method sees them: that may be another program, and it may hang.</summary>
+    /// <summary>On the event thread. Keys go through the input filter before the input method, which may be another program that hangs.</summary>
     private void Handle(ref XEvent received)
     {
         if (received.Type is >= XEventType.KeyPress and <= XEventType.LeaveNotify) LastEventTime = received.Time;
@@ -124,7 +124,7 @@ internal sealed unsafe class X11Desktop
         if (_windows.TryGetValue(received.Window, out var window)) window.OnEvent(ref received);
     }
 
-    /// <summary>What belongs to no single window.</summary>
+    /// <summary>Handles events that belong to no single window.</summary>
     private bool HandleShared(ref XEvent received)
     {
         switch (received.Type)

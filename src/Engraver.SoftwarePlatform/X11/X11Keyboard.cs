@@ -4,14 +4,14 @@ using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>What keys mean and type, for the event thread. Dead keys and Compose are the input method's.</summary>
+/// <summary>Translates keys to Avalonia's keys and text, on the event thread. The input method handles dead keys and Compose.</summary>
 internal sealed unsafe class X11Keyboard
 {
     private const nint PreeditAndStatusNothing = 0x8 | 0x400; // XIMPreeditNothing | XIMStatusNothing
     private readonly XConnection _connection;
     private readonly nint _inputMethod;
 
-    /// <summary>The locale must be chosen before.</summary>
+    /// <summary>The locale must be set before.</summary>
     public X11Keyboard(XConnection connection)
     {
         _connection = connection;
@@ -21,12 +21,12 @@ internal sealed unsafe class X11Keyboard
         Xlib.XkbSetDetectableAutoRepeat(connection.Display, 1, 0);
     }
 
-    /// <summary>Zero without an input method: then keys type what they say by themselves.</summary>
+    /// <summary>Zero without an input method: keys then give only their own characters.</summary>
     public nint CreateContext(nint window) => _inputMethod == 0
         ? 0
         : Xlib.XCreateIC(_inputMethod, "inputStyle", PreeditAndStatusNothing, "clientWindow", window, "focusWindow", window, 0);
 
-    /// <summary>The key by its meaning in the layout in force: a function key as it is, a printing key by what it types without Shift.</summary>
+    /// <summary>The key in the present layout: a function key as it is, a printing key by its character without Shift.</summary>
     public Key KeyOf(ref XEvent press)
     {
         nint symbol;
@@ -63,7 +63,7 @@ internal sealed unsafe class X11Keyboard
 
     private Key At(in XEvent press, int group, int level) => Keysyms.KeyOf(Xlib.XkbKeycodeToKeysym(_connection.Display, (byte)press.Detail, group, level));
 
-    /// <summary>Xlib's own composing, when the one that the environment names does not answer.</summary>
+    /// <summary>Uses Xlib's own composing when the input method named by the environment does not answer.</summary>
     private nint OpenBuiltIn()
     {
         Xlib.XSetLocaleModifiers("@im=none");

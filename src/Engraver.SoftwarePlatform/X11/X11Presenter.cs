@@ -4,7 +4,7 @@ using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>Sends what has changed of a frame to its window, over the drawing connection.</summary>
+/// <summary>Sends the changed parts of a frame to its window, over the drawing connection.</summary>
 internal sealed unsafe class X11Presenter(XConnection connection, nint window) : IDisposable
 {
     private const int PixmapOfWholePixels = 2; // ZPixmap
@@ -17,7 +17,7 @@ internal sealed unsafe class X11Presenter(XConnection connection, nint window) :
         if (changed.Count > 0) Put(frame, changed);
     }
 
-    /// <summary>What the server has lost. What it is sent is what counts as shown, so nothing else changes.</summary>
+    /// <summary>Sends an area again whose content the server has lost; the frame itself has not changed.</summary>
     public void SendAgain(WindowFrame frame, PixelRect area)
     {
         var visible = area.Intersect(new PixelRect(frame.Size));
@@ -40,7 +40,7 @@ internal sealed unsafe class X11Presenter(XConnection connection, nint window) :
             Xlib.XPutImage(connection.Display, window, _context, image, area.X, area.Y, area.X, area.Y, (uint)area.Width, (uint)area.Height);
         }
 
-        Xlib.XFree((void*)image); // the description only: the pixels are ours
+        Xlib.XFree((void*)image); // frees the description only: the pixels are ours
         connection.Flush();
     }
 }

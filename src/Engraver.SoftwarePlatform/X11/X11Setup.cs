@@ -8,17 +8,17 @@ using Engraver.SoftwarePlatform.X11.Selections;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>Puts the pieces of the X11 front end together.</summary>
+/// <summary>Assembles the X11 front end.</summary>
 internal static class X11Setup
 {
     private const int FramesPerSecond = 60;
     private const int ExitCode = 1;
 
-    public static void Bind(SoftwarePlatformOptions options, InputDoor door)
+    public static void Bind(SoftwarePlatformOptions options, InputGate gate)
     {
-        var desktop = new X11Desktop(options, door, () => EndApplication(options));
+        var desktop = new X11Desktop(options, gate, () => EndApplication(options));
         Dispatcher.InitializeUIThreadDispatcher(new SoftwareDispatcher(TimeProvider.System));
-        var seat = new Seat(door, new SingleScreen(() => desktop.ScreenSize, () => desktop.Scale), TimeProvider.System);
+        var seat = new Seat(gate, new SingleScreen(() => desktop.ScreenSize, () => desktop.Scale), TimeProvider.System);
         PlatformServices.Bind(seat, new UiThreadRenderTimer(FramesPerSecond), new X11Clipboard(desktop), () => new X11Window(desktop, seat));
         desktop.Events.Start();
     }

@@ -6,7 +6,7 @@ using Engraver.SoftwarePlatform.Input;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <content>What the event thread has queued, in its order.</content>
+/// <content>Handles what the event thread has queued, in order.</content>
 internal sealed partial class X11Window
 {
     private bool _open = true;
@@ -39,7 +39,7 @@ internal sealed partial class X11Window
         LostFocus?.Invoke();
     }
 
-    /// <summary>Without a window manager nobody gives a new window the keyboard.</summary>
+    /// <summary>Takes the keyboard focus for a new window when there is no window manager to give it.</summary>
     internal void OnMapped()
     {
         if (_open && !_properties.IsManaged) Activate();

@@ -8,7 +8,7 @@ using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>A window on an X server, as the user interface thread has it: what is asked of the server here goes over the drawing connection.</summary>
+/// <summary>A window on an X server, used by the user interface thread: its requests go over the drawing connection.</summary>
 internal sealed partial class X11Window : SoftwareWindow
 {
     private readonly X11Desktop _desktop;
@@ -108,7 +108,7 @@ internal sealed partial class X11Window : SoftwareWindow
         if (!_open) return;
         _open = false;
         _presenter.Dispose();
-        _desktop.Drawing.Sync(); // nothing may arrive for the window after it is gone
+        _desktop.Drawing.Sync(); // no request may arrive for the window after it is destroyed
         _desktop.Close(_events);
     }
 

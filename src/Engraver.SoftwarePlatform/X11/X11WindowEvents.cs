@@ -8,7 +8,7 @@ using Engraver.SoftwarePlatform.X11.Protocol;
 
 namespace Engraver.SoftwarePlatform.X11;
 
-/// <summary>A window as the event thread knows it: passes its events through the door, and queues them for the user interface.</summary>
+/// <summary>A window as the event thread sees it: passes its events through the input filter, and queues them for the user interface.</summary>
 internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection input, nint handle, nint inputContext, X11Window window)
 {
     private const int NotifyGrab = 1;
@@ -24,7 +24,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
 
     public nint Handle => handle;
 
-    /// <summary>Set by the user interface thread; places in the input regions' units are made with it.</summary>
+    /// <summary>Set by the user interface thread; converts positions to the units of the input regions.</summary>
     public double Scale
     {
         set => Volatile.Write(ref _scale, value);
@@ -66,7 +66,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
             case XEventType.MapNotify:
                 Queue(window.OnMapped);
                 break;
-            case XEventType.DestroyNotify: // by another program; of our own doing nobody listens any more
+            case XEventType.DestroyNotify: // destroyed by another program; after our own destruction nobody listens
                 Queue(window.Dispose);
                 break;
             case XEventType.ClientMessage when received.MessageType == desktop.Atoms.WmProtocols:
@@ -75,7 +75,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
         }
     }
 
-    /// <summary>First the filter, then the input method, then the queue. What an input method sends back a second time is not filtered again.</summary>
+    /// <summary>First the filter, then the input method, then the queue. A key that an input method sends back is not filtered again.</summary>
     public void OnKey(ref XEvent received)
     {
         var key = desktop.Keyboard.KeyOf(ref received);
@@ -88,7 +88,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
         }
 
         var text = isDown ? desktop.Keyboard.TextOf(inputContext, ref received) : null;
-        if (received.Detail == 0) Queue(() => window.OnText(text)); // composed elsewhere: text without a key
+        if (received.Detail == 0) Queue(() => window.OnText(text)); // composed by the input method: text without a key
         else Queue(() => window.OnKey(isDown, key, modifiers, IsShortcut(modifiers) ? null : text));
     }
 
@@ -103,7 +103,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
         if (received.Detail == 0) return true;
         if (identity == _lastKey) return _lastKeyAdmitted;
         _lastKey = identity;
-        return _lastKeyAdmitted = desktop.Door.Admits(key, MouseButtons.KeysOf(modifiers), isDown);
+        return _lastKeyAdmitted = desktop.Gate.Admits(key, MouseButtons.KeysOf(modifiers), isDown);
     }
 
     private void OnButton(ref XEvent received)
@@ -119,9 +119,9 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
 
         var button = XButtons.ButtonOf(received.Detail);
         if (button == MouseButton.None) return;
-        var admitted = isDown ? desktop.Door.AdmitsPress(handle, at, button) : desktop.Door.AdmitsRelease(handle, button);
+        var admitted = isDown ? desktop.Gate.AdmitsPress(handle, at, button) : desktop.Gate.AdmitsRelease(handle, button);
         if (!admitted) return;
-        var bit = MouseButtons.HeldBit(button); // the state is that from before the event
+        var bit = MouseButtons.HeldBit(button); // the state is that before the event
         if (isDown) Queue(() => window.OnPointer(MouseButtons.DownEvent(button), at, modifiers | bit));
         else Queue(() => window.OnPointer(MouseButtons.UpEvent(button), at, modifiers & ~bit));
     }
@@ -135,19 +135,19 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
         Queue(() => window.OnPointer(type, at, modifiers));
     }
 
-    /// <summary>Grabs (a menu of the window manager) and the pointer's own comings and goings are no change of focus.</summary>
+    /// <summary>True for a real change of focus, which grabs (a menu of the window manager) and the pointer entering or leaving are not.</summary>
     private void OnFocus(ref XEvent received)
     {
         var has = received.Type == XEventType.FocusIn;
         if (has == _focused || received.FocusMode is NotifyGrab or NotifyUngrab || received.FocusDetail is NotifyInferior or NotifyPointer) return;
         _focused = has;
-        if (!has) desktop.Door.ForgetHeldKeys();
+        if (!has) desktop.Gate.ForgetHeldKeys();
         if (inputContext != 0 && has) Xlib.XSetICFocus(inputContext);
         if (inputContext != 0 && !has) Xlib.XUnsetICFocus(inputContext);
         Queue(() => window.OnFocus(has));
     }
 
-    /// <summary>Of several in a row only the last matters. The place is asked for, because under a window manager the event's is that within the frame.</summary>
+    /// <summary>Handles the last of several such events. The position is queried, because under a window manager the event's is relative to the frame.</summary>
     private void OnConfigure(ref XEvent received)
     {
         fixed (XEvent* latest = &received)
@@ -161,7 +161,7 @@ internal sealed unsafe class X11WindowEvents(X11Desktop desktop, XConnection inp
         _bounds.Put((new PixelSize(received.Width, received.Height), new PixelPoint(x, y)));
     }
 
-    /// <summary>A ping is answered here: while this thread lives, the window is not hung, because stopping still works.</summary>
+    /// <summary>Answers a ping here: while this thread runs, the window does not count as hung, and stopping still works.</summary>
     private void OnProtocol(ref XEvent received)
     {
         var protocol = (nint)received.Data[0];

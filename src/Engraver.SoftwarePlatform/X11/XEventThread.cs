@@ -15,9 +15,9 @@ internal sealed unsafe class XEventThread
     private readonly int _wake = Libc.eventfd(0, CloseOnExecNonBlocking);
     private int _lostTold;
 
-    /// <param name="connection">For this thread alone.</param>
+    /// <param name="connection">Used by this thread only.</param>
     /// <param name="handle">Called for every event.</param>
-    /// <param name="lost">Called once when the server is gone.</param>
+    /// <param name="lost">Called once when the connection is lost.</param>
     public XEventThread(XConnection connection, XEventHandler handle, Action lost)
     {
         _connection = connection;
@@ -37,7 +37,7 @@ internal sealed unsafe class XEventThread
         Libc.write(_wake, &one, sizeof(long));
     }
 
-    /// <summary>Does it on the thread and waits. The default value when the server is gone.</summary>
+    /// <summary>Runs a function on the thread and waits for it. Returns the default value when the connection is lost.</summary>
     public T? Invoke<T>(Func<T> work)
     {
         if (IsLost) return default;
@@ -47,7 +47,7 @@ internal sealed unsafe class XEventThread
         return done.Task.GetAwaiter().GetResult();
     }
 
-    /// <summary>May be called from any thread that meets the loss.</summary>
+    /// <summary>May be called from any thread that notices the loss.</summary>
     public void TellLost()
     {
         if (Interlocked.Exchange(ref _lostTold, 1) == 0) _lost();
@@ -62,7 +62,7 @@ internal sealed unsafe class XEventThread
             if (!IsLost) Wait();
         }
 
-        while (true) // whoever still asks gets an answer: see Invoke
+        while (true) // callers that still wait get an answer: see Invoke
         {
             DoPosted();
             Wait();
@@ -76,7 +76,7 @@ internal sealed unsafe class XEventThread
 
     private void ReadEvents()
     {
-        while (!IsLost && Xlib.XPending(_connection.Display) > 0) // also sends what was written
+        while (!IsLost && Xlib.XPending(_connection.Display) > 0) // also sends pending requests
         {
             XEvent received;
             Xlib.XNextEvent(_connection.Display, &received);

@@ -18,7 +18,7 @@ public abstract record Prompt(string Instruction)
     /// <summary>True when spaces belong to the answer (a file name): a command window then takes Enter alone as the end.</summary>
     public virtual bool TakesSpaces => false;
 
-    /// <summary>The place of the drawing that is an answer (a click on the canvas feeds its coordinates); null when none is.</summary>
+    /// <summary>The place of the drawing that is an answer (a click on the canvas enters its coordinates); null when none is.</summary>
     public virtual PointAim? Aim => null;
 
     /// <summary>True when nothing but an option is an answer.</summary>

@@ -83,20 +83,20 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Takes one input, as typed up to Enter (or Space, where the prompt does not take spaces). Empty is Enter alone: the default, the end of a list, or the last command again.</summary>
     /// <param name="cancellation">The operator's stop: a job under way is ended, with the machine standing, before this returns.</param>
-    public async Task<InputResult> FeedAsync(string input, CancellationToken cancellation)
+    public async Task<InputResult> EnterAsync(string input, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(input);
         Environment.Journal?.WriteLine(ScriptText.Write(input.Trim()));
-        var result = await FeedOneAsync(input.Trim(), cancellation).ConfigureAwait(false);
+        var result = await EnterOneAsync(input.Trim(), cancellation).ConfigureAwait(false);
         if (_scripts.IsRunnable && !IsBusy) result = await RunScriptsAsync(cancellation).ConfigureAwait(false);
         return Told(result);
     }
 
     /// <summary>Begins a command inside the one that asks, as a key or a button does; typed, an apostrophe stands before it, which in an answer of text is a letter. With nothing asked it begins by itself.</summary>
     /// <param name="cancellation">As for one input.</param>
-    public async Task<InputResult> FeedInsideAsync(string command, CancellationToken cancellation)
+    public async Task<InputResult> EnterInsideAsync(string command, CancellationToken cancellation)
     {
-        if (_frames.Top is not { Pending: not null } frame) return await FeedAsync(command, cancellation).ConfigureAwait(false);
+        if (_frames.Top is not { Pending: not null } frame) return await EnterAsync(command, cancellation).ConfigureAwait(false);
         Environment.Journal?.WriteLine("'" + command);
         Echo("'" + command);
         return Told(await BeginInsideAsync(frame, command, cancellation).ConfigureAwait(false));
@@ -104,7 +104,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Takes several lines at once, as pasted text is: a script of them, under the rules for scripts. While a command is at work nothing of it is taken.</summary>
     /// <param name="cancellation">As for one input.</param>
-    public async Task<InputResult> FeedLinesAsync(string lines, CancellationToken cancellation)
+    public async Task<InputResult> EnterLinesAsync(string lines, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(lines);
         if (IsBusy) return Told(new InputResult.NotUnderstood("A command is at work; pasted lines are not taken until it has ended."));
@@ -113,7 +113,7 @@ public sealed class CommandSession : IAsyncDisposable
         return Told(await RunScriptsAsync(cancellation).ConfigureAwait(false));
     }
 
-    /// <summary>Esc: ends what asks and clears the selection. A command at work is told to end (a job stops the machine first); who fed it hears how.</summary>
+    /// <summary>Esc: ends what asks and clears the selection. A command at work is told to end (a job stops the machine first); the caller that entered it is told how.</summary>
     public async Task CancelAsync()
     {
         if (IsBusy)
@@ -156,7 +156,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     internal AliasTable ReloadAliases() => Aliases = AliasFiles.Read(Environment.AliasFile, Catalog);
 
-    private async Task<InputResult> FeedOneAsync(string input, CancellationToken cancellation)
+    private async Task<InputResult> EnterOneAsync(string input, CancellationToken cancellation)
     {
         if (IsBusy) return await HearAsync(input, cancellation).ConfigureAwait(false);
         Echo(input);
@@ -232,13 +232,13 @@ public sealed class CommandSession : IAsyncDisposable
 
     private ICommand? Find(string input) => CommandNames.Find(input, Catalog, Aliases);
 
-    /// <summary>Feeds what is queued, until a command fails or the inputs are used up.</summary>
+    /// <summary>Enters what is queued, until a command fails or the inputs are used up.</summary>
     private async Task<InputResult> RunScriptsAsync(CancellationToken cancellation)
     {
         InputResult result = new InputResult.Done();
         while (_scripts.Next() is { } next)
         {
-            result = cancellation.IsCancellationRequested ? new InputResult.Cancelled() : await FeedOneAsync(next.Token.Text, cancellation).ConfigureAwait(false);
+            result = cancellation.IsCancellationRequested ? new InputResult.Cancelled() : await EnterOneAsync(next.Token.Text, cancellation).ConfigureAwait(false);
             if (result is InputResult.Asking or InputResult.Done) continue;
             await EndAllAsync().ConfigureAwait(false);
             return next.Placed(result);
@@ -254,7 +254,7 @@ public sealed class CommandSession : IAsyncDisposable
 /// <param name="Options">To be clicked or completed.</param>
 /// <param name="Default">What Enter alone means; null when nothing.</param>
 /// <param name="TakesSpaces">True when Space is a letter and not Enter.</param>
-/// <param name="Aim">The place that a click on the canvas answers with (its coordinates are fed); null when it is no answer.</param>
+/// <param name="Aim">The place that a click on the canvas answers with (its coordinates are entered); null when it is no answer.</param>
 public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, PointAim? Aim)
 {
     public static PromptView Idle { get; } = new(null, "Command:", [], null, false, null);

@@ -14,7 +14,7 @@ public static class DrawingPlot
         var title = Path.GetFileName(drawing.FileName);
         var analysed = JobPreparation.Analyse(drawing, settings);
         return asDrawn
-            ? PlotModel.OfDrawing(analysed, title)
-            : PlotModel.OfPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, analysed, settings), settings), title);
+            ? PlotModel.FromDrawing(analysed, title)
+            : PlotModel.FromPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, analysed, settings), settings), title);
     }
 }

@@ -50,7 +50,7 @@ public class OrientedBoxTreeTests
     [Fact]
     public void An_empty_tree_answers_none()
     {
-        var tree = OrientedBoxTree.Of([]);
+        var tree = OrientedBoxTree.Build([]);
 
         Assert.False(tree.ComesNear(Segment.FromLine(default, new Point2D(1, 0)), 1e9));
         Assert.Equal(-1, tree.Nearest(default, (_, _) => 0.0, double.PositiveInfinity, -1.0, out _));
@@ -60,15 +60,15 @@ public class OrientedBoxTreeTests
     [Fact]
     public void Boxes_on_one_another_and_boxes_ever_farther_away_are_divided_in_number()
     {
-        OrientedBox[] boxes = [.. Enumerable.Range(0, 5000).Select(i => OrientedBox.Of(default, new Point2D(1, 1))), .. Enumerable.Range(0, 300).Select(i => OrientedBox.Of(new Point2D(Math.Pow(2.0, i), 0), new Point2D(Math.Pow(2.0, i), 1)))];
+        OrientedBox[] boxes = [.. Enumerable.Range(0, 5000).Select(i => OrientedBox.Around(default, new Point2D(1, 1))), .. Enumerable.Range(0, 300).Select(i => OrientedBox.Around(new Point2D(Math.Pow(2.0, i), 0), new Point2D(Math.Pow(2.0, i), 1)))];
         var found = new HashSet<int>();
 
-        OrientedBoxTree.Of(boxes).ComesNear(Segment.FromLine(new Point2D(0.5, 0.5), new Point2D(0.5, 0.6)), 0.1, item => !found.Add(item)); // none counts, so that all are asked
+        OrientedBoxTree.Build(boxes).ComesNear(Segment.FromLine(new Point2D(0.5, 0.5), new Point2D(0.5, 0.6)), 0.1, item => !found.Add(item)); // none counts, so that all are asked
 
         Assert.Equal(5000, found.Count);
     }
 
-    private static OrientedBoxTree Tree(LineSegment[] lines) => OrientedBoxTree.Of([.. lines.Select(line => OrientedBox.Of(line.Start, line.End))]);
+    private static OrientedBoxTree Tree(LineSegment[] lines) => OrientedBoxTree.Build([.. lines.Select(line => OrientedBox.Around(line.Start, line.End))]);
 
     private static HashSet<int> Along(OrientedBoxTree tree, Segment path, double reach)
     {

@@ -79,10 +79,10 @@ public class SvgPlotWriterTests
 
     private static EntityTable Analysed(DrawingBuilder builder) => ArcAnalysis.Analyse(EntityTableBuilder.Build(builder.Build(), LayerSelection.Default));
 
-    private static XDocument DrawingPicture(DrawingBuilder builder, string title = "drawing.dxf") => Written(PlotModel.OfDrawing(Analysed(builder), title));
+    private static XDocument DrawingPicture(DrawingBuilder builder, string title = "drawing.dxf") => Written(PlotModel.FromDrawing(Analysed(builder), title));
 
     private static XDocument PathPicture(DrawingBuilder builder) =>
-        Written(PlotModel.OfPath(ToolpathPlanner.Plan(Sequencer.Sequence(Analysed(builder), null, SequencingOptions.Default), Point2D.Origin, 0.001), "drawing.dxf"));
+        Written(PlotModel.FromPath(ToolpathPlanner.Plan(Sequencer.Sequence(Analysed(builder), null, SequencingOptions.Default), Point2D.Origin, 0.001), "drawing.dxf"));
 
     private static XDocument Written(PlotModel plot)
     {

@@ -19,14 +19,14 @@ public sealed class BrokenCommandTests : IDisposable
     {
         await using var session = Session(late);
 
-        var failed = Assert.IsType<InputResult.Failed>(await session.FeedAsync("BREAK", _limit.Token));
+        var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAK", _limit.Token));
         Assert.Equal((CommandFailure.Internal, "BREAK ended by an internal error (KeyNotFoundException: the drawer is empty)."), (failed.Why, failed.Sentence));
         Assert.IsType<KeyNotFoundException>(failed.Bug);
         Assert.Contains(_said, message => message.Text.Contains(nameof(BreakCommand), StringComparison.Ordinal)); // where it was
         var alarm = Assert.Single(session.Machine.Alarms.Open);
         Assert.Equal((AlarmCause.InternalError, "BREAK", true), (alarm.Cause, alarm.Where, alarm.NeedsAcknowledging));
         Assert.Equal(PromptView.Idle, session.Prompt);
-        Assert.IsType<InputResult.Done>(await session.FeedAsync("GRID", _limit.Token) is InputResult.Asking ? await session.FeedAsync("OFF", _limit.Token) : new InputResult.Cancelled());
+        Assert.IsType<InputResult.Done>(await session.EnterAsync("GRID", _limit.Token) is InputResult.Asking ? await session.EnterAsync("OFF", _limit.Token) : new InputResult.Cancelled());
     }
 
     [Fact]
@@ -34,9 +34,9 @@ public sealed class BrokenCommandTests : IDisposable
     {
         await using var session = Session(late: false);
         await File.WriteAllTextAsync(Path.Combine(_folder.FullName, "a.scr"), "GRID OFF\nBREAK\nGRID ON\n");
-        await session.FeedAsync("SCRIPT", _limit.Token);
+        await session.EnterAsync("SCRIPT", _limit.Token);
 
-        var failed = Assert.IsType<InputResult.Failed>(await session.FeedAsync("a.scr", _limit.Token));
+        var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("a.scr", _limit.Token));
         Assert.Contains("a.scr(2)", failed.Sentence, StringComparison.Ordinal);
         Assert.NotNull(failed.Bug);
         Assert.False(session.View.Current.Grid);
@@ -46,13 +46,13 @@ public sealed class BrokenCommandTests : IDisposable
     public async Task While_a_job_runs_the_machine_is_stopped()
     {
         await using var session = Session(late: false);
-        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=1", "CNCRUN" }) await session.FeedAsync(input, _limit.Token);
+        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=1", "CNCRUN" }) await session.EnterAsync(input, _limit.Token);
         var cutting = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         session.Machine.Changed += (_, _) => { if (session.Machine.Status.ToolCommanded == true) cutting.TrySetResult(); };
-        var job = session.FeedAsync("Yes", _limit.Token);
+        var job = session.EnterAsync("Yes", _limit.Token);
         await cutting.Task.WaitAsync(_limit.Token);
 
-        Assert.EndsWith("The job was stopped.", Assert.IsType<InputResult.Failed>(await session.FeedAsync("BREAK", _limit.Token)).Sentence, StringComparison.Ordinal);
+        Assert.EndsWith("The job was stopped.", Assert.IsType<InputResult.Failed>(await session.EnterAsync("BREAK", _limit.Token)).Sentence, StringComparison.Ordinal);
         Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job).Why);
         Assert.Equal((JobOutcome.Stopped, false), (session.Machine.LastRun!.Result.Outcome, session.Machine.Status.ToolCommanded!.Value));
     }
@@ -61,7 +61,7 @@ public sealed class BrokenCommandTests : IDisposable
     public async Task A_listener_that_breaks_in_the_middle_of_a_job_ends_it_with_the_machine_at_rest_and_the_tool_off()
     {
         await using var session = Session(late: false);
-        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCRUN" }) await session.FeedAsync(input, _limit.Token);
+        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:", "CNCRUN" }) await session.EnterAsync(input, _limit.Token);
         var isArmed = true;
         session.Machine.Changed += (_, _) =>
         {
@@ -70,7 +70,7 @@ public sealed class BrokenCommandTests : IDisposable
             throw new KeyNotFoundException("the window has lost a row");
         };
 
-        var failed = Assert.IsType<InputResult.Failed>(await session.FeedAsync("Yes", _limit.Token));
+        var failed = Assert.IsType<InputResult.Failed>(await session.EnterAsync("Yes", _limit.Token));
         Assert.Equal(CommandFailure.Internal, failed.Why);
         Assert.False(session.Machine.IsRunning);
         Assert.Equal((MachineState.Ready, false, 0.0), (session.Machine.Status.State, session.Machine.Status.ToolCommanded!.Value, session.Machine.Status.Speed!.Value));

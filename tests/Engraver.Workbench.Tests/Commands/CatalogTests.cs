@@ -46,11 +46,11 @@ public class CatalogTests
             await using var session = new CommandSession(environment, CommandCatalog.Built());
             session.Document.Take("OPEN", new Engraver.Workbench.Documents.DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 5, 0).Build() });
             await File.WriteAllTextAsync(Path.Combine(folder.FullName, "a.scr"), "CNCRUN\nYes\n");
-            foreach (var input in new[] { "CNCCONNECT", "sim:" }) await session.FeedAsync(input, CancellationToken.None);
+            foreach (var input in new[] { "CNCCONNECT", "sim:" }) await session.EnterAsync(input, CancellationToken.None);
 
-            Assert.Contains("CNCARM", Assert.IsType<InputResult.Failed>(await session.FeedAsync("CNCRUN", CancellationToken.None)).Sentence, StringComparison.Ordinal);
-            await session.FeedAsync("SCRIPT", CancellationToken.None);
-            Assert.IsType<InputResult.Done>(await session.FeedAsync("a.scr", CancellationToken.None));
+            Assert.Contains("CNCARM", Assert.IsType<InputResult.Failed>(await session.EnterAsync("CNCRUN", CancellationToken.None)).Sentence, StringComparison.Ordinal);
+            await session.EnterAsync("SCRIPT", CancellationToken.None);
+            Assert.IsType<InputResult.Done>(await session.EnterAsync("a.scr", CancellationToken.None));
             Assert.NotNull(session.Machine.LastRun);
         }
         finally

@@ -42,7 +42,7 @@ public class CommandGrammarTests
         await talk.TypeAsync("LAYER", "Freeze", "'ZOOM", "");
         Assert.Contains(talk.State.Drawing!.Layers, layer => layer is { Name: "'ZOOM", Frozen: true });
         await talk.TypeAsync("SAVEAS");
-        await talk.Session.FeedInsideAsync("ID", CancellationToken.None);
+        await talk.Session.EnterInsideAsync("ID", CancellationToken.None);
         Assert.Equal(">>Specify point:", talk.Session.Prompt.Text);
         await talk.TypeAsync("1,2");
         Assert.Equal("SAVEAS", talk.Session.Prompt.Command);

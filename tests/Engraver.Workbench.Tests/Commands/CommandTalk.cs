@@ -38,11 +38,11 @@ internal sealed class CommandTalk : IAsyncDisposable
         return talk;
     }
 
-    /// <summary>Feeds the inputs and answers what the last one led to.</summary>
+    /// <summary>Enters the inputs and answers what the last one led to.</summary>
     public async Task<InputResult> TypeAsync(params string[] inputs)
     {
         InputResult result = new InputResult.Done();
-        foreach (var input in inputs) result = await Session.FeedAsync(input, CancellationToken.None);
+        foreach (var input in inputs) result = await Session.EnterAsync(input, CancellationToken.None);
         return result;
     }
 

@@ -134,7 +134,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         var moving = TypeAsync(session, "CNCGOTO", "100,0");
         await SeenAsync(session.Machine, status => status is { State: MachineState.Running, MachinePosition.X: > 5 });
 
-        Assert.IsType<InputResult.NotUnderstood>(await session.FeedAsync("CNCGOTO", CancellationToken.None));
+        Assert.IsType<InputResult.NotUnderstood>(await session.EnterAsync("CNCGOTO", CancellationToken.None));
         Assert.True(session.Machine.Stop());
 
         Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
@@ -204,7 +204,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
     private static async Task<InputResult> TypeAsync(CommandSession session, params string[] inputs)
     {
         InputResult result = new InputResult.Done();
-        foreach (var input in inputs) result = await session.FeedAsync(input, CancellationToken.None);
+        foreach (var input in inputs) result = await session.EnterAsync(input, CancellationToken.None);
         return result;
     }
 

@@ -51,7 +51,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
         Assert.Contains("START", Assert.IsType<InputResult.Failed>(await RunScriptAsync(session)).Sentence, StringComparison.Ordinal);
         AssertNothingMoved(session);
         Assert.NotNull(session.Machine.Armed);
-        Assert.IsType<InputResult.Done>(await session.FeedAsync("CNCRUN", CancellationToken.None));
+        Assert.IsType<InputResult.Done>(await session.EnterAsync("CNCRUN", CancellationToken.None));
         Assert.Equal(JobOutcome.Complete, session.Machine.LastRun!.Result.Outcome);
     }
 
@@ -61,7 +61,7 @@ public sealed class ScriptedStartTests : IAsyncDisposable
         await using var session = await SessionAsync(desktop: true, "");
         await RunScriptAsync(session);
 
-        var end = Assert.IsType<InputResult.Failed>(await session.FeedLinesAsync("CNCARM Stream\r\nCNCRUN\r\n", CancellationToken.None));
+        var end = Assert.IsType<InputResult.Failed>(await session.EnterLinesAsync("CNCARM Stream\r\nCNCRUN\r\n", CancellationToken.None));
 
         Assert.Contains("pasted lines(2)", end.Sentence, StringComparison.Ordinal);
         Assert.Contains("START", end.Sentence, StringComparison.Ordinal);
@@ -98,8 +98,8 @@ public sealed class ScriptedStartTests : IAsyncDisposable
 
     private static async Task<InputResult> RunScriptAsync(CommandSession session)
     {
-        await session.FeedAsync("SCRIPT", CancellationToken.None);
-        return await session.FeedAsync("job.scr", CancellationToken.None);
+        await session.EnterAsync("SCRIPT", CancellationToken.None);
+        return await session.EnterAsync("job.scr", CancellationToken.None);
     }
 
     private void AssertNothingMoved(CommandSession session)

@@ -14,7 +14,7 @@ internal sealed class BlockContent(BlockDefinition block, CurveColumns columns, 
         columns.Add(shape.ToEntity(record), shape.Parts, shape.Curves);
         block.EndCurve = columns.Count;
         foreach (var curve in shape.Curves) block.ExtraSteps += (long)curve.Spans.Length * (curve.Spans[0].Degree + 1) / 2;
-        block.Troubles.AddRange(shape.Oddities);
+        block.Issues.AddRange(shape.Oddities);
     }
 
     public void AddCurves(EntityRecord record, IReadOnlyList<CurveShape> shapes)
@@ -24,7 +24,7 @@ internal sealed class BlockContent(BlockDefinition block, CurveColumns columns, 
 
     public void AddText(PlacedText text) => block.Texts.Add(text);
 
-    public void Note(in RecordIssue oddity) => block.Troubles.Add(oddity);
+    public void Note(in RecordIssue oddity) => block.Issues.Add(oddity);
 
     public void AddInsert(EntityRecord record, in BlockInsert insert, int attributes)
     {
@@ -40,10 +40,10 @@ internal sealed class BlockContent(BlockDefinition block, CurveColumns columns, 
         block.Construction[(record.Type, record.Layer)] = (known.Item1 + 1, known.Item2);
     }
 
-    public void Refuse(EntityRecord record, in RecordIssue trouble)
+    public void Refuse(EntityRecord record, in RecordIssue issue)
     {
-        block.Troubles.Add(trouble);
-        if (trouble.ConcernsMore) balance.AddInBlock(trouble);
+        block.Issues.Add(issue);
+        if (issue.ConcernsMore) balance.AddInBlock(issue);
     }
 
     private void Count(string type, int count) => block.Annotations[type] = block.Annotations.GetValueOrDefault(type) + count;

@@ -6,7 +6,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Puts the curves of a block into the drawing, once for every copy. What it would cost is known before the first curve is placed.</summary>
+/// <summary>Puts the curves of a block into the drawing, once for every copy. The cost is known before the first curve is placed.</summary>
 internal sealed class BlockExpander(
     IReadOnlyDictionary<int, BlockDefinition> blocks,
     NameTable blockNames,
@@ -26,7 +26,7 @@ internal sealed class BlockExpander(
     private BlockWalk? _walk;
     private long _steps;
 
-    /// <summary>Expands an insert of model space. Returns why nothing or not everything came of it, null when all went well.</summary>
+    /// <summary>Expands an insert of model space. Returns the finding when nothing, or not everything, was drawn; null when all went well.</summary>
     public RecordIssue? Expand(in BlockInsert insert)
     {
         var name = blockNames[insert.Block];
@@ -45,14 +45,14 @@ internal sealed class BlockExpander(
         return weight.Loses || weight.Curves > 0 ? insert.Finding(DxfRules.NothingInserted, name) : null;
     }
 
-    /// <summary>Tells the findings of a block and of all it leads to, once.</summary>
+    /// <summary>Reports the findings of a block and of all blocks nested in it, once.</summary>
     private void Report(BlockDefinition first)
     {
         var open = new Stack<BlockDefinition>([first]);
         while (open.TryPop(out var block))
         {
             if (!_reported.Add(block)) continue;
-            foreach (var trouble in block.Troubles.Where(trouble => !trouble.ConcernsMore)) balance.AddInBlock(trouble); // the others have been told
+            foreach (var issue in block.Issues.Where(issue => !issue.ConcernsMore)) balance.AddInBlock(issue); // the others were reported when they were read
             foreach (var nested in block.Inserts)
             {
                 if (nested.Obstacle is null) open.Push(blocks[nested.Insert.Block]);
@@ -91,7 +91,7 @@ internal sealed class BlockExpander(
         drawing.Add(entity, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_parts), _curves);
     }
 
-    /// <summary>A scale of zero can leave nothing of a part.</summary>
+    /// <summary>True for a part without length; a scale of zero makes some.</summary>
     private bool IsPoint(in DrawingPart part) => part.IsFreeCurve ? IsPoint(_curves[part.CurveIndex]) : part.Kind == SegmentKind.Line ? part.A == part.D && part.B == part.E && part.C == part.F : part.D == 0.0;
 
     private static bool IsPoint(RationalCurve curve)
@@ -104,7 +104,7 @@ internal sealed class BlockExpander(
         return true;
     }
 
-    /// <summary>Reports a block's curve once, however often it is placed.</summary>
+    /// <summary>Reports a block's curve once, even if it is placed many times.</summary>
     private void Tell(int index, PlacementOutcome outcome)
     {
         var refused = outcome == PlacementOutcome.OutOfRange;

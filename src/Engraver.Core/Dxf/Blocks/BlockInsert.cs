@@ -6,7 +6,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>An INSERT as written: which block, where and how often. The block's base point is not yet taken off.</summary>
+/// <summary>An INSERT as written: which block, where and how often. The block's base point is not yet subtracted.</summary>
 internal readonly record struct BlockInsert
 {
     private const int MostCopies = short.MaxValue;
@@ -23,18 +23,18 @@ internal readonly record struct BlockInsert
         Columns = Math.Clamp(record.Flags(70), 1, MostCopies);
         Rows = Math.Clamp(record.Flags(71), 1, MostCopies);
         var direction = record.Extrusion();
-        var system = direction == default ? Placement.Identity : Placement.OfExtrusion(direction);
+        var system = direction == default ? Placement.Identity : Placement.FromExtrusion(direction);
         var rotation = Angle.FromDegrees(record.Number(50, 0.0));
         ZeroScaleCode = record.Number(41, 1.0) == 0.0 ? 41 : record.Number(42, 1.0) == 0.0 ? 42 : 0;
         var scale = new Vector3D(record.Number(41, 1.0), record.Number(42, 1.0), record.Number(43, 1.0));
-        Placement = system.After(Placement.OfInsert(scale, rotation).MovedBy(record.Point(10)));
+        Placement = system.After(Placement.FromInsert(scale, rotation).MovedBy(record.Point(10)));
         ColumnStep = system.ApplyToDirection(new Vector3D(rotation.Cos(), rotation.Sin(), 0.0) * record.Number(44, 0.0));
         RowStep = system.ApplyToDirection(new Vector3D(-rotation.Sin(), rotation.Cos(), 0.0) * record.Number(45, 0.0));
     }
 
     public string Type { get; }
 
-    /// <summary>The group of a scale that leaves nothing of the block's width (41) or height (42); 0 when neither does.</summary>
+    /// <summary>Group code of a scale factor of zero: 41 (no width is left) or 42 (no height); 0 when neither is zero.</summary>
     public int ZeroScaleCode { get; }
 
     /// <summary>Number of the block's name.</summary>
@@ -54,17 +54,17 @@ internal readonly record struct BlockInsert
 
     public int Rows { get; }
 
-    /// <summary>Scale, turn, own system and insertion point.</summary>
+    /// <summary>Scale, rotation, the insert's own system and insertion point.</summary>
     public Placement Placement { get; }
 
-    /// <summary>From one copy of an array to the next; the scale does not stretch it, the rotation turns it.</summary>
+    /// <summary>From one copy of an array to the next column; rotated with the insert but not scaled.</summary>
     public Vector3D ColumnStep { get; }
 
     public Vector3D RowStep { get; }
 
     public long Copies => (long)Columns * Rows;
 
-    /// <summary>Where one copy of the block lies, its base point taken off.</summary>
+    /// <summary>Placement of one copy of the block, with the base point subtracted.</summary>
     public Placement Copy(int column, int row, Vector3D basePoint) =>
         Placement.MovedBy((ColumnStep * column) + (RowStep * row) - Placement.ApplyToDirection(basePoint));
 
@@ -76,9 +76,9 @@ internal sealed class NestedInsert(BlockInsert insert, int beforeCurve)
 {
     public BlockInsert Insert { get; } = insert;
 
-    /// <summary>Index of the block's curve in front of which it is drawn.</summary>
+    /// <summary>Index of the block's curve before which it is drawn.</summary>
     public int BeforeCurve { get; } = beforeCurve;
 
-    /// <summary>Why it is not expanded; null when it is. Known once the block has been weighed.</summary>
+    /// <summary>Why it is not expanded; null when it is. Set when the block's weight is computed.</summary>
     public DiagnosticRule? Obstacle { get; set; }
 }

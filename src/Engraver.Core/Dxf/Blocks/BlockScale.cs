@@ -2,12 +2,12 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Weighs blocks before anything is expanded: how many curves, which nested inserts cannot be followed. Linear in the number of inserts.</summary>
+/// <summary>Computes the weight of blocks before anything is expanded: how many curves, and which nested inserts cannot be followed. Linear in the number of inserts.</summary>
 internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> blocks)
 {
     private readonly HashSet<BlockDefinition> _open = [];
 
-    /// <summary>The weight of a block; nested inserts that lead nowhere or back get their obstacle and weigh nothing.</summary>
+    /// <summary>The weight of a block. A nested insert without a block, or of a block that contains itself, gets its obstacle and weighs nothing.</summary>
     public BlockWeight Weigh(BlockDefinition block)
     {
         if (block.Weight is { } known) return known;
@@ -51,7 +51,7 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> block
         var steps = BlockWeight.Sum(curves + block.Inserts.Count, block.ExtraSteps);
         long textSteps = block.Texts.Count;
         long constructionSteps = block.Construction.Count;
-        var loses = block.Troubles.Exists(trouble => trouble.Refused);
+        var loses = block.Issues.Exists(issue => issue.Refused);
         var annotations = new Dictionary<string, long>(block.Annotations, StringComparer.Ordinal);
         foreach (var nested in block.Inserts)
         {
@@ -69,26 +69,26 @@ internal sealed class BlockScale(IReadOnlyDictionary<int, BlockDefinition> block
         return new BlockWeight(curves, steps, loses, annotations, textSteps, constructionSteps);
     }
 
-    /// <summary>Adds texts and points, a copy's amount times the copies.</summary>
+    /// <summary>Adds counts of texts and points, multiplied by the number of copies.</summary>
     public static void AddAnnotations(Dictionary<string, long> sums, IReadOnlyDictionary<string, long> added, long copies)
     {
         foreach (var (type, count) in added) sums[type] = BlockWeight.Sum(sums.GetValueOrDefault(type), BlockWeight.Times(copies, count));
     }
 }
 
-/// <summary>What one copy of a block amounts to. Sums stop at <see cref="Most"/>, so that no nesting can overflow them.</summary>
+/// <summary>What one copy of a block contains and costs. Sums are limited to <see cref="Most"/>, so that no nesting can overflow them.</summary>
 /// <param name="Curves">Curves after full expansion.</param>
-/// <param name="Steps">Curves and inserts that an expansion visits; an insert that brings no curve is looked at, not followed.</param>
+/// <param name="Steps">Curves and inserts that an expansion visits; an insert without curves counts, but its content does not.</param>
 /// <param name="Loses">True when something in it was refused.</param>
 /// <param name="Annotations">Texts and points after full expansion, by type.</param>
-/// <param name="TextSteps">Texts and the inserts on the way to them; 0 when there is no text in it.</param>
-/// <param name="ConstructionSteps">Counts of construction (a type on a layer) and the inserts on the way to them; 0 when there is none in it.</param>
+/// <param name="TextSteps">Texts, and the inserts that lead to them; 0 when there is no text in it.</param>
+/// <param name="ConstructionSteps">Counts of construction (a type on a layer), and the inserts that lead to them; 0 when there is none in it.</param>
 internal sealed record BlockWeight(long Curves, long Steps, bool Loses, IReadOnlyDictionary<string, long> Annotations, long TextSteps, long ConstructionSteps)
 {
     public const long Most = long.MaxValue / 4;
 
     public static long Sum(long left, long right) => Math.Min(left + right, Most);
 
-    /// <summary>Copies times a sum; copies are at most 32767 x 32767.</summary>
+    /// <summary>Copies times an amount, at most <see cref="Most"/>; copies are at most 32767 x 32767.</summary>
     public static long Times(long copies, long amount) => amount > Most / copies ? Most : copies * amount;
 }

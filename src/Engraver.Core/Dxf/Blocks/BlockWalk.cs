@@ -4,15 +4,15 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Walks through every copy of a block and of what is nested in it, in the order in which they are drawn. The way back is kept in a list, so the nesting may be of any depth.</summary>
+/// <summary>Visits every copy of a block and of what is nested in it, in drawing order. Uses a stack of its own, so that nesting may be of any depth.</summary>
 internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, IBlockVisitor visitor, CancellationToken cancellation)
 {
     private readonly List<Visit> _open = [];
 
-    /// <summary>Walks through an insert of model space; its block has been weighed.</summary>
+    /// <summary>Visits an insert of model space; the weight of its block is known.</summary>
     public void Through(in BlockInsert insert, BlockDefinition block)
     {
-        Open(insert, block, Placement.Identity, InsertStyle.OfModelSpace(insert));
+        Open(insert, block, Placement.Identity, InsertStyle.FromModelSpace(insert));
         while (_open.Count > 0)
         {
             ref var visit = ref CollectionsMarshal.AsSpan(_open)[^1];
@@ -38,7 +38,7 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
         visitor.Enter(visit.Block, visit.At, visit.Style);
     }
 
-    /// <summary>Draws as far as the next nested insert and goes into that. The visit must not be used afterwards: the list may have moved.</summary>
+    /// <summary>Draws up to the next nested insert and enters that. The visit must not be used afterwards: the list may have been reallocated.</summary>
     private void Nested(ref Visit visit)
     {
         var nested = visit.Block.Inserts[visit.Nested++];
@@ -59,7 +59,7 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
         visit.Curve = end;
     }
 
-    /// <summary>An insert that is under way.</summary>
+    /// <summary>An insert that is being visited.</summary>
     private struct Visit
     {
         public BlockInsert Insert;
@@ -67,7 +67,7 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
         public Placement Outer;
         public InsertStyle Style;
 
-        /// <summary>Row by row, from 0.</summary>
+        /// <summary>Number of the copy in an array, row by row, from 0.</summary>
         public long Copy;
         public Placement At;
 
@@ -79,15 +79,15 @@ internal sealed class BlockWalk(IReadOnlyDictionary<int, BlockDefinition> blocks
     }
 }
 
-/// <summary>Takes what a <see cref="BlockWalk"/> comes by.</summary>
+/// <summary>Receives what a <see cref="BlockWalk"/> visits.</summary>
 internal interface IBlockVisitor
 {
-    /// <summary>False for a block of which nothing is wanted, with all that is nested in it.</summary>
+    /// <summary>False to skip a block and everything nested in it.</summary>
     bool Wants(BlockWeight weight);
 
-    /// <summary>A copy of a block begins.</summary>
+    /// <summary>Called at the beginning of a copy of a block.</summary>
     void Enter(BlockDefinition block, in Placement at, in InsertStyle style);
 
-    /// <summary>Curves of the copy, in their order; between two calls come the inserts that stand between them.</summary>
+    /// <summary>Curves of the copy, in order; the inserts between them come between two calls.</summary>
     void Curves(int first, int end, in Placement at, in InsertStyle style);
 }

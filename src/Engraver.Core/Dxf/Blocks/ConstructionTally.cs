@@ -6,10 +6,10 @@ using Engraver.Core.Dxf.Text;
 
 namespace Engraver.Core.Dxf.Blocks;
 
-/// <summary>Counts construction that can be seen, by type and layer; of blocks once for every copy, as far as the limit goes. Texts are not counted here: they are kept (<see cref="TextExpander"/>).</summary>
+/// <summary>Counts visible construction by type and layer; in blocks once for every copy, up to the limit. Texts are not counted here: they are kept (<see cref="TextExpander"/>).</summary>
 internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
 {
-    /// <summary>Counts of blocks and the inserts on the way to them. A drawing beyond it is told with fewer than there are, but never with none.</summary>
+    /// <summary>Most counts and inserts that are visited. In a larger drawing the reported numbers are too small, but never zero.</summary>
     private const int MostSteps = 1_000_000;
 
     private readonly Dictionary<(string Type, int Layer), (long Count, SourceRef First)> _counts = [];
@@ -17,7 +17,7 @@ internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition
     private long _steps;
 
     /// <summary>True for a record that is drawn and counted here.</summary>
-    /// <param name="inBlock">A block's ATTDEF is a form to be filled in: what is seen is the ATTRIB of each insert.</param>
+    /// <param name="inBlock">True in a block, where an ATTDEF is not counted: it is a template, and the ATTRIB of each insert is what is seen.</param>
     public static bool Counts(EntityRecord record, bool inBlock) =>
         !record.Invisible && record.Kind is not (RecordKind.Text or RecordKind.Attribute or RecordKind.Insert) && record.Type != "VIEWPORT" && !(inBlock && record.Type == "ATTDEF");
 
@@ -25,13 +25,13 @@ internal sealed class ConstructionTally(IReadOnlyDictionary<int, BlockDefinition
 
     public void Add(EntityRecord record) => Add(record.Type, record.Layer, 1, SourceOf(record));
 
-    /// <summary>Counts what an insert of model space brings. Its block has been weighed.</summary>
+    /// <summary>Counts what an insert of model space contains. The weight of its block is known.</summary>
     public void Expand(in BlockInsert insert)
     {
         if (!blocks.TryGetValue(insert.Block, out var block) || block.Weight is not { ConstructionSteps: > 0 } weight) return;
         _steps = BlockWeight.Sum(_steps, BlockWeight.Times(insert.Copies, weight.ConstructionSteps));
         if (_steps <= MostSteps) (_walk ??= new BlockWalk(blocks, layers, this, cancellation)).Through(insert, block);
-        else Enter(block, Placement.Identity, InsertStyle.OfModelSpace(insert) with { Hidden = insert.Invisible || layers.IsFrozen(insert.Layer) });
+        else Enter(block, Placement.Identity, InsertStyle.FromModelSpace(insert) with { Hidden = insert.Invisible || layers.IsFrozen(insert.Layer) });
     }
 
     public IReadOnlyList<ConstructionCount> ToCounts() =>

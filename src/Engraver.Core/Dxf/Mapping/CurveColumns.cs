@@ -10,14 +10,14 @@ internal sealed class CurveColumns
 
     public GrowingColumn<DrawingPart> Parts { get; } = new();
 
-    /// <summary>Ellipses and splines of the parts that are such.</summary>
+    /// <summary>Ellipses and splines that parts refer to.</summary>
     public List<RationalCurve> Curves { get; } = [];
 
     public int Count => Entities.Count;
 
-    /// <param name="entity">The row; its parts are placed here.</param>
+    /// <param name="entity">The row; the position of its parts is filled in here.</param>
     /// <param name="parts">Ellipses and splines refer to <paramref name="curves"/>.</param>
-    /// <param name="curves">Side column of these parts alone.</param>
+    /// <param name="curves">Ellipses and splines of these parts alone.</param>
     public void Add(DrawingEntity entity, ReadOnlySpan<DrawingPart> parts, IReadOnlyList<RationalCurve> curves)
     {
         entity.FirstPart = Parts.Count;

@@ -7,10 +7,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>Turns a record into the curve it draws, in world coordinates (inside a block: the block's). A record that cannot be taken gets a fault.</summary>
+/// <summary>Turns a record into the curve it draws, in world coordinates (inside a block: the block's). A record that cannot be read gets a fault.</summary>
 internal sealed class CurveMapper
 {
-    /// <summary>Slope under which an ellipse passes for a level one.</summary>
+    /// <summary>Slope below which an ellipse counts as level.</summary>
     private const double LevelSlope = 1e-6;
 
     private readonly List<PolylineVertex> _vertices = [];
@@ -23,7 +23,7 @@ internal sealed class CurveMapper
         Shape.Begin(CurveType.Line);
         var start = record.Point(10);
         var end = record.Point(11);
-        // Without length, too: a drawing's box includes the spot (corpus convention).
+        // A line without length is kept too: the drawing's box includes its point, as other DXF readers have it.
         Shape.Add(DrawingPart.Line(0, start.X, start.Y, start.Z, end.X, end.Y, end.Z));
         if (start.X == end.X && start.Y == end.Y) Note(record, DxfRules.NoLength, start.Z == end.Z ? "" : " as seen from above");
         Finish(record);
@@ -73,7 +73,7 @@ internal sealed class CurveMapper
     }
 
     /// <param name="record">The polyline with its sequence of vertices.</param>
-    /// <param name="atEndOfFile">True when the file stops behind the record, so that vertices may be missing.</param>
+    /// <param name="atEndOfFile">True when the file stops after the record, so that vertices may be missing.</param>
     public void LwPolyline(EntityRecord record, bool atEndOfFile)
     {
         Shape.Begin(CurveType.LwPolyline);
@@ -91,7 +91,7 @@ internal sealed class CurveMapper
         _vertices.Clear();
     }
 
-    /// <summary>The vertices stopped without SEQEND though the file goes on.</summary>
+    /// <summary>Notes that the vertices stopped without SEQEND although the file goes on.</summary>
     public void NoteMissingEnd(EntityRecord record) => Note(record, DxfRules.PolylineWithoutEnd, "");
 
     /// <summary>Adds a VERTEX. Control points of a spline frame (flag 16) are not drawn.</summary>
@@ -103,7 +103,7 @@ internal sealed class CurveMapper
         if ((vertex.Flags(70) & PolylineFlags.FrameVertex) == 0) _vertices.Add(new PolylineVertex(point.X, point.Y, point.Z, bulge));
     }
 
-    /// <summary>The curve of a POLYLINE whose vertices have been added. A flat one lies at its own elevation, a 3D one where its vertices are.</summary>
+    /// <summary>The curve of a POLYLINE whose vertices have been added. A 2D polyline lies at its own elevation, a 3D one where its vertices are.</summary>
     public void FinishPolyline(EntityRecord record)
     {
         var flags = record.Flags(70);
@@ -147,7 +147,7 @@ internal sealed class CurveMapper
         if (_vertices.Exists(vertex => double.IsNaN(vertex.Y))) record.Refuse(DxfRules.MissingValue, record.Line, "20 for one of its vertices");
     }
 
-    /// <summary>Group 90 (the announced number of vertices) is compared with the vertices read and never relied on: a damaged file may say anything.</summary>
+    /// <summary>Compares group 90 (announced number of vertices) with the vertices read, without relying on it: a damaged file may say anything.</summary>
     private void CheckCount(EntityRecord record, bool atEndOfFile)
     {
         var declared = record.Number(90, _vertices.Count);

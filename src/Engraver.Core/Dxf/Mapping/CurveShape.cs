@@ -4,10 +4,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>The curve that a record draws, before it goes into the columns. Filled again for every record.</summary>
+/// <summary>The curve that a record draws, before it goes into the columns. Used again for every record.</summary>
 internal sealed class CurveShape
 {
-    /// <summary>Grows from nothing: a hatch may have a million loops, each a shape of its own.</summary>
+    /// <summary>Empty at first: a hatch may have a million loops, each with a shape of its own.</summary>
     private DrawingPart[] _parts = [];
     private int _count;
 
@@ -15,17 +15,17 @@ internal sealed class CurveShape
 
     public bool Closed { get; set; }
 
-    /// <summary>What is odd about the record though it was taken.</summary>
+    /// <summary>Findings about the record, which was taken all the same.</summary>
     public List<RecordIssue> Oddities { get; } = [];
 
     public ReadOnlySpan<DrawingPart> Parts => _parts.AsSpan(0, _count);
 
-    /// <summary>The parts that are ellipses or splines refer to these.</summary>
+    /// <summary>Ellipses and splines that its parts refer to.</summary>
     public List<RationalCurve> Curves { get; } = [];
 
     public Span<DrawingPart> MutableParts => _parts.AsSpan(0, _count);
 
-    /// <summary>False when a factor (a ratio, a bulge, a weight) carried a value beyond what can be reckoned with, though every number was usable as written.</summary>
+    /// <summary>False when a factor (a ratio, a bulge, a weight) made a value too large to compute with, though every number in the record was usable.</summary>
     public bool IsInRange
     {
         get
@@ -39,7 +39,7 @@ internal sealed class CurveShape
         }
     }
 
-    /// <summary>The row for the column of entities; its parts are still to be placed.</summary>
+    /// <summary>The row for the column of entities; the position of its parts is filled in later.</summary>
     public DrawingEntity ToEntity(EntityRecord record) => new()
     {
         SourceLine = record.Line,
@@ -66,7 +66,7 @@ internal sealed class CurveShape
         _parts[_count++] = part;
     }
 
-    /// <summary>Adds an ellipse: as arc or circle where it is one in plan, which every machine cuts exactly.</summary>
+    /// <summary>Adds an ellipse; as an arc or circle where it is one in plan, because every machine cuts those exactly.</summary>
     public void Add(in EllipseArc ellipse)
     {
         if (ellipse.IsCircular) Add(DrawingPart.Arc(0, ellipse.ToArc(), ellipse.Centre.Z));

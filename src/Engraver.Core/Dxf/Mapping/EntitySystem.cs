@@ -3,10 +3,10 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>From the system in which an entity is written (OCS, given by its extrusion direction) to the world.</summary>
+/// <summary>Transforms from the system in which an entity is written (OCS, given by its extrusion direction) to the world.</summary>
 internal static class EntitySystem
 {
-    /// <summary>Puts every part of the shape where it lies in the world; says so when the entity is tilted, and refuses it when a coordinate grows too large.</summary>
+    /// <summary>Transforms every part of the shape to the world; notes a tilted entity, and refuses one with a coordinate that is too large.</summary>
     public static void Lift(EntityRecord record, CurveShape shape)
     {
         var direction = record.Extrusion();
@@ -16,7 +16,7 @@ internal static class EntitySystem
             return;
         }
 
-        var system = Placement.OfExtrusion(direction);
+        var system = Placement.FromExtrusion(direction);
         if (system.IsIdentity) return;
         var worst = PlacementOutcome.Exact;
         var before = shape.Curves.ToList();

@@ -16,7 +16,7 @@ internal static class HatchEdge
         return otherwise;
     }
 
-    /// <summary>The flat vector of a code and code + 10; null when it is not there or has no length.</summary>
+    /// <summary>The 2D vector of a code and code + 10; null when it is missing or has no length.</summary>
     public static Vector3D? Vector(ReadOnlySpan<CodedNumber> edge, int code)
     {
         var vector = new Vector3D(Value(edge, code, 0.0), Value(edge, code + 10, 0.0), 0.0);
@@ -38,7 +38,7 @@ internal static class HatchEdge
         if (radius > 0.0 && sweep != 0.0) shape.Add(Drawings.DrawingPart.Arc(0, new ArcSegment(Point(edge, 10), radius, Angle.FromDegrees(start), Angle.FromDegrees(sweep)), elevation));
     }
 
-    /// <summary>Adds an elliptical edge. Its angles are true angles from the major axis, not the parameters of an ELLIPSE: only so do the edges of real boundaries meet.</summary>
+    /// <summary>Adds an elliptical edge. Its angles are true angles from the major axis, unlike the parameters of an ELLIPSE: only with this reading do the edges of real boundaries meet.</summary>
     public static void AddEllipse(ReadOnlySpan<CodedNumber> edge, double elevation, CurveShape shape)
     {
         var (centre, major, ratio) = (Point(edge, 10), Point(edge, 11), Value(edge, 40, 1.0));
@@ -61,7 +61,7 @@ internal static class HatchEdge
         return Value(edge, 73, 1.0) == 0.0 ? (-start, -sweep) : (start, sweep);
     }
 
-    /// <summary>The parameter whose place on the ellipse is seen at this angle, in the same quarter turn.</summary>
+    /// <summary>The ellipse parameter of the point at this true angle, in the same quarter turn.</summary>
     private static double ToParameter(double degrees, double ratio)
     {
         var angle = Angle.FromDegrees(degrees);

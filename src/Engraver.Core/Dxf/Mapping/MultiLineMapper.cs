@@ -5,7 +5,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>The lines of an MLINE (DXF reference): element n runs through vertex + mitre direction times the first of its parameters at every vertex, so scale, justification and mitres are already in it. Breaks are not followed.</summary>
+/// <summary>The lines of an MLINE (DXF reference): element n passes through vertex + mitre direction times its first parameter at every vertex, which includes scale, justification and mitres. Breaks are ignored.</summary>
 internal static class MultiLineMapper
 {
     private const int ClosedFlag = 2;
@@ -20,7 +20,7 @@ internal static class MultiLineMapper
         var closed = (flags & ClosedFlag) != 0;
         for (var element = 0; element < elements; element++) Add(shapes, shape => VertexRun.Connect([.. rows.Select(row => row[element])], closed, shape));
         if (elements < 2 || rows.Count < 2) return;
-        foreach (var row in rows) row.RemoveRange(elements, row.Count - elements); // a damaged vertex may have more of them than another
+        foreach (var row in rows) row.RemoveRange(elements, row.Count - elements); // a damaged vertex may have more elements than another
         var style = styles[record.TextOf(2)];
         if (style.HasFlag(MultiLineStyleFlags.Joints))
         {
@@ -32,7 +32,7 @@ internal static class MultiLineMapper
         if ((flags & NoEndCap) == 0) Cap(shapes, rows[^1], rows[^2], (int)style / (int)MultiLineStyleFlags.EndLine);
     }
 
-    /// <summary>For each vertex where its elements cross it.</summary>
+    /// <summary>For each vertex the points at which its elements cross the mitre.</summary>
     private static List<List<Vector3D>> Rows(ReadOnlySpan<CodedNumber> pairs)
     {
         var rows = new List<List<Vector3D>>();
@@ -48,7 +48,7 @@ internal static class MultiLineMapper
         return rows;
     }
 
-    /// <summary>Group 74 announces the parameters of the next element; the first 41 behind it is the way along the mitre.</summary>
+    /// <summary>Group 74 announces the parameters of the next element; the first 41 after it is the distance along the mitre.</summary>
     private static List<Vector3D> Crossings(ReadOnlySpan<CodedNumber> vertex)
     {
         var points = new List<Vector3D>();
@@ -80,7 +80,7 @@ internal static class MultiLineMapper
         }
     }
 
-    /// <summary>The half circle over two ends that lies away from where the line goes on.</summary>
+    /// <summary>The half circle over two ends, on the side away from the multiline.</summary>
     private static void HalfCircle(Vector3D from, Vector3D to, Vector3D inside, CurveShape shape)
     {
         var (start, end) = (new Point2D(from.X, from.Y), new Point2D(to.X, to.Y));

@@ -42,7 +42,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
         if (Shapes.Count == 0) record.Refuse(DxfRules.OutlineUnusable, record.Line, "no edge with a length");
     }
 
-    /// <summary>A leader's vertices stand in the world; 72 = 1 draws a spline through them.</summary>
+    /// <summary>A leader's vertices are in world coordinates; 72 = 1 draws a spline through them.</summary>
     private void Leader(EntityRecord record)
     {
         var points = new List<Vector3D>();
@@ -58,7 +58,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
         Shapes.Add(shape);
     }
 
-    /// <summary>A helix carries its exact spline in front of its own values.</summary>
+    /// <summary>A helix holds its exact spline before its own values.</summary>
     private void Helix(EntityRecord record)
     {
         var own = record.Sequence.FindIndex(pair => pair.Code == 100 && record.Texts[(int)pair.Value].Value == "AcDbHelix");

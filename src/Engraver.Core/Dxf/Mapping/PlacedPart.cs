@@ -6,17 +6,17 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>What a placement makes of a part: a line stays a line, an arc stays one or becomes an ellipse, ellipses and splines stay what they are.</summary>
+/// <summary>Transforms a part by a placement: a line stays a line, an arc stays one or becomes an ellipse, ellipses and splines stay what they are.</summary>
 internal static class PlacedPart
 {
-    /// <summary>Slope under which a tilted circle passes for a flat one: its plan is then an ellipse whose axes differ by less than 1e-12 of the radius.</summary>
+    /// <summary>Slope below which a tilted circle counts as level: its plan is then an ellipse whose axes differ by less than 1e-12 of the radius.</summary>
     private const double FlatSlope = 1e-6;
 
-    /// <param name="part">The part before; an ellipse or spline refers to <paramref name="curves"/>.</param>
+    /// <param name="part">The part; an ellipse or spline refers to <paramref name="curves"/>.</param>
     /// <param name="curves">Side column of the part.</param>
-    /// <param name="placement">Where it goes.</param>
+    /// <param name="placement">The map to apply.</param>
     /// <param name="placedCurves">Receives the curve when the placed part is an ellipse or spline, which then refers to it.</param>
-    /// <param name="placed">The part after.</param>
+    /// <param name="placed">The transformed part.</param>
     public static PlacementOutcome Try(in DrawingPart part, List<RationalCurve> curves, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
     {
         if (part.Kind == SegmentKind.Line) return TryLine(part, placement, out placed);
@@ -39,7 +39,7 @@ internal static class PlacedPart
         return InRange(start) && InRange(end) ? PlacementOutcome.Exact : PlacementOutcome.OutOfRange;
     }
 
-    /// <summary>An arc stays an arc when x and y axis stay level, square and equally long; a mirror turns its sense round.</summary>
+    /// <summary>An arc stays an arc when x and y axis stay level, perpendicular and equally long; a mirror reverses its direction.</summary>
     private static PlacementOutcome TryArc(in DrawingPart part, in Placement placement, List<RationalCurve> placedCurves, out DrawingPart placed)
     {
         placed = part;
@@ -73,7 +73,7 @@ internal static class PlacedPart
         return IsLevel(placement) ? PlacementOutcome.Exact : PlacementOutcome.Tilted;
     }
 
-    /// <summary>An affine map of homogeneous points: displacements grow with the weight.</summary>
+    /// <summary>Applies an affine map to homogeneous points: displacements are multiplied by the weight.</summary>
     private static BezierSpan Placed(BezierSpan span, in Placement placement)
     {
         var points = span.Homogeneous.ToArray();
@@ -113,13 +113,13 @@ internal static class PlacedPart
     }
 }
 
-/// <summary>What became of a placed part.</summary>
+/// <summary>Result of transforming a part.</summary>
 internal enum PlacementOutcome
 {
-    /// <summary>It is where it belongs, the same in space (a circle may have become an ellipse).</summary>
+    /// <summary>Transformed exactly (a circle may have become an ellipse).</summary>
     Exact,
 
-    /// <summary>It is where it belongs but does not lie level: the plan view is cut.</summary>
+    /// <summary>Transformed exactly but not level: its plan view is cut.</summary>
     Tilted,
 
     /// <summary>A coordinate is no longer a usable number.</summary>

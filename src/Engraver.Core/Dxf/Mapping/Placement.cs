@@ -2,10 +2,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>An affine map of space: where the axes and the origin of a block or of an entity's own system (OCS) come to lie in the world.</summary>
+/// <summary>An affine map of space: axes and origin of a block, or of an entity's own system (OCS), in the world.</summary>
 internal readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector3D ZAxis, Vector3D Origin)
 {
-    /// <summary>Below this slope of the extrusion AutoCAD takes the world's y axis as helper, above it the z axis (DXF reference, "Arbitrary Axis Algorithm").</summary>
+    /// <summary>Extrusions with x and y below this use the world's y axis as helper, others the z axis (DXF reference, "Arbitrary Axis Algorithm").</summary>
     private const double NearWorldZ = 1.0 / 64.0;
 
     public static Placement Identity { get; } = new(new(1.0, 0.0, 0.0), new(0.0, 1.0, 0.0), new(0.0, 0.0, 1.0), default);
@@ -13,7 +13,7 @@ internal readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector
     public bool IsIdentity => this == Identity;
 
     /// <summary>The entity system that belongs to an extrusion direction. It must not be the zero vector.</summary>
-    public static Placement OfExtrusion(Vector3D direction)
+    public static Placement FromExtrusion(Vector3D direction)
     {
         if (direction is { X: 0.0, Y: 0.0 }) return direction.Z > 0.0 ? Identity : new(new(-1.0, 0.0, 0.0), new(0.0, 1.0, 0.0), new(0.0, 0.0, -1.0), default);
         var normal = direction.Unit();
@@ -23,8 +23,8 @@ internal readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector
         return new Placement(x, normal.Cross(x), normal, default);
     }
 
-    /// <summary>Scale, then turn about z: what an INSERT does to its block, in the insert's own system.</summary>
-    public static Placement OfInsert(Vector3D scale, Angle rotation) => new(
+    /// <summary>Scale, then rotation about z: what an INSERT does to its block, in the insert's own system.</summary>
+    public static Placement FromInsert(Vector3D scale, Angle rotation) => new(
         new(scale.X * rotation.Cos(), scale.X * rotation.Sin(), 0.0),
         new(-scale.Y * rotation.Sin(), scale.Y * rotation.Cos(), 0.0),
         new(0.0, 0.0, scale.Z),
@@ -34,7 +34,7 @@ internal readonly record struct Placement(Vector3D XAxis, Vector3D YAxis, Vector
 
     public Vector3D ApplyToDirection(Vector3D direction) => (XAxis * direction.X) + (YAxis * direction.Y) + (ZAxis * direction.Z);
 
-    /// <summary>First <paramref name="inner"/>, then this.</summary>
+    /// <summary>The map that applies <paramref name="inner"/> first, then this.</summary>
     public Placement After(Placement inner) =>
         new(ApplyToDirection(inner.XAxis), ApplyToDirection(inner.YAxis), ApplyToDirection(inner.ZAxis), Apply(inner.Origin));
 

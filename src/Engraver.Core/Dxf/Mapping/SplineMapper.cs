@@ -6,15 +6,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>Turns a SPLINE record into its curve. Control points count; a spline of fit points alone is interpolated. What it announces (72, 73, 74) is not believed.</summary>
+/// <summary>Turns a SPLINE record into its curve. Control points come first; a spline with fit points only is interpolated. Announced numbers (72, 73, 74) are not relied on.</summary>
 internal sealed class SplineMapper
 {
     private const int DegreeWithoutGroup = 3;
     private const int ClosedFlag = 1;
 
     /// <summary>
-    /// Largest weight over the smallest. A heavier point draws nearly the whole way of the curve into so little of its parameter that doubles cannot follow it: from 1e8 on lengths
-    /// were wrong, and at 1e17 no chain of arcs came to an end.
+    /// Largest allowed ratio of weights. Near a much heavier point nearly the whole curve lies in a tiny range of its parameter, which doubles cannot resolve: from a ratio of 1e8 on
+    /// lengths were wrong, and at 1e17 the arc fit did not end.
     /// </summary>
     private const double LargestRatio = 1e6 * (1.0 + 1e-12);
 
@@ -99,7 +99,7 @@ internal sealed class SplineMapper
         return record.Fault is null ? new NurbsCurve(_degree, knots, points).ToCurve() : null;
     }
 
-    /// <summary>The knots as written, or what stands in for them. OpenNURBS (Rhino) has no first and no last knot, on which no point depends: with these two repeated its clamped curve is exact.</summary>
+    /// <summary>The knots as written, or substitutes. OpenNURBS (Rhino) omits the first and the last knot, on which no point depends: with these two repeated its clamped curve is exact.</summary>
     private double[] Knots(EntityRecord record, CurveShape shape)
     {
         double[] knots = [.. _knots];
@@ -111,13 +111,13 @@ internal sealed class SplineMapper
         return isTwoShort ? completed : NurbsCurve.UniformKnots(_degree, _controls.Count);
     }
 
-    /// <summary>True when as many knots as the degree agree at each end.</summary>
+    /// <summary>True when at each end as many knots are equal as the degree says.</summary>
     private bool IsClamped(double[] knots) => knots.Length >= 2 * _degree && knots[0] == knots[_degree - 1] && knots[^1] == knots[^_degree];
 
-    /// <summary>Weights that do not fit, or are not all positive, cannot be meant: all are taken as 1 then.</summary>
+    /// <summary>Homogeneous control points. Weights that do not fit, or are not all positive, are ignored: all are taken as 1.</summary>
     private double[] Homogeneous(EntityRecord record, CurveShape shape)
     {
-        var largest = _weights.DefaultIfEmpty(1.0).Max(); // only their ratios count
+        var largest = _weights.DefaultIfEmpty(1.0).Max(); // only their ratios matter
         var smallest = _weights.DefaultIfEmpty(1.0).Min();
         var weighted = _weights.Count == _controls.Count && smallest > 0.0;
         if (weighted && largest / smallest > LargestRatio) record.Refuse(DxfRules.WeightsTooUnequal, record.Line, string.Create(CultureInfo.InvariantCulture, $"{largest / smallest:G3}"));

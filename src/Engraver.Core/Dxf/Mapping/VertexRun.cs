@@ -21,7 +21,7 @@ internal static class VertexRun
         return points;
     }
 
-    /// <summary>False for one spot, and for two so near that the square of their distance cannot be divided by.</summary>
+    /// <summary>False when the points coincide, or are so near that the square of their distance underflows.</summary>
     public static bool AreApart(Vector3D first, Vector3D second)
     {
         const double SmallestSquare = 1e-200;
@@ -29,7 +29,7 @@ internal static class VertexRun
         return step.Dot(step) > SmallestSquare;
     }
 
-    /// <summary>Joins neighbours; two on one spot have no line between them.</summary>
+    /// <summary>Joins neighbours by lines; two at one point have no line between them.</summary>
     public static void Connect(IReadOnlyList<Vector3D> points, bool closed, CurveShape shape)
     {
         for (var i = 1; i < points.Count; i++) AddLine(points[i - 1], points[i], shape);

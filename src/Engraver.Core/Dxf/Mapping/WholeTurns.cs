@@ -1,9 +1,9 @@
 namespace Engraver.Core.Dxf.Mapping;
 
-/// <summary>The turn from one angle to another, degrees (corpus convention): 0 for equal angles, 360 for angles that differ by whole turns.</summary>
+/// <summary>The turn from one angle to another, degrees: 0 for equal angles, 360 for angles that differ by whole turns.</summary>
 internal static class WholeTurns
 {
-    /// <summary>Angles that differ by whole turns within this are a whole turn, or none when they are equal.</summary>
+    /// <summary>Angles that differ by whole turns within this make a whole turn, or none when they are equal.</summary>
     private const double Tolerance = 1e-9;
 
     /// <summary>Counter-clockwise from start to end, 0 to <paramref name="turn"/> (360 or 2 pi).</summary>

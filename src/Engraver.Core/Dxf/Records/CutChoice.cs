@@ -15,7 +15,7 @@ public enum CutChoice
     /// <summary>The line or spline of LEADER, without arrow head and hook.</summary>
     Leader = 4,
 
-    /// <summary>HELIX as seen from above.</summary>
+    /// <summary>HELIX, in plan view.</summary>
     Helix = 8,
 
     /// <summary>The edges of SOLID, TRACE and 3DFACE.</summary>

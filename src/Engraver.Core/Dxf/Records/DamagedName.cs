@@ -1,6 +1,6 @@
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>Tells a type that is not known from the damaged name of one that would be cut: what is lost then is a curve.</summary>
+/// <summary>Distinguishes an unknown type from the damaged name of a type that is cut, where a curve is lost.</summary>
 internal static class DamagedName
 {
     private static readonly string[] s_cutTypes = ["LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "LWPOLYLINE", "POLYLINE", "INSERT", "VERTEX"];
@@ -13,7 +13,7 @@ internal static class DamagedName
         return s_cutTypes.FirstOrDefault(known => IsNearly(type, known)) is { } meant ? $"it reads almost like {meant}" : null;
     }
 
-    /// <summary>One letter is another one, or the rest of the name is gone.</summary>
+    /// <summary>True when one letter differs, or the end of the name is missing.</summary>
     private static bool IsNearly(string type, string known)
     {
         if (type.Length < known.Length) return known.StartsWith(type, StringComparison.OrdinalIgnoreCase);

@@ -6,15 +6,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>One record of the file (LINE, VERTEX, LAYER ...): its type and the values that any of the types we read asks for. Filled again for every record.</summary>
+/// <summary>One record of the file (LINE, VERTEX, LAYER ...): its type and the values that any type we read needs. Used again for every record.</summary>
 internal sealed class EntityRecord
 {
-    /// <summary>A colour as 0x00RRGGBB.</summary>
+    /// <summary>Group code of a colour as 0x00RRGGBB.</summary>
     public const int TrueColour = 420;
 
     private const int CodeCount = TrueColour + 1;
 
-    /// <summary>What follows belongs to another object that is packed into this one (columns of an MTEXT, the MTEXT of an ATTRIB).</summary>
+    /// <summary>Group code after which the values belong to an object embedded in this one (columns of an MTEXT, the MTEXT of an ATTRIB).</summary>
     private const int EmbeddedObject = 101;
 
     /// <summary>Codes whose first value is kept: points, sizes, angles, scales, flags, counts, extrusion, colours.</summary>
@@ -41,32 +41,32 @@ internal sealed class EntityRecord
 
     public int Layer { get; set; }
 
-    /// <summary>The block or layer it names (code 2), -1 without one.</summary>
+    /// <summary>Number of the block or layer it names (code 2); -1 without one.</summary>
     public int Name { get; set; }
 
     /// <summary>A code that appeared twice, 0 when none did.</summary>
     public int RepeatedCode { get; private set; }
 
-    /// <summary>A name or layer that stands in the record more than once; 0 when none does.</summary>
+    /// <summary>Group code of a name or layer that is in the record more than once; 0 when none is.</summary>
     public int DoubledCode { get; private set; }
 
-    /// <summary>The first value that could not be read; the record must be refused then.</summary>
+    /// <summary>The first value that could not be read: the record must then be refused.</summary>
     public RecordIssue? Fault { get; private set; }
 
-    /// <summary>What is odd about the spelling of one of its values, though it could be read; null when nothing is.</summary>
+    /// <summary>A finding about the spelling of one of its values that could be read all the same; null for none.</summary>
     public RecordIssue? Oddity { get; set; }
 
-    /// <summary>Texts in file order, of records that are kept pair by pair; a 100 stands in <see cref="Sequence"/> too, with its index here.</summary>
+    /// <summary>Texts in file order, for records that are kept pair by pair; a 100 is in <see cref="Sequence"/> too, with its index here.</summary>
     public List<CodedText> Texts { get; } = [];
 
-    /// <summary>Numbers in file order, of types in which codes repeat.</summary>
+    /// <summary>Numbers in file order, for types in which codes repeat.</summary>
     public List<CodedNumber> Sequence { get; } = [];
 
     public bool InPaperSpace => Number(67, 0.0) == 1.0;
 
     public bool Invisible => Number(60, 0.0) == 1.0;
 
-    /// <summary>As written; a true colour stands above an index.</summary>
+    /// <summary>As written; a true colour has precedence over an index.</summary>
     public DrawingColour Colour => Has(TrueColour) ? DrawingColour.FromCode420(Bits(TrueColour)) : Has(62) ? DrawingColour.FromCode62(Flags(62)) : default;
 
     public static bool Keeps(int code) => (uint)code < CodeCount && Slots[code] >= 0;
@@ -91,14 +91,14 @@ internal sealed class EntityRecord
         _seen = 0;
     }
 
-    /// <summary>Counts a code below 32 of which a record has one.</summary>
+    /// <summary>Counts a code below 32, of which a record may have only one.</summary>
     public void Count(int code)
     {
         if ((_counted & (1u << code)) != 0) DoubledCode = code;
         _counted |= 1u << code;
     }
 
-    /// <summary>Keeps the value of a code for which <see cref="Keeps"/> holds. The first one counts: what follows a complete entity is the damage.</summary>
+    /// <summary>Keeps the value of a code for which <see cref="Keeps"/> holds. The first one counts: a repetition is part of the damage.</summary>
     public void Set(int code, double value)
     {
         var slot = Slots[code];
@@ -113,8 +113,8 @@ internal sealed class EntityRecord
         _values[slot] = value;
     }
 
-    /// <summary>Keeps the pair in its place, and of a kept code also the first value. What is no number is left out.</summary>
-    /// <returns>False for a value that should be a number and is none: it harms what is cut, not what is only shown.</returns>
+    /// <summary>Keeps the pair in file order, and of a kept code also the first value. A value that is not a number is left out.</summary>
+    /// <returns>False for a value that should be a number and is not: it harms what is cut, not what is only shown.</returns>
     public bool Collect(DxfTagSource tags, TextDecoding decode)
     {
         var code = tags.Code;
@@ -134,14 +134,14 @@ internal sealed class EntityRecord
         return true;
     }
 
-    /// <summary>Keeps a number in its place.</summary>
+    /// <summary>Keeps a number in file order.</summary>
     public void Collect(int code, double value)
     {
         Sequence.Add(new CodedNumber(code, value));
         if (Keeps(code) && !Has(code)) Set(code, value);
     }
 
-    /// <summary>The texts of some codes joined in file order; "" when there is none.</summary>
+    /// <summary>The texts of these codes joined in file order; "" when there is none.</summary>
     public string TextOf(params int[] codes) => string.Concat(Texts.Where(text => codes.Contains(text.Code)).Select(text => text.Value));
 
     /// <summary>The first value of a code of a collected record.</summary>
@@ -160,13 +160,13 @@ internal sealed class EntityRecord
     /// <summary>The value of a code that may be missing.</summary>
     public double Number(int code, double otherwise) => Has(code) ? _values[Slots[code]] : otherwise;
 
-    /// <summary>A flag word; what does not fit is read as 0.</summary>
+    /// <summary>A flag word; a value that does not fit is read as 0.</summary>
     public int Flags(int code) => Number(code, 0.0) is var value && Math.Abs(value) <= int.MaxValue ? (int)value : 0;
 
-    /// <summary>32 bits, which some write with and some without a sign.</summary>
+    /// <summary>A 32-bit word, which some programs write signed and some unsigned.</summary>
     private int Bits(int code) => Number(code, 0.0) is var value && Math.Abs(value) <= uint.MaxValue ? unchecked((int)(long)value) : 0;
 
-    /// <summary>The value of a code without which the record makes no sense; a missing one becomes the <see cref="Fault"/>.</summary>
+    /// <summary>The value of a code that the record needs; a missing one becomes the <see cref="Fault"/>.</summary>
     public double Required(int code)
     {
         if (Has(code)) return _values[Slots[code]];
@@ -177,7 +177,7 @@ internal sealed class EntityRecord
     /// <summary>The point of codes (<paramref name="xCode"/>, +10, +20); z may be missing.</summary>
     public Vector3D Point(int xCode) => new(Required(xCode), Required(xCode + 10), Number(xCode + 20, 0.0));
 
-    /// <summary>The point of a record that is not refused for the want of one.</summary>
+    /// <summary>As <see cref="Point"/>, for a record that is not refused when coordinates are missing: they are then 0.</summary>
     public Vector3D PointOrOrigin(int xCode) => new(Number(xCode, 0.0), Number(xCode + 10, 0.0), Number(xCode + 20, 0.0));
 
     public Vector3D Extrusion() => new(Number(210, 0.0), Number(220, 0.0), Number(230, 1.0));

@@ -4,7 +4,7 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>Collects findings, of each rule the first hundred; the rest are counted and summed up in one line.</summary>
+/// <summary>Collects findings: of each rule the first hundred; the rest are counted and summed up in one line.</summary>
 internal sealed class ImportLog(string placeWord)
 {
     private const int ShownPerRule = 100;
@@ -17,25 +17,25 @@ internal sealed class ImportLog(string placeWord)
         if (Counted(rule)) _diagnostics.Add(rule.At(new SourceRef(line), facts));
     }
 
-    /// <summary>Adds a finding about a record. That widths are ignored is said once, however many polylines have one.</summary>
-    public void Add(in RecordIssue trouble)
+    /// <summary>Adds a finding about a record. Ignored widths are reported once, however many polylines have one.</summary>
+    public void Add(in RecordIssue issue)
     {
-        if (trouble.Rule == DxfRules.WidthIgnored && _counts.ContainsKey(trouble.Rule)) return;
-        if (!Counted(trouble.Rule)) return;
-        var source = new SourceRef(trouble.Line, HandleText(trouble.Handle));
-        _diagnostics.Add(trouble.Rule.At(source, trouble.Type, Place(trouble.Line), trouble.Detail));
+        if (issue.Rule == DxfRules.WidthIgnored && _counts.ContainsKey(issue.Rule)) return;
+        if (!Counted(issue.Rule)) return;
+        var source = new SourceRef(issue.Line, HandleText(issue.Handle));
+        _diagnostics.Add(issue.Rule.At(source, issue.Type, Place(issue.Line), issue.Detail));
     }
 
-    /// <summary>The row of the balance sheet for a refused record. A million refusals for one reason share its text.</summary>
-    public RefusedEntity Refusal(in RecordIssue trouble)
+    /// <summary>The row of the balance for a refused record. Refusals for the same reason share its text.</summary>
+    public RefusedEntity Refusal(in RecordIssue issue)
     {
-        if (trouble.Detail.Length > 0 || !_reasons.TryGetValue(trouble.Rule, out var reason))
+        if (issue.Detail.Length > 0 || !_reasons.TryGetValue(issue.Rule, out var reason))
         {
-            reason = Reason(trouble);
-            if (trouble.Detail.Length == 0) _reasons.Add(trouble.Rule, reason);
+            reason = Reason(issue);
+            if (issue.Detail.Length == 0) _reasons.Add(issue.Rule, reason);
         }
 
-        return new RefusedEntity(trouble.Type, HandleText(trouble.Handle), trouble.Line, trouble.Rule.Id, reason);
+        return new RefusedEntity(issue.Type, HandleText(issue.Handle), issue.Line, issue.Rule.Id, reason);
     }
 
     public string Place(int line) => string.Create(CultureInfo.InvariantCulture, $"{placeWord} {line}");
@@ -51,10 +51,10 @@ internal sealed class ImportLog(string placeWord)
         return result;
     }
 
-    /// <summary>What follows "was left out:" in the sentence of the rule.</summary>
-    private static string Reason(in RecordIssue trouble)
+    /// <summary>The text that follows "was left out:" in the sentence of the rule.</summary>
+    private static string Reason(in RecordIssue issue)
     {
-        var sentence = trouble.Rule.At(default, trouble.Type, "", trouble.Detail).Sentence;
+        var sentence = issue.Rule.At(default, issue.Type, "", issue.Detail).Sentence;
         return sentence[(sentence.IndexOf(": ", StringComparison.Ordinal) + 2)..];
     }
 
@@ -70,15 +70,15 @@ internal sealed class ImportLog(string placeWord)
     }
 }
 
-/// <summary>What is wrong with one record. Small, so that a hostile file can have a million of them; the sentence is made only when it is shown.</summary>
-/// <param name="Rule">The row of the table; its facts are the type, the place and <paramref name="Detail"/>.</param>
+/// <summary>A finding about one record. Small, so that a hostile file can have a million of them; the sentence is composed only when it is shown.</summary>
+/// <param name="Rule">The row of the table; its facts are the type, the position and <paramref name="Detail"/>.</param>
 /// <param name="Type">DXF type of the record.</param>
 /// <param name="Handle">Handle as a number, 0 for none.</param>
-/// <param name="Line">Line (binary: byte offset) at which the record, or what is wrong with it, stands.</param>
-/// <param name="Detail">What the sentence needs besides; may be empty.</param>
+/// <param name="Line">Line (binary: byte offset) of the record, or of the part that is wrong.</param>
+/// <param name="Detail">Further text for the sentence; may be empty.</param>
 /// <param name="Refused">True when the record is left out, false when it is taken all the same.</param>
 internal readonly record struct RecordIssue(DiagnosticRule Rule, string Type, ulong Handle, int Line, string Detail, bool Refused)
 {
-    /// <summary>True when the damage need not be of this record alone, so that it is told even in a block that nothing uses: what has no name may have been the block's end, and all that follows is lost in it.</summary>
+    /// <summary>True when the damage may affect more than this record, so that it is reported even in a block that nothing uses: the nameless record may have been the block's end, and all that follows is then in the block.</summary>
     public bool ConcernsMore => Rule == DxfRules.NameDamaged;
 }

@@ -2,16 +2,16 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>The layers met so far and their switches. A layer that no table defines is on, thawed and plotted.</summary>
+/// <summary>The layers met so far and their states. A layer that no table defines is on, thawed and plotted.</summary>
 internal sealed class LayerTable(NameTable names)
 {
     private const int FrozenFlag = 1;
     private readonly List<LayerState> _states = [];
 
-    /// <summary>Content of a block on this layer takes the layer of the insert.</summary>
+    /// <summary>Number of layer 0. Content of a block on it takes the layer of the insert.</summary>
     public int Zero { get; } = names.IdOf("0");
 
-    /// <summary>Takes a LAYER entry: 70 bit 1 frozen, 62 the colour and negative off, 420 a true colour, 290 zero not plotted.</summary>
+    /// <summary>Takes a LAYER entry: 70 bit 1 frozen; 62 the colour, negative when off; 420 a true colour; 290 zero when not plotted.</summary>
     public void Define(EntityRecord entry)
     {
         Grow();

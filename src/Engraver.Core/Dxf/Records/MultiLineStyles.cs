@@ -3,7 +3,7 @@ using Engraver.Core.Dxf.Tags;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>The flags of the MLINESTYLE objects of a file: which caps and joints its multilines have. They stand behind the entities, so they are looked up first.</summary>
+/// <summary>The flags of the MLINESTYLE objects of a file: which caps and joints its multilines have. They come after the entities, so they are looked up first.</summary>
 internal sealed class MultiLineStyles
 {
     private readonly Dictionary<string, int> _flags = new(StringComparer.OrdinalIgnoreCase);
@@ -11,7 +11,7 @@ internal sealed class MultiLineStyles
     /// <summary>Flags of a style (group 70); 0, no caps, for one that the file does not define.</summary>
     public MultiLineStyleFlags this[string name] => (MultiLineStyleFlags)_flags.GetValueOrDefault(name);
 
-    /// <summary>Walks the whole file once and comes back to where it began.</summary>
+    /// <summary>Reads the whole file once and returns to the position where it began.</summary>
     public static MultiLineStyles Read(DxfTagSource tags, CancellationToken cancellation)
     {
         var styles = new MultiLineStyles();

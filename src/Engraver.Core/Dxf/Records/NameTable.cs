@@ -2,14 +2,14 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>Gives names small numbers. A name is looked up by its bytes; only a spelling that is new is decoded, and spellings that differ by case share a number.</summary>
+/// <summary>Gives names small numbers. A name is looked up by its bytes; only a new spelling is decoded, and spellings that differ by case share a number.</summary>
 internal sealed class NameTable(Func<ReadOnlySpan<byte>, string> decode)
 {
     private readonly Dictionary<byte[], int> _byBytes = new(BytesComparer.Instance);
     private readonly Dictionary<string, int> _byName = new(StringComparer.OrdinalIgnoreCase);
     private readonly List<string> _names = [];
 
-    /// <summary>Spellings met lately, by a few of their bits: a drawing goes to and fro between a handful of layers.</summary>
+    /// <summary>Recent spellings, indexed by a few of their bits: most drawings use a handful of layers in turn.</summary>
     private readonly (byte[] Name, int Id)[] _recent = [.. Enumerable.Repeat((Array.Empty<byte>(), -1), 16)];
 
     public int Count => _names.Count;
@@ -52,7 +52,7 @@ internal sealed class NameTable(Func<ReadOnlySpan<byte>, string> decode)
 
         public int GetHashCode([DisallowNull] byte[] obj) => GetHashCode(obj.AsSpan());
 
-        /// <summary>Seeded per process, so that no file can be made to collide.</summary>
+        /// <summary>Seeded for each process, so that no file can be made to cause collisions.</summary>
         public int GetHashCode(ReadOnlySpan<byte> alternate)
         {
             var hash = new HashCode();

@@ -3,7 +3,7 @@ namespace Engraver.Core.Dxf.Records;
 /// <summary>What the reader does with a record, decided by its type name.</summary>
 internal enum RecordKind : byte
 {
-    /// <summary>A type we do not know: refused, counted.</summary>
+    /// <summary>An unknown type: refused and counted.</summary>
     Unknown,
     Line,
     Arc,
@@ -19,7 +19,7 @@ internal enum RecordKind : byte
     Point,
     Text,
 
-    /// <summary>Drawn for the reader of the drawing, not for the tool: dimensions, hatches, images, solids.</summary>
+    /// <summary>Drawn for people who read the drawing, not cut: dimensions, hatches, images, solids.</summary>
     Construction,
     Hatch,
     MultiLine,

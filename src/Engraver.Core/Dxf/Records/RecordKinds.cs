@@ -2,7 +2,7 @@ using System.Collections.Frozen;
 
 namespace Engraver.Core.Dxf.Records;
 
-/// <summary>The table of type names. BODY and REGION are unknown on purpose: what they would cut is lost, and the operator is told.</summary>
+/// <summary>The table of type names. BODY and REGION are left unknown on purpose: they may hold curves that are then lost, and the operator is told so.</summary>
 internal static class RecordKinds
 {
     private static readonly string[] Construction =
@@ -16,7 +16,7 @@ internal static class RecordKinds
 
     private static readonly FrozenDictionary<string, RecordKind> Known = Build();
 
-    /// <summary>The types of ENTITIES and BLOCKS that are known, with what becomes of each: for the page of diagnostics.</summary>
+    /// <summary>The known types of ENTITIES and BLOCKS, by what becomes of them; docs/diagnostics.md lists them.</summary>
     public static IEnumerable<(string Fate, IEnumerable<string> Types)> Fates() =>
     [
         ("cut", TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
@@ -27,21 +27,21 @@ internal static class RecordKinds
 
     public static RecordKind Find(string type) => Known.GetValueOrDefault(type, RecordKind.Unknown);
 
-    /// <summary>True when the record's numbers matter; of the others only visibility and space are read, so that junk in a dimension harms nothing.</summary>
+    /// <summary>True when the record's numbers matter. Of the others only visibility and space are read, so that damaged numbers in a dimension do no harm.</summary>
     public static bool HasNumbers(RecordKind kind) => kind is not (RecordKind.Unknown or RecordKind.Construction or RecordKind.Text or RecordKind.Point
         or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.StyleEntry) && !IsOutline(kind);
 
-    /// <summary>True for what stands in ENTITIES or in a block and is known there.</summary>
+    /// <summary>True for known records of ENTITIES or of a block.</summary>
     public static bool IsEntity(RecordKind kind) => kind is (>= RecordKind.Line and <= RecordKind.Polyline) or RecordKind.Insert or RecordKind.Text or RecordKind.Point or RecordKind.Construction
         || IsOutline(kind);
 
-    /// <summary>True for whatever makes a section part of a drawing: entities and their parts, blocks, layers.</summary>
+    /// <summary>True for every record that makes a section part of a drawing: entities and their parts, blocks, layers.</summary>
     public static bool IsOfDrawing(RecordKind kind) => IsEntity(kind) || kind is RecordKind.Vertex or RecordKind.Attribute or RecordKind.SequenceEnd or RecordKind.LayerEntry or RecordKind.Block or RecordKind.BlockEnd;
 
     /// <summary>True for the types of record that TABLES holds besides those that are read.</summary>
     public static bool IsOfTables(string type) => TableTypes.Contains(type);
 
-    /// <summary>False for a group that a record without content cannot have: it belongs to another record whose beginning is damaged. True for every record that is no such frame.</summary>
+    /// <summary>For a record without content (a frame such as ENDSEC): false for a group code that it cannot have, which then belongs to another record whose beginning is damaged. True for every other record.</summary>
     public static bool MayHold(RecordKind kind, string type, int code) => kind switch
     {
         RecordKind.Section or RecordKind.SectionEnd => false,
@@ -50,7 +50,7 @@ internal static class RecordKinds
         _ => type != "ENDTAB",
     };
 
-    /// <summary>True for construction that an operator may want cut all the same (<see cref="CutChoice"/>).</summary>
+    /// <summary>True for construction that the operator may choose to cut (<see cref="CutChoice"/>).</summary>
     public static bool IsOutline(RecordKind kind) => kind is RecordKind.Hatch or RecordKind.MultiLine or RecordKind.Leader or RecordKind.Helix or RecordKind.Face;
 
     /// <summary>The choice that an outline belongs to; None for every other kind.</summary>
@@ -64,7 +64,7 @@ internal static class RecordKinds
         _ => CutChoice.None,
     };
 
-    /// <summary>True when the record is kept pair by pair: its codes repeat and mean different things in different places, or it has text.</summary>
+    /// <summary>True when the record is kept pair by pair, because its codes repeat and their meaning depends on the order, or because it has text.</summary>
     public static bool IsCollected(RecordKind kind, CutChoice cut) => kind is RecordKind.Text or RecordKind.Attribute or RecordKind.StyleEntry || (ChoiceOf(kind) & cut) != 0;
 
     private static IEnumerable<string> TypesOf(Func<RecordKind, bool> wanted) => Known.Where(pair => wanted(pair.Value)).Select(pair => pair.Key).Order(StringComparer.Ordinal);

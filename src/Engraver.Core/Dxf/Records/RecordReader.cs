@@ -10,7 +10,7 @@ internal sealed class RecordReader
 {
     private const int ShownValue = 40;
 
-    /// <summary>Names a variable of the header.</summary>
+    /// <summary>Group code that names a variable of the header.</summary>
     private const int VariableCode = 9;
 
     private readonly DxfTagSource _tags;
@@ -42,10 +42,10 @@ internal sealed class RecordReader
 
     public NameTable Blocks { get; }
 
-    /// <summary>The type names met, by the numbers that records carry.</summary>
+    /// <summary>The type names met, by the numbers in the records.</summary>
     public NameTable Types => _types;
 
-    /// <summary>What the next record is; <see cref="RecordKind.FileEnd"/> also where the file just stops.</summary>
+    /// <summary>Kind of the next record; <see cref="RecordKind.FileEnd"/> also where the file stops without EOF.</summary>
     public RecordKind Next { get; private set; }
 
     /// <summary>True when the bytes ran out before EOF.</summary>
@@ -54,16 +54,16 @@ internal sealed class RecordReader
     /// <summary>Line (binary: byte offset) of the next record.</summary>
     public int NextLine { get; private set; }
 
-    /// <summary>Is told how far reading is; null: nobody.</summary>
+    /// <summary>Receives the part of the file that has been read; null for none.</summary>
     public IProgress<double>? Progress { get; init; }
 
     /// <summary>The next record's type name, in capitals.</summary>
     public string NextType => _types[_nextType];
 
-    /// <summary>Where the next record begins: <see cref="DxfTagSource.Return"/> and <see cref="PassOver()"/> lead to the one behind it.</summary>
+    /// <summary>A position in the next record, after its type: <see cref="DxfTagSource.Return"/> goes back to it, and <see cref="PassOver()"/> then skips to the record after.</summary>
     public (int Position, int Line) Bookmark() => _tags.Bookmark();
 
-    /// <summary>Reads the next record whole, whatever it is.</summary>
+    /// <summary>Reads the whole next record, of any kind.</summary>
     public void Read(EntityRecord record)
     {
         _cancellation.ThrowIfCancellationRequested();
@@ -77,10 +77,10 @@ internal sealed class RecordReader
         if (Truncated && _tags.CutInsidePair) record.Refuse(DxfRules.CutRecord, record.Line, "");
     }
 
-    /// <summary>Passes over the next record, which holds nothing that matters. Tells when it holds what cannot be its own, for then another record is lost in it.</summary>
+    /// <summary>Skips the next record, which holds nothing that matters. Reports group codes that cannot be its own, because then another record is lost in it.</summary>
     public void Skip() => Skip(Next, NextType);
 
-    /// <summary>Passes over the rest of the head of TABLES, BLOCKS or ENTITIES, whose name has been read.</summary>
+    /// <summary>Skips the rest of the head of TABLES, BLOCKS or ENTITIES, whose name has been read.</summary>
     public void SkipHead() => Skip(RecordKind.Section, "SECTION");
 
     private void Skip(RecordKind kind, string type)
@@ -101,7 +101,7 @@ internal sealed class RecordReader
         Settle();
     }
 
-    /// <summary>Passes over the next record without a word: it is read later, or it stands in a section that is no part of the drawing.</summary>
+    /// <summary>Skips the next record without a report: it is read later, or its section is no part of the drawing.</summary>
     public void PassOver()
     {
         _cancellation.ThrowIfCancellationRequested();
@@ -113,13 +113,13 @@ internal sealed class RecordReader
         Settle();
     }
 
-    /// <summary>A record without a name is no record of any program: zeros in a binary file read so, and what stood there is lost.</summary>
+    /// <summary>Reports a record without a name, which no program writes: zeros in a binary file are read so, and what they overwrote is lost.</summary>
     private void TellNameless()
     {
         if (_types.Count > 0 && Next == RecordKind.Unknown && NextType.Length == 0) _log.Add(new RecordIssue(DxfRules.NameDamaged, "", 0, NextLine, DamagedName.Fault("")!, Refused: true));
     }
 
-    /// <summary>Goes through the record that has just been read once more: true when the name of a type of record stands where a 0 may have been above it.</summary>
+    /// <summary>Goes through the record that has just been read once more: true when a value in it is the name of a record type, and the 0 before it may have been lost.</summary>
     private bool NamesRecord((int Position, int Line) start)
     {
         var (end, found) = (_tags.Bookmark(), false);
@@ -134,7 +134,7 @@ internal sealed class RecordReader
         return found;
     }
 
-    /// <summary>Passes over the pairs up to the next record and shows each to <paramref name="take"/>: the HEADER section has no records.</summary>
+    /// <summary>Skips the pairs up to the next record and passes each to <paramref name="take"/>: the HEADER section has no records.</summary>
     public void Skip(Action<DxfTagSource> take)
     {
         while (_tags.Read() && _tags.Code != 0) take(_tags);
@@ -148,7 +148,7 @@ internal sealed class RecordReader
         progress.Report(_told = _tags.Part);
     }
 
-    /// <summary>Reads the name of the section that begins here, in capitals. One of the Skip methods must follow.</summary>
+    /// <summary>Reads the name of the section that begins here, in capitals. One of the Skip methods must be called next.</summary>
     public string EnterSection() => _tags.Read() ? Encoding.Latin1.GetString(_tags.Value.Trim(" \t"u8)).ToUpperInvariant() : "";
 
     private void Settle()
@@ -167,7 +167,7 @@ internal sealed class RecordReader
         if (Next == RecordKind.Section && !BeginsSection()) Next = RecordKind.Unknown;
     }
 
-    /// <summary>The section plane of AutoCAD 2007 is an entity that is called SECTION, too; only a section goes on with its name.</summary>
+    /// <summary>True for a section. The section plane of AutoCAD 2007 is an entity that is also called SECTION, but only a section is followed by its name.</summary>
     private bool BeginsSection()
     {
         var here = _tags.Bookmark();
@@ -202,7 +202,7 @@ internal sealed class RecordReader
         }
     }
 
-    /// <summary>A bad number of an outline would bend what is cut; in a text it harms nothing.</summary>
+    /// <summary>Reads a record pair by pair. A damaged number of an outline refuses it, because it would change what is cut; in a text it does no harm.</summary>
     private void Collect(EntityRecord record)
     {
         if (record.Collect(_tags, _decode) || !RecordKinds.IsOutline(record.Kind)) return;
@@ -231,7 +231,7 @@ internal sealed class RecordReader
         }
     }
 
-    /// <summary>A decimal comma or a Fortran exponent: not DXF, but there is only one thing it can mean.</summary>
+    /// <summary>Reads a decimal comma or a Fortran exponent: not DXF, but with only one possible meaning.</summary>
     private bool TryOddNumber(EntityRecord record, int code, out double value)
     {
         value = 0.0;

@@ -10,7 +10,7 @@ internal sealed class AsciiTagSource : DxfTagSource
 {
     private const int ShownText = 40;
 
-    /// <summary>So far from the end of the file a code and the end of its value may be looked at without asking.</summary>
+    /// <summary>Bytes that must remain in the file for the fast reading of a pair, which does not test for the end at every byte.</summary>
     private const int PlainMargin = 64;
 
     private const int MostBlanks = 8;
@@ -31,10 +31,10 @@ internal sealed class AsciiTagSource : DxfTagSource
 
     public override bool TryNumber(out double number) => DxfNumber.TryParse(Value, out number);
 
-    /// <summary>The common pair at once; whatever is unusual about it leaves everything untouched and goes the long way.</summary>
+    /// <summary>Reads a common pair fast; an unusual one is left untouched and read by the general method.</summary>
     protected override bool ReadPair() => TryPlainPair() || ReadAnyPair();
 
-    /// <summary>Blanks, one to four digits, LF or CR LF; a value that ends likewise and well before the end of the file.</summary>
+    /// <summary>A common pair: blanks, one to four digits, LF or CR LF; a value that ends likewise, well before the end of the file.</summary>
     private bool TryPlainPair()
     {
         var bytes = Bytes;
@@ -83,11 +83,11 @@ internal sealed class AsciiTagSource : DxfTagSource
                 return complete;
             }
 
-            if (IsBlank(line)) continue; // an empty line too many: the pairs behind it are sound
+            if (IsBlank(line)) continue; // a superfluous empty line: the pairs after it are sound
             Damage(NextLine - 1, Encoding.Latin1.GetString(line[..Math.Min(length, ShownText)]));
             if (Value.Trim(" \t"u8).SequenceEqual("0"u8) && IsKeyword(line))
             {
-                // The pairs have slipped by one and the "0" of this record was taken for a value: here they fit again.
+                // The pairs were out of step by one line and the "0" of this record was taken for a value: from here they fit again.
                 Code = 0;
                 Line = NextLine - 2;
                 (_valueStart, _valueLength) = (start, length);
@@ -122,7 +122,7 @@ internal sealed class AsciiTagSource : DxfTagSource
 
     private static bool IsBlank(ReadOnlySpan<byte> line) => line.Trim(" \t\0\u001A"u8).IsEmpty;
 
-    /// <summary>A whole number of up to five digits, as the formats know it (-5 to 1071); anything else is no group code.</summary>
+    /// <summary>A whole number from -5 to 1071 (the group codes of the format), of up to five digits; false for anything else.</summary>
     private static bool TryCode(ReadOnlySpan<byte> line, out int code)
     {
         code = 0;
@@ -143,7 +143,7 @@ internal sealed class AsciiTagSource : DxfTagSource
         return digits > 0 && at == line.Length;
     }
 
-    /// <summary>After a line that is no group code the pairs may have slipped by one; a "0" followed by a keyword is where they fit again.</summary>
+    /// <summary>After a line that is no group code the pairs may be out of step by one line; a "0" followed by a keyword is where they fit again.</summary>
     private void SkipToNextRecord()
     {
         while (true)

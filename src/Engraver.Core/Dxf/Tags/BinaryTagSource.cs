@@ -49,7 +49,7 @@ internal sealed class BinaryTagSource : DxfTagSource
         if (!TakeCode(out var code)) return Stop();
         if (!BinaryValueTypes.TryOf(code, out _type))
         {
-            // Without a known code the length of the value is unknown too: nothing behind it can be found again.
+            // Without a known code the length of the value is unknown too: nothing after it can be found again.
             Damage(start, code.ToString(CultureInfo.InvariantCulture));
             return Stop();
         }

@@ -4,8 +4,8 @@ namespace Engraver.Core.Dxf.Tags;
 
 /// <summary>The double nearest to a whole number over a power of ten, where neither fits a double exactly: coordinates written with 16 or 17 digits.</summary>
 /// <remarks>
-/// The number times a reciprocal of 128 bits (Lemire, Number parsing at a gigabyte per second, 2021). The reciprocal is cut off, so the product may be one too small in its
-/// 128th bit; where that could matter (or the value lies exactly between two doubles) there is no answer, and the library must be asked.
+/// Multiplies by a reciprocal of 128 bits (Lemire, Number parsing at a gigabyte per second, 2021). The reciprocal is truncated, so the product may be one too small in its
+/// 128th bit; where that could matter (or the value lies exactly between two doubles) there is no answer, and the caller must use the library's parser.
 /// </remarks>
 internal static class DecimalQuotient
 {
@@ -30,7 +30,7 @@ internal static class DecimalQuotient
         return middle is not (0 or ulong.MaxValue);
     }
 
-    /// <summary>2^(127 + exponent) / 10^decimals, cut off, with its highest bit set.</summary>
+    /// <summary>2^(127 + exponent) / 10^decimals, truncated, with its highest bit set.</summary>
     private static (ulong High, ulong Low, int Exponent) Reciprocal(int decimals)
     {
         var power = BigInteger.Pow(10, decimals);

@@ -13,13 +13,13 @@ internal sealed class DxfHeader
     /// <summary>$DWGCODEPAGE; null when the file does not say.</summary>
     public string? CodePage { get; private set; }
 
-    /// <summary>$INSUNITS as written, null when missing or no number.</summary>
+    /// <summary>$INSUNITS as written; null when missing or not a number.</summary>
     public double? InsUnits { get; private set; }
 
-    /// <summary>$MEASUREMENT as written (0 English, 1 metric), null when missing or no number. It never scales.</summary>
+    /// <summary>$MEASUREMENT as written (0 English, 1 metric); null when missing or not a number. It never scales the drawing.</summary>
     public double? Measurement { get; private set; }
 
-    /// <summary>Takes one pair of the section: code 9 names a variable, the pairs behind it are its values.</summary>
+    /// <summary>Takes one pair of the section: code 9 names a variable, the pairs after it are its values.</summary>
     public void Take(DxfTagSource tag)
     {
         switch (tag.Code)

@@ -3,18 +3,18 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Core.Dxf.Tags;
 
-/// <summary>Numbers as an ASCII DXF writes them: decimal point, optional sign and exponent, blanks around. No comma, no NaN, no infinity.</summary>
+/// <summary>Numbers as an ASCII DXF writes them: decimal point, optional sign and exponent, blanks around them. No comma, no NaN, no infinity.</summary>
 internal static class DxfNumber
 {
-    /// <summary>A number beyond it is refused wherever it stands.</summary>
+    /// <summary>A larger number is refused in every group.</summary>
     public const double Largest = Drawing.LargestCoordinate;
 
     private const ulong LargestExactMantissa = 1UL << 53;
 
-    /// <summary>So many digits fit 64 bits.</summary>
+    /// <summary>Most decimal digits that fit 64 bits.</summary>
     private const int MostDigits = 19;
 
-    /// <summary>With sign and point.</summary>
+    /// <summary>Longest number for the fast path, with sign and point.</summary>
     private const int LongestPlain = MostDigits + 2;
 
     /// <summary>10^0 to 10^22: the powers of ten that a double holds exactly.</summary>
@@ -24,10 +24,10 @@ internal static class DxfNumber
         1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
     ];
 
-    /// <summary>The nearest double, as <see cref="double.Parse(string)"/> would give it; false for anything that is no usable number.</summary>
+    /// <summary>The nearest double, as <see cref="double.Parse(string)"/> would give it; false when the text is not a usable number.</summary>
     public static bool TryParse(ReadOnlySpan<byte> text, out double value) => TryPlain(text, out value) || TryAny(text, out value);
 
-    /// <summary>Sign, digits and a point, as almost every number is written; false for whatever needs a closer look.</summary>
+    /// <summary>Reads sign, digits and a point, as almost every number is written; false when the general method is needed.</summary>
     private static bool TryPlain(ReadOnlySpan<byte> text, out double value)
     {
         value = 0.0;
@@ -99,7 +99,7 @@ internal static class DxfNumber
         return true;
     }
 
-    /// <summary>Nineteen digits fit; more overflow on purpose, since a longer number leaves the fast path anyway.</summary>
+    /// <summary>Appends digits to the mantissa. Nineteen fit; more overflow on purpose, since a longer number leaves the fast path anyway.</summary>
     private static int Digits(ReadOnlySpan<byte> text, int at, ref ulong mantissa)
     {
         var value = mantissa;

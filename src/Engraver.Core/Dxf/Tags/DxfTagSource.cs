@@ -7,42 +7,42 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
 {
     private const int CommentCode = 999;
 
-    /// <summary>An array, because the span of a memory is found anew for every pair.</summary>
+    /// <summary>Kept as an array, because taking the span of a memory costs time at every pair.</summary>
     private readonly byte[] _file = MemoryMarshal.TryGetArray(file, out var segment) && segment.Offset == 0 && segment.Array!.Length == segment.Count ? segment.Array : file.ToArray();
 
     /// <summary>Group code of the pair read last.</summary>
     public int Code { get; protected set; }
 
-    /// <summary>Where the pair's code stands: line of an ASCII file (1 is the first), byte offset of a binary one.</summary>
+    /// <summary>Position of the pair's code: line of an ASCII file (1 is the first), byte offset in a binary one.</summary>
     public int Line { get; protected set; }
 
-    /// <summary>Where the pair's value stands: the line below the code, or the pair's own offset.</summary>
+    /// <summary>Position of the pair's value: the line after the code, or the pair's own offset.</summary>
     public int ValueLine => IsBinary ? Line : Line + 1;
 
     /// <summary>True once <see cref="Read"/> found nothing more.</summary>
     public bool AtEnd { get; private set; }
 
-    /// <summary>True when the file ended inside a pair: the last value may be cut short.</summary>
+    /// <summary>True when the file ended inside a pair: the last value may be incomplete.</summary>
     public bool CutInsidePair { get; protected set; }
 
-    /// <summary>Line of the last place that could not be read as a pair; -1 when there was none.</summary>
+    /// <summary>Line of the last text that could not be read as a pair; -1 when there was none.</summary>
     public int DamageLine { get; private set; } = -1;
 
-    /// <summary>What stood at <see cref="DamageLine"/>, shortened.</summary>
+    /// <summary>The text at <see cref="DamageLine"/>, shortened.</summary>
     public string DamageText { get; private set; } = "";
 
-    /// <summary>How many such places there were.</summary>
+    /// <summary>Number of such places.</summary>
     public int DamageCount { get; private set; }
 
     public abstract bool IsBinary { get; }
 
-    /// <summary>True when the texts are known to be UTF-8, whatever the header says of them.</summary>
+    /// <summary>True when the texts are known to be UTF-8, whatever the header says.</summary>
     public bool IsUtf8 { get; init; }
 
     /// <summary>The value's bytes, without the line end; for a number of a binary file its raw bytes.</summary>
     public abstract ReadOnlySpan<byte> Value { get; }
 
-    /// <summary>How much of the file lies behind, 0 to 1.</summary>
+    /// <summary>Part of the file that has been read, 0 to 1.</summary>
     public double Part => (double)Position / Math.Max(1, _file.Length);
 
     protected ReadOnlySpan<byte> Bytes => _file;
@@ -61,7 +61,7 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
         return false;
     }
 
-    /// <summary>The value as a finite number, whole numbers included; false when it is none.</summary>
+    /// <summary>The value as a finite number, whole numbers included; false when it is not a number.</summary>
     public abstract bool TryNumber(out double number);
 
     /// <summary>Offset of the last place in the file where the word is a whole value (between line ends or NULs); -1 when there is none.</summary>
@@ -77,7 +77,7 @@ internal abstract class DxfTagSource(ReadOnlyMemory<byte> file)
         return -1;
     }
 
-    /// <summary>Where reading stands, to come back to with <see cref="Return"/>.</summary>
+    /// <summary>The present position, for <see cref="Return"/>.</summary>
     public (int Position, int Line) Bookmark() => (Position, NextLine);
 
     public void Return((int Position, int Line) bookmark)

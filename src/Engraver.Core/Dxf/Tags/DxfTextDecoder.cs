@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Engraver.Core.Dxf.Tags;
 
-/// <summary>Bytes of a name to text: UTF-8 from AC1021 on, before that the code page that $DWGCODEPAGE names; \U+XXXX escapes are resolved.</summary>
+/// <summary>Decodes names: UTF-8 from AC1021 on, before that the code page that $DWGCODEPAGE names; \U+XXXX escapes are resolved.</summary>
 internal sealed class DxfTextDecoder
 {
     private static readonly int[] MultiByteCodePages = [932, 950, 949, 1361, 936];
@@ -20,7 +20,7 @@ internal sealed class DxfTextDecoder
         _utf8 = version.Length == 6 && version.StartsWith("AC", StringComparison.OrdinalIgnoreCase)
             && int.TryParse(version.AsSpan(2), NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1021;
 
-    /// <summary>The bytes are known to be UTF-8 (the file was UTF-16, or begins with a byte order mark), whatever the header says.</summary>
+    /// <summary>Sets UTF-8 (the file was UTF-16, or begins with a byte order mark), whatever the header says.</summary>
     public void UseUtf8() => _forced = true;
 
     /// <summary>Takes $DWGCODEPAGE; false when the name is not known (Windows-1252 is used then).</summary>
@@ -46,7 +46,7 @@ internal sealed class DxfTextDecoder
         : codePage == Encoding.Latin1.CodePage ? Encoding.Latin1
         : CodePagesEncodingProvider.Instance.GetEncoding(codePage);
 
-    /// <summary>ANSI_1252, ansi_936, DOS437, ISO8859-2, GB2312 ...: the number behind the name.</summary>
+    /// <summary>The number in ANSI_1252, ansi_936, DOS437, ISO8859-2, GB2312 and the like.</summary>
     private static int? CodePageNumber(string name)
     {
         var upper = name.Trim().ToUpperInvariant();
@@ -87,7 +87,7 @@ internal sealed class DxfTextDecoder
         return result.Append(text, done, text.Length - done).ToString();
     }
 
-    /// <summary>Where the next \U+ or \M+ stands; -1 when there is none.</summary>
+    /// <summary>Index of the next \U+ or \M+; -1 when there is none.</summary>
     private static int NextEscape(string text, int from)
     {
         for (var at = text.IndexOf('\\', from); at >= 0; at = text.IndexOf('\\', at + 1))

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Dxf.Tags;
 
-/// <summary>Names files that are often given in place of a DXF, by how they begin.</summary>
+/// <summary>Recognises files that are often given in place of a DXF by their first bytes.</summary>
 internal static class ForeignFile
 {
     private const int MarkupStart = 1024;
@@ -25,7 +25,7 @@ internal static class ForeignFile
         ([.. "solid "u8], "an STL model"),
     ];
 
-    /// <summary>What the file is, with its article; null when it is not known.</summary>
+    /// <summary>What the file is, with its article; null when it is unknown.</summary>
     public static string? NameOf(ReadOnlySpan<byte> file)
     {
         foreach (var (beginning, name) in Known)

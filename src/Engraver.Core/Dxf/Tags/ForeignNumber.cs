@@ -3,13 +3,13 @@ using System.Text;
 
 namespace Engraver.Core.Dxf.Tags;
 
-/// <summary>Numbers as no DXF should write them, but programs do: a decimal comma (12,5), a Fortran exponent (1.25D+01), a capital or small one.</summary>
+/// <summary>Numbers that are not valid in a DXF but occur: a decimal comma (12,5), a Fortran exponent (1.25D+01, also in small letters).</summary>
 internal static class ForeignNumber
 {
     private const int Longest = 64;
     private static readonly SearchValues<byte> NumberBytes = SearchValues.Create("0123456789+-.,dDeE"u8);
 
-    /// <summary>True when the text has exactly one such meaning. "1,234.5" and "1,2,3" have none: DXF knows no groups of thousands.</summary>
+    /// <summary>True when the text has exactly one such meaning. "1,234.5" and "1,2,3" have none: DXF has no thousands separators.</summary>
     public static bool TryParse(ReadOnlySpan<byte> text, out double value)
     {
         value = 0.0;

@@ -5,7 +5,7 @@ namespace Engraver.Core.Dxf.Tags;
 /// <summary>Handles as a DXF writes them.</summary>
 internal static class HandleText
 {
-    /// <summary>A handle as written, hexadecimal, blanks around it allowed; 0 for anything that is none.</summary>
+    /// <summary>A handle as written: hexadecimal, blanks around it allowed; 0 when it is not one.</summary>
     public static ulong Parse(ReadOnlySpan<byte> text)
     {
         var handle = 0UL;

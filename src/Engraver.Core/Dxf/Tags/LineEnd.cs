@@ -5,13 +5,13 @@ using System.Runtime.Intrinsics;
 
 namespace Engraver.Core.Dxf.Tags;
 
-/// <summary>Finds where a line ends, sixteen bytes at a time.</summary>
+/// <summary>Finds the end of a line, sixteen bytes at a time.</summary>
 internal static class LineEnd
 {
-    /// <summary>Bytes that may be looked at behind the end that is found.</summary>
+    /// <summary>Bytes after the end found that may be read.</summary>
     private const int Margin = 32;
 
-    /// <summary>Moves to the next LF or CR; false when it is not found before the last bytes of the file (there the careful way must be gone).</summary>
+    /// <summary>Moves to the next LF or CR; false when there is none before the last bytes of the file (which need the general method).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool TryFind(ReadOnlySpan<byte> bytes, ref int at)
     {

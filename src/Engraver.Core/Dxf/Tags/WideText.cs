@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Core.Dxf.Tags;
 
-/// <summary>UTF-16, as some editors save a DXF: with a byte order mark, or recognised by every other byte being zero.</summary>
+/// <summary>UTF-16, as some editors save a DXF: recognised by a byte order mark, or by every other byte being zero.</summary>
 internal static class WideText
 {
     /// <summary>The same text in UTF-8; null when the file is not UTF-16.</summary>

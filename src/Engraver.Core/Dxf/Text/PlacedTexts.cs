@@ -5,7 +5,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Text;
 
-/// <summary>What a placement makes of a text: the line turns with the x axis, the height is what remains of the y axis across it.</summary>
+/// <summary>Transforms a text by a placement: its line turns with the x axis, its height is the part of the y axis perpendicular to that.</summary>
 internal static class PlacedTexts
 {
     public static PlacedText Placed(PlacedText text, in Placement placement)

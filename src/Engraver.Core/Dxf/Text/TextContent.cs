@@ -3,18 +3,18 @@ using System.Text;
 
 namespace Engraver.Core.Dxf.Text;
 
-/// <summary>What a text value means to whoever reads the drawing: %% codes and caret codes resolved, the formatting of an MTEXT left out (DXF reference, "TEXT", "MTEXT").</summary>
+/// <summary>A text value as people read it: %% codes and caret codes resolved, the formatting of an MTEXT removed (DXF reference, "TEXT", "MTEXT").</summary>
 internal static class TextContent
 {
     /// <summary>The content of TEXT and ATTRIB: one line.</summary>
     public static string OfText(string raw) => Carets(Percents(raw)).Replace('\n', ' ');
 
-    /// <summary>The content of MTEXT: \P parts lines, braces group, every other code is formatting.</summary>
+    /// <summary>The content of MTEXT: \P separates lines, braces group, every other code is formatting.</summary>
     public static string OfMText(string raw)
     {
         var text = Carets(Percents(raw));
         var result = new StringBuilder(text.Length);
-        var lastEnd = text.LastIndexOf(';'); // known once: a hostile text may open a million codes and end none
+        var lastEnd = text.LastIndexOf(';'); // computed once: a hostile text may begin a million codes and end none
         for (var at = 0; at < text.Length; at++)
         {
             if (text[at] is '{' or '}') continue;
@@ -25,7 +25,7 @@ internal static class TextContent
         return result.ToString();
     }
 
-    /// <summary>Takes the code whose letter stands at <paramref name="at"/>; returns its last character. Behind <paramref name="lastEnd"/> no code ends.</summary>
+    /// <summary>Handles the code whose letter is at <paramref name="at"/>; returns the index of its last character. No code ends after <paramref name="lastEnd"/>.</summary>
     private static int Code(string text, int at, int lastEnd, StringBuilder result)
     {
         switch (text[at])
@@ -46,7 +46,7 @@ internal static class TextContent
             case 'A' or 'C' or 'c' or 'F' or 'f' or 'H' or 'Q' or 'T' or 'W' or 'p':
                 return at < lastEnd ? text.IndexOf(';', at) : at;
             default:
-                result.Append('\\').Append(text[at]); // no code: it is what it looks like
+                result.Append('\\').Append(text[at]); // not a code: kept as text
                 return at;
         }
     }

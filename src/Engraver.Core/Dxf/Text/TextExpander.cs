@@ -5,10 +5,10 @@ using Engraver.Core.Dxf.Records;
 
 namespace Engraver.Core.Dxf.Text;
 
-/// <summary>Puts the texts of blocks into the drawing, once for every copy, as far as the limit goes: texts are not cut, so beyond it they are left out and counted only.</summary>
+/// <summary>Puts the texts of blocks into the drawing, once for every copy, up to a limit: texts are not cut, so beyond it they are only counted.</summary>
 internal sealed class TextExpander(IReadOnlyDictionary<int, BlockDefinition> blocks, LayerTable layers, CancellationToken cancellation) : IBlockVisitor
 {
-    /// <summary>Placed texts and the inserts on the way to them.</summary>
+    /// <summary>Most texts, with the inserts that lead to them, that are placed.</summary>
     private const int MostSteps = 1_000_000;
 
     private BlockWalk? _walk;
@@ -25,7 +25,7 @@ internal sealed class TextExpander(IReadOnlyDictionary<int, BlockDefinition> blo
         else LeftOut = true;
     }
 
-    /// <summary>Places the texts of an insert of model space. Its block has been weighed.</summary>
+    /// <summary>Places the texts of an insert of model space. The weight of its block is known.</summary>
     public void Expand(in BlockInsert insert)
     {
         if (!blocks.TryGetValue(insert.Block, out var block) || block.Weight is not { TextSteps: > 0 } weight) return;

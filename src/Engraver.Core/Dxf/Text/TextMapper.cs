@@ -12,7 +12,7 @@ internal sealed class TextMapper(StyleTable styles)
     private const int BackwardFlag = 2;
     private const int HiddenAttribute = 1;
 
-    /// <summary>The text of a record; null when it says nothing or lies out of range.</summary>
+    /// <summary>The text of a record; null when it is empty or out of range.</summary>
     public PlacedText? Map(EntityRecord record)
     {
         var text = record.Type == "MTEXT" ? MText(record) : Text(record);
@@ -35,13 +35,13 @@ internal sealed class TextMapper(StyleTable styles)
         };
     }
 
-    /// <summary>Either an angle (50) or the direction of the lines (11); whichever stands last counts.</summary>
+    /// <summary>Direction of the lines: an angle (50) or a vector (11), whichever comes last.</summary>
     private static Angle Direction(EntityRecord record)
     {
         var (angle, vector) = (record.Sequence.FindLastIndex(pair => pair.Code == 50), record.Sequence.FindLastIndex(pair => pair.Code == 11));
         if (vector > angle) return Angle.Direction(record.Number(11, 1.0), record.Number(21, 0.0));
         var turn = Angle.FromDegrees(record.First(50, 0.0));
-        return record.Extrusion().Z < 0.0 ? Angle.FromDegrees(180.0) - turn : turn; // counted in the entity's own system, the direction in the world
+        return record.Extrusion().Z < 0.0 ? Angle.FromDegrees(180.0) - turn : turn; // the angle is measured in the entity's own system, the vector in the world
     }
 
     private PlacedText Text(EntityRecord record)
@@ -63,7 +63,7 @@ internal sealed class TextMapper(StyleTable styles)
             Row = row,
         };
         var direction = record.Extrusion();
-        return direction == default || Placement.OfExtrusion(direction) is { IsIdentity: true } ? text : PlacedTexts.Placed(text, Placement.OfExtrusion(direction));
+        return direction == default || Placement.FromExtrusion(direction) is { IsIdentity: true } ? text : PlacedTexts.Placed(text, Placement.FromExtrusion(direction));
     }
 
     private PlacedText Common(EntityRecord record)

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>The handles that other objects of a written drawing point at; all others are handed out from <see cref="FirstFree"/> on.</summary>
+/// <summary>The handles that other objects of a written drawing refer to; all others are assigned from <see cref="FirstFree"/> on.</summary>
 internal static class DxfHandles
 {
     public const int None = 0;
@@ -23,12 +23,12 @@ internal static class DxfHandles
 
     public const int FirstFree = 0x10;
 
-    /// <summary>Entities begin here unless there are very many layers or styles.</summary>
+    /// <summary>First handle of the entities, unless there are very many layers or styles.</summary>
     private const int FirstEntity = 0x400;
 
-    /// <summary>More than tables, blocks and objects take besides a handle for each layer and style.</summary>
+    /// <summary>Handles reserved for tables, blocks and objects, without those of layers and styles; more than are needed.</summary>
     private const int TableHandles = 0x80;
 
-    /// <summary>Where the handles of the entities begin.</summary>
+    /// <summary>First handle of the entities of this sheet.</summary>
     public static int FirstEntityOf(DxfSheet sheet) => Math.Max(FirstEntity, TableHandles + sheet.Layers.Count + sheet.Styles.Count);
 }

@@ -5,10 +5,10 @@ namespace Engraver.Core.Dxf.Writing;
 /// <summary>Writes lines and arcs end to start as the vertices and bulges of an LWPOLYLINE.</summary>
 public static class DxfPolylineWriter
 {
-    /// <summary>Degrees. Beyond it the chord says too little about the circle, so such an arc is no part of a polyline that is to read back as it was.</summary>
+    /// <summary>Degrees. An arc of more is not written as part of a polyline, because its bulge would not give back the circle exactly.</summary>
     private const double WidestSweep = 270.0;
 
-    /// <summary>Degrees; readers take a flatter bulge for a line.</summary>
+    /// <summary>Degrees. Readers take an arc of less for a line.</summary>
     private const double FlattestSweep = 1e-5;
 
     /// <summary>Flags of a POLYLINE and of its vertices.</summary>
@@ -16,10 +16,10 @@ public static class DxfPolylineWriter
 
     private const int VertexInSpace = 32;
 
-    /// <summary>How far ends may lie apart, as a part of the coordinates and sizes.</summary>
+    /// <summary>Largest distance between joined ends, as a part of the coordinates and sizes.</summary>
     private const double Joint = 1e-11;
 
-    /// <summary>True when the segments are lines and arcs, each beginning where the one before ends, so that they read back as they are.</summary>
+    /// <summary>True when the segments are lines and arcs, each beginning where the one before ends, so that a polyline reads back as the same segments.</summary>
     public static bool CanWrite(IReadOnlyList<Segment> segments, bool closed)
     {
         ArgumentNullException.ThrowIfNull(segments);

@@ -3,13 +3,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Spells a directed segment as LINE, ARC, CIRCLE, ELLIPSE or SPLINE, a run of them as LWPOLYLINE, so that its direction reads back from the geometry alone.</summary>
+/// <summary>Writes a directed segment as LINE, ARC, CIRCLE, ELLIPSE or SPLINE, a run of them as LWPOLYLINE, so that its direction can be read back from the geometry alone.</summary>
 /// <remarks>A DXF ARC always runs counter-clockwise in its own system. A clockwise one is therefore written under the extrusion 0,0,-1, whose system is the drawing seen
 /// from behind: x and angles are mirrored (x' = -x, angle' = 180 - angle; DXF reference, "Arbitrary Axis Algorithm"). A CIRCLE starts at angle 0 of its system; a
 /// circle that starts elsewhere is written as an ARC of a whole turn.</remarks>
 internal static class DxfSegmentWriter
 {
-    /// <summary>Degrees; readers take a smaller sweep for none, so such a speck of an arc is written as the line between its ends.</summary>
+    /// <summary>Degrees. Readers take a smaller sweep for none, so such an arc is written as the line between its ends.</summary>
     private const double SmallestSweep = 1e-8;
 
     public static void Write(DxfTagWriter tags, in DxfSheetEntity entity)
@@ -36,7 +36,7 @@ internal static class DxfSegmentWriter
         if (!isCircle) tags.Class("AcDbArc").Real(50, start.Degrees).Real(51, End(start, arc));
     }
 
-    /// <summary>Within one turn, except for a whole turn, which ends 360 behind its start.</summary>
+    /// <summary>The end angle within one turn of the start; of a whole turn, start + 360 degrees.</summary>
     private static double End(Angle start, ArcSegment arc)
     {
         var end = start.Degrees + Math.Abs(arc.Sweep.Degrees);

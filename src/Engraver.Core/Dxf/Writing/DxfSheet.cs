@@ -4,14 +4,14 @@ using Engraver.Core.Geometry;
 namespace Engraver.Core.Dxf.Writing;
 
 /// <summary>What <see cref="DxfWriter"/> writes: layers, and curves in order, in one unit.</summary>
-/// <param name="Layers">Layer 0, which every drawing has, is written in colour 7 when it is not among them.</param>
-/// <param name="Entities">In the order in which they are to stand in the file.</param>
+/// <param name="Layers">Layer 0 is written in colour 7 when it is not among them.</param>
+/// <param name="Entities">In file order.</param>
 public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList<DxfSheetEntity> Entities)
 {
     /// <summary>$INSUNITS, 1 to 24.</summary>
     public int InsUnits { get; init; } = 4;
 
-    /// <summary>They stand behind the curves.</summary>
+    /// <summary>Written after the curves.</summary>
     public IReadOnlyList<DxfSheetText> Texts { get; init; } = [];
 
     /// <summary>The text styles and their fonts, Standard first.</summary>
@@ -22,25 +22,25 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
 
     internal bool HasTrueColours => Layers.Any(layer => layer.Rgb is not null) || Entities.Any(entity => entity.Colour.Rgb is not null);
 
-    /// <summary>Tight box of the curves; empty when there is none.</summary>
+    /// <summary>Smallest box of the curves; empty when there are none.</summary>
     public Bounds2D Bounds => Entities.Aggregate(Bounds2D.Empty, (box, entity) => entity.Segments.Aggregate(box, (all, segment) => all.Union(segment.Bounds)));
 }
 
 /// <summary>A layer of a written drawing.</summary>
 /// <param name="Name">Written in ASCII; every other character is escaped.</param>
 /// <param name="Colour">Colour index, 1 to 255.</param>
-/// <param name="Plots">False for what is to be seen but not cut: our reader, like a plotter, leaves such a layer out unless it is asked for.</param>
+/// <param name="Plots">False for a layer that is shown but not cut: our reader, like a plotter, leaves it out unless it is asked for.</param>
 public sealed record DxfSheetLayer(string Name, int Colour, bool Plots = true)
 {
     public bool On { get; init; } = true;
 
     public bool Frozen { get; init; }
 
-    /// <summary>True colour as 0x00RRGGBB, which stands above the index; null for none.</summary>
+    /// <summary>True colour as 0x00RRGGBB, which has precedence over the index; null for none.</summary>
     public uint? Rgb { get; init; }
 }
 
 /// <summary>A text of a written drawing.</summary>
-/// <param name="Text">As it was read; an MTEXT is written as one, every other as TEXT.</param>
+/// <param name="Text">As it was read; an MTEXT is written as MTEXT, every other as TEXT.</param>
 /// <param name="Layer">Name of one of the sheet's layers.</param>
 public readonly record struct DxfSheetText(PlacedText Text, string Layer);

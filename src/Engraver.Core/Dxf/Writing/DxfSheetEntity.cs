@@ -3,10 +3,10 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>A curve of a written drawing: a segment with its direction, its layer, and what our own program wants to find again.</summary>
+/// <summary>A curve of a written drawing: a segment with its direction, its layer, and extended data for our own reader.</summary>
 /// <param name="Segment">In the unit of the sheet; written so that it reads back with this start, end and direction.</param>
 /// <param name="Layer">Name of one of the sheet's layers.</param>
-/// <param name="Role">First text of the extended data; null: none is written.</param>
+/// <param name="Role">First text of the extended data; null for no extended data.</param>
 /// <param name="Sequence">Place in the order of cutting, 1 is first; 0 for what is not cut.</param>
 /// <param name="Stroke">The stroke it belongs to or leads to, 1 is first.</param>
 public readonly record struct DxfSheetEntity(Segment Segment, string Layer, string? Role, int Sequence, int Stroke)
@@ -23,7 +23,7 @@ public readonly record struct DxfSheetEntity(Segment Segment, string Layer, stri
     /// <summary>Heights of the vertices of a polyline of lines that does not lie level; null for every other.</summary>
     public IReadOnlyList<double>? Heights { get; init; }
 
-    /// <summary>How many handles it takes: a polyline in space has vertices and an end with handles of their own.</summary>
+    /// <summary>Number of handles it needs: the vertices and the end of a polyline in space have handles of their own.</summary>
     internal int Handles => Heights is null ? 1 : Heights.Count + 2;
 
     public DrawingColour Colour { get; init; }

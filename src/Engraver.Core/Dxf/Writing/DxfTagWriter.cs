@@ -4,9 +4,9 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes (group code, value) pairs as ASCII DXF; handles are handed out in order. Calls chain.</summary>
-/// <param name="output">LF or CR LF are both fine for DXF; LF is written.</param>
-/// <param name="firstHandle">The first handle that <see cref="NextHandle"/> gives away.</param>
+/// <summary>Writes (group code, value) pairs as ASCII DXF; handles are assigned in order. Calls can be chained.</summary>
+/// <param name="output">Receives LF as line end; DXF allows LF and CR LF.</param>
+/// <param name="firstHandle">The first handle that <see cref="NextHandle"/> returns.</param>
 internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
 {
     private int _nextHandle = firstHandle;
@@ -20,7 +20,7 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
         return this;
     }
 
-    /// <summary>Every other character as \U+XXXX, which AutoCAD and its kin read in any code page.</summary>
+    /// <summary>Writes every character outside ASCII as \U+XXXX, which AutoCAD and compatible programs read in any code page.</summary>
     private static string Escaped(string value) =>
         string.Concat(value.Select(unit => char.IsAscii(unit) ? unit.ToString() : string.Create(CultureInfo.InvariantCulture, $@"\U+{(int)unit:X4}")));
 
@@ -28,7 +28,7 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
 
     public DxfTagWriter Handle(int code, int handle) => Text(code, handle.ToString("X", CultureInfo.InvariantCulture));
 
-    /// <summary>The shortest text that reads back as the same number, always with a point or an exponent; minus zero is zero.</summary>
+    /// <summary>The shortest text that reads back as the same number, always with a point or an exponent; minus zero is written as zero.</summary>
     public DxfTagWriter Real(int code, double value)
     {
         var text = (value + 0.0).ToString("R", CultureInfo.InvariantCulture);
@@ -40,7 +40,7 @@ internal sealed class DxfTagWriter(TextWriter output, int firstHandle)
 
     public DxfTagWriter Point(int code, Vector3D place) => Real(code, place.X).Real(code + 10, place.Y).Real(code + 20, place.Z);
 
-    /// <summary>Marker of an object's class, group 100.</summary>
+    /// <summary>Group 100: marker of an object's class.</summary>
     public DxfTagWriter Class(string marker) => Text(100, marker);
 
     /// <summary>Begins an object with the next free handle.</summary>

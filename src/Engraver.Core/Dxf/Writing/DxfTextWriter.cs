@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes texts so that they read back with content, place and form: the codes that the reader resolves are put in again.</summary>
+/// <summary>Writes texts so that they read back with the same content, position and form: characters that the reader treats as codes are written as codes.</summary>
 internal static class DxfTextWriter
 {
     private const int Backward = 2;
@@ -31,7 +31,7 @@ internal static class DxfTextWriter
         tags.Class("AcDbText").Integer(73, (int)text.Row);
     }
 
-    /// <summary>A mirrored one lies under the extrusion 0,0,-1; its place and direction are in the world all the same.</summary>
+    /// <summary>A mirrored text has the extrusion 0,0,-1; its position and direction are in world coordinates all the same.</summary>
     private static void Paragraph(DxfTagWriter tags, PlacedText text)
     {
         tags.Class("AcDbMText").Point(10, text.Position).Real(40, text.Height).Real(41, text.FrameWidth);

@@ -2,15 +2,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>Writes a drawing of lines, arcs, circles, ellipses, splines and texts as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader asks for.</summary>
-/// <remarks>Order and direction are kept: a clockwise arc stands under the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
+/// <summary>Writes a drawing of lines, arcs, circles, ellipses, splines and texts as DXF AC1015 (AutoCAD 2000; AC1018, 2004, when it has true colours) with every table, block and object that a strict reader requires.</summary>
+/// <remarks>Order and direction are kept: a clockwise arc is written with the extrusion 0,0,-1 (see <see cref="DxfSegmentWriter"/>), and an entity with a role carries extended
 /// data of <see cref="Application"/>: the role (1000), its place in the order of cutting and its stroke (1071 each).</remarks>
 public static class DxfWriter
 {
     /// <summary>Name under which the extended data is registered.</summary>
     public const string Application = "CNCENGRAVER";
 
-    /// <summary>Codes of $INSUNITS that are English.</summary>
+    /// <summary>Codes of $INSUNITS for English units.</summary>
     private static readonly int[] s_english = [1, 2, 3, 8, 9, 10, 21, 22, 23, 24];
 
     /// <summary>The same sheet gives the same text. LF line ends, ASCII.</summary>

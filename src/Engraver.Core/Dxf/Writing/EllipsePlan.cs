@@ -2,14 +2,14 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Dxf.Writing;
 
-/// <summary>An ellipse or its arc in plan, as DXF writes it, found again from its rational parabolas.</summary>
+/// <summary>An ellipse or its arc in plan with the values that DXF stores, computed from its rational parabolas.</summary>
 /// <param name="Major">From the centre to an end of the longer axis.</param>
 /// <param name="Ratio">Shorter over longer axis, above 0 and at most 1.</param>
 /// <param name="Start">Parameter at the start, radians, 0 to a turn.</param>
 /// <param name="End">Parameter at the end, above the start.</param>
 internal readonly record struct EllipsePlan(Point2D Centre, Vector2D Major, double Ratio, double Start, double End, bool CounterClockwise)
 {
-    /// <summary>AutoCAD takes no thinner ellipse.</summary>
+    /// <summary>Smallest ratio that AutoCAD accepts.</summary>
     private const double SmallestRatio = 1e-6;
 
     public static EllipsePlan From(RationalCurve curve)

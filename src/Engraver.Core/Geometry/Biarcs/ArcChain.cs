@@ -3,10 +3,10 @@ namespace Engraver.Core.Geometry.Biarcs;
 /// <summary>Collects the arcs of a fit; neighbours on one circle become one arc, neighbours on one line one line.</summary>
 internal sealed class ArcChain
 {
-    /// <summary>Of the radius: circles that differ by less are one circle.</summary>
+    /// <summary>Radii and centres that differ by less than this part of the radius make one circle.</summary>
     private const double SameCircle = 1e-9;
 
-    /// <summary>Sine of the angle under which two lines are one.</summary>
+    /// <summary>Sine of the largest angle between two lines that are joined to one.</summary>
     private const double SameDirection = 1e-12;
 
     private readonly List<Segment> _segments = [];
@@ -35,7 +35,7 @@ internal sealed class ArcChain
         return last.Kind == SegmentKind.Arc ? OnOneCircle(last, next) : null;
     }
 
-    /// <summary>A whole turn only where it comes back exactly to its start, anything between nearly whole and whole not at all.</summary>
+    /// <summary>The arc that covers both, when they are on one circle. A whole turn only if it ends exactly at its start; null when it would end nearly there.</summary>
     private static Segment? OnOneCircle(Segment last, Segment next)
     {
         var (a, b) = (last.Arc, next.Arc);

@@ -2,9 +2,9 @@ namespace Engraver.Core.Geometry.Biarcs;
 
 /// <summary>Decides whether a piece of a curve runs within a distance of an arc (or line), rigorously: not at samples but by bounds that hold everywhere.</summary>
 /// <remarks>
-/// With Q the way from the arc's start, n its left normal there and k its curvature, d = k|Q|^2 - 2 Q.n is 2 + k e times the distance e from the circle (k = 0: from the line).
-/// Times the squared weight it is a polynomial, which its Bernstein coefficients enclose; so are the ways by which the piece may reach beyond the arc's two ends.
-/// Undecided pieces are halved. Since piece and arc begin and end beside each other, every place of the arc has one of the piece as near (continuity).
+/// With Q the vector from the arc's start, n its left normal there and k its curvature, d = k|Q|^2 - 2 Q.n is 2 + k e times the distance e from the circle (k = 0: from the line).
+/// Times the squared weight it is a polynomial, which its Bernstein coefficients enclose; so are the distances by which the piece may reach beyond the arc's two ends.
+/// Pieces that the bounds do not decide are halved. Since piece and arc begin and end beside each other, every point of the arc has a point of the piece as near (continuity).
 /// </remarks>
 internal static class ArcDeviation
 {
@@ -25,7 +25,7 @@ internal static class ArcDeviation
         return IsWithin(first, arc, tolerance, halvings - 1) && IsWithin(second, arc, tolerance, halvings - 1);
     }
 
-    /// <summary>A bound of the distance from circle or line, and the true distance at the farther end.</summary>
+    /// <summary>An upper bound of the distance from circle or line over the piece, and the larger of the distances at its two ends.</summary>
     private static (double Bound, double AtEnds) Distance(BezierSpan piece, in TangentArc arc)
     {
         var degree = piece.Degree;
@@ -57,7 +57,7 @@ internal static class ArcDeviation
         return (ToDistance(largest / (least * least), arc.Curvature), Math.Max(AtEnd(piece.Start, arc), AtEnd(piece.End, arc)));
     }
 
-    /// <summary>|d| = |e| (2 + k e), and k e is at least -1.</summary>
+    /// <summary>The distance |e| that belongs to d, from |d| = |e| (2 + k e) with k e at least -1.</summary>
     private static double ToDistance(double d, double curvature) => d / (2.0 - Math.Min(1.0, Math.Abs(curvature) * d));
 
     /// <summary>Distance of a place from the arc's whole circle (or line).</summary>

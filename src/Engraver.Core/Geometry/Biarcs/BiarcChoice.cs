@@ -1,17 +1,17 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Of all biarcs between two places of a run with given directions, one that stays within the tolerance.</summary>
-/// <remarks>A few samples tell which members of the family are worth a proof; the proof is <see cref="ArcDeviation"/>.</remarks>
+/// <summary>Looks among all biarcs between two places of a run, with given directions there, for one within the tolerance.</summary>
+/// <remarks>A few samples show which members of the family are worth a proof; <see cref="ArcDeviation"/> proves.</remarks>
 internal sealed class BiarcChoice(SmoothRun run, double tolerance)
 {
     private const int JointSteps = 60;
     private const int Samples = 12;
     private const int Proofs = 2;
 
-    /// <summary>Radians. Numbers of drawn circles are rounded more than that.</summary>
+    /// <summary>Sine of the largest angle between an arc's end direction and the curve's that counts as none; circles as drawn are rounded to less.</summary>
     public const double SameDirection = 1e-4;
 
-    /// <summary>First tangent length over that of the pair with equal ones. The equal pair comes first: where it does, nothing else is tried.</summary>
+    /// <summary>First tangent lengths to try, as multiples of that of the pair with equal ones. The equal pair comes first and mostly suffices.</summary>
     private static readonly double[] Shares = [1.0, 0.8, 1.25, 0.62, 1.6, 0.9, 1.1, 0.7, 1.4, 0.53, 1.9, 0.45, 2.2, 0.37, 2.7, 0.3, 3.3, 0.18, 5.5];
 
     private readonly Point2D[] _samples = new Point2D[Samples];
@@ -37,7 +37,7 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
         return null;
     }
 
-    /// <summary>The arc (or line) that leaves in a direction and, with its end between two places, arrives in the curve's own; null where there is none within the tolerance.</summary>
+    /// <summary>The arc (or line) that leaves in a given direction, ends on the curve between two places and arrives in the curve's direction there; null where there is none within the tolerance.</summary>
     public (double To, TangentArc Arc)? SingleBetween(double from, Vector2D leaving, double low, double high)
     {
         if (Single(from, leaving, high) is { } atOnce) return (high, atOnce);
@@ -53,11 +53,11 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
         return Single(from, leaving, high) is { } arc ? (high, arc) : null;
     }
 
-    /// <summary>The arc (or line) that leaves in a direction and arrives at a place in the curve's own; null where it does not (to a sine of <paramref name="sameDirection"/>) or is not within the tolerance.</summary>
+    /// <summary>The arc (or line) that leaves in a given direction and ends at a place of the curve in the curve's direction; null when the directions differ by more than a sine of <paramref name="sameDirection"/>, or it is not within the tolerance.</summary>
     public TangentArc? Single(double from, Vector2D leaving, double to, double sameDirection = SameDirection) =>
         Math.Abs(Mismatch(from, leaving, to)) <= sameDirection && TangentArc.From(run.PlaceAt(from), leaving, run.PlaceAt(to)) is var arc && IsWithin(from, to, arc) ? arc : null;
 
-    /// <summary>Sine of the turn from the end of the arc to the curve; not a number where the arc would sweep a half turn or the curve goes another way.</summary>
+    /// <summary>Sine of the signed angle from the end of the arc to the curve; NaN where the arc would sweep a half turn or the curve points backwards.</summary>
     private double Mismatch(double from, Vector2D leaving, double to)
     {
         var (start, end) = (run.PlaceAt(from), run.PlaceAt(to));
@@ -80,7 +80,7 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
         return best;
     }
 
-    /// <summary>Largest distance of a sample from its arc, or something above <paramref name="enough"/>.</summary>
+    /// <summary>Largest distance of a sample from its arc; once it exceeds <paramref name="enough"/>, any value above that.</summary>
     private double Stray(in Biarc pair, double enough)
     {
         var (joint, tangent) = (pair.Second.Start, pair.Second.StartTangent);
@@ -97,7 +97,7 @@ internal sealed class BiarcChoice(SmoothRun run, double tolerance)
     private bool IsWithin(double from, double to, in Biarc pair) =>
         JointBetween(from, to, pair.First.End, pair.First.EndTangent) is { } joint && IsWithin(from, joint, pair.First) && IsWithin(joint, to, pair.Second);
 
-    /// <summary>Where the curve crosses the normal through the joint (false position, Illinois); null when it does not get from one side to the other.</summary>
+    /// <summary>Where the curve crosses the normal through the joint (false position, Illinois variant); null when both ends are on the same side of it.</summary>
     private double? JointBetween(double from, double to, Point2D joint, Vector2D tangent)
     {
         var (low, high) = (from, to);

@@ -1,21 +1,21 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Ellipses and splines as arcs and lines: pairs of arcs whose ends and end directions are the curve's, so that nothing but a corner of the curve becomes a corner of the path.</summary>
-/// <remarks>Each pair is as long as the tolerance allows: found by galloping and bisection from where the last one ended. Since a part of what fits fits too, longest first is also fewest (but for curves that turn the rule round).</remarks>
+/// <summary>Approximates ellipses and splines by arcs and lines: pairs of arcs that take ends and end directions from the curve, so that the path has corners only where the curve has.</summary>
+/// <remarks>Each pair is as long as the tolerance allows, found by galloping and bisection from the end of the last. A part of what fits also fits, so taking the longest gives the fewest (for nearly all curves).</remarks>
 public static class BiarcFit
 {
-    /// <summary>Of a curve's size and of its distance from the origin: no tolerance can be finer than this, or a curve of kilometres would become a million arcs.</summary>
+    /// <summary>Finest tolerance as a part of the curve's size and distance from the origin; below it rounding decides, and a curve of kilometres would become a million arcs.</summary>
     private const double FinestOfSize = 1e-9;
 
     private const double FinestOfPlace = 1e-13;
 
-    /// <summary>Up to here a piece more or less is worth a second search.</summary>
+    /// <summary>Up to this number of arcs a second search for one arc fewer is worth its time.</summary>
     private const int FewArcs = 64;
 
-    /// <summary>Arcs and lines that begin and end where the curve does and lie nowhere farther from it than <paramref name="maxError"/> (bounded, not sampled), nor it from them.</summary>
+    /// <summary>Arcs and lines that begin and end where the curve does. No point of them is farther than <paramref name="maxError"/> from the curve, nor any point of the curve from them (proved by bounds, not by samples).</summary>
     /// <param name="curve">The curve.</param>
-    /// <param name="maxError">Above 0; raised to 1e-9 of the curve's size.</param>
-    /// <returns>At least one segment. Within a smooth run neighbours share their tangent; only where a cusp lies inside a span a line shorter than the tolerance bridges it.</returns>
+    /// <param name="maxError">Millimetres (or the curve's unit), above 0; raised to 1e-9 of the curve's size.</param>
+    /// <returns>At least one segment. Within a smooth run neighbours share their tangent; only at a cusp inside a span a line shorter than the tolerance bridges it.</returns>
     public static IReadOnlyList<Segment> Fit(RationalCurve curve, double maxError)
     {
         var box = curve.Bounds;
@@ -31,11 +31,11 @@ public static class BiarcFit
         return segments.Count > 0 ? segments : [Segment.FromLine(curve.Start, curve.End)];
     }
 
-    /// <summary>A spline that closes without a corner has no end whose direction could be missed by more than what is no corner.</summary>
+    /// <summary>Sine by which the last arc may miss the curve's end direction: at the end of a spline that closes without a corner, as much as counts as no corner.</summary>
     private static double EndDirection(RationalCurve curve, SmoothRun run) =>
         curve is { Kind: SegmentKind.Spline, IsClosed: true } && run.End == curve.Spans.Length ? SmoothRun.CornerSine : BiarcChoice.SameDirection;
 
-    /// <summary>From the front and from the back: greed that ends in a stub on the one way often does not on the other. Then, where the spans are like arcs, by arcs from span to span.</summary>
+    /// <summary>The fewest arcs of several searches: from the front, from the back (the longest-first rule may leave a very short last arc in one direction only), and from span to span where spans are like arcs.</summary>
     private static IReadOnlyList<TangentArc> Cover(SmoothRun run, double tolerance, double endDirection)
     {
         var forwards = new BiarcSearch(run, tolerance).Cover();

@@ -3,12 +3,12 @@ namespace Engraver.Core.Geometry.Biarcs;
 /// <summary>Covers a smooth run with arcs, each pair (or single arc, where one does) as long as the tolerance allows.</summary>
 internal sealed class BiarcSearch(SmoothRun run, double tolerance)
 {
-    /// <summary>The bisection for the longest fit ends when it knows the length to this part.</summary>
+    /// <summary>Relative precision at which the bisection for the longest fit ends.</summary>
     private const double LengthKnown = 0.01;
 
     private const int SingleSteps = 20;
 
-    /// <summary>So many lines in a row bridge no cusp: the numbers of the curve are worn away by rounding (its size against its distance from the origin), and no arc will ever fit.</summary>
+    /// <summary>After so many lines in a row it is rounding and no cusp that prevents arcs (a small curve far from the origin), and the search gives up.</summary>
     private const int MostLines = 16;
 
     private const double SmallestStep = 1e-12;
@@ -17,7 +17,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
     private readonly List<TangentArc> _arcs = [];
     private double _step = 1.0;
 
-    /// <summary>The arcs and lines from the run's start to its end. Neighbours share place and direction but where a line bridges a cusp.</summary>
+    /// <summary>The arcs and lines from the run's start to its end. Neighbours share point and direction, except where a line bridges a cusp.</summary>
     public IReadOnlyList<TangentArc> Cover()
     {
         var tangent = run.TangentAt(0.0);
@@ -85,7 +85,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
 
     private Biarc? FitBetween(double from, Vector2D tangent, double to) => _choice.Between(from, tangent, to, run.TangentAt(to));
 
-    /// <summary>One arc that covers at least half of what two do, as far as it gets. Where two reach the end, one is better only when it does too.</summary>
+    /// <summary>One arc instead of two, as far as it fits; null when it covers less than half of what two do, or when two reach the run's end and it does not.</summary>
     private (double To, TangentArc Arc)? SingleFrom(double from, Vector2D tangent, double reach)
     {
         if (reach <= from) return null;
@@ -100,7 +100,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
         return null;
     }
 
-    /// <summary>Ends worth a look: evenly from a half to twice the reach of two arcs, each moved to the joint of spans near it (CAD writes circles as splines of four).</summary>
+    /// <summary>End places to try: evenly from a half to twice the reach of two arcs, each moved to a span's end near it (CAD writes circles as splines of four spans).</summary>
     private double SinglePlace(double from, double reach, int step)
     {
         var place = from + ((reach - from) * 2.0 * step / SingleSteps);
@@ -108,7 +108,7 @@ internal sealed class BiarcSearch(SmoothRun run, double tolerance)
         return Math.Min(run.End, joint > from && Math.Abs(joint - place) <= (reach - from) / SingleSteps ? joint : place);
     }
 
-    /// <summary>Control points all within half the tolerance of the start: a line is near enough whatever the curve does.</summary>
+    /// <summary>True when all control points are within half the tolerance of the start: a line is then near enough, whatever the curve does.</summary>
     private bool IsSpeck(double from, double to)
     {
         var start = run.PlaceAt(from);

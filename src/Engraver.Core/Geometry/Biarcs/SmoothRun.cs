@@ -1,14 +1,14 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Spans of a curve from one corner to the next. Places on it are numbered span + parameter, from 0 to <see cref="End"/>.</summary>
+/// <summary>Spans of a curve from one corner to the next. A place on it is the number of the span plus the parameter in it, from 0 to <see cref="End"/>.</summary>
 internal sealed class SmoothRun(ArraySegment<BezierSpan> spans)
 {
-    /// <summary>Sine of the turn above which a joint is a corner: numbers in a file are rounded, and so are tangents of what was drawn smooth.</summary>
+    /// <summary>Sine of the turn above which a joint of spans is a corner; below it, coordinates rounded in the file may be the cause.</summary>
     public const double CornerSine = 1e-3;
 
     public double End => spans.Count;
 
-    /// <summary>A curve in runs: split where spans do not meet or meet at an angle.</summary>
+    /// <summary>Divides a curve into runs: where spans do not meet, or meet at an angle.</summary>
     public static IEnumerable<SmoothRun> Split(RationalCurve curve)
     {
         var spans = curve.Spans.ToArray();
@@ -30,14 +30,14 @@ internal sealed class SmoothRun(ArraySegment<BezierSpan> spans)
         return place == span ? spans[span].Start : place >= End ? spans[span].End : spans[span].PointAt(place - span);
     }
 
-    /// <summary>Direction of travel (length 1); where the run stands still, that in which it goes on.</summary>
+    /// <summary>Direction of travel (length 1); where the speed is zero, the direction in which the run continues.</summary>
     public Vector2D TangentAt(double place)
     {
         var span = Math.Min((int)place, spans.Count - 1);
         return spans[span].TangentAt(place - span);
     }
 
-    /// <summary>What lies between two places, span by span.</summary>
+    /// <summary>The part between two places, span by span.</summary>
     public IEnumerable<BezierSpan> Between(double from, double to)
     {
         for (var span = (int)from; span < to && span < spans.Count; span++)

@@ -1,24 +1,24 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>Covers a run whose spans are as good as arcs (CAD writes a circle as a spline of four) with the fewest single arcs from one end or middle of a span to another.</summary>
-/// <remarks>The search that goes as far as it can puts its ends where they cannot be met again; by the symmetry of such spans their ends and middles can. Within the run neighbours share their tangent exactly.</remarks>
-/// <param name="run">What is to be covered.</param>
-/// <param name="tolerance">Distance, mm.</param>
-/// <param name="endDirection">Sine by which the last arc may arrive off the curve's direction.</param>
+/// <summary>Covers a run whose spans are nearly arcs (CAD writes a circle as a spline of four) with the fewest single arcs, each from one end or middle of a span to another.</summary>
+/// <remarks><see cref="BiarcSearch"/> ends its arcs at places from which no single arc goes on; the ends and middles of symmetric spans do not have that problem. Within the run neighbours share their tangent exactly.</remarks>
+/// <param name="run">The run to cover.</param>
+/// <param name="tolerance">Largest distance between run and arcs, mm.</param>
+/// <param name="endDirection">Sine of the largest angle between the last arc's end and the curve's.</param>
 internal sealed class SpanArcs(SmoothRun run, double tolerance, double endDirection)
 {
-    /// <summary>Places of each span.</summary>
+    /// <summary>End places in each span: its middle and its end.</summary>
     private const int PlacesPerSpan = 2;
 
-    /// <summary>No arc sweeps a half turn, and a circle has four spans or more.</summary>
+    /// <summary>Most places that one arc may span. No arc sweeps a half turn, and a circle has at least four spans.</summary>
     private const int FarthestPlace = 16;
 
-    /// <summary>Between arcs, which share their direction whatever the curve's is: numbers written with four decimals spoil the symmetry of a small circle by that much.</summary>
+    /// <summary>Sine of the largest angle between an arc's end and the curve's, where another arc follows (it continues in the arc's direction): coordinates with four decimals turn a small circle by so much.</summary>
     private const double SameDirection = SmoothRun.CornerSine;
 
     private readonly BiarcChoice _choice = new(run, tolerance);
 
-    /// <summary>Arcs from the run's start to its end, each leaving as the one before arrives; null when arcs alone do not get there.</summary>
+    /// <summary>Arcs from the run's start to its end, each leaving in the direction in which the one before arrives; null when there are none.</summary>
     public IReadOnlyList<TangentArc>? Cover()
     {
         if (_choice.Single(0.0, run.TangentAt(0.0), 1.0, SameDirection) is null) return null;

@@ -1,6 +1,6 @@
 namespace Engraver.Core.Geometry.Biarcs;
 
-/// <summary>An arc by its ends and its direction at the start; a line when it does not bend.</summary>
+/// <summary>An arc by its ends and its direction at the start; a line when its curvature is 0.</summary>
 /// <param name="Start">Where it begins.</param>
 /// <param name="StartTangent">Direction there, length 1.</param>
 /// <param name="End">Where it ends.</param>
@@ -8,7 +8,7 @@ namespace Engraver.Core.Geometry.Biarcs;
 /// <param name="Curvature">1 / radius, left turns positive; 0 for a line.</param>
 public readonly record struct TangentArc(Point2D Start, Vector2D StartTangent, Point2D End, Vector2D EndTangent, double Curvature)
 {
-    /// <summary>Of the chord: an arc that stands off it by less is a line (its centre would be lost in rounding).</summary>
+    /// <summary>An arc whose height over the chord is below this part of the chord becomes a line: its centre would be lost in rounding.</summary>
     private const double StraightSagitta = 1e-9;
 
     /// <summary>The arc that leaves <paramref name="start"/> along <paramref name="tangent"/> and reaches <paramref name="end"/>.</summary>
@@ -22,7 +22,7 @@ public readonly record struct TangentArc(Point2D Start, Vector2D StartTangent, P
         return new TangentArc(start, tangent, end, turned, 2.0 * across / squared);
     }
 
-    /// <summary>The line between two places.</summary>
+    /// <summary>The line between two points.</summary>
     public static TangentArc Straight(Point2D start, Point2D end)
     {
         var chord = end - start;

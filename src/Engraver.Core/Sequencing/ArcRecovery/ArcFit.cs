@@ -2,16 +2,16 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>The circle nearest to vertices (least squares), proven by <see cref="ChordProof"/>.</summary>
+/// <summary>Fits the nearest circle (least squares) to vertices; <see cref="ChordProof"/> proves the fit.</summary>
 internal static class ArcFit
 {
-    /// <summary>An arc that rises less than this many times the error above its chord might as well be straight, and is left as it was drawn.</summary>
+    /// <summary>An arc that rises less than this many times the error above its chord is nearly straight, and its lines are left as drawn.</summary>
     private const double LeastRise = 2.0;
 
-    /// <summary>Degrees. What comes nearer to a whole turn without closing is left in two.</summary>
+    /// <summary>Degrees. Vertices that come nearer to a whole turn without closing are left as two arcs.</summary>
     private const double MostSweep = 350.0;
 
-    /// <summary>True when an arc stands out from its chord.</summary>
+    /// <summary>True when an arc rises enough above its chord.</summary>
     public static bool Rises(in RecoveredArc found, double maxError) =>
         found.Arc.Radius * (1.0 - Math.Cos(Math.Min(Math.PI, found.Arc.Sweep.Abs().Radians / 2.0))) >= LeastRise * maxError;
 
@@ -35,7 +35,7 @@ internal static class ArcFit
         return IsOnce(length, arc) ? new RecoveredArc(arc, start, end, deviation) : null;
     }
 
-    /// <summary>The whole circle of a closed polygon; null where it is none.</summary>
+    /// <summary>The whole circle of a closed polygon; null where it is not one.</summary>
     public static RecoveredArc? Circle(ReadOnlySpan<Point2D> vertices, in ChordTolerances tolerances)
     {
         var origin = vertices[0];
@@ -58,7 +58,7 @@ internal static class ArcFit
         return IsOnce(length, circle) ? new RecoveredArc(circle, circle.StartPoint, circle.StartPoint, deviation) : null;
     }
 
-    /// <summary>How far left of the chord's middle the centre of the best circle through both ends lies, and on which side (left +1) the vertices do.</summary>
+    /// <summary>Height of the centre of the best circle through both ends above the chord's middle (left positive), and the side of the vertices (left +1).</summary>
     private static (double Height, double Side)? CentreHeight(ReadOnlySpan<Point2D> vertices, Point2D middle, Vector2D along, Vector2D left, double half)
     {
         double mixed = 0, squared = 0, sum = 0;
@@ -75,7 +75,7 @@ internal static class ArcFit
         return double.IsFinite(height) ? (height, sum < 0.0 ? -1.0 : 1.0) : null;
     }
 
-    /// <summary>Kasa's fit: x^2 + y^2 against x, y and 1, about the mean of the vertices.</summary>
+    /// <summary>Kasa's fit: least squares of x^2 + y^2 against x, y and 1, about the mean of the vertices.</summary>
     private static Point2D? Centre(ReadOnlySpan<Point2D> vertices, Point2D mean)
     {
         double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
@@ -91,13 +91,13 @@ internal static class ArcFit
         return centre.IsFinite ? centre : null;
     }
 
-    /// <summary>The chords go round as far as the arc does, not a whole turn more.</summary>
+    /// <summary>True when the chords go round as far as the arc and not a whole turn more.</summary>
     private static bool IsOnce(double length, in ArcSegment arc) => Math.Abs(length - arc.Length) < arc.Radius;
 }
 
-/// <summary>An arc or circle that stands for straight pieces of a contour.</summary>
-/// <param name="Arc">With a sweep of exactly +-360 degrees a whole circle.</param>
+/// <summary>An arc or circle that replaces straight pieces of a contour.</summary>
+/// <param name="Arc">A sweep of exactly +-360 degrees is a whole circle.</param>
 /// <param name="Start">Exactly where the first piece starts.</param>
 /// <param name="End">Exactly where the last piece ends.</param>
-/// <param name="Deviation">Nowhere is a piece farther from the arc than this, nor the arc from the pieces, mm.</param>
+/// <param name="Deviation">Largest distance between the pieces and the arc, in both directions, mm.</param>
 internal readonly record struct RecoveredArc(ArcSegment Arc, Point2D Start, Point2D End, double Deviation);

@@ -4,23 +4,23 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Recognises the arcs and circles that a drawing holds as many short lines (an export flattened them) and puts true arcs in their place.</summary>
+/// <summary>Recognises arcs and circles that a drawing holds as many short lines (an export flattened them) and replaces the lines by true arcs.</summary>
 public static class ArcRecoverer
 {
-    /// <summary>Part of the error that lines may stand apart and still be one run: separate LINE entities meet only to rounding.</summary>
+    /// <summary>Part of the error by which lines of one run may be apart: separate LINE entities meet only within rounding.</summary>
     private const double GapShare = 0.05;
 
-    /// <summary>A table in which lines that approximate an arc within <paramref name="maxError"/> (mm, both ways, proven at every chord) are one row. Nothing else changes.</summary>
-    /// <param name="analysed">Rows as drawn; lines, whether of polylines or alone, are joined end to end before they are looked at.</param>
+    /// <summary>A table in which lines that approximate an arc within <paramref name="maxError"/> (mm, in both directions, proved at every chord) are one row. Nothing else changes.</summary>
+    /// <param name="analysed">Rows as drawn; lines of polylines and separate lines are joined end to end before arcs are searched.</param>
     /// <param name="maxError">Above 0.</param>
-    /// <returns>The rows in their old order, an arc in the place of its lowest row and with that row's entity; and what was replaced.</returns>
+    /// <returns>The rows in their old order, each arc at its lowest row and with that row's entity; and what was replaced.</returns>
     public static ArcRecoveryResult Recover(EntityTable analysed, double maxError)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxError);
         return Recover(analysed, analysed.ToSegments(), maxError);
     }
 
-    /// <param name="segments">Those of the table.</param>
+    /// <param name="segments">The segments of the table.</param>
     internal static ArcRecoveryResult Recover(EntityTable analysed, Segment[] segments, double maxError)
     {
         var replacement = new ArcReplacement(analysed);
@@ -34,7 +34,7 @@ public static class ArcRecoverer
         return replacement.ToResult();
     }
 
-    /// <summary>The contours in which an arc may be.</summary>
+    /// <summary>The contours that may contain an arc.</summary>
     private static List<Contour> Contours(Segment[] segments, double maxError)
     {
         if (ChordJoints.RowsOf(segments, GapShare * maxError, maxError) is not { } rows || rows.Length == segments.Length) return new ContourWalker(segments, GapShare * maxError, EndHeights.Flat).WalkAll();
@@ -45,7 +45,7 @@ public static class ArcRecoverer
 
 /// <summary>One replacement: <paramref name="Lines"/> rows became the row <paramref name="Row"/> of the new table.</summary>
 /// <param name="Row">Row of the arc or circle.</param>
-/// <param name="Lines">How many lines it stands for.</param>
+/// <param name="Lines">Number of lines that it replaces.</param>
 /// <param name="Deviation">Largest distance between the lines and the arc, mm.</param>
 public readonly record struct ArcRecoveryNote(int Row, int Lines, double Deviation);
 

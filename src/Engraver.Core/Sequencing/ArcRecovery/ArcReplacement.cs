@@ -4,7 +4,7 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Collects what is to be replaced and writes the new table.</summary>
+/// <summary>Collects the replacements and writes the new table.</summary>
 internal sealed class ArcReplacement(EntityTable table)
 {
     private readonly Dictionary<int, (RecoveredArc Arc, int Lines)> _arcs = [];
@@ -42,7 +42,7 @@ internal sealed class ArcReplacement(EntityTable table)
         return new ArcRecoveryResult(written, notes);
     }
 
-    /// <summary>An analysed row.</summary>
+    /// <summary>The slots of an analysed row.</summary>
     private static EntitySlots SlotsOf(in RecoveredArc recovered, double z)
     {
         var arc = recovered.Arc;

@@ -2,26 +2,26 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Decides whether chords follow a circle: near enough everywhere, in both directions, and turning as the circle does.</summary>
+/// <summary>Decides whether chords follow a circle: near enough at every point, in both directions, and turning as the circle does.</summary>
 /// <remarks>
-/// Between two vertices that the centre sees in order, chord and arc have the same directions from the centre, so either is as near to the other as their radii are. Along a chord the
-/// radius is extreme at its ends and at the foot of the perpendicular from the centre: to check those is to check every point.
+/// Between two vertices in order round the centre, chord and arc cover the same directions from the centre, so each is as near to the other as their radii are. Along a chord the
+/// radius is extreme at its ends and at the foot of the perpendicular from the centre: checking those checks every point.
 /// </remarks>
 internal readonly ref struct ChordProof(Point2D centre, double radius, double turn, in ChordTolerances tolerances)
 {
-    /// <summary>Sine of the largest corner between two chords of an arc: a hexagon turns by 60 degrees, an octagon by 45, and both are meant.</summary>
+    /// <summary>Sine of the largest corner between two chords of an arc: 30 degrees. A hexagon turns by 60, an octagon by 45, and such polygons are meant as drawn.</summary>
     public const double LargestCorner = 0.5;
 
-    /// <summary>Part by which a corner may differ from what the circle asks for; chords of a circle have exactly theirs, however uneven they are.</summary>
+    /// <summary>Part by which a corner may differ from the circle's; exact chords of a circle have exactly its corners, even when they differ in length.</summary>
     public const double UnevenTurn = 0.6;
 
     private readonly double _maxError = tolerances.MaxError;
     private readonly double _rounding = tolerances.Rounding;
 
     /// <param name="vertices">In the order of travel.</param>
-    /// <param name="closed">The last chord goes back to the first vertex.</param>
-    /// <param name="deviation">Largest distance between chords and circle; without meaning where the answer is no.</param>
-    /// <param name="length">Of the chords together.</param>
+    /// <param name="closed">The last chord ends at the first vertex.</param>
+    /// <param name="deviation">Largest distance between chords and circle; not meaningful when the result is false.</param>
+    /// <param name="length">Total length of the chords.</param>
     public bool Holds(ReadOnlySpan<Point2D> vertices, bool closed, out double deviation, out double length)
     {
         (deviation, length) = (0.0, 0.0);

@@ -4,10 +4,10 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Looks for arcs in one contour: the whole of a closed one first, then run by run of level lines. Where another contour ends a vertex stays, or the two would come apart.</summary>
+/// <summary>Searches one contour for arcs: the whole of a closed one first, then runs of level lines. A vertex where another contour ends is kept, or the two would no longer meet.</summary>
 internal sealed class ContourArcs(Contour contour, Segment[] segments, EntityTable table, HashSet<Point2D> junctions, double maxError)
 {
-    /// <summary>Cosine of the corner at which a closed contour is best cut open: no arc goes through it.</summary>
+    /// <summary>Cosine of the corner at which a closed contour is opened: no arc goes through it.</summary>
     private const double CornerCosine = 0.85;
 
     private readonly ContourPiece[] _pieces = contour.Closed ? FromCorner(contour.Pieces.Span, segments) : contour.Pieces.ToArray();
@@ -31,7 +31,7 @@ internal sealed class ContourArcs(Contour contour, Segment[] segments, EntityTab
         else ChordRun.Recover(vertices, tolerances, (from, chords, arc) => replacement.Add(run.Span.Slice(from, chords), arc));
     }
 
-    /// <summary>A line with a length, as high as the first of the run at both ends, and no other contour ends where it starts.</summary>
+    /// <summary>True for a line with a length, at the height of the run's first at both ends, with no other contour ending at its start.</summary>
     private bool IsOfRun(int first, int at)
     {
         if (at > first && junctions.Contains(_pieces[at].StartIn(segments))) return false;
@@ -48,7 +48,7 @@ internal sealed class ContourArcs(Contour contour, Segment[] segments, EntityTab
         return vertices;
     }
 
-    /// <summary>A closed contour from a piece at which no arc can be under way; from its first where there is none.</summary>
+    /// <summary>A closed contour, rotated to begin at a piece where no arc can be in progress; unchanged where there is none.</summary>
     private static ContourPiece[] FromCorner(ReadOnlySpan<ContourPiece> pieces, Segment[] segments)
     {
         var start = 0;

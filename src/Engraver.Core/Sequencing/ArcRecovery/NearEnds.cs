@@ -2,13 +2,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Every pair of segment ends that lie within a distance of each other, found square by square: ends are sorted into squares first, so that memory is read in order.</summary>
-/// <remarks>End number 2 x row is a segment's start, 2 x row + 1 its end. An end near the side of its square is put into the neighbour too; a pair may be told twice.</remarks>
+/// <summary>Every pair of segment ends within a distance of each other. Ends are sorted into squares first, so that memory is read in order.</summary>
+/// <remarks>End number 2 x row is a segment's start, 2 x row + 1 its end. An end near the side of its square is put into the neighbour too, so that a pair may be reported twice.</remarks>
 internal sealed class NearEnds
 {
     private const int EndsPerSquare = 4;
 
-    /// <summary>More ends than this in one square are no drawing of lines end to end; to compare them all would take for ever.</summary>
+    /// <summary>Most ends in one square: more are not a drawing of lines end to end, and comparing all pairs would take too long.</summary>
     private const int MostInSquare = 256;
 
     private readonly double _distance;
@@ -31,7 +31,7 @@ internal sealed class NearEnds
         if (box.IsEmpty) box = Bounds2D.FromCorners(default, default);
         _corner = new Point2D(box.MinX, box.MinY);
         _size = Math.Max(8.0 * distance, Math.Sqrt(box.Width * box.Height * EndsPerSquare / Math.Max(1.0, 2.0 * segments.Length)));
-        _size = Math.Max(_size, (box.Width + box.Height) / Math.Max(16.0, segments.Length)); // a thin box: no more squares than ends
+        _size = Math.Max(_size, (box.Width + box.Height) / Math.Max(16.0, segments.Length)); // a flat box: not more squares than ends
         _columns = Number(box.MaxX, _corner.X) + 1;
         _rows = Number(box.MaxY, _corner.Y) + 1;
         _first = new int[(_columns * _rows) + 1];
@@ -47,10 +47,10 @@ internal sealed class NearEnds
         Visit(segments, (place, end, square) => _sorted[next[square]++] = (place, end));
     }
 
-    /// <summary>True when there are too many ends in one place to look at every pair.</summary>
+    /// <summary>True when a square has too many ends to compare every pair.</summary>
     public bool IsCrowded { get; }
 
-    /// <summary>Hands over each pair of different segments.</summary>
+    /// <summary>Passes on each pair of ends of different segments.</summary>
     public void Visit(Action<int, int> take)
     {
         for (var square = 0; square + 1 < _first.Length; square++)

@@ -1,9 +1,9 @@
 namespace Engraver.Core.Sequencing.ArcRecovery;
 
-/// <summary>Rows joined to groups, pair by pair (union-find, the smaller under the larger).</summary>
+/// <summary>Rows joined to groups, pair by pair (union-find, the smaller group under the larger).</summary>
 internal sealed class RowGroups
 {
-    /// <summary>The row above in the group's tree; the top of a group holds its size, negative.</summary>
+    /// <summary>The parent row in the group's tree; the root holds the group's size, negative.</summary>
     private readonly int[] _above;
 
     public RowGroups(int rows)
@@ -16,7 +16,7 @@ internal sealed class RowGroups
     /// <summary>Rows in the largest group.</summary>
     public int Largest { get; private set; }
 
-    /// <summary>The row that stands for a row's group.</summary>
+    /// <summary>The root row of a row's group.</summary>
     public int Of(int row)
     {
         while (_above[row] >= 0)

@@ -5,7 +5,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>Between chaining and ordering: the contours of a table, duplicates gone, not yet in an order of cutting.</summary>
+/// <summary>The result of chaining: the contours of a table, without duplicates, not yet in an order of cutting.</summary>
 /// <param name="Analysed">The whole analysed table, duplicates included.</param>
 /// <param name="Kept">The rows that are cut, recovered arcs among them; contours refer to these.</param>
 /// <param name="Segments">The kept rows as segments.</param>

@@ -15,16 +15,16 @@ public sealed record Contour(ReadOnlyMemory<ContourPiece> Pieces, bool Closed)
     public bool IsCircleIn(ReadOnlySpan<Segment> segments) => Pieces.Length == 1 && segments[Pieces.Span[0].Row].Kind == SegmentKind.Circle;
 }
 
-/// <summary>One segment of a contour: which row it is, and whether the contour runs it backwards.</summary>
+/// <summary>One segment of a contour: its row, and whether the contour runs it backwards.</summary>
 public readonly record struct ContourPiece(int Row, bool Reversed)
 {
-    /// <summary>Number of the end at which the contour comes into the piece: 2 x row is a segment's start, 2 x row + 1 its end.</summary>
+    /// <summary>Number of the end at which the contour enters the piece: 2 x row is a segment's start, 2 x row + 1 its end.</summary>
     public int StartNumber => (2 * Row) + (Reversed ? 1 : 0);
 
     /// <summary>Number of the end at which the contour leaves it.</summary>
     public int EndNumber => (2 * Row) + (Reversed ? 0 : 1);
 
-    /// <summary>The piece when the whole contour is turned round.</summary>
+    /// <summary>The piece when the whole contour is reversed.</summary>
     public ContourPiece Turned() => this with { Reversed = !Reversed };
 
     public Point2D StartIn(ReadOnlySpan<Segment> segments) => Reversed ? segments[Row].End : segments[Row].Start;

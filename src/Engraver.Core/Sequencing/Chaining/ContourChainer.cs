@@ -13,7 +13,7 @@ public static class ContourChainer
     /// At a branch: segments shorter than the tolerance first, nearest first (they lead nowhere else), then the straightest continuation, then the lowest row.</remarks>
     public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance) => Chain(segments, joinTolerance, EndHeights.Flat);
 
-    /// <summary>The same for segments at different heights: ends at clearly different heights do not join, however near they are as seen from above.</summary>
+    /// <summary>The same for segments at different heights: ends at clearly different heights do not join, however near they are in plan.</summary>
     public static ChainResult Chain(ReadOnlySpan<Segment> segments, double joinTolerance, EndHeights heights)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(joinTolerance);
@@ -26,9 +26,9 @@ public static class ContourChainer
 /// <summary>What chaining found.</summary>
 /// <param name="Contours">In order of their lowest row.</param>
 /// <param name="Discontinuities">Two for every open contour, start before end, in contour order.</param>
-/// <param name="Branches">Times a contour had to choose between several continuations.</param>
+/// <param name="Branches">Number of times a contour had several continuations.</param>
 public sealed record ChainResult(IReadOnlyList<Contour> Contours, IReadOnlyList<Discontinuity> Discontinuities, int Branches)
 {
-    /// <summary>How many segment ends, and boxes of them, were looked at: what chaining cost.</summary>
+    /// <summary>Segment ends, and boxes of them, that were tested: a measure of the work.</summary>
     public long Looks { get; init; }
 }

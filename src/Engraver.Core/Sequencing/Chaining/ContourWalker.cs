@@ -3,13 +3,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>Walks from segment to segment until every one stands in a contour. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
+/// <summary>Goes from segment to segment until every one is in a contour. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
 internal sealed class ContourWalker
 {
     /// <summary>Two continuations whose cosines differ by less are equally straight; the lower row decides.</summary>
     private const double SameTurnCosine = 1e-9;
 
-    /// <summary>A contour no longer than twice the tolerance is closed when its ends are this much nearer to each other than it is long.</summary>
+    /// <summary>A contour no longer than twice the tolerance is closed when its ends are nearer to each other than this part of its length.</summary>
     private const double SmallContourGap = 1e-3;
 
     private readonly Segment[] _segments;
@@ -40,10 +40,10 @@ internal sealed class ContourWalker
         }
     }
 
-    /// <summary>Times a continuation had to be chosen from several.</summary>
+    /// <summary>Number of times a continuation had to be chosen from several.</summary>
     public int Branches { get; private set; }
 
-    /// <summary>How many ends and boxes of ends were looked at.</summary>
+    /// <summary>Ends and boxes of ends that were tested.</summary>
     public long Looks => _ends.Looks + _crowded.Looks;
 
     public List<Contour> WalkAll()
@@ -57,7 +57,7 @@ internal sealed class ContourWalker
         return contours;
     }
 
-    /// <summary>A circle, a whole ellipse, a closed spline.</summary>
+    /// <summary>The contour of a segment that is closed by itself: a circle, a whole ellipse, a closed spline.</summary>
     private Contour Alone(int row)
     {
         _used[row] = true;
@@ -68,7 +68,7 @@ internal sealed class ContourWalker
     {
         var first = new ContourPiece(row, Reversed: false);
         _used[row] = true;
-        _ends.Take((2 * row) + 1); // the start stays in the grid: coming back to it closes the contour
+        _ends.Take((2 * row) + 1); // the start stays in the grid: reaching it again closes the contour
         var ahead = new List<ContourPiece> { first };
         if (Grow(ahead, row)) return new Contour(ahead.ToArray(), Closed: true);
 
@@ -79,7 +79,7 @@ internal sealed class ContourWalker
         return new Contour(pieces, Closed: false);
     }
 
-    /// <summary>Appends continuations until there is none. True when the contour came back to the start of <paramref name="closingRow"/>.</summary>
+    /// <summary>Appends continuations until there is none. True when the contour reached the start of <paramref name="closingRow"/> again.</summary>
     private bool Grow(List<ContourPiece> pieces, int closingRow)
     {
         var length = _segments[pieces[0].Row].Length;
@@ -108,7 +108,7 @@ internal sealed class ContourWalker
         _ends.Take((2 * row) + 1);
     }
 
-    /// <summary>The piece that follows, or null. In a contour no longer than twice the tolerance the start is near the end in any case: it closes only where they meet.</summary>
+    /// <summary>The next piece, or null. In a contour no longer than twice the tolerance the start is always near the end: it closes only where the two really meet.</summary>
     private ContourPiece? Next(ContourPiece last, int closingRow)
     {
         var here = last.EndIn(_segments);
@@ -122,7 +122,7 @@ internal sealed class ContourWalker
 
     private static ContourPiece PieceFrom(int end) => new(end / 2, Reversed: (end & 1) == 1);
 
-    /// <summary>The same choice where too many ends are about to look at each.</summary>
+    /// <summary>The same choice where too many ends are near to test each.</summary>
     private ContourPiece? NextInCrowd(Point2D here, Vector2D travel)
     {
         var junctions = _crowded.Near(here, _level, IsAtLevel, IsShort, TravelInto);
@@ -134,7 +134,7 @@ internal sealed class ContourWalker
         return PieceFrom(detour ?? NearerOf(end, here, travel, isBranch ? straightest!.Value.Cosine - SameTurnCosine : double.NegativeInfinity));
     }
 
-    /// <summary>An end, or the other one of its segment where that can be chosen as well, is nearer and no less straight than demanded.</summary>
+    /// <summary>The given end, or the other end of its segment when that is nearer, may be chosen too and is straight enough.</summary>
     private int NearerOf(int end, Point2D here, Vector2D travel, double leastCosine)
     {
         var other = end ^ 1;
@@ -157,7 +157,7 @@ internal sealed class ContourWalker
         return best;
     }
 
-    /// <summary>The end of the only candidate segment that is nearer to here, its start when both are equally near.</summary>
+    /// <summary>The nearer end of the only candidate segment; its start when both are equally near.</summary>
     private int NearerEnd(Point2D here) => _near.Count == 1 || IsNearer(_near[0], _near[1], here) ? _near[0] : _near[1];
 
     private bool IsNearer(int end, int other, Point2D here)

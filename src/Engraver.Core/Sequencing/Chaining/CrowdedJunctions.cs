@@ -2,38 +2,38 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>Places where very many segments meet (the middle of a sunburst, a star smaller than the tolerance): the ends in such a square of the grid stand in trees, so that finding the next takes about a logarithm and not a look at each.</summary>
+/// <summary>Points where very many segments meet (the middle of a sunburst, a star smaller than the tolerance): the ends in such a square of the grid are put into trees, so that finding the next takes logarithmic time instead of a test of each.</summary>
 internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double tolerance)
 {
-    /// <summary>So many ends about one place are looked at one by one.</summary>
+    /// <summary>Up to this number of ends around one point, each is tested.</summary>
     public const int Crowd = 128;
 
-    /// <summary>Allowance for rounding, as a part of the tolerance: whether an end is near is decided by <see cref="Point2D.IsNear"/>.</summary>
+    /// <summary>Allowance for rounding, as a part of the tolerance; <see cref="Point2D.IsNear"/> makes the final decision whether an end is near.</summary>
     private const double Rounding = 1e-9;
 
     private readonly Dictionary<((long X, long Y) Cell, int Level), Junction> _junctions = [];
     private readonly List<int> _setAside = [];
     private long _looks;
 
-    /// <summary>How many ends and boxes were looked at.</summary>
+    /// <summary>Ends and boxes that were tested.</summary>
     public long Looks => _looks + _junctions.Values.Sum(junction => junction.Others.Looks);
 
-    /// <summary>The crowds in which ends near to here may stand.</summary>
-    /// <param name="here">Where the walk stands.</param>
-    /// <param name="level">At which height (a level of the ends).</param>
-    /// <param name="isAtLevel">True for the ends at that height.</param>
+    /// <summary>The junctions that may have ends near a point.</summary>
+    /// <param name="here">Present end of the contour.</param>
+    /// <param name="level">Height level of that end.</param>
+    /// <param name="isAtLevel">True for the ends at that level.</param>
     /// <param name="isShort">True for the ends of segments shorter than the tolerance.</param>
     /// <param name="travelInto">Direction in which a segment is entered at an end, length 1.</param>
     public Junction[] Near(Point2D here, int level, Predicate<int> isAtLevel, Predicate<int> isShort, Func<int, Vector2D> travelInto)
     {
         var found = new List<Junction>();
-        foreach (var cell in ends.CellsNear(here).OrderByDescending(cell => cell == ends.CellAt(here))) // the nearest stands there as a rule, and no farther one need be found elsewhere
+        foreach (var cell in ends.CellsNear(here).OrderByDescending(cell => cell == ends.CellAt(here))) // the nearest end is usually in the own square, and then no farther one need be searched elsewhere
         {
             if (!_junctions.TryGetValue((cell, level), out var junction))
             {
                 var all = ends.PlacesIn(cell).Where(end => isAtLevel(end)).ToLookup(end => isShort(end));
                 int[] shorts = [.. all[true]];
-                junction = new Junction(shorts, BoxTree.Build([.. shorts.Select(end => places[end])]), DirectionTree.Of([.. all[false]], places, tolerance, travelInto));
+                junction = new Junction(shorts, BoxTree.Build([.. shorts.Select(end => places[end])]), DirectionTree.Build([.. all[false]], places, tolerance, travelInto));
                 _junctions.Add((cell, level), junction);
             }
 
@@ -65,7 +65,7 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
         while (item >= 0 && (ends.IsTaken(junction.Shorts[item]) || !counts(junction.Shorts[item])))
         {
             junction.ShortPlaces.Hide(item);
-            if (!ends.IsTaken(junction.Shorts[item])) _setAside.Add(item); // the first segment of the walk, which may be a goal later
+            if (!ends.IsTaken(junction.Shorts[item])) _setAside.Add(item); // not taken: the first segment of the contour, whose end may close it later
             item = Nearest(junction, here, within);
         }
 
@@ -86,9 +86,9 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
     public bool IsAny(Junction[] junctions, Point2D here, Predicate<int> counts) =>
         NearestShort(junctions, here, counts) is not null || Straightest(junctions, here, default, 0.0, counts) is not null;
 
-    /// <summary>The end within the tolerance that leads straightest on; of equals that of the lowest number; null without one.</summary>
-    /// <param name="junctions">What <see cref="Near"/> gave.</param>
-    /// <param name="here">Where the walk stands.</param>
+    /// <summary>The end within the tolerance that continues straightest; of equals the one with the lowest number; null without one.</summary>
+    /// <param name="junctions">The result of <see cref="Near"/>.</param>
+    /// <param name="here">Present end of the contour.</param>
     /// <param name="travel">Direction of travel, length 1.</param>
     /// <param name="sameTurnCosine">Directions whose cosines differ by less are equally straight.</param>
     /// <param name="counts">True for the ends that may be chosen.</param>
@@ -104,9 +104,9 @@ internal sealed class CrowdedJunctions(EndGrid ends, Point2D[] places, double to
         return (lowest, straightest);
     }
 
-    /// <summary>The ends of one square at one height.</summary>
+    /// <summary>The ends of one square at one height level.</summary>
     /// <param name="Shorts">Ends of segments shorter than the tolerance, ascending.</param>
-    /// <param name="ShortPlaces">Where they lie.</param>
+    /// <param name="ShortPlaces">Their positions.</param>
     /// <param name="Others">The ends of all other segments.</param>
     public sealed record Junction(int[] Shorts, BoxTree ShortPlaces, DirectionTree Others);
 }

@@ -2,13 +2,13 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>The same line drawn twice is cut once: whole segments that lie on each other, in the same or the opposite direction.</summary>
+/// <summary>Cuts a line that was drawn twice only once: finds whole segments that coincide, in the same or the opposite direction.</summary>
 public static class DuplicateRemoval
 {
-    /// <summary>Places compared on each span of a curve.</summary>
+    /// <summary>Points compared on each span of a curve.</summary>
     private const int CurvePlaces = 8;
 
-    /// <summary>Rows that stay, ascending: of every group of duplicates the lowest row.</summary>
+    /// <summary>Rows that are kept, ascending: of every group of duplicates the lowest row.</summary>
     /// <param name="segments">Rows by index.</param>
     /// <param name="tolerance">Millimetres. Ends and midpoint must agree within it (of circles the distance of the centres and the difference of the radii, together), or within a hundredth of the segment's length when
     /// that is less, so that a curve of tiny steps keeps every step. What is left out lies no farther than this from what stays.</param>
@@ -37,7 +37,7 @@ public static class DuplicateRemoval
         return [.. kept];
     }
 
-    /// <summary>Of a circle its left quadrant point: concentric circles must not all stand in one place of the grid.</summary>
+    /// <summary>The midpoint; of a circle its left quadrant point, because concentric circles must not all lie in one cell of the grid.</summary>
     private static Point2D MiddleOf(Segment segment) => segment.Kind == SegmentKind.Circle ? segment.Arc.Centre - new Vector2D(segment.Arc.Radius, 0.0) : segment.PointAt(0.5);
 
     private static bool AreSame(Segment a, Segment b, double middleDistance, double tolerance)
@@ -50,7 +50,7 @@ public static class DuplicateRemoval
         return (a.Start.IsNear(b.Start, within) && a.End.IsNear(b.End, within)) || (a.Start.IsNear(b.End, within) && a.End.IsNear(b.Start, within));
     }
 
-    /// <summary>Curves written with the same spans: compared at places all along, since ends and middle do not tell two of them apart.</summary>
+    /// <summary>True when two curves with the same number of spans coincide; compared at points all along, because ends and middle do not distinguish them.</summary>
     private static bool RunTogether(Segment a, Segment b, double within, bool backwards)
     {
         var places = CurvePlaces * a.Curve.Spans.Length;

@@ -3,8 +3,8 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
 
-/// <summary>A hash grid of places (segment ends, midpoints) for the question "what lies within the tolerance of here", answered in constant time.</summary>
-/// <remarks>Cells are a little wider than twice the tolerance, so at most four are looked at. Taken places are unlinked as they are met.</remarks>
+/// <summary>A hash grid of points (segment ends, midpoints) that finds the points within the tolerance of another in constant time.</summary>
+/// <remarks>Cells are a little wider than twice the tolerance, so at most four are searched. Points that were taken are removed as they are met.</remarks>
 internal sealed class EndGrid
 {
     private const int None = -1;
@@ -30,7 +30,7 @@ internal sealed class EndGrid
         for (var i = places.Length - 1; i >= 0; i--) Link(i);
     }
 
-    /// <summary>How many places were looked at.</summary>
+    /// <summary>Number of points that were tested.</summary>
     public long Looks { get; private set; }
 
     public void Take(int place) => _taken[place] = true;
@@ -40,7 +40,7 @@ internal sealed class EndGrid
     /// <summary>Replaces the content of <paramref name="found"/> by every place within the tolerance that is not taken.</summary>
     public void Near(Point2D here, List<int> found) => TryNear(here, _ => true, int.MaxValue, found);
 
-    /// <summary>The same of the places that count; false when more than <paramref name="most"/> would have to be looked at: then <paramref name="found"/> is of no use.</summary>
+    /// <summary>The same, limited to points for which <paramref name="counts"/> holds; false when more than <paramref name="most"/> would have to be tested: <paramref name="found"/> is then incomplete.</summary>
     public bool TryNear(Point2D here, Predicate<int> counts, int most, List<int> found)
     {
         found.Clear();
@@ -109,7 +109,7 @@ internal sealed class EndGrid
         _heads[bucket] = i;
     }
 
-    /// <summary>Absurd coordinates share the outermost cell: a number that wrapped round would never be found again.</summary>
+    /// <summary>The cell of a coordinate. Extreme coordinates share the outermost cell, because a number that overflowed would never be found again.</summary>
     private long CellOf(double coordinate) => (long)Math.Floor(Math.Clamp(coordinate / _cell, -OutermostCell, OutermostCell));
 
     private int Bucket(long x, long y)

@@ -42,7 +42,7 @@ internal static class OpenEndSearch
 }
 
 /// <summary>A contour end with no partner within the join tolerance.</summary>
-/// <param name="Place">Where, millimetres.</param>
+/// <param name="Place">Position, millimetres.</param>
 /// <param name="Row">The row that ends here.</param>
 /// <param name="Gap">Distance to the nearest other open end (it may be the other end of the same contour); null when there is no other.</param>
 /// <param name="NearestRow">The row of that other end; -1 without one.</param>

@@ -3,7 +3,7 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Nesting;
 
-/// <summary>Which closed contour directly encloses which contour: the hard precedence of cutting (what is inside is cut before what holds it in place).</summary>
+/// <summary>Finds which closed contour directly encloses which contour. Cutting must respect it: an inner contour is cut before the one that holds its material.</summary>
 public static class ContourNesting
 {
     private const int Witnesses = 5;
@@ -11,20 +11,20 @@ public static class ContourNesting
     /// <summary>For each contour the index of the closed contour that directly encloses it, -1 for none. Never a cycle.</summary>
     /// <param name="contours">Open and closed.</param>
     /// <param name="segments">Rows of the contours by index.</param>
-    /// <param name="tolerance">Millimetres by which a contour may reach over the box of the one around it (touching from inside).</param>
-    /// <remarks>A contour is inside when most of five places spread over it are (exact arcs). Contours that cross each other are inside by that majority.</remarks>
+    /// <param name="tolerance">Millimetres by which a contour may extend over the box of the one around it (touching from inside).</param>
+    /// <remarks>A contour is inside when most of five points spread over it are (arcs are exact). Contours that cross each other are decided by the same majority.</remarks>
     public static int[] Find(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, double tolerance)
     {
         var outlines = new ContourOutline[contours.Count];
         for (var i = 0; i < outlines.Length; i++) outlines[i] = ContourOutline.From(contours[i], segments);
-        int[] closed = [.. Enumerable.Range(0, outlines.Length).Where(i => outlines[i].Region is not null)]; // the long lines of a drawing lie in each other's boxes by the thousand
+        int[] closed = [.. Enumerable.Range(0, outlines.Length).Where(i => outlines[i].Region is not null)]; // long lines of a drawing lie in each other's boxes by the thousand
         var tree = BoxTree.Build([.. closed.Select(i => outlines[i].Bounds.Grown(tolerance))]);
         var inside = new int[outlines.Length];
         var candidates = new List<int>();
         for (var i = 0; i < inside.Length; i++)
         {
             candidates.Clear();
-            tree.Containing(outlines[i].Bounds, candidates); // not what lies around one place: a star's contours all meet in its middle
+            tree.Containing(outlines[i].Bounds, candidates); // not those around one point: a star's contours all meet in its middle
             for (var at = 0; at < candidates.Count; at++) candidates[at] = closed[candidates[at]];
             inside[i] = DirectlyAround(i, outlines, candidates, tolerance);
         }
@@ -37,7 +37,7 @@ public static class ContourNesting
         candidates.RemoveAll(outer => !outlines[outer].CanEnclose(outlines[inner], tolerance));
         while (candidates.Count > 0)
         {
-            var smallest = SmallestOf(candidates, outlines); // nearly always the answer, so a sort would be wasted on concentric rings
+            var smallest = SmallestOf(candidates, outlines); // nearly always the answer, so that sorting would be wasted on concentric rings
             var outer = candidates[smallest];
             if (HoldsMost(outlines[outer].Region!, outlines[inner])) return outer;
             candidates[smallest] = candidates[^1];

@@ -4,13 +4,13 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Nesting;
 
-/// <summary>A contour as nesting sees it: its segments in travel order, its box, its region when it is closed.</summary>
+/// <summary>A contour with what nesting needs: segments in travel order, box, and region when it is closed.</summary>
 internal sealed class ContourOutline
 {
-    /// <summary>Where on a segment a witness stands: away from ends, middles and quadrant points, where contours like to touch.</summary>
+    /// <summary>Fraction of a segment at which its test point lies: away from ends, middles and quadrant points, where contours often touch.</summary>
     private const double WitnessFraction = 0.3819660112501051;
 
-    /// <summary>Of a curve's size: how far its arcs may lie off it.</summary>
+    /// <summary>Largest distance of the arcs that approximate a curve, as a part of the curve's size.</summary>
     private const double CurveNearness = 1e-4;
 
     private readonly Segment[] _segments;
@@ -28,7 +28,7 @@ internal sealed class ContourOutline
 
     public Bounds2D Bounds { get; }
 
-    /// <summary>Null for an open contour.</summary>
+    /// <summary>The enclosed region; null for an open contour.</summary>
     public ContourRegion? Region { get; }
 
     public static ContourOutline From(Contour contour, ReadOnlySpan<Segment> rows)
@@ -43,7 +43,7 @@ internal sealed class ContourOutline
         return new ContourOutline(contour.Closed ? ArcsFor(segments) : segments, contour.Closed);
     }
 
-    /// <summary>Ellipses and splines as arcs, near enough to say what lies inside what.</summary>
+    /// <summary>Ellipses and splines as arcs, near enough to decide what lies inside what.</summary>
     private static Segment[] ArcsFor(Segment[] segments)
     {
         if (!Array.Exists(segments, segment => segment.IsFreeCurve)) return segments;
@@ -52,7 +52,7 @@ internal sealed class ContourOutline
 
     private static double Nearness(Bounds2D box) => Math.Max(CurveNearness * (box.Width + box.Height), double.Epsilon);
 
-    /// <summary>One of <paramref name="count"/> places spread over the contour.</summary>
+    /// <summary>One of <paramref name="count"/> test points spread over the contour.</summary>
     public Point2D Witness(int index, int count)
     {
         var place = (index + WitnessFraction) / count * _segments.Length;
@@ -60,10 +60,10 @@ internal sealed class ContourOutline
         return _segments[segment].PointAt(_segments.Length >= count ? WitnessFraction : place - segment);
     }
 
-    /// <summary>Smaller boxes first, equal boxes (to rounding) by area: an enclosing contour is always larger, which rules cycles out.</summary>
+    /// <summary>Orders by size of the box, equal boxes (within rounding) by area. An enclosing contour is always larger in this order, so that there are no cycles.</summary>
     public int CompareSize(ContourOutline other) => _boxSize != other._boxSize ? _boxSize.CompareTo(other._boxSize) : _area.CompareTo(other._area);
 
-    /// <summary>Closed, larger, and its box holds the other's box.</summary>
+    /// <summary>True when this contour is closed, larger, and its box contains the other's.</summary>
     public bool CanEnclose(ContourOutline inner, double tolerance) =>
         Region is not null && CompareSize(inner) > 0 && Bounds.Grown(tolerance).Contains(inner.Bounds);
 }

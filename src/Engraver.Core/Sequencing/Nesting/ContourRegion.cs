@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Nesting;
 
-/// <summary>What a closed contour encloses, arcs taken as arcs: its area, and whether a place lies inside (even-odd).</summary>
+/// <summary>The region inside a closed contour, with exact arcs: its area, and whether a point lies inside (even-odd rule).</summary>
 public sealed class ContourRegion
 {
     private readonly Segment[] _segments;
@@ -22,7 +22,7 @@ public sealed class ContourRegion
     /// <summary>Counter-clockwise positive, mm2: the polygon of the ends plus the cap of every arc (Green's theorem).</summary>
     public double SignedArea => _segments.Sum(segment => Cross(segment) + Cap(segment)) / 2.0;
 
-    /// <summary>True when a ray from <paramref name="place"/> to the right crosses the contour an odd number of times. A place on the contour itself may answer either way.</summary>
+    /// <summary>True when a ray from <paramref name="place"/> to the right crosses the contour an odd number of times. For a point on the contour either result is possible.</summary>
     public bool Contains(Point2D place)
     {
         if (!Bounds.Contains(place)) return false;
@@ -33,7 +33,7 @@ public sealed class ContourRegion
         return (crossings & 1) == 1;
     }
 
-    /// <summary>Relative to the first start, so that a drawing far from the origin loses no digits.</summary>
+    /// <summary>Cross product of the ends relative to the first start, so that a drawing far from the origin loses no digits.</summary>
     private double Cross(Segment segment)
     {
         var origin = _segments[0].Start;
@@ -47,7 +47,7 @@ public sealed class ContourRegion
         return arc.Radius * arc.Radius * (arc.Sweep.Radians - arc.Sweep.Sin());
     }
 
-    /// <summary>Half-open in y, so that a vertex on the ray counts once.</summary>
+    /// <summary>Counts crossings of a line; half-open in y, so that a vertex on the ray counts once.</summary>
     private static int LineCrossings(LineSegment line, Point2D place)
     {
         if (line.Start.Y > place.Y == line.End.Y > place.Y) return 0;
@@ -55,7 +55,7 @@ public sealed class ContourRegion
         return line.Start.X + (fraction * (line.End.X - line.Start.X)) > place.X ? 1 : 0;
     }
 
-    /// <summary>The chord's crossings, changed by one when the place lies in the cap between chord and arc.</summary>
+    /// <summary>The chord's crossings, plus one when the point lies between chord and arc.</summary>
     private static int ArcCrossings(Segment segment, Point2D place)
     {
         var arc = segment.Arc;

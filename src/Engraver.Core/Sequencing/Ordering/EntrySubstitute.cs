@@ -3,15 +3,15 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>An entity that the operator names may be cut as another: its double, or the arc that was recovered from it. This finds that other one.</summary>
+/// <summary>Finds the entity under which a requested entity is cut, when it was removed as a duplicate or replaced by a recovered arc.</summary>
 internal static class EntrySubstitute
 {
-    /// <summary>The wish itself, unless it names an entity that was to be cut and is not in the table any more.</summary>
-    public static EnterAt Resolve(EnterAt wish, ChainedTable chained)
+    /// <summary>The request itself, unless it names an entity that was to be cut and is no longer in the table.</summary>
+    public static EnterAt Resolve(EnterAt requested, ChainedTable chained)
     {
-        if (wish is not EnterAt.AtEntity { EntityIndex: var entity } || RowOf(entity, chained.Kept) >= 0) return wish;
+        if (requested is not EnterAt.AtEntity { EntityIndex: var entity } || RowOf(entity, chained.Kept) >= 0) return requested;
         var drawn = RowOf(entity, chained.Analysed);
-        return drawn < 0 || chained.Kept.Count == 0 ? wish : new EnterAt.AtEntity(Nearest(chained.Analysed[drawn].ToSegment(), chained));
+        return drawn < 0 || chained.Kept.Count == 0 ? requested : new EnterAt.AtEntity(Nearest(chained.Analysed[drawn].ToSegment(), chained));
     }
 
     private static int RowOf(int entity, EntityTables.EntityTable table)
@@ -24,7 +24,7 @@ internal static class EntrySubstitute
         return -1;
     }
 
-    /// <summary>What replaces a segment lies on it all along, so ends and middle together find it even where other contours cross.</summary>
+    /// <summary>A substitute coincides with the segment all along, so ends and middle together find it even where other contours cross.</summary>
     private static int Nearest(Segment drawn, ChainedTable chained)
     {
         var (nearest, least) = (0, double.PositiveInfinity);

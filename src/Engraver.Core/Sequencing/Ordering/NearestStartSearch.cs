@@ -3,7 +3,7 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>The starts that may be chosen next: those of contours with nothing uncut inside them, found by nearness.</summary>
+/// <summary>Searches the nearest start among contours that may be cut next: those with nothing uncut inside them.</summary>
 internal sealed class NearestStartSearch
 {
     private readonly IReadOnlyList<Contour> _contours;
@@ -42,7 +42,7 @@ internal sealed class NearestStartSearch
         return entry < 0 ? null : _entries[entry];
     }
 
-    /// <summary>Takes a contour out of the choice and frees the one around it when this was the last inside.</summary>
+    /// <summary>Removes a contour that was cut, and admits the one around it when this was the last inside.</summary>
     public void Done(int contour)
     {
         _done[contour] = true;
@@ -51,12 +51,12 @@ internal sealed class NearestStartSearch
         if (outer >= 0 && --_uncutInside[outer] == 0 && !_done[outer]) Set(outer, true);
     }
 
-    /// <summary>Until further notice only what lies inside <paramref name="contour"/>, at any depth, can be chosen.</summary>
+    /// <summary>Until further notice only contours inside <paramref name="contour"/>, at any depth, can be chosen.</summary>
     public void RestrictTo(int contour)
     {
         var within = WithinFlags(contour);
         ForEach(other => !within[other], other => Set(other, false));
-        _done[contour] = true; // it is entered by the caller, not chosen here
+        _done[contour] = true; // the caller enters it; it is not chosen here
         Set(contour, false);
     }
 

@@ -4,10 +4,10 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>Writes the table in the order of cutting: rows turned where the contour runs them backwards, circles started where the tool arrives, slot 13 numbered from 1.</summary>
+/// <summary>Writes the table in the order of cutting: rows reversed where the contour runs them backwards, circles started where the tool arrives, slot 13 numbered from 1.</summary>
 internal static class SequencedTable
 {
-    /// <returns>The table, and how many rows run against their drawn direction.</returns>
+    /// <returns>The table, and the number of rows that run against their drawn direction.</returns>
     public static (EntityTable Table, int Reversed) Write(ChainedTable chained, IReadOnlyList<StrokeEntry> entries)
     {
         var table = new EntityTable();

@@ -3,14 +3,14 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>One way to begin a contour: at the start of one of its pieces, at its far end (turned round), or at a circle's left quadrant point.</summary>
+/// <summary>One possible begin of a contour: at the start of one of its pieces, at its far end (reversed), or at a circle's left quadrant point.</summary>
 /// <param name="Contour">Index of the contour.</param>
 /// <param name="Piece">The piece that is cut first.</param>
 /// <param name="Kind">How it is begun.</param>
-/// <param name="Place">Where the tool goes down, millimetres.</param>
+/// <param name="Place">Where cutting begins, millimetres.</param>
 public readonly record struct StrokeEntry(int Contour, int Piece, StrokeEntryKind Kind, Point2D Place)
 {
-    /// <summary>Every way to begin a contour, the drawn way first: an open one at both ends, a closed one at each joint, a circle at its right and left quadrant points.</summary>
+    /// <summary>Adds every possible begin of a contour, the drawn one first: an open one at both ends, a closed one at each joint, a circle at its right and left quadrant points.</summary>
     public static void AddAll(int index, Contour contour, ReadOnlySpan<Segment> segments, List<StrokeEntry> entries)
     {
         entries.Add(AsDrawn(index, contour, segments));
@@ -38,7 +38,7 @@ public readonly record struct StrokeEntry(int Contour, int Piece, StrokeEntryKin
         new(index, 0, StrokeEntryKind.LeftQuadrant, circle.Centre - new Vector2D(circle.Radius, 0.0));
 }
 
-/// <summary>How a contour is begun.</summary>
+/// <summary>Kinds of begin.</summary>
 public enum StrokeEntryKind : byte
 {
     /// <summary>At the start of a piece, in the contour's own direction (circles: at the right quadrant point).</summary>

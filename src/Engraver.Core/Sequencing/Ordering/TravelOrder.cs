@@ -4,15 +4,15 @@ using Engraver.Core.Sequencing.Nesting;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>In which order contours become strokes, and where each is begun. Inner contours always come before the one around them.</summary>
+/// <summary>Decides in which order contours become strokes, and where each begins. Inner contours always come before the one around them.</summary>
 public static class TravelOrder
 {
-    /// <summary>File order: each contour as drawn, at the place of its lowest row; one that encloses others waits for them and then follows at once.</summary>
+    /// <summary>File order: each contour as drawn, in the order of their lowest rows; one that encloses others waits for them and then follows at once.</summary>
     /// <param name="contours">In order of their lowest row.</param>
     /// <param name="segments">Rows of the contours by index.</param>
     /// <param name="inside">The contour directly around each one, -1 for none (see <see cref="ContourNesting"/>).</param>
-    /// <param name="toolStart">Where the tool stands: a circle starts at its left or right quadrant point, whichever is nearer to where the tool comes from (paper 001, section 4.1; tie: right).</param>
-    /// <param name="first">How to begin the contour that must come first (after what lies inside it); null when none must.</param>
+    /// <param name="toolStart">Position of the tool at the start: a circle begins at its left or right quadrant point, whichever is nearer to where the tool comes from (paper 001, section 4.1; tie: right).</param>
+    /// <param name="first">The entry of the contour that must come first (after what lies inside it); null when none must.</param>
     public static IReadOnlyList<StrokeEntry> Drawn(
         IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside, Point2D toolStart, StrokeEntry? first)
     {
@@ -27,13 +27,13 @@ public static class TravelOrder
         return order;
     }
 
-    /// <summary>Greedy: from where the tool stands to the nearest start of any contour that may be cut, ties to the lower contour and its drawn start.</summary>
+    /// <summary>Nearest first: from the tool's position to the nearest start of any contour that may be cut, ties to the lower contour and its drawn start.</summary>
     /// <remarks>Open contours are entered from either end, closed ones at the nearest joint, circles at the nearer of two quadrant points. Logarithmic per step.</remarks>
     /// <param name="contours">In order of their lowest row.</param>
     /// <param name="segments">Rows of the contours by index.</param>
     /// <param name="inside">The contour directly around each one, -1 for none.</param>
-    /// <param name="toolStart">Where the tool stands.</param>
-    /// <param name="first">How to begin the contour that must come first (after what lies inside it); null when none must.</param>
+    /// <param name="toolStart">Position of the tool at the start.</param>
+    /// <param name="first">The entry of the contour that must come first (after what lies inside it); null when none must.</param>
     public static IReadOnlyList<StrokeEntry> Nearest(
         IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside, Point2D toolStart, StrokeEntry? first)
     {
@@ -59,7 +59,7 @@ public static class TravelOrder
         }
     }
 
-    /// <summary>Where the tool stands after a contour begun this way.</summary>
+    /// <summary>Position of the tool after a contour with this entry.</summary>
     internal static Point2D EndOf(StrokeEntry entry, Contour contour, ReadOnlySpan<Segment> segments) => entry.Kind switch
     {
         StrokeEntryKind.LeftQuadrant => entry.Place,
@@ -76,7 +76,7 @@ public static class TravelOrder
         return entries.MinBy(entry => entry.Place.DistanceTo(tool));
     }
 
-    /// <summary>Contours in index order, each after everything inside it; <paramref name="first"/> with its inside at the very front. With a stack of its own: drawings nest deeper than a thread's.</summary>
+    /// <summary>Contours in index order, each after everything inside it; <paramref name="first"/> with its inside at the very front. Uses a stack of its own, because drawings may nest deeper than a thread's stack.</summary>
     private static List<int> InnerFirst(ReadOnlySpan<int> inside, int? first)
     {
         var children = new List<int>?[inside.Length];
@@ -106,7 +106,7 @@ public static class TravelOrder
     }
 }
 
-/// <summary>In which order strokes are cut. In every order an inner stroke comes before the one around it.</summary>
+/// <summary>Orders of strokes. In each, an inner stroke comes before the one around it.</summary>
 public enum StrokeOrder
 {
     /// <summary>File order of each contour's lowest row, drawn directions and start points.</summary>

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>How far the tool travels between strokes, millimetres.</summary>
+/// <summary>Distances that the tool travels between strokes, millimetres.</summary>
 internal static class Travels
 {
     public static double Through(Point2D toolStart, IReadOnlyList<SequencedStroke> strokes)
@@ -18,7 +18,7 @@ internal static class Travels
         return travel;
     }
 
-    /// <summary>Every DXF curve as a stroke of its own: rows that follow each other from one entity are one curve.</summary>
+    /// <summary>Travel with every DXF curve as a stroke of its own: successive rows of one entity are one curve.</summary>
     public static double AsDrawn(Point2D toolStart, EntityTable analysed)
     {
         var (tool, travel) = (toolStart, 0.0);

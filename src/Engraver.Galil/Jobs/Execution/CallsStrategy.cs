@@ -8,13 +8,13 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>The paper's method made right (paper 001; galil-dmc.md F.0, EX11): #LINEAR and #CIRC in the controller are called for each segment with assigned variables,
-/// relative to where the machine really stands; a full stop after each. Progress is <c>seq</c>, for <c>done</c> alone races (F.3).</summary>
+/// <summary>The paper's method, corrected (paper 001; galil-dmc.md F.0, EX11): #LINEAR and #CIRC in the controller are called for each segment with assigned variables,
+/// relative to the machine's actual position, with a full stop after each. Progress is counted by <c>seq</c>, because <c>done</c> alone is a race (F.3).</summary>
 internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISequenceStrategy
 {
     private readonly AngleQuantum _quantum = new(machine.Profile.AngleQuantumDegrees);
 
-    /// <summary>The server clears go and the arguments when it starts, and then sets the machine up: an empty call that comes back says that it has done both.</summary>
+    /// <summary>The server clears go and the arguments when it starts, and then sets up the machine: an empty call that is completed shows that it has done both.</summary>
     public async ValueTask<JobStep> StartAsync()
     {
         if (await machine.AwaitAsync(ResidentProgram.Variables.Done, value => value != 0).ConfigureAwait(false) is { Ends: true } end) return end;
@@ -35,7 +35,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         return JobStep.Done;
     }
 
-    /// <summary>A call that the stop cut short is not counted: the program counts it up all the same, when its motion has come to rest.</summary>
+    /// <summary>A call that the stop interrupted is not counted here, although the program counts it when its motion has come to rest.</summary>
     public void StoppedAt(int counter)
     {
     }

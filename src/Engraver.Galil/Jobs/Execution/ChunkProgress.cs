@@ -4,7 +4,7 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>What the numbers of a running chunk mean for the job: seq and _CSS as segments, a line of the program as an entity.</summary>
+/// <summary>Converts the counters of a running chunk to the job's terms: seq and _CSS to segments, a line of the program to an entity.</summary>
 /// <param name="chunk">The program in the controller.</param>
 /// <param name="before">Segments that earlier chunks have cut.</param>
 internal sealed class ChunkProgress(ProgramChunk chunk, int before)
@@ -15,7 +15,7 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
 
     public bool IsEnd(int mark) => mark == _endMark;
 
-    /// <summary>What the chunk wants of the tool: on while a sequence runs, off in a rapid, which is the motion between two sequences; null where that depends on the line it is at.</summary>
+    /// <summary>Whether the chunk wants the tool on: on while a sequence runs, off in a rapid (the motion between two sequences); null where that depends on the line it executes.</summary>
     public static bool? IsToolWanted(MachineState state) => (state.Calls % 2 != 0, state.SequenceRunning, state.AxesRunning) switch
     {
         (true, true, _) => true,
@@ -24,8 +24,8 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
     };
 
     /// <summary>Segments of the job that are done.</summary>
-    /// <param name="mark">seq: two for each sequence that is done, one more while one is under way.</param>
-    /// <param name="counter">_CSS; belongs to a sequence only while one is under way.</param>
+    /// <param name="mark">seq: two for each completed sequence, one more while one is being cut.</param>
+    /// <param name="counter">_CSS; belongs to a sequence only while one is being cut.</param>
     public int Executed(int mark, int counter)
     {
         var sequence = Math.Clamp(mark / 2, 0, _sequenceStarts.Length - 1);
@@ -33,10 +33,10 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
         return before + _sequenceStarts[sequence] + within;
     }
 
-    /// <summary>The entity of the sequence under way, as a sentence of its own.</summary>
+    /// <summary>The entity of the present sequence, as a sentence of its own.</summary>
     public string PlaceAt(int mark) => Entity(_sequenceStarts[Math.Clamp(mark / 2, 0, _sequenceStarts.Length - 1)]);
 
-    /// <summary>The text of a program line and the entity it cuts, or the next one that is cut behind it.</summary>
+    /// <summary>The text of a program line and the entity it cuts, or the next one that is cut after it.</summary>
     /// <param name="line">Line of the program, from 0.</param>
     public string PlaceOf(int line)
     {

@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Walks a motion program in the order of cutting, as far as the controller says that it has come.</summary>
+/// <summary>Follows a motion program in the order of cutting, as far as the controller has confirmed it.</summary>
 internal sealed class ExecutedPath(MotionProgram program, JobLedger ledger, JobLog log)
 {
     private int _stroke;
@@ -12,7 +12,7 @@ internal sealed class ExecutedPath(MotionProgram program, JobLedger ledger, JobL
     /// <summary>Segments confirmed so far.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Confirms every segment before <paramref name="count"/>, none twice; journals each sequence that is thereby done.</summary>
+    /// <summary>Confirms every segment before <paramref name="count"/>, each once, and writes each sequence that is thereby complete to the journal.</summary>
     public void ConfirmUpTo(int count)
     {
         while (Count < Math.Min(count, ledger.SegmentCount)) ConfirmNext();

@@ -1,15 +1,15 @@
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Slows the path down by VR when the lead of the feeder gets short, instead of letting the buffer run dry (galil-dmc.md F.1, J 7).</summary>
-/// <param name="reactionSeconds">What passes between seeing that the lead is short and saying so.</param>
-/// <param name="rampSeconds">How long the path takes to stop from full speed: VR does not act faster than VA and VD allow, so it must be sent that much earlier.</param>
+/// <summary>Slows the path down by VR when few sent segments are left to execute (a short lead), instead of letting the buffer run dry (galil-dmc.md F.1, J 7).</summary>
+/// <param name="reactionSeconds">Delay between detecting a short lead and the command reaching the controller.</param>
+/// <param name="rampSeconds">Time of the path from full speed to rest: VR acts no faster than VA and VD allow, so it must be sent that much earlier.</param>
 internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
 {
     /// <summary>Below this lead, in segments, the ratio is <see cref="Slow"/>; below the second one <see cref="VerySlow"/>.</summary>
     private const int ShortLead = 20;
     private const int VeryShortLead = 8;
 
-    /// <summary>A few long segments are lead enough: 1.6 ms a command feeds more than a hundred in this time, seconds. Wide apart from the short lead, so that the speed does not hunt.</summary>
+    /// <summary>A lead of this many seconds suffices even with few segments: at 1.6 ms a command more than a hundred can be sent meanwhile. Much more than the short lead, so that the speed does not oscillate.</summary>
     private const double ComfortableSeconds = 0.25;
 
     private const double Full = 1.0;
@@ -23,10 +23,10 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
     /// <summary>The command that sets the ratio.</summary>
     public static string Command(double ratio) => JobMachine.Text($"VR {ratio}");
 
-    /// <summary>The ratio for this lead, or null when it stands so already.</summary>
-    /// <param name="lead">Segments sent and not yet executed.</param>
-    /// <param name="secondsAhead">How long they last at full speed.</param>
-    /// <param name="remaining">Segments not yet sent.</param>
+    /// <summary>The new ratio for this lead, or null when it does not change.</summary>
+    /// <param name="lead">Number of segments sent and not yet executed.</param>
+    /// <param name="secondsAhead">Their duration at full speed.</param>
+    /// <param name="remaining">Number of segments not yet sent.</param>
     public double? Ratio(int lead, double secondsAhead, int remaining)
     {
         if (remaining == 0 || secondsAhead > Math.Max(ComfortableSeconds, 2 * ShortSeconds)) return Release();
@@ -34,7 +34,7 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
         return _now == Full && (lead < ShortLead || secondsAhead < ShortSeconds) ? Change(Slow) : null;
     }
 
-    /// <summary>Back to full speed: nothing more has to be sent in time.</summary>
+    /// <summary>Back to full speed, when everything has been sent.</summary>
     public double? Release() => Change(Full);
 
     private double? Change(double ratio)

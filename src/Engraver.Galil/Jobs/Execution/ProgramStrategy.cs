@@ -9,10 +9,10 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>The job runs in the controller, a chunk after the other; the next one is loaded while the machine rests with the tool off (galil-dmc.md F.1 method 2).</summary>
+/// <summary>Runs the job in the controller, one chunk after another; the next one is loaded while the machine is at rest with the tool off (galil-dmc.md F.1 method 2).</summary>
 /// <remarks>
-/// No operand tells how many lines the program memory holds (galil-dmc.md 0.3: 1000, not confirmed), so the controller is asked by the download itself: where it refuses
-/// for too many lines, what is left is packed for half as many.
+/// No operand reports how many lines the program memory holds (galil-dmc.md 0.3: 1000, not confirmed), so the download itself tests it: when it is refused
+/// for too many lines, the rest of the job is packed for half as many.
 /// </remarks>
 internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine, JobLedger ledger, JobLog log, ProgramMemory memory, JobOptions options) : IJobStrategy
 {
@@ -61,7 +61,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         return new Queue<ProgramChunk>(packed.Chunks);
     }
 
-    /// <summary>No thread may run while the memory changes: the watchdog rests with the machine.</summary>
+    /// <summary>No thread may run while the memory changes; the watchdog is stopped too, while the machine is at rest.</summary>
     private async ValueTask<JobStep> LoadAsync(ProgramChunk chunk)
     {
         _chunk = null;
@@ -90,7 +90,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         return end.Ends && machine.State.ProgramError == SupervisedProgram.Strayed ? end with { Sentence = end.Sentence + progress.PlaceAt(machine.State.Calls) } : end;
     }
 
-    /// <summary>The program was read back before it ran; the path is watched all the same, for somebody else may move the axes. Over a serial line the sequence and the position are asked one after the other, and only the end is looked at.</summary>
+    /// <summary>The program was read back before it ran; the path is watched all the same, because somebody else may move the axes. Over a serial line sequence and position are queried one after the other, and only the end is compared.</summary>
     private async ValueTask<JobStep> WatchedAsync(ProgramChunk chunk)
     {
         var watches = chunk.Parts.SelectMany(part => part.Sequences).Select(sequence => machine.Watch(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
@@ -106,10 +106,10 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         }
     }
 
-    /// <summary>What the chunk takes at the least: the motion of its sequences, without rapids and settles.</summary>
+    /// <summary>Shortest time of the chunk, seconds: the motion of its sequences, without rapids and settle times.</summary>
     private double Seconds(ProgramChunk chunk) => chunk.Parts.SelectMany(part => part.Sequences).Sum(sequence => SpeedTrapezoid.Time(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts));
 
-    /// <summary>An odd mark belongs to a sequence under way.</summary>
+    /// <summary>True while a sequence is being cut, which has an odd mark.</summary>
     private static bool IsCutting(MachineState state) => state.SequenceRunning && state.Calls % 2 != 0;
 
     private bool IsDone(MachineState state)

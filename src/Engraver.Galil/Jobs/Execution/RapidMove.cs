@@ -6,13 +6,13 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>A move between two strokes, each axis at its own speed (PA, BG); in both ways the host makes it itself. The tool is off.</summary>
+/// <summary>A move between two strokes, each axis at its own speed (PA, BG), commanded by this computer in stream and calls mode. The tool is off.</summary>
 internal static class RapidMove
 {
-    /// <summary>Goes to a point of the job frame and waits until the machine stands there; only an axis with something to do is begun.</summary>
+    /// <summary>Moves to a point of the job frame and waits until the machine is at rest there; only axes that have to move are begun.</summary>
     public static ValueTask<JobStep> ToAsync(JobMachine machine, CountsPoint target) => ToMachineAsync(machine, new CountsPoint(target.X + machine.Frame.X, target.Y + machine.Frame.Y));
 
-    /// <summary>The same to a place of the controller's own counts.</summary>
+    /// <summary>The same to a point in the controller's own counts.</summary>
     public static async ValueTask<JobStep> ToMachineAsync(JobMachine machine, CountsPoint goal)
     {
         if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
@@ -62,7 +62,7 @@ internal static class RapidMove
     private static int Speed(JobMachine machine, char axis) => axis == 'A' ? machine.Profile.RapidSpeedX : machine.Profile.RapidSpeedY;
 }
 
-/// <summary>A move by hand instead of a cut: a rapid to one place of the controller's own counts, under the watchdog and the stop of a job. The tool is off throughout.</summary>
+/// <summary>A move without cutting: a rapid to one point in the controller's own counts, under the watchdog and the stop of a job. The tool is off throughout.</summary>
 internal sealed class HandMove(JobMachine machine, CountsPoint goal) : IJobStrategy
 {
     public ValueTask<JobStep> StartAsync() => new(JobStep.Done);

@@ -8,13 +8,13 @@ using static Engraver.Galil.Programs.Resident.ResidentProgram;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>The commands by which a job starts and feeds the program that is downloaded for it (galil-dmc.md EX11, EX12, F.3).</summary>
+/// <summary>The commands by which a job starts the program that was downloaded for it, and calls it (galil-dmc.md EX11, EX12, F.3).</summary>
 internal static class ResidentServer
 {
-    /// <summary>Winds the watchdog up again.</summary>
+    /// <summary>Restarts the time of the watchdog.</summary>
     public static string HeartbeatCommand { get; } = JobMachine.Text($"{Variables.Heartbeat}={HeartbeatTicks}");
 
-    /// <summary>Gives every variable that is polled a value before it is read: an undefined one is refused. Winds the watchdog up before it starts.</summary>
+    /// <summary>Gives every polled variable a value before it is read, because an undefined one is refused, and sets the watchdog's time before it starts.</summary>
     public static string DefineVariables(MachineProfile profile) =>
         JobMachine.Text($"{HeartbeatCommand};{Variables.WatchdogTripped}=0;{Variables.ErrorCode}=0;{Variables.ErrorLine}=0;{Variables.Sequence}=0;{Variables.Done}=0;{Variables.StillLimit}={StandstillLimit.ControllerTicks(profile)}");
 
@@ -27,7 +27,7 @@ internal static class ResidentServer
     {
         JobMode.Stream => ForStream(profile),
         JobMode.Calls => ForCalls(profile),
-        JobMode.Program => ForStream(profile), // keeps watch until the first chunk is loaded
+        JobMode.Program => ForStream(profile), // runs until the first chunk is loaded
         _ => throw new ArgumentOutOfRangeException(nameof(mode)),
     };
 
@@ -37,15 +37,15 @@ internal static class ResidentServer
 
     public static string StartCommand(ResidentProgram program) => JobMachine.Text($"XQ {program.EntryLabel},{MainThread}");
 
-    /// <summary>Line of the watchdog's thread, -1 while it does not run.</summary>
+    /// <summary>Operand for the line of the watchdog's thread; -1 while it does not run.</summary>
     public static string WatchdogLine { get; } = JobMachine.Text($"_XQ{WatchdogThread}");
 
-    /// <summary>Arguments of one call; a line is relative to where the machine stands.</summary>
+    /// <summary>Arguments of one call; a line is relative to the machine's position.</summary>
     public static string Arguments(in VectorSegment segment, CountsPoint here, int speed) => segment.Kind == VectorSegmentKind.Line
         ? JobMachine.Text($"{Variables.X}={(long)segment.End.X - here.X};{Variables.Y}={(long)segment.End.Y - here.Y};{Variables.Feed}={speed};{Variables.Operation}={Operations.Line}")
         : JobMachine.Text($"{Variables.Radius}={segment.Radius};{Variables.Theta}={DmcFormat.Number(segment.ThetaDegrees)};{Variables.Delta}={DmcFormat.Number(segment.DeltaDegrees)};{Variables.Feed}={speed};{Variables.Operation}={Operations.Arc}");
 
-    /// <summary>The variables that <see cref="Arguments"/> sets, as they are read back.</summary>
+    /// <summary>The variables that <see cref="Arguments"/> sets, with the values to be read back.</summary>
     public static IReadOnlyList<(string Operand, double Value, double Step)> Held(in VectorSegment segment, CountsPoint here, int speed)
     {
         const double Exact = SettingCheck.Exact;

@@ -8,35 +8,35 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>One VM ... VE on the wire: fills the segment buffer, begins, keeps feeding by _CSS, slows down when the lead gets short, ends with VE (galil-dmc.md B.7, F.1).</summary>
+/// <summary>Streams one VM ... VE: fills the segment buffer, begins, sends further segments by _CSS, slows down when few are left to execute, ends with VE (galil-dmc.md B.7, F.1).</summary>
 /// <remarks>
-/// Over a network nothing repeats to us what arrived. There a sequence of lines goes as increments (LM, LI): one that arrived as another moves all of the path behind it, up to its end, where the position tells.
-/// A VP is absolute in its sequence: a moved vertex is left again by the next one, and where segments are shorter than the way between two polls nobody sees it.
+/// Over a network nothing repeats what the controller received. A sequence of lines is therefore sent as increments (LM, LI): a damaged one shifts the rest of the path up to its end, where the position shows it.
+/// A VP is absolute in its sequence: after a damaged vertex the next one is right again, and where segments are shorter than the distance between two polls the error would not be seen.
 /// With an arc in it a sequence must go as VP and CR (LM takes no CR, galil-dmc.md B.7). There a vertex moved beside the path by up to about sqrt((L + A/2)^2 - L^2) counts is not noticed, L the length of
 /// its segments and A what the path length may differ by: 62 counts for 100 segments of 60. What is farther off is.
 /// </remarks>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
 {
-    /// <summary>Free places that are left alone: one command is on its way, and the controller's count is as old as the last poll.</summary>
+    /// <summary>Free places in the buffer that are not used: one command may be on its way, and the controller's count is as old as the last poll.</summary>
     private const int SpareSegments = 5;
 
     /// <summary>A sequence begins when this many segments are buffered, or this many seconds of motion.</summary>
     private const int StartSegments = 200;
     private const double StartSeconds = 1.0;
 
-    /// <summary>Segments shorter than this come slower over the wire than they are cut: the whole buffer is filled first (galil-dmc.md A.4: 1.6 ms a command).</summary>
+    /// <summary>Segments shorter than this take longer to send than to cut: the whole buffer is filled first (galil-dmc.md A.4: 1.6 ms a command).</summary>
     private const double ShortSegmentSeconds = 0.004;
 
-    /// <summary>While the buffer is full the host rests for this share of what is in it.</summary>
+    /// <summary>While the buffer is full, pauses last the time of the buffered motion divided by this.</summary>
     private const double RestShare = 4.0;
 
-    /// <summary>CR and prompt.</summary>
+    /// <summary>Bytes of CR and prompt.</summary>
     private const int FrameBytes = 2;
 
-    /// <summary>Shorter delays between two commands are nothing to look into.</summary>
+    /// <summary>Shorter delays between two commands need no extra poll, seconds.</summary>
     private const double HeldUpSeconds = 0.05;
 
-    /// <summary>How far the controller's path length may differ from the planned one, counts: it is cut off to whole counts, and how it is kept from segment to segment is not known (galil-dmc.md B.1).</summary>
+    /// <summary>Largest difference between the controller's path length and the planned one, counts: it is truncated to whole counts, and how it is summed over segments is not known (galil-dmc.md B.1).</summary>
     private const double LengthAllowance = 2.0;
     private const double LengthPerSegment = 0.5;
 
@@ -55,13 +55,13 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private CountsPoint _origin;
     private PathWatch? _watch;
 
-    /// <summary>The first segment that this feed has not dealt with.</summary>
+    /// <summary>Index of the first segment that is neither skipped nor executed.</summary>
     public int Next => first + _skipped + _executed;
 
-    /// <summary>What is buffered lasts this long at full speed.</summary>
+    /// <summary>Duration of the buffered motion at full speed.</summary>
     private double SecondsAhead => _countsAhead / sequence.Speed;
 
-    /// <summary>By the trapezoid of the whole path and what has passed of it.</summary>
+    /// <summary>Seconds until the end of the path, by the trapezoid of the whole path and the time since its beginning.</summary>
     private double SecondsLeft => SpeedTrapezoid.Time(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
 
     private int Remaining => sequence.Segments.Count - first - _skipped - _sent;
@@ -93,7 +93,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return await CloseAsync().ConfigureAwait(false);
     }
 
-    /// <summary>Confirms the segments before <paramref name="counter"/>, never one twice and never one that was not sent.</summary>
+    /// <summary>Confirms the segments before <paramref name="counter"/>, each once and only those that were sent.</summary>
     public void ConfirmUpTo(int counter)
     {
         for (; _executed < Math.Min(counter, _sent); _executed++)
@@ -104,17 +104,17 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         }
     }
 
-    /// <summary>Every few segments; and when this computer was held up for long enough that the buffer may have run dry, before the next segment hides it.</summary>
+    /// <summary>True every few segments; and when this computer was delayed for so long that the buffer may have run dry, which the next segment would hide.</summary>
     private bool IsTimeToWatch => _begun && (_sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds + UsualSeconds));
 
-    /// <summary>What was sent since the last look takes so long on a serial line, with a heartbeat for each command at the worst: no hold-up, however long.</summary>
+    /// <summary>Time that the commands since the last poll need on a serial line, with a heartbeat for each at worst: that long is not a delay.</summary>
     private double UsualSeconds => machine.Line is { } line ? 2.0 * line.Time(_bytesSinceWatch).TotalSeconds : 0.0;
 
     private bool IsReadyToBegin =>
         _sent >= _capacity - SpareSegments
         || (!_pace.FillsFirst && Remaining > 0 && SecondsAhead / _sent >= ShortSegmentSeconds && (_sent >= StartSegments || SecondsAhead >= StartSeconds));
 
-    /// <summary>Everything sent was executed before VE: the controller stood still at once, with the sequence open (galil-dmc.md B.7).</summary>
+    /// <summary>Everything sent was executed before VE: the controller then stops at once, with the sequence open (galil-dmc.md B.7).</summary>
     private bool HasRunDry => _sentAtWatch == _sent && (machine.State.Counter >= _sent || (machine.State.Counter == _sent - 1 && machine.State.PathSpeed == 0 && _executed > 0));
 
     private async ValueTask<JobStep> OpenAsync()
@@ -133,12 +133,12 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return await AskCapacityAsync().ConfigureAwait(false);
     }
 
-    /// <summary>What this feed cuts; it begins where the machine stands.</summary>
+    /// <summary>The segments that are cut here, from the machine's present position.</summary>
     private IReadOnlyList<VectorSegment> Ahead => [.. sequence.Segments.Skip(first + _skipped)];
 
     private JobStep OnPath(MachineState state) => state.SequenceRunning ? _watch!.Look(state.Counter, machine.Here) : JobStep.Done;
 
-    /// <summary>A line that ends where the machine stands has no length for the controller (TC 30): it is done before it is sent.</summary>
+    /// <summary>A line to the machine's own position has no length and would be refused (TC 30); it counts as done.</summary>
     private bool IsAlreadyThere(in VectorSegment segment) => segment.Kind == VectorSegmentKind.Line && segment.End == _origin;
 
     private void SkipOne() => ledger.Confirm(sequence.Segments[first + _skipped++]);
@@ -150,7 +150,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return end;
     }
 
-    /// <summary>Sends one segment; while the buffer is full the same one is sent again (TC 32).</summary>
+    /// <summary>Sends one segment; while the buffer is full, sends it again (TC 32).</summary>
     private async ValueTask<JobStep> SendNextAsync()
     {
         var segment = sequence.Segments[first + _skipped + _sent];
@@ -186,7 +186,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return await machine.SendAsync("BGS").ConfigureAwait(false);
     }
 
-    /// <summary>Looks at the counter.</summary>
+    /// <summary>Reads the counter.</summary>
     private async ValueTask<JobStep> WatchAsync()
     {
         if (await machine.GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
@@ -214,8 +214,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return await SettingCheck.ReadBackAsync(machine, ("_VRS", ratio, SettingCheck.Exact)).ConfigureAwait(false);
     }
 
-    /// <summary>Where the machine came to rest behind everything that was sent, and how long the path was: a closed contour ends where it began, also where nothing of it was cut or a turn was shorter
-    /// (_AVS counts from the start of the sequence, galil-dmc.md B.1). The length is not asked on a serial line, where every command was compared with its echo, which a question would be slower than.</summary>
+    /// <summary>Compares the position at the end with the planned one, and the length of the path too: a closed contour ends where it began, even if nothing of it was cut or a turn was too short
+    /// (_AVS counts from the start of the sequence, galil-dmc.md B.1). The length is not read on a serial line, where every command was compared with its echo and a query takes long.</summary>
     private async ValueTask<JobStep> CheckCutAsync()
     {
         if (_watch!.LookAtEnd(_sent, machine.Here) is { Ends: true } elsewhere) return elsewhere;
@@ -234,7 +234,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return state.Stands;
     }
 
-    /// <summary>Tool off at once; then, after a look at what was cut, the only documented way out of an open sequence: AB1, wait, CSS.</summary>
+    /// <summary>Tool off at once; then, after reading what was cut, the only documented way out of an open sequence: AB1, wait, CSS.</summary>
     private async ValueTask<JobStep> CloseDryAsync()
     {
         ledger.Underruns++;
@@ -253,13 +253,13 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     }
 }
 
-/// <summary>How the segment buffer is fed over this kind of link.</summary>
-/// <param name="SegmentsBetweenPolls">Segments between two looks at the counter.</param>
-/// <param name="FillsFirst">The buffer is filled before the machine starts, however long the segments are: over a slow wire it cannot be filled later.</param>
-/// <param name="ReactionSeconds">What passes between seeing that the lead is short and saying so, seconds.</param>
+/// <summary>How the segment buffer is filled over this kind of link.</summary>
+/// <param name="SegmentsBetweenPolls">Segments between two readings of the counter.</param>
+/// <param name="FillsFirst">The buffer is filled before the machine starts, however long the segments are: over a slow link it cannot be filled later.</param>
+/// <param name="ReactionSeconds">Delay between detecting that few segments are left and the command reaching the controller, seconds.</param>
 internal sealed record FeedPace(int SegmentsBetweenPolls, bool FillsFirst, double ReactionSeconds)
 {
-    /// <summary>1.6 ms a command (galil-dmc.md A.4): two polls and a heartbeat.</summary>
+    /// <summary>At 1.6 ms a command (galil-dmc.md A.4): two polls and a heartbeat.</summary>
     private static FeedPace Network { get; } = new(16, FillsFirst: false, 0.06);
 
     public static FeedPace From(SerialLine? line) => line is null ? Network : new FeedPace(LinkFeedLimit.SegmentsBetweenPolls, FillsFirst: true, LinkFeedLimit.ReactionSeconds(line));

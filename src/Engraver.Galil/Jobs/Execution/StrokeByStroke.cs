@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>The host leads: rapid to each stroke, its sequences one after the other, tool off.</summary>
+/// <summary>The host commands each stroke: rapid to its start, its sequences one after the other, tool off.</summary>
 internal sealed class StrokeByStroke(MotionProgram program, JobMachine machine, JobLedger ledger, JobLog log, ISequenceStrategy sequences) : IJobStrategy
 {
     public ValueTask<JobStep> StartAsync() => sequences.StartAsync();

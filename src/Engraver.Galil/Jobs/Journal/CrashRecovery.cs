@@ -3,15 +3,15 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>A run that never gave the controller back: this computer died, or the link did. Its journal tells how it had found the controller.</summary>
+/// <summary>A run that did not restore the controller, because this computer or the link failed. Its journal holds the controller's state before the run.</summary>
 /// <param name="JournalPath">The journal of that run.</param>
-/// <param name="Found">The controller as it had found it.</param>
-/// <param name="Program">The program that had stood in the memory.</param>
+/// <param name="Found">The controller's state before that run.</param>
+/// <param name="Program">The program that was in the memory.</param>
 internal sealed record CrashRecovery(string JournalPath, JournalFound Found, string Program)
 {
     private const string CopySuffix = ".program.dmc";
 
-    /// <summary>Where the found program is kept beside a journal.</summary>
+    /// <summary>Path of the found program, beside the journal.</summary>
     public static string CopyOf(string journalPath) => journalPath + CopySuffix;
 
     /// <summary>The last run with this controller that was not ended properly, by the journals of the folder; null when there is none.</summary>
@@ -31,10 +31,10 @@ internal sealed record CrashRecovery(string JournalPath, JournalFound Found, str
         return IsReadable(journal) && Unended(journal) is { } found && found.IsSameController(now) ? new CrashRecovery(journal, found, File.ReadAllText(copyPath, ProgramMemory.CopyEncoding)) : null;
     }
 
-    /// <summary>A journal that went into a pipe is not there to be read again, and asking the pipe would wait for ever; like an empty file it has no length.</summary>
+    /// <summary>False for a pipe: it cannot be read again, and opening it would wait for ever. Like an empty file it has no length.</summary>
     private static bool IsReadable(string journal) => new FileInfo(journal) is { Exists: true, Length: > 0 };
 
-    /// <summary>The last "found" of the journal, unless the controller was given back behind it.</summary>
+    /// <summary>The last "found" line of the journal, unless the controller was restored after it.</summary>
     private static JournalFound? Unended(string journal)
     {
         JournalFound? found = null;
@@ -51,7 +51,7 @@ internal sealed record CrashRecovery(string JournalPath, JournalFound Found, str
         return found;
     }
 
-    /// <summary>A crash may have left half a line.</summary>
+    /// <summary>The kind of a line; null for half a line, as a crash may leave it.</summary>
     private static string? Kind(string line)
     {
         try

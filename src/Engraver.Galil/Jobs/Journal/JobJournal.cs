@@ -5,10 +5,10 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Journal;
 
-/// <summary>The journal file: one JSON object a line, each flushed to the file before the job goes on, so that a crash leaves every line but the last readable.</summary>
+/// <summary>The journal file: one JSON object per line, each flushed to the file before the job goes on, so that a crash leaves every line but the last readable.</summary>
 internal sealed class JobJournal : IDisposable
 {
-    /// <summary>Generated at build time: reflection on first use would hold up the heartbeat.</summary>
+    /// <summary>Generated at build time: reflection at the first use would delay the heartbeat.</summary>
     private static readonly JsonSerializerOptions Json = new(JsonSerializerDefaults.Web)
     {
         Converters = { new JsonStringEnumConverter<JobMode>(JsonNamingPolicy.CamelCase), new JsonStringEnumConverter<JobOutcome>(JsonNamingPolicy.CamelCase) },
@@ -31,7 +31,7 @@ internal sealed class JobJournal : IDisposable
 
     public void Write<T>(T line) => _file?.WriteLine(JsonSerializer.Serialize(line, Json));
 
-    /// <summary>Each line was flushed as it was written: what the disk refuses now, it has refused before, and the job has said so.</summary>
+    /// <summary>Every line was flushed when it was written, so an error of the disk now was there before and has been reported.</summary>
     public void Dispose()
     {
         try
@@ -44,27 +44,27 @@ internal sealed class JobJournal : IDisposable
     }
 }
 
-/// <summary>Last line of a job in the journal; a job without it died.</summary>
-/// <param name="LeftAsFound">Program, settings and motors of the controller are again as they were found; otherwise the next run gives them back.</param>
+/// <summary>Last line of a job in the journal; a job without it did not end properly.</summary>
+/// <param name="LeftAsFound">Program, settings and motors of the controller are restored; otherwise the next run restores them.</param>
 public sealed record JournalEnd(JobOutcome Outcome, string Sentence, int SegmentsExecuted, int? X, int? Y, double Time, bool LeftAsFound)
 {
     public string Kind { get; } = "end";
 }
 
-/// <summary>The controller as a job found it, written before anything in it is changed: if this program dies, the next run gives it back (<see cref="CrashRecovery"/>).</summary>
-/// <param name="Address">Where the controller was reached.</param>
+/// <summary>The controller's state before a job, written before anything in it is changed: if this program dies, the next run restores it (<see cref="CrashRecovery"/>).</summary>
+/// <param name="Address">The controller's address.</param>
 /// <param name="Controller">Its model string.</param>
-/// <param name="SerialNumber">_BN; null where the controller cannot say.</param>
-/// <param name="State">Settings; the program memory lies beside the journal.</param>
+/// <param name="SerialNumber">_BN; null where the controller does not report it.</param>
+/// <param name="State">Settings; the program memory is in a file beside the journal.</param>
 public sealed record JournalFound(string Address, string Controller, double? SerialNumber, FoundState State)
 {
     public string Kind { get; } = "found";
 
-    /// <summary>True when both tell of the same controller.</summary>
+    /// <summary>True when both describe the same controller.</summary>
     internal bool IsSameController(JournalFound other) => (Address, Controller, SerialNumber) == (other.Address, other.Controller, other.SerialNumber);
 }
 
-/// <summary>A later run has given the controller back in the name of the one that died.</summary>
+/// <summary>A later run has restored the controller after the one that died.</summary>
 /// <param name="By">Journal of the later run.</param>
 public sealed record JournalGivenBack(string By)
 {
@@ -80,8 +80,8 @@ public sealed record JournalGivenBack(string By)
 [JsonSerializable(typeof(JournalGivenBack))]
 internal sealed partial class JournalJson : JsonSerializerContext;
 
-/// <summary>A sequence that is done, or how far a long one is.</summary>
-/// <param name="Sequence">Place of the sequence in its stroke.</param>
+/// <summary>A sequence that is complete, or the progress of a long one.</summary>
+/// <param name="Sequence">Index of the sequence in its stroke.</param>
 /// <param name="Entity">Drawing entity of the last executed segment, -1 before the first.</param>
 /// <param name="SegmentsExecuted">Since the job began, as the controller counted.</param>
 /// <param name="X">_RPA.</param>

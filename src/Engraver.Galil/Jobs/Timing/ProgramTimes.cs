@@ -9,17 +9,17 @@ namespace Engraver.Galil.Jobs.Timing;
 /// <param name="line">Null for a network, on which loading is nothing beside the cutting.</param>
 internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
 {
-    /// <summary>Around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the question for the watchdog; the answer to the poll before it, and about half a poll until
-    /// its end is seen by the first question of a poll, whose second one is still to be asked.</summary>
+    /// <summary>Bytes exchanged around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the query for the watchdog; the answer to the poll before it, and about half a poll until
+    /// its end is seen by the first part of a poll, whose second part is still to come.</summary>
     private const int BytesAroundChunk = 290;
 
-    /// <summary>The line that assigns x and y and calls #RAPID, and the lines of that.</summary>
+    /// <summary>Statements of a rapid: the line that assigns x and y and calls #RAPID, and the lines of that.</summary>
     private const int RapidStatements = 10;
 
-    /// <summary>SB or CB, and WT.</summary>
+    /// <summary>Statements of a tool change: SB or CB, and WT.</summary>
     private const int ToolStatements = 2;
 
-    /// <summary>CSS, the mark, VM, VS, VE, BGS, JS#CUT and its five lines.</summary>
+    /// <summary>Statements of a sequence: CSS, the mark, VM, VS, VE, BGS, JS#CUT and its five lines.</summary>
     private const int SequenceStatements = 12;
 
     internal override double Loading(MotionProgram program)

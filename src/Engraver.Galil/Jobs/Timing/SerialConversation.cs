@@ -6,18 +6,18 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>The talk of a job over a serial line as it would go, byte by byte and with the heartbeats between (<see cref="JobMachine"/>, <see cref="Heartbeat"/>): how late it is behind each word.</summary>
-/// <remarks>Averages will not do: a poll takes as long as a settle or a short cut, so that one more or less is what decides, and the digits of an answer decide that. All times are seconds since the job began.</remarks>
+/// <summary>Simulates the exchange of a job over a serial line byte by byte, with the heartbeats between (<see cref="JobMachine"/>, <see cref="Heartbeat"/>), to find the time of each exchange.</summary>
+/// <remarks>Averages are not accurate enough: a poll takes as long as a settle or a short cut, so that one more or less matters, and that depends on the digits of an answer. All times are seconds since the job began.</remarks>
 internal sealed class SerialConversation(SerialLine line)
 {
-    /// <summary>CR, and the prompt of each part.</summary>
+    /// <summary>Bytes of CR and prompt for each part of a line.</summary>
     private const int FrameBytes = 2;
 
-    /// <summary>As a job spaces its heartbeats, and the latest for which one is not said before a long exchange.</summary>
+    /// <summary>Interval of a job's heartbeats, and the latest time after which one is sent before a long exchange.</summary>
     private const double SecondsBetweenHeartbeats = 0.2;
     private const double LatestHeartbeat = 0.5;
 
-    /// <summary>TIME when a job begins on a controller that has just been switched on: handshake and downloads are about so many bytes.</summary>
+    /// <summary>Assumed bytes of handshake and downloads before the job, for TIME at its beginning on a controller that has just been switched on.</summary>
     private const int BytesBeforeJob = 3000;
 
     private const int ThreadLineDigits = 2;
@@ -31,22 +31,22 @@ internal sealed class SerialConversation(SerialLine line)
 
     public double Now { get; private set; }
 
-    /// <summary>Calls that the program in the controller has counted.</summary>
+    /// <summary>Calls counted by the program in the controller.</summary>
     public int Calls { get; set; }
 
-    /// <summary>_CSS as it is printed.</summary>
+    /// <summary>_CSS as it will be printed.</summary>
     public int Counter { get; set; }
 
-    /// <summary>_SCA while the axes stand.</summary>
+    /// <summary>_SCA while the axes are at rest.</summary>
     public int StopCode { get; set; }
 
-    /// <summary>When the controller had the CR of what was said last: the prompt came behind it.</summary>
+    /// <summary>When the controller received the CR of the last line; its prompt followed.</summary>
     public double Heard => Now - _byteSeconds;
 
-    /// <summary>The host rests between two polls, seconds.</summary>
+    /// <summary>A pause of the host between two polls, seconds.</summary>
     public void Rest(double seconds) => Now += seconds;
 
-    /// <summary>A motion is under way.</summary>
+    /// <summary>A motion has begun.</summary>
     /// <param name="speed">_VMS meanwhile; 0 for a rapid.</param>
     public void Moves(double until, int speed) => (_movingUntil, _speed) = (until, speed);
 
@@ -57,11 +57,11 @@ internal sealed class SerialConversation(SerialLine line)
         BeatAfter();
     }
 
-    /// <summary>A single question, which no heartbeat goes with.</summary>
+    /// <summary>A single query, without a heartbeat.</summary>
     public void Ask(string operand, int digits) => Pass(Question(operand) + Answer(digits));
 
     /// <summary>A whole poll.</summary>
-    /// <returns>When each of the two questions was answered by the controller.</returns>
+    /// <returns>When the controller answered each of its two parts.</returns>
     public (double Program, double Path) Poll(CountsPoint at)
     {
         var asked = AskProgram();
@@ -70,8 +70,8 @@ internal sealed class SerialConversation(SerialLine line)
         return (asked, path);
     }
 
-    /// <summary>A look at the path alone, now and then a whole poll.</summary>
-    /// <returns>When it was answered by the controller, and whether the axes stood as far as was seen.</returns>
+    /// <summary>A reading of the path, now and then a whole poll.</summary>
+    /// <returns>When the controller answered it, and whether the axes were at rest as far as was seen.</returns>
     public (double At, bool Stands) Glance(CountsPoint at)
     {
         var isWhole = ++_glances % JobMachine.GlancesBetweenPolls == 0;
@@ -79,7 +79,7 @@ internal sealed class SerialConversation(SerialLine line)
         var path = AskMotion(at);
         if (!isWhole && path >= _movingUntil && _axesSeenMoving)
         {
-            AskProgram(); // last seen at work for the path: now that it has ended they must be asked again
+            AskProgram(); // last seen in motion because of the path: now that it has ended they must be read again
             path = AskMotion(at);
         }
 
@@ -87,7 +87,7 @@ internal sealed class SerialConversation(SerialLine line)
         return (path, path >= _movingUntil && !_axesSeenMoving);
     }
 
-    /// <summary>_SCA while something moves: the sequence has a code of its own, a rapid none.</summary>
+    /// <summary>_SCA during motion: a sequence has its own code, a rapid has 0.</summary>
     private int RunningCode => _speed > 0 ? StopCodes.SequenceRunning : 0;
 
     private double AskProgram()
@@ -129,7 +129,7 @@ internal sealed class SerialConversation(SerialLine line)
 
     private static int Question(string operands) => "MG ".Length + operands.Length + 1;
 
-    /// <summary>Numbers, each behind a blank or a sign; line end and prompt.</summary>
+    /// <summary>Bytes of an answer: numbers, each after a blank or a sign; line end and prompt.</summary>
     private static int Answer(params ReadOnlySpan<int> digits)
     {
         var bytes = digits.Length + 3;

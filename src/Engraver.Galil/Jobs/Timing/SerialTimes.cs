@@ -53,7 +53,7 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         return _talk.Now - begun;
     }
 
-    /// <summary>The server works a little before and behind the motion; the end is seen by a whole poll, for it is <c>seq</c> that tells it.</summary>
+    /// <summary>The server works for a short time before and after the motion; its end is seen by a whole poll, which contains <c>seq</c>.</summary>
     private void Call(VectorSequence sequence, double moving)
     {
         SayAll(ResidentServer.Arguments(sequence.Segments[0], sequence.Start, sequence.Speed), ResidentServer.GoCommand);
@@ -87,7 +87,7 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         foreach (var command in commands) _talk.Command(command);
     }
 
-    /// <param name="atLeast">As the job knows it, seconds from now: it rests until then.</param>
+    /// <param name="atLeast">Time for which the job will pause, seconds from now, because the end cannot come sooner.</param>
     private void PollUntil(CountsPoint at, double end, double atLeast)
     {
         var (pause, start) = (Pause(atLeast), _talk.Now);

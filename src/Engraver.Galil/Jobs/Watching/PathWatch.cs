@@ -4,31 +4,31 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Holds polled positions against the planned path while a sequence runs: a command that arrived as another one drives the machine beside it.</summary>
+/// <summary>Compares polled positions with the planned path while a sequence runs: a damaged command moves the machine beside it.</summary>
 /// <remarks>
 /// A polled position is a reference (_RP), so no servo lag is in it; but the two axes are read one after the other, and a sample of the motion may lie between (galil-dmc.md C: 1 ms at TM 1000).
-/// That puts a point that is right beside the path by up to speed x sample x |sin x cos| of the path's direction, at a joint half of speed x sample. Beyond that the first poll decides; within it
-/// only <see cref="MostInARow"/> polls in a row do, for the sample lies between the two readings now and then and not always.
+/// So a correct point may appear beside the path by up to speed x sample x |sin x cos| of the path's direction, at a joint by half of speed x sample. A larger distance is a fault at the first poll; within it
+/// only <see cref="MostInARow"/> polls in a row are, because a sample lies between the two readings only now and then.
 /// </remarks>
 /// <param name="start">Where the first segment begins, job frame.</param>
 /// <param name="segments">In the order of cutting.</param>
 /// <param name="speed">VS, counts/s.</param>
-/// <param name="sampleSeconds">Of the controller's motion.</param>
+/// <param name="sampleSeconds">Sample time of the controller's motion.</param>
 internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed, double sampleSeconds)
 {
-    /// <summary>How far a point of the right path may lie from the planned one, counts: the position is rounded in both axes, and so is the place where an arc is taken to begin.</summary>
+    /// <summary>Largest distance of a correct point from the planned path, counts: the position is rounded in both axes, and so is the assumed start of an arc.</summary>
     public const double Allowance = 2.0;
 
-    /// <summary>Off by no more than two readings at different times can explain, so often in a row, is off.</summary>
+    /// <summary>Number of polls in a row with a distance that two readings at different times could explain, which together are a fault.</summary>
     private const int MostInARow = 8;
 
-    /// <summary>The counter may be so much older than the position, seconds.</summary>
+    /// <summary>The counter may be older than the position by this, seconds.</summary>
     private const double LongestReply = 0.01;
 
     private int _inARow;
 
-    /// <param name="executed">Segments that were done when the position was asked.</param>
-    /// <param name="place">Job frame.</param>
+    /// <param name="executed">Segments that were complete when the position was read.</param>
+    /// <param name="place">Position, job frame.</param>
     public JobStep Look(int executed, CountsPoint place)
     {
         var (off, explained) = Nearest(Math.Clamp(executed, 0, segments.Count - 1), new Point2D(place.X, place.Y));
@@ -37,10 +37,10 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
         return JobStep.Done;
     }
 
-    /// <summary>Where the machine rests behind the last of the segments.</summary>
+    /// <summary>Compares the position at rest after the last segment.</summary>
     public JobStep LookAtEnd(CountsPoint place) => LookAtEnd(segments.Count, place);
 
-    /// <param name="executed">Segments behind which it rests, at least 1.</param>
+    /// <param name="executed">Segments after which the machine is at rest, at least 1.</param>
     public JobStep LookAtEnd(int executed, CountsPoint place)
     {
         var last = segments[executed - 1];
@@ -51,7 +51,7 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
     private static JobStep Left(double off, CountsPoint place, int entity) => JobStep.Deviated(Text(
         $"The machine stood at {place.X},{place.Y} of the drawing (counts), {off:0} counts beside the planned path, at drawing entity {entity}; what was sent has not arrived as it was sent, or something else moves the axes. Look at the work piece, the cable and who else uses the controller."));
 
-    /// <summary>Distance to the path about where the machine should be, and how much of it two readings at different times explain.</summary>
+    /// <summary>Distance to the path near where the machine should be, and the part of it that two readings at different times explain.</summary>
     private (double Off, double Explained) Nearest(int at, Point2D place)
     {
         var (off, explained) = (double.PositiveInfinity, 0.0);

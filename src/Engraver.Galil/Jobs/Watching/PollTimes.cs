@@ -1,6 +1,6 @@
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>When a job polled, by the controller's samples and by the job's clock.</summary>
+/// <summary>The times of a job's polls, by the controller's samples and by the job's clock.</summary>
 /// <param name="time">The job's clock.</param>
 /// <param name="sampleSeconds">A sample of the nominal length TM, in seconds.</param>
 internal sealed class PollTimes(TimeProvider time, double sampleSeconds)
@@ -15,10 +15,10 @@ internal sealed class PollTimes(TimeProvider time, double sampleSeconds)
     /// <summary>Controller time from the first poll to the last, in nominal samples.</summary>
     public double Seconds => _start is { } start ? SamplesSince(start, _sample) * sampleSeconds : 0.0;
 
-    /// <summary>The counter wraps at 2^31.</summary>
+    /// <summary>Samples between two values of TIME, which wraps at 2^31.</summary>
     public static long SamplesSince(long from, long to) => to >= from ? to - from : to - from + (1L << 31);
 
-    /// <param name="sample">TIME, as the answer to the poll has it.</param>
+    /// <param name="sample">TIME in the answer to the poll.</param>
     public void Polled(long sample)
     {
         (_sample, _polledAt) = (sample, time.GetTimestamp());

@@ -2,8 +2,8 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Whether a job gets on: it did something itself, or the controller moved or counted. Whoever waits for a motion that does not come would otherwise wait for ever, and keep the watchdog content meanwhile.</summary>
-/// <remarks>Time is the controller's, so that a slow host is not taken for a stalled machine; and a single answer that came late proves nothing, so that some polls must have seen the same.</remarks>
+/// <summary>Detects a job without progress: it sent no command, and the controller neither moved nor counted. Otherwise the job would wait for ever for a motion that does not come, and keep the watchdog from tripping.</summary>
+/// <remarks>Measured in controller time, so that a slow host does not look like a stalled machine; and by several polls, because a single late answer proves nothing.</remarks>
 internal sealed class ProgressWatch(MachineProfile profile)
 {
     private const double SamplesPerSecond = 1000.0;
@@ -16,10 +16,10 @@ internal sealed class ProgressWatch(MachineProfile profile)
     /// <summary>Controller seconds without progress until a job is given up.</summary>
     public double Seconds { get; } = StandstillLimit.Seconds(profile);
 
-    /// <summary>The host had a command of the job accepted: what comes of it is waited for anew.</summary>
+    /// <summary>The controller accepted a command of the job: the time without progress starts anew.</summary>
     public void Acted() => _last = null;
 
-    /// <summary>To be called with each poll.</summary>
+    /// <summary>Call with each poll.</summary>
     public bool IsStalled(in MachineState now)
     {
         if (_last is not { } last || HasProgress(last, now)) (_since, _polls) = (now.Time, 0);
@@ -31,15 +31,15 @@ internal sealed class ProgressWatch(MachineProfile profile)
         before.Position != now.Position || before.Counter != now.Counter || before.Calls != now.Calls || before.SequenceRunning != now.SequenceRunning || before.AxesRunning != now.AxesRunning;
 }
 
-/// <summary>How long a job may stand still, seconds of the controller's time. Motion is never so slow: at the slowest feed (2 counts/s) a position changes twice a second, so a long segment needs no allowance.</summary>
-/// <remarks>What stands legitimately is added: the tool settles. The job itself sees a standstill first and can say where it was; the watchdog in the controller is for the case that it does not.</remarks>
+/// <summary>How long a job may be without progress, controller seconds. Motion is never so slow: at the slowest feed (2 counts/s) a position changes twice a second, so a long segment needs no allowance.</summary>
+/// <remarks>The tool's settle time is added. The job itself notices a standstill first and can say where it was; the watchdog in the controller is for the case that it does not.</remarks>
 internal static class StandstillLimit
 {
     private const double JobSeconds = 3.0;
     private const double WatchdogSeconds = 6.0;
     private const double TickSeconds = 0.05;
 
-    /// <summary>After so long without any progress a job gives up.</summary>
+    /// <summary>Time without progress after which a job is given up.</summary>
     public static double Seconds(MachineProfile profile) => JobSeconds + profile.ToolSettleSeconds;
 
     /// <summary>Ticks of the watchdog in the controller for which the tool may be on while nothing moves.</summary>

@@ -2,13 +2,13 @@ using static Engraver.Galil.Jobs.JobMachine;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Reads back what was set before anything relies on it. Over a network only: on a serial line every command is compared with its echo already, and a question would take its time.</summary>
+/// <summary>Reads back settings before the job relies on them. Over a network only: on a serial line every command is already compared with its echo, and a query would take long.</summary>
 internal static class SettingCheck
 {
-    /// <summary>The controller keeps speeds and accelerations in steps (galil-dmc.md B.4: VS 2, VA 1024); a share of the value and this much is no harm, counts/s or counts/s2.</summary>
+    /// <summary>Allowed difference: the controller keeps speeds and accelerations in steps (galil-dmc.md B.4: VS 2, VA 1024), and this part of the value does no harm.</summary>
     private const double Share = 0.02;
 
-    /// <param name="wanted">Operand, what was sent, and the step in which the controller keeps it.</param>
+    /// <param name="wanted">Operand, value sent, and the step in which the controller keeps it.</param>
     public static async ValueTask<JobStep> ReadBackAsync(JobMachine machine, params IReadOnlyList<(string Operand, double Value, double Step)> wanted)
     {
         if (machine.Line is not null || wanted.Count == 0) return JobStep.Done;
@@ -23,7 +23,7 @@ internal static class SettingCheck
         return JobStep.Done;
     }
 
-    /// <summary>For a number that must be held as it was sent; what is left is the fourth decimal that the controller cuts off.</summary>
+    /// <summary>Step of a number that must be kept as it was sent: the error of the fourth decimal, which the controller truncates.</summary>
     public const double Exact = 0.0002;
 
     /// <summary>Steps of SP and VS, counts/s.</summary>

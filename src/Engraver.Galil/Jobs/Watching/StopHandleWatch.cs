@@ -3,8 +3,8 @@ using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs.Watching;
 
-/// <summary>Looks now and then whether the handle of the stop still stands: a cut connection says nothing by itself, and the operator must not find out when he presses stop.</summary>
-/// <remarks>The feeder never waits for it.</remarks>
+/// <summary>Tests from time to time whether the stop handle still works: a cut connection is not reported by itself, and the operator must not find out when pressing stop.</summary>
+/// <remarks>The sending of segments never waits for it.</remarks>
 internal sealed class StopHandleWatch(ControllerSession session, JobLedger ledger)
 {
     private const int PollsBetween = 64;
@@ -12,14 +12,14 @@ internal sealed class StopHandleWatch(ControllerSession session, JobLedger ledge
     private Task<StopHandleLoss?>? _check;
     private int _polls;
 
-    /// <summary>After each poll of the job.</summary>
+    /// <summary>Call after each poll of the job.</summary>
     public async ValueTask LookAsync()
     {
         if (_check is { IsCompleted: true }) await EndAsync().ConfigureAwait(false);
         if (_check is null && ++_polls % PollsBetween == 0) _check = session.CheckStopHandleAsync(CancellationToken.None);
     }
 
-    /// <summary>The check under way, if there is one, is waited for and told.</summary>
+    /// <summary>Waits for the test that is under way, if any, and reports its result.</summary>
     public async ValueTask EndAsync()
     {
         if (_check is not { } check) return;

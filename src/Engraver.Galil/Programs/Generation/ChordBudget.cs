@@ -8,17 +8,17 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Counts the chords that arcs will need before any is made: arcs of huge radius need so many that time and memory would not end.</summary>
+/// <summary>Counts the chords that arcs will need before any is generated: arcs of huge radius could need too many for time and memory.</summary>
 internal static class ChordBudget
 {
-    /// <summary>Chords for the whole drawing; a program of so many lines is beyond what is ever posted or sent.</summary>
+    /// <summary>Most chords of a drawing; a program with more lines is never posted or sent.</summary>
     public const int Most = 1_000_000;
 
     /// <summary>The error that names the arc with the most chords, or null while the drawing needs no more than <see cref="Most"/>.</summary>
-    /// <param name="toolpath">Finite, and countable at this scale.</param>
+    /// <param name="toolpath">All coordinates are finite and fit counts at this scale.</param>
     /// <param name="scale">Counts per millimetre.</param>
-    /// <param name="maxErrorMm">How far chords may leave an arc, millimetres.</param>
-    /// <param name="source">Where an entity stands in the drawing.</param>
+    /// <param name="maxErrorMm">Largest distance of chords from an arc, millimetres.</param>
+    /// <param name="source">Position of an entity in the drawing's file.</param>
     public static Diagnostic? Refusal(Toolpath toolpath, CountsScale scale, double maxErrorMm, Func<int, SourceRef> source)
     {
         var error = ArcChords.ErrorOf(maxErrorMm, scale);

@@ -10,17 +10,17 @@ namespace Engraver.Galil.Programs.Generation;
 
 /// <summary>Toolpath in millimetres to motion program in counts. What the controller cannot do as drawn is converted (split, chords); what cannot be converted is refused with the entity named.</summary>
 /// <remarks>
-/// Every end point is the rounded drawing point; arcs are aimed from the predicted position of the controller and stay within one count of the drawn arc (galil-dmc.md B.3).
-/// A move without length in counts gives no segment: its entity counts as done when the next segment of the stroke is, or when the stroke ends.
+/// Every end point is the rounded drawing point; arcs are computed from the predicted position of the controller and stay within one count of the drawn arc (galil-dmc.md B.3).
+/// A move without length in counts gives no segment: its entity counts as cut when the next segment of the stroke is, or when the stroke ends.
 /// </remarks>
 public static class MotionProgramGenerator
 {
     /// <summary>Generates the program for one machine.</summary>
     /// <param name="toolpath">Strokes in order, millimetres.</param>
     /// <param name="profile">The machine; a setting outside the controller's limits is an error.</param>
-    /// <param name="maxErrorMm">How far chords may leave an arc that CR cannot cut, millimetres, above 0.</param>
-    /// <param name="sourceOf">Where an entity stands in the drawing; diagnostics name it.</param>
-    /// <param name="style">How the segments are put into sequences.</param>
+    /// <param name="maxErrorMm">Largest distance of chords from an arc that CR cannot cut, millimetres, above 0.</param>
+    /// <param name="sourceOf">Position of an entity in the drawing's file, for diagnostics.</param>
+    /// <param name="style">How the segments are grouped into sequences.</param>
     public static MotionGeneration Generate(
         Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef>? sourceOf, MotionStyle style = MotionStyle.Continuous)
     {

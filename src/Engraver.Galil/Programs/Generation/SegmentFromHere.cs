@@ -3,13 +3,13 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>A segment that is cut by itself, from where the machine really came to rest: its end stays where it was planned.</summary>
+/// <summary>Adapts a segment that is cut by itself to the position at which the machine really came to rest; its end stays as planned.</summary>
 public static class SegmentFromHere
 {
-    /// <param name="planned">The segment as it was aimed from <paramref name="start"/>.</param>
-    /// <param name="start">Where the machine was to stand.</param>
-    /// <param name="here">Where it stands.</param>
-    /// <returns>A CR aimed anew at the same end; the planned one where none keeps to the arc within a count. A line needs no aim.</returns>
+    /// <param name="planned">The segment as computed from <paramref name="start"/>.</param>
+    /// <param name="start">Planned position of the machine.</param>
+    /// <param name="here">Actual position.</param>
+    /// <returns>A CR computed anew for the same end; the planned one where none stays within a count of the arc. A line needs no change.</returns>
     public static VectorSegment Aim(in VectorSegment planned, CountsPoint start, CountsPoint here, AngleQuantum quantum)
     {
         if (here == start || planned.Kind == VectorSegmentKind.Line) return planned;

@@ -4,13 +4,13 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
-/// <summary>Collects the segments of one stroke into sequences and knows where the controller is predicted to stand after each.</summary>
+/// <summary>Collects the segments of one stroke into sequences and tracks the controller's predicted position after each.</summary>
 /// <param name="start">Where the stroke begins.</param>
-/// <param name="wantedSpeed">VS unless a sequence needs less.</param>
-/// <param name="style">Calls end the sequence after every segment.</param>
+/// <param name="wantedSpeed">VS, unless a sequence needs a lower one.</param>
+/// <param name="style">With Calls the sequence ends after every segment.</param>
 internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, MotionStyle style)
 {
-    /// <summary>Below this the controller may call a segment too short (TC 30).</summary>
+    /// <summary>Counts. The controller may refuse a shorter segment (TC 30).</summary>
     private const double ShortestLine = 1.0;
 
     private readonly List<VectorSequence> _finished = [];
@@ -18,17 +18,17 @@ internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, Motion
     private CountsPoint _start = start;
     private double _length;
 
-    /// <summary>Where the controller stands: whole counts after VP, the real end point after CR.</summary>
+    /// <summary>Predicted position: whole counts after VP, the real end point after CR.</summary>
     public Point2D Position { get; private set; } = new(start.X, start.Y);
 
-    /// <summary>The stroke's sequences; empty when nothing was as long as a count.</summary>
+    /// <summary>The stroke's sequences; none when everything was shorter than a count.</summary>
     public IReadOnlyList<VectorSequence> Finish()
     {
         EndSequence();
         return _finished;
     }
 
-    /// <summary>VE: the machine stops here, and the next sequence begins on whole counts.</summary>
+    /// <summary>VE: the machine stops here, and the next sequence begins at whole counts.</summary>
     public void EndSequence()
     {
         if (_segments.Count == 0) return;
@@ -39,7 +39,7 @@ internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, Motion
         _length = 0.0;
     }
 
-    /// <summary>VP, in equal pieces when it is too long for one. A target less than a count away is not sent.</summary>
+    /// <summary>Adds VP, in equal pieces when it is too long for one. A target less than a count away is not sent.</summary>
     public void Line(CountsPoint target, int entity)
     {
         var from = Position;
@@ -50,7 +50,7 @@ internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, Motion
         Piece(target, entity);
     }
 
-    /// <summary>CR.</summary>
+    /// <summary>Adds CR.</summary>
     public void Arc(ArcPrediction arc, int entity)
     {
         Add(new VectorSegment(VectorSegmentKind.Arc, CountsScale.Round(arc.End), arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, entity, arc.Length), arc.End);

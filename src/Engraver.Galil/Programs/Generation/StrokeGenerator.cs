@@ -9,7 +9,7 @@ namespace Engraver.Galil.Programs.Generation;
 /// <summary>Turns one stroke into vector sequences.</summary>
 internal sealed class StrokeGenerator
 {
-    /// <summary>An arc is halved this often before it is cut as chords.</summary>
+    /// <summary>An arc is halved at most this often before it is cut as chords.</summary>
     private const int MostHalvings = 8;
 
     private const double ShortestPiece = 8.0;
@@ -32,7 +32,7 @@ internal sealed class StrokeGenerator
         _reached = start;
     }
 
-    /// <summary>The stroke in counts; without sequences when all of it is smaller than a count.</summary>
+    /// <summary>The stroke in counts; without sequences when all of it is shorter than a count.</summary>
     public static MotionStroke Generate(ToolpathStroke stroke, MachineProfile profile, double maxErrorMm, MotionStyle style)
     {
         var start = profile.Scale.ToCounts(stroke.Start);
@@ -58,11 +58,11 @@ internal sealed class StrokeGenerator
         _corners.Cut(segment);
     }
 
-    /// <summary>Shorter than a count, and not the one that completes a count after others like it.</summary>
+    /// <summary>True when the move is shorter than a count and does not complete a count together with those before.</summary>
     private bool Vanishes(in Segment segment) =>
         segment.Length * _scale.Largest < 1.0 && _builder.Position.DistanceTo(_scale.Exact(segment.End)) < 1.0;
 
-    /// <summary>Cuts across a gap within the join tolerance. Compared with where the last move was drawn to, not with where its arc came out.</summary>
+    /// <summary>Cuts across a gap within the join tolerance. Measured from the drawn end of the last move, not from the predicted end of its arc.</summary>
     private void BridgeGapTo(CountsPoint start)
     {
         if (start != _reached) _builder.Line(start, _entity);
@@ -90,7 +90,7 @@ internal sealed class StrokeGenerator
         else Chords(wanted);
     }
 
-    /// <summary>The piece that ends where the move ends: one CR, or all but half of it and the same question again.</summary>
+    /// <summary>The piece that ends where the move ends: one CR; otherwise the arc is halved, and its second half treated again.</summary>
     private void LastPiece(ArcSegment wanted, Point2D trueEnd, int halvings)
     {
         var target = CountsScale.Round(trueEnd);

@@ -1,6 +1,6 @@
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>When the watchdog in the controller must hear from us again: it trips 1.0 s after the last time (galil-dmc.md EX12).</summary>
+/// <summary>Decides when to send the heartbeat to the watchdog in the controller, which trips 1.0 s after the last one (galil-dmc.md EX12).</summary>
 /// <param name="time">The job's clock.</param>
 internal sealed class Heartbeat(TimeProvider time)
 {
@@ -11,11 +11,11 @@ internal sealed class Heartbeat(TimeProvider time)
 
     private TimeSpan Silent => time.GetElapsedTime(_last);
 
-    /// <summary>True when a heartbeat is due, which is then taken as sent.</summary>
+    /// <summary>True when a heartbeat is due; it then counts as sent.</summary>
     public bool IsDue() => IsSilentFor(Between);
 
-    /// <summary>True when the watchdog would have to wait too long if so much were said first; the heartbeat is then taken as sent.</summary>
-    /// <param name="exchange">How long a question and its answer take on the serial line.</param>
+    /// <summary>True when the watchdog would have to wait too long if this exchange came first; the heartbeat then counts as sent.</summary>
+    /// <param name="exchange">Time of a query and its answer on the serial line.</param>
     public bool IsDueBefore(TimeSpan exchange) => IsSilentFor(Latest - exchange);
 
     private bool IsSilentFor(TimeSpan limit)

@@ -2,14 +2,14 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>#POSERR of the resident programs: an axis that is further from where it should be than ER allows ends the job (galil-dmc.md C.3, ER).</summary>
-/// <remarks>Without it a jammed axis would be cut for to the end: what the host polls is the reference position, and a controller with OE 0 leaves the motors on.</remarks>
+/// <summary>#POSERR of the resident programs: an axis whose position error exceeds ER ends the job (galil-dmc.md C.3, ER).</summary>
+/// <remarks>Without it the job would continue with a jammed axis: the host polls the reference position, and a controller with OE 0 leaves the motors on.</remarks>
 internal static class PositionErrorProgram
 {
-    /// <summary>Value of the error code then; TC codes are positive.</summary>
+    /// <summary>Value of the error code in that case; TC codes are positive.</summary>
     public const int Code = -2;
 
-    /// <summary>To stand ahead of <see cref="CommandErrorProgram"/>, whose #HALT it ends in.</summary>
+    /// <summary>Must come before <see cref="CommandErrorProgram"/>, because it ends in that program's #HALT.</summary>
     public static IReadOnlyList<string> Lines(MachineProfile profile) =>
     [
         "#POSERR",

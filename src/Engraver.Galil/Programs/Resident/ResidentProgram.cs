@@ -2,10 +2,10 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>What stays in the controller while the host runs a job: a loop in thread 0 (handlers only run beside one on older firmware, galil-dmc.md C.3), the watchdog in thread 1, #POSERR and #CMDERR.</summary>
+/// <summary>The program in the controller while the host runs a job: a loop in thread 0 (on older firmware handlers run only beside one, galil-dmc.md C.3), the watchdog in thread 1, #POSERR and #CMDERR.</summary>
 /// <remarks>
 /// Start: halt both threads, download <see cref="Text"/>, assign <see cref="Variables.Heartbeat"/> and <see cref="Variables.StillLimit"/>, <c>XQ</c> <see cref="EntryLabel"/> in <see cref="MainThread"/> (it starts the watchdog itself), then assign
-/// <see cref="Variables.Heartbeat"/> at least every 300 ms. The constants spell every name the host needs.
+/// <see cref="Variables.Heartbeat"/> at least every 300 ms. The constants hold every name that the host needs.
 /// </remarks>
 /// <param name="Text">Program lines, each ended with LF.</param>
 /// <param name="EntryLabel">With its '#'.</param>
@@ -15,18 +15,18 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
     public const int MainThread = 0;
     public const int WatchdogThread = 1;
 
-    /// <summary>Assign this to the heartbeat: as many ticks of 50 ms, 1.0 s, may pass until the next assignment.</summary>
+    /// <summary>Value to assign to the heartbeat: ticks of 50 ms (1.0 s in all) until the next assignment is overdue.</summary>
     public const int HeartbeatTicks = 20;
 
-    /// <summary>The host streams segments; nothing but the watchdog works in the controller.</summary>
+    /// <summary>For a host that streams segments; the controller runs only the watchdog.</summary>
     public static ResidentProgram ForStream(MachineProfile profile) =>
         Compose(IdleProgram.Entry, IdleProgram.Lines, Guards(profile));
 
-    /// <summary>The host assigns variables and the server calls #LINEAR, #CIRC and the rest.</summary>
+    /// <summary>For a host that assigns variables; the server calls #LINEAR, #CIRC and the rest.</summary>
     public static ResidentProgram ForCalls(MachineProfile profile) =>
         Compose(CallsServerProgram.Entry, CallsServerProgram.Lines(profile), Guards(profile));
 
-    /// <summary>What stops the machine when the host is lost, an axis cannot follow or a line is refused.</summary>
+    /// <summary>Programs that stop the machine when the host is lost, an axis cannot follow or a line is refused.</summary>
     internal static IReadOnlyList<string> Guards(MachineProfile profile) => [.. WatchdogProgram.Lines(profile), .. PositionErrorProgram.Lines(profile), .. CommandErrorProgram.Lines(profile)];
 
     private static ResidentProgram Compose(string entry, params IReadOnlyList<string>[] parts)
@@ -41,34 +41,34 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
         /// <summary>Ticks left until the watchdog trips.</summary>
         public const string Heartbeat = "hb";
 
-        /// <summary>Ticks that the tool has been on while nothing moved.</summary>
+        /// <summary>Ticks for which the tool has been on while nothing moved.</summary>
         public const string Still = "still";
 
-        /// <summary>As many of them trip the watchdog.</summary>
+        /// <summary>Number of those ticks that trips the watchdog.</summary>
         public const string StillLimit = "stillmax";
 
         /// <summary>0 until the watchdog has stopped the machine: <see cref="WatchdogProgram.HostLost"/> or <see cref="WatchdogProgram.ToolForgotten"/>.</summary>
         public const string WatchdogTripped = "wtrip";
 
-        /// <summary>TC code of a refused program line, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow, 0 while there was neither. The server has then given up.</summary>
+        /// <summary>TC code of a refused program line, <see cref="PositionErrorProgram.Code"/> for an axis that cannot follow, 0 for neither. When it is not 0, the server has ended.</summary>
         public const string ErrorCode = "errcode";
 
         /// <summary>Line of the program that was refused.</summary>
         public const string ErrorLine = "errline";
 
-        /// <summary>What the server is to do: one of <see cref="Operations"/>.</summary>
+        /// <summary>The requested operation: one of <see cref="Operations"/>.</summary>
         public const string Operation = "op";
 
-        /// <summary>Assigned 1 last: the server begins and clears it at once.</summary>
+        /// <summary>Assigned 1 last: the server clears it and begins.</summary>
         public const string Go = "go";
 
         /// <summary>1 while the server waits.</summary>
         public const string Done = "done";
 
-        /// <summary>Operations completed. Wait for this one to advance, then assign the next call (<see cref="Done"/> is still 1 just after go).</summary>
+        /// <summary>Number of completed operations. Wait for it to increase, then assign the next call (<see cref="Done"/> is still 1 just after go).</summary>
         public const string Sequence = "seq";
 
-        /// <summary>Line: counts from where the machine stands. Rapid: the controller's own coordinates. Tool: 1 on, 0 off.</summary>
+        /// <summary>Line: counts from the machine's position. Rapid: the controller's own coordinates. Tool: 1 on, 0 off.</summary>
         public const string X = "x";
 
         public const string Y = "y";
@@ -93,7 +93,7 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
     }
 }
 
-/// <summary>Thread 0 while the host streams: it starts the watchdog and then only exists, so that #CMDERR can interrupt it.</summary>
+/// <summary>Thread 0 while the host streams: it starts the watchdog and then only loops, so that #CMDERR can interrupt it.</summary>
 public static class IdleProgram
 {
     public const string Entry = "#IDLE";

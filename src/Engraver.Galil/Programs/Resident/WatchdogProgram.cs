@@ -3,13 +3,13 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Resident;
 
-/// <summary>#WDOG in thread 1 (galil-dmc.md EX12): the host that does not assign the heartbeat for 1.0 s is taken for lost, and a tool that is on while nothing moves for too long is taken for
-/// forgotten, host or no host. Either way the machine is stopped.</summary>
+/// <summary>#WDOG in thread 1 (galil-dmc.md EX12): stops the machine when the host has not assigned the heartbeat for 1.0 s (host lost), and when the tool has been on for too long while nothing
+/// moves (tool forgotten), with or without a host.</summary>
 /// <remarks>
 /// The trip is one line, which no other thread can interrupt: tool off first; then thread 0 is halted, because a server that waits for the end of a motion would go on
-/// with its next statement as soon as the stop is done; then the plane and both axes are stopped. What a sequence still had in the buffer is given up by STS (B.8);
-/// the host clears it with CSS when it is back. The host winds it up, and says how long a standstill may last, before it starts it: undefined, either is a refused line, and nothing moves.
-/// Standstill is neither axis and no change of the buffer (<c>_LMS</c>): a host that feeds a sequence over a slow line while the tool is on is at work.
+/// with its next statement as soon as the stop is done; then the plane and both axes are stopped. STS drops the rest of the sequence in the buffer (B.8);
+/// the host clears it with CSS when it is back. The host assigns the heartbeat and the longest standstill before it starts the watchdog: undefined, either is a refused line, and nothing moves.
+/// Standstill means that no axis moves and the buffer (<c>_LMS</c>) does not change: a host that sends a sequence over a slow line while the tool is on is at work.
 /// </remarks>
 public static class WatchdogProgram
 {

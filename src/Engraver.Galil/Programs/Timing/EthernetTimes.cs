@@ -9,23 +9,23 @@ internal sealed class EthernetTimes : CommandTimes
     /// <summary>One command and its reply over Ethernet (galil-dmc.md A.4).</summary>
     private const double SecondsPerCommand = 0.0016;
 
-    /// <summary>An end is noticed by the next poll, half a command later on average.</summary>
+    /// <summary>An end of motion is seen by the next poll, half a command later on average.</summary>
     private const double NoticeSeconds = SecondsPerCommand / 2.0;
 
-    /// <summary>Poll before a rapid, SP and PA of an axis that moves, BG.</summary>
+    /// <summary>Commands of a rapid: a poll before it, SP and PA of an axis that moves, BG.</summary>
     private const int RapidCommands = 2;
     private const int RapidCommandsOfAxis = 2;
 
-    /// <summary>SB or CB, and the poll from which the settle counts.</summary>
+    /// <summary>Commands of a tool change: SB or CB, and the poll from which the settle time counts.</summary>
     private const int ToolCommands = 2;
 
-    /// <summary>A poll, CSS, VM, VS, VA, VD, VR, the question for free places, VE and BGS.</summary>
+    /// <summary>Commands of a sequence: a poll, CSS, VM, VS, VA, VD, VR, the query for free places, VE and BGS.</summary>
     private const int SequenceCommands = 10;
 
-    /// <summary>The stream begins to move when so much motion is buffered; what follows is sent meanwhile.</summary>
+    /// <summary>Motion that is buffered before a stream begins to move, seconds; the rest is sent meanwhile.</summary>
     private const double SecondsBufferedAtStart = 1.0;
 
-    /// <summary>A poll, the arguments and go.</summary>
+    /// <summary>Commands of a call: a poll, the arguments and go.</summary>
     private const int CallCommands = 3;
 
     internal override double Loading(MotionProgram program) => 0.0;

@@ -3,35 +3,35 @@ using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Timing;
 
-/// <summary>What a serial line carries of a vector sequence: the buffer is full when the machine starts, and from then on every segment must be there in time (galil-dmc.md A.4, B.7).</summary>
+/// <summary>Computes the speed at which a serial line can stream a vector sequence: the buffer is full when the machine starts, and from then on every segment must arrive in time (galil-dmc.md A.4, B.7).</summary>
 public static class LinkFeedLimit
 {
-    /// <summary>Segments between two looks at the counter: a look costs the time of five segments.</summary>
+    /// <summary>Segments between two readings of the counter; a reading takes the time of five segments.</summary>
     public const int SegmentsBetweenPolls = 64;
 
-    /// <summary>Buffer places in use; the feeder leaves a few alone.</summary>
+    /// <summary>Buffer places in use; the stream leaves a few free.</summary>
     internal const int Places = DmcLimits.SegmentBuffer - 5;
 
-    /// <summary>Bytes of a look at the path and its answer.</summary>
+    /// <summary>Bytes of a reading of the path and its answer.</summary>
     private const int PollBytes = 100;
 
-    /// <summary>CR and prompt.</summary>
+    /// <summary>Bytes of CR and prompt.</summary>
     private const int FrameBytes = 2;
 
-    /// <summary>What the polls, the heartbeat and the digits of a far place in the answers add to the time of a segment; generous, for a hold-up is worse than a slow cut.</summary>
+    /// <summary>Factor on the time of a segment for polls, heartbeats and long numbers in answers; generous, because a buffer that runs dry is worse than a slow cut.</summary>
     private const double Overhead = 1.2;
 
-    /// <summary>What the controller takes to execute a command, seconds (galil-dmc.md A.4).</summary>
+    /// <summary>Time of the controller to execute a command, seconds (galil-dmc.md A.4).</summary>
     private const double ExecutionSeconds = 0.001;
 
-    /// <summary>Four looks pass between seeing that the lead is short and saying so, seconds.</summary>
+    /// <summary>Delay between detecting that few segments are left and the command reaching the controller: four readings of the path, seconds.</summary>
     public static double ReactionSeconds(SerialLine line)
     {
         ArgumentNullException.ThrowIfNull(line);
         return 4.0 * PollBytes * line.ByteSeconds;
     }
 
-    /// <summary>The speed itself, or the fastest even one at which every segment is in the buffer in time (counts/s).</summary>
+    /// <summary>The sequence's own speed, or the fastest even one at which every segment is in the buffer in time (counts/s).</summary>
     /// <param name="acceleration">VA and VD, counts/s2.</param>
     public static int FastestSpeed(VectorSequence sequence, SerialLine line, int acceleration)
     {
@@ -44,7 +44,7 @@ public static class LinkFeedLimit
         return IsInTime(sequence.Speed) ? sequence.Speed : 2 * LargestHalf(sequence.Speed / 2, half => IsInTime(2 * half));
     }
 
-    /// <summary>Segments a second that the densest full buffer of the sequence needs at its speed, and how many of them the line carries.</summary>
+    /// <summary>Segments per second that the densest full buffer of the sequence needs at its speed, and how many of them the line carries.</summary>
     public static (double Needed, double Carried) Rates(VectorSequence sequence, SerialLine line)
     {
         ArgumentNullException.ThrowIfNull(sequence);
@@ -63,12 +63,12 @@ public static class LinkFeedLimit
         return (window * sequence.Speed / shortest, window / timeThere);
     }
 
-    /// <summary>Seconds on the wire for each segment.</summary>
+    /// <summary>Seconds on the wire of each segment.</summary>
     private static double[] Costs(VectorSequence sequence, SerialLine line) =>
         [.. sequence.Segments.Select(segment => (Overhead * (DmcFormat.Command(segment, sequence.Start).Length + FrameBytes) * line.ByteSeconds) + ExecutionSeconds)];
 
-    /// <summary>Sends segment by segment, each as soon as the one before it is through and a place is free, and looks whether it comes <paramref name="margin"/> before the path needs it.</summary>
-    /// <remarks>The path is taken to run at full speed from its first moment: the ramp is to the good.</remarks>
+    /// <summary>Simulates the sending, each segment as soon as the one before it is sent and a place is free, and tests that each arrives <paramref name="margin"/> before the path needs it.</summary>
+    /// <remarks>Assumes full speed from the first moment; the real ramp leaves more time.</remarks>
     private static bool IsFedInTime(IReadOnlyList<VectorSegment> segments, double[] costs, int speed, double latency, double margin)
     {
         var (sent, freed, needed) = (0.0, 0.0, 0.0);

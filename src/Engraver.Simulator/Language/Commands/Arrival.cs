@@ -10,7 +10,7 @@ internal sealed class Arrival(Machine machine, Axis[] axes)
     private long? _profileEnd;
     private bool _over;
 
-    /// <summary>Looked at in every sample; a time-out takes effect once.</summary>
+    /// <summary>Tested in every sample; the time-out sets its stop code once.</summary>
     public bool IsOver()
     {
         if (_over || Array.Exists(axes, machine.Motion.IsBusy)) return _over;
@@ -30,7 +30,7 @@ internal sealed class Arrival(Machine machine, Axis[] axes)
         return _over;
     }
 
-    /// <summary>A stepper is there when its smoothed pulses are out, 3 KS samples behind the profile (C, KS).</summary>
+    /// <summary>A stepper is in position when its smoothed pulses are out, 3 KS samples after the profile (C, KS).</summary>
     private static bool IsInPosition(Axis axis, long waited) =>
         axis.IsStepper ? waited >= SmoothingSamples * axis.Setting("KS", 2) : Math.Abs(axis.Error) < 1;
 }

@@ -2,7 +2,7 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Simulator.Language.Commands;
 
-/// <summary>Whole numbers for axes, by position, by letter or asked for: <c>EM 2000,1000</c>, <c>EMA=2000</c>, <c>EM ?,?</c>.</summary>
+/// <summary>Whole numbers for axes, given by position or by letter, or queried: <c>EM 2000,1000</c>, <c>EMA=2000</c>, <c>EM ?,?</c>.</summary>
 internal static class AxisFields
 {
     public static void Run(StatementReader reader, Func<Machine, Axis, int> read, Action<Machine, Axis, int> write)

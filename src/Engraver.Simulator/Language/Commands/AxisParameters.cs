@@ -63,7 +63,7 @@ internal static class AxisParameters
         }
     }
 
-    /// <summary>Speeds are even (C, SP); anything outside the range is TC 6.</summary>
+    /// <summary>A speed rounded to an even number of counts/s (C, SP); outside the range it is refused with TC 6.</summary>
     /// <param name="samplesPerMillisecond">1000/TM: the step is 2 counts a sample.</param>
     public static double Speed(double value, double smallest, double largest, double samplesPerMillisecond = 1)
     {
@@ -72,7 +72,7 @@ internal static class AxisParameters
         return even >= smallest && value <= largest ? even : throw new CommandRefusedException(Tc.OutOfRange);
     }
 
-    /// <summary>Accelerations are floored to multiples of 1024 (L.2 point 10).</summary>
+    /// <summary>An acceleration rounded down to a multiple of 1024 counts/s2 (L.2 point 10).</summary>
     /// <param name="samplesPerMillisecond">1000/TM: the step grows with its square (C, AC).</param>
     public static double Acceleration(double value, double samplesPerMillisecond = 1)
     {
@@ -149,7 +149,7 @@ internal static class AxisParameters
         if (machine.Motion.IsBusy(axis)) throw new CommandRefusedException(Tc.NotWhileRunning);
     }
 
-    /// <summary>DC is refused in motion except for a jog or an axis that already stops (C).</summary>
+    /// <summary>DC in motion is refused unless the axis jogs or already stops (C).</summary>
     private static void SetDeceleration(Machine machine, Axis axis, FixedPoint value)
     {
         if (axis is { IsMoving: true, IsStopping: false, CurrentMove: not AxisMove.Jog })

@@ -23,7 +23,7 @@ internal static class CamCommands
         new("EQ", CommandScope.Both, r => AxisFields.Run(r, (m, a) => FollowerOf(m.Motion.Cam, a).Waiting, Disengage), TakesLetter: true),
     ];
 
-    /// <summary>EM of an axis: the modulus of the master, the change of a slave.</summary>
+    /// <summary>EM of an axis: of the master the modulus, of a slave its change in one cycle; counts.</summary>
     public static int CycleOf(ElectronicCam cam, Axis axis) => axis == cam.Master ? cam.Modulus : FollowerOf(cam, axis).Cycle;
 
     private static CamFollower FollowerOf(ElectronicCam cam, Axis axis) =>
@@ -46,7 +46,7 @@ internal static class CamCommands
         else FollowerOf(cam, axis).Cycle = (int)AxisParameters.InRange(value, 0, int.MaxValue);
     }
 
-    /// <summary>EP m,n: the interval only while the cam is off, the shift at any time.</summary>
+    /// <summary>EP m,n: the interval m may be set only while the cam is off, the shift n at any time.</summary>
     private static void SetInterval(StatementReader reader)
     {
         var fields = reader.TakeFields();
@@ -69,7 +69,7 @@ internal static class CamCommands
         reader.Machine.Motion.Unsettle();
     }
 
-    /// <summary>ET[n]=a,b,c,d: where each slave is at point n; ET a,b,c,d sets the point that EC names and goes on to the next.</summary>
+    /// <summary>ET[n]=a,b,c,d: position of each slave at point n; ET a,b,c,d sets the point that EC names and advances EC.</summary>
     private static void SetPoint(StatementReader reader)
     {
         var cam = reader.Machine.Motion.Cam;
@@ -123,7 +123,7 @@ internal static class CamCommands
         else if (!cam.IsEnabled) cam.Enable();
     }
 
-    /// <summary>EG: at a place of the master within its cycle, or at once for any other number. A slave that is driven otherwise is refused.</summary>
+    /// <summary>EG: engages when the master is at this position of its cycle, or at once for a number outside the cycle. A slave that another mode drives is refused.</summary>
     private static void Engage(Machine machine, Axis axis, int place)
     {
         var cam = machine.Motion.Cam;

@@ -34,7 +34,7 @@ internal static class CaptureCommands
         do
         {
             var source = TakeSource(reader);
-            source(); // an axis that does not exist is refused here and not when its value is due
+            source(); // an axis that does not exist is refused here, not when its first value is due
             sources.Add(source);
         }
         while (reader.TryTake(','));
@@ -71,7 +71,7 @@ internal static class CaptureCommands
 
     private static FixedPoint Whole(long value) => FixedPoint.FromInteger(value);
 
-    /// <summary>RC n,m: a value every 2^n samples, m of them; a negative m goes round for ever, RC 0 stops.</summary>
+    /// <summary>RC n,m: a value every 2^n samples, m of them; a negative m overwrites for ever, RC 0 stops.</summary>
     private static void Record(StatementReader reader)
     {
         var fields = reader.TakeFields();

@@ -31,7 +31,7 @@ internal static class CommandTable
     private static readonly FrozenDictionary<string, CommandEntry>.AlternateLookup<ReadOnlySpan<char>> Lookup =
         Table.GetAlternateLookup<ReadOnlySpan<char>>();
 
-    /// <summary>Commands that a DMC-21x3 has and this controller does not (galil-dmc.md 0.4). They must be known, because EAC=1 would else pass for a variable.</summary>
+    /// <summary>Commands that a DMC-21x3 has and this controller does not (galil-dmc.md 0.4). They must be known, or EAC=1 would be taken for a variable.</summary>
     private static readonly FrozenSet<string> Absent = (
         "AF AG AO AQ AU BA BC BD BI BK BM BR BZ DV ED EW GD HS IA IK LC MB MW NB NF NZ "
         + "OC PL QH QS SL TA TZ YA YB YC YR YS").Split(' ').ToFrozenSet(StringComparer.Ordinal);
@@ -42,7 +42,7 @@ internal static class CommandTable
 
     public static bool IsNotModelled(string mnemonic) => Absent.Contains(mnemonic);
 
-    /// <summary>The command a statement begins with; the long words first, because ENDIF must not be read as EN (L.2 point 9).</summary>
+    /// <summary>The command that a statement begins with. Longer mnemonics are tried first, or ENDIF would be read as EN (L.2 point 9).</summary>
     public static CommandEntry? Find(ReadOnlySpan<char> statement) =>
         statement.StartsWith("ENDIF") ? Get("ENDIF")
         : statement.StartsWith("ELSE") ? Get("ELSE")

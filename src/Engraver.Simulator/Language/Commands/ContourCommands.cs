@@ -84,7 +84,7 @@ internal static class ContourCommands
         contour.TimeExponent = exponent;
     }
 
-    /// <summary>WC: the record before has begun, so that the next one finds room (UM17).</summary>
+    /// <summary>WC: waits until the record before has begun, so that the next one finds room (UM17).</summary>
     private static void Wait(StatementReader reader)
     {
         reader.ExpectEnd();

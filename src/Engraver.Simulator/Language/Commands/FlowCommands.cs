@@ -41,7 +41,7 @@ internal static class FlowCommands
         return holds;
     }
 
-    /// <summary>A label with an optional offset, or an expression that gives a line number.</summary>
+    /// <summary>A line number: of a label with an optional offset, or the value of an expression.</summary>
     private static int TakeLine(StatementReader reader)
     {
         int line;
@@ -60,7 +60,7 @@ internal static class FlowCommands
         return line >= 0 && line < reader.Machine.Program.Count ? line : throw new CommandRefusedException(Tc.InvalidLine);
     }
 
-    /// <summary>EN, RE, RI: back from a subroutine, or the end of the thread. Argument 1 restores an interrupted trippoint, a second one CI (C.3); the third is what <c>_JS</c> reads (E Flow).</summary>
+    /// <summary>EN, RE, RI: returns from a subroutine, or ends the thread. Argument 1 restores an interrupted trippoint, a second one arms CI again (C.3); the third is what <c>_JS</c> reads (E Flow).</summary>
     private static void End(StatementReader reader)
     {
         var thread = reader.Context.Thread!;
@@ -93,7 +93,7 @@ internal static class FlowCommands
         if (!holds) SkipBlock(reader, stopAtElse: true);
     }
 
-    /// <summary>Goes behind the matching ENDIF, or behind ELSE for a condition that failed; blocks may share lines.</summary>
+    /// <summary>Continues after the matching ENDIF, or after ELSE when a condition failed; blocks may share lines.</summary>
     private static void SkipBlock(StatementReader reader, bool stopAtElse)
     {
         var thread = reader.Context.Thread!;
@@ -144,7 +144,7 @@ internal static class FlowCommands
         thread.Start(line, reader.Machine.Sample);
     }
 
-    /// <summary>TR 1 tells every program line as a message before it runs, TR 0 ends that (A.5).</summary>
+    /// <summary>TR 1 prints every program line as a message before it runs, TR 0 ends that (A.5).</summary>
     private static void Trace(StatementReader reader)
     {
         var field = reader.TakeFields()[0];

@@ -21,7 +21,7 @@ internal static class HomingCommands
         foreach (var axis in axes) axis.NextMove = move;
     }
 
-    /// <summary>ALAB arms at the inputs, ALTA at the index.</summary>
+    /// <summary>ALAB arms the latches of A and B on their inputs, ALTA that of A on its index pulse.</summary>
     private static void ArmLatches(StatementReader reader)
     {
         var index = reader.TryTake('T');

@@ -39,14 +39,14 @@ internal static class IndependentCommands
         Refuse(axis.PendingTarget() is { } end && (IsBeyond(end, axis)), Tc.BeginAtLimit);
     }
 
-    /// <summary>An axis that contours (TC 18) or follows the cam (TC 104) takes no other motion.</summary>
+    /// <summary>Refuses other motion of an axis in contour mode (TC 18) or on the cam (TC 104).</summary>
     public static void CheckModes(MotionKernel motion, Axis axis)
     {
         Refuse(motion.Contour.Drives(axis), Tc.NotWhileContouring);
         Refuse(motion.IsOnCam(axis), Tc.NotOnCamSlave);
     }
 
-    /// <summary>A move commanded beyond a software limit does not begin (C, BL/FL).</summary>
+    /// <summary>The move's target lies beyond a software limit; such a move does not begin (C, BL/FL).</summary>
     private static bool IsBeyond(long target, Axis axis) => target > axis.ForwardSoftLimit || target < axis.ReverseSoftLimit;
 
     private static void CheckPlane(MotionKernel motion, VectorPlane plane)
@@ -67,7 +67,7 @@ internal static class IndependentCommands
         Refuse(Array.Exists(axes, reader.Machine.Motion.IsBusy), Tc.NotWhileRunning);
         foreach (var axis in axes)
         {
-            // SH takes the place where the motor stands as command (C, SH).
+            // SH sets the commanded position to where the motor is (C, SH).
             if (!off && axis.MotorOff) axis.TakeMotorPosition();
             axis.MotorOff = off;
         }

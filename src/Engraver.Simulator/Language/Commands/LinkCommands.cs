@@ -34,7 +34,7 @@ internal static class LinkCommands
         }
     }
 
-    /// <summary>IHT closes the others, IHS the sender, IHA to IHH one handle; written =&gt;-3 or =-3, types -1 UDP, -2 TCP, -3 any (A.1).</summary>
+    /// <summary>IHT closes the other handles, IHS the sender's, IHA to IHH the named one; written =&gt;-3 or =-3, types -1 UDP, -2 TCP, -3 any (A.1).</summary>
     private static void CloseHandles(StatementReader reader)
     {
         var which = reader.TakeCharacter();
@@ -64,7 +64,7 @@ internal static class LinkCommands
         reader.Machine.Messages.Port = known ? port : throw new CommandRefusedException(Tc.OperandError);
     }
 
-    /// <summary>EO 1 echoes what comes in over the serial port; the command is taken from there only (A.2).</summary>
+    /// <summary>EO 1 echoes characters received on the serial port; the command is accepted there only (A.2).</summary>
     private static void Echo(StatementReader reader)
     {
         var field = reader.TakeFields()[0];

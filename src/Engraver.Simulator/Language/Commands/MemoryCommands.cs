@@ -29,7 +29,7 @@ internal static class MemoryCommands
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>DL, DL n, DL #label, DL #: from there on the handle swallows program text until a terminator.</summary>
+    /// <summary>DL, DL n, DL #label, DL #: from here on the handle takes program text until a terminator.</summary>
     private static void Download(StatementReader reader)
     {
         RefuseWhileRunning(reader);
@@ -57,7 +57,7 @@ internal static class MemoryCommands
         if (reader.Machine.Threads.AnyRunning) throw new CommandRefusedException(Tc.ProgramRunning);
     }
 
-    /// <summary>In a program BN meets TC 17, as the text of the code has it (E).</summary>
+    /// <summary>BN in a program is refused with TC 17, as the text of that code says (E).</summary>
     private static void BurnParameters(StatementReader reader)
     {
         reader.ExpectEnd();
@@ -94,7 +94,7 @@ internal static class MemoryCommands
         }
     }
 
-    /// <summary>A line number, or the line of a label; null for neither.</summary>
+    /// <summary>A line number, or the line of a label; null when the argument is neither.</summary>
     private static int? TakeLine(StatementReader reader)
     {
         if (!reader.TryTake('#')) return reader.TakeField().Value?.Integer;

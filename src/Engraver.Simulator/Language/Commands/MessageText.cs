@@ -65,7 +65,7 @@ internal sealed class MessageText
         AppendNumber(_pending ?? _reader.Machine.ValueFormat, value);
     }
 
-    /// <summary>Every number has a sign column; between two numbers a minus gets a blank of its own where the controller is of that kind.</summary>
+    /// <summary>Prints a number with its sign column; before a negative number that follows another, a blank where the controller is of that kind (<see cref="NumberSpacing"/>).</summary>
     private void AppendNumber(NumberFormat format, FixedPoint value)
     {
         if (_afterNumber && value.Raw < 0 && !format.Hex && _reader.Machine.Options.NumberSpacing == NumberSpacing.Blank) _text.Append(' ');

@@ -25,7 +25,7 @@ internal static class ReportCommands
         new("MG", CommandScope.Both, r => MessageText.Write(r)),
     ];
 
-    /// <summary>Values with a leading blank or minus each, comma between them, a blank behind the comma (A.3).</summary>
+    /// <summary>Values with a leading blank or minus each, separated by a comma and a blank (A.3).</summary>
     public static string Join(IEnumerable<string> values) =>
         string.Concat(values.Select((v, i) => i == 0 ? v : ", " + v.TrimStart(' ')));
 

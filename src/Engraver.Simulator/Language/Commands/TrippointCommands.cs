@@ -97,7 +97,7 @@ internal static class TrippointCommands
     {
         var input = reader.TakeExpression().Integer;
         var io = reader.Machine.Io;
-        var number = input > 0 ? input : ~input + 1; // the lowest number stays as it is, and is no input
+        var number = input > 0 ? input : ~input + 1; // the smallest number has no positive counterpart and names no input
         io.Input(number);
         Set(reader, () => io.Input(number) == input > 0);
     }
@@ -105,7 +105,7 @@ internal static class TrippointCommands
     private static Func<bool> AfterDistance(Axis axis, int distance) =>
         () => !axis.IsMoving || Math.Abs(axis.Position - axis.MoveStart) >= Math.Abs((double)distance);
 
-    /// <summary>AR counts from the place of the AR before, or from the beginning of the move.</summary>
+    /// <summary>AR counts from the position of the AR before, or from the beginning of the move.</summary>
     private static Func<bool> AfterRelativeDistance(Axis axis, int distance)
     {
         var start = axis.TrippointReference;
@@ -120,7 +120,7 @@ internal static class TrippointCommands
         return () => !axis.IsMoving || (above ? axis.Reference >= position : axis.Reference <= position);
     }
 
-    /// <summary>Several axes may be given, the first one to arrive releases (C, MF).</summary>
+    /// <summary>Several axes may be given; the first to reach its position releases the trippoint (C, MF).</summary>
     private static void PerAxis(StatementReader reader, Func<Axis, int, Func<bool>> condition)
     {
         var conditions = new List<Func<bool>>();

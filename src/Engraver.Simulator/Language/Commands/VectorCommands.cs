@@ -120,7 +120,7 @@ internal static class VectorCommands
         plane.Scale(AxisParameters.InRange(values[0].Integer, 1, 65535), AxisParameters.InRange(values[1].Integer, 1, 65535));
     }
 
-    /// <summary>Exactly so many values; surplus fields must be empty.</summary>
+    /// <summary>Reads exactly <paramref name="count"/> values; surplus fields must be empty.</summary>
     public static FixedPoint[] TakeValues(StatementReader reader, int count)
     {
         var fields = reader.TakeFields(comparisons: false);

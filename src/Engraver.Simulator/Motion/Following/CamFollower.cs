@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Motion.Following;
 
-/// <summary>One axis as a slave of the electronic cam (galil-dmc.md C.4): its column of the table, its cycle, and whether it follows.</summary>
+/// <summary>One axis as a slave of the electronic cam (galil-dmc.md C.4): its column of the table, its cycle, and whether it is engaged.</summary>
 internal sealed class CamFollower(Axis axis)
 {
     /// <summary>ET[0] to ET[256].</summary>
@@ -11,16 +11,16 @@ internal sealed class CamFollower(Axis axis)
 
     public Axis Axis => axis;
 
-    /// <summary>EM: counts the slave goes in one cycle of the master, without sign; 0 when it comes back to where it began.</summary>
+    /// <summary>EM: counts that the slave moves in one cycle of the master, unsigned; 0 when it returns to where it began.</summary>
     public int Cycle { get; set; }
 
-    /// <summary><c>_EGx</c>.</summary>
+    /// <summary><c>_EGx</c>: the slave follows the table.</summary>
     public bool IsEngaged { get; private set; }
 
-    /// <summary><c>_EQx</c>: 1 waits to engage, 2 to disengage, 3 both.</summary>
+    /// <summary><c>_EQx</c>: 1 waits to engage, 2 waits to disengage, 3 both.</summary>
     public int Waiting => (_engageAt is null ? 0 : 1) + (_disengageAt is null ? 0 : 2);
 
-    /// <summary>Counts it went in the last sample.</summary>
+    /// <summary>Counts that it moved in the last sample.</summary>
     public int LastStep { get; private set; }
 
     public int this[int point]
@@ -43,7 +43,7 @@ internal sealed class CamFollower(Axis axis)
         else Release(StopCode.CamStopped);
     }
 
-    /// <summary>Stands at once, as EQ, ST, AB and limits do.</summary>
+    /// <summary>Disengages and stops at once, as EQ, ST, AB and limits do.</summary>
     public void Release(int code)
     {
         (_engageAt, _disengageAt) = (null, null);
@@ -60,7 +60,7 @@ internal sealed class CamFollower(Axis axis)
         Cycle = 0;
     }
 
-    /// <summary>One sample in which the master went so far.</summary>
+    /// <summary>One sample in which the master moved by <paramref name="distance"/> counts.</summary>
     public void Step(ElectronicCam cam, double distance)
     {
         LastStep = 0;
@@ -69,10 +69,10 @@ internal sealed class CamFollower(Axis axis)
         if (_disengageAt is { } to && cam.Passed(to, distance)) Release(StopCode.CamStopped);
     }
 
-    /// <summary>Where the table wants the slave next, as a distance from where it stands.</summary>
+    /// <summary>Signed distance from the slave's position to the one that the table asks for.</summary>
     public double Heading(ElectronicCam cam) => Target(cam) - axis.Position;
 
-    /// <summary>The place is named anew within the slave's cycle, and the table applies from now on: a slave that stands elsewhere jumps there [U].</summary>
+    /// <summary>Counts the slave's position within its cycle, and applies the table from now on: a slave that is elsewhere jumps to the table's position [U].</summary>
     private void Start(ElectronicCam cam)
     {
         _engageAt = null;
@@ -83,7 +83,7 @@ internal sealed class CamFollower(Axis axis)
         Place(cam);
     }
 
-    /// <summary>On the way into another cycle of the master the slave's position is named anew by what a cycle is long.</summary>
+    /// <summary>When the master enters another cycle, the slave's position is shifted by its cycle length.</summary>
     private void Place(ElectronicCam cam)
     {
         var target = Target(cam);

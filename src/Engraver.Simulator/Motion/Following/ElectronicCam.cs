@@ -2,7 +2,7 @@ using Engraver.Simulator.Values;
 
 namespace Engraver.Simulator.Motion.Following;
 
-/// <summary>The electronic cam (galil-dmc.md C.4): slaves follow the encoder of a master axis through a table, straight from point to point, cycle after cycle.</summary>
+/// <summary>The electronic cam (galil-dmc.md C.4): slaves follow the encoder of a master axis through a table, linearly from point to point, cycle after cycle.</summary>
 internal sealed class ElectronicCam
 {
     public const int Points = 257;
@@ -18,10 +18,10 @@ internal sealed class ElectronicCam
         Followers = [.. motion.Axes.Take(Axis.Real).Select(a => new CamFollower(a))];
     }
 
-    /// <summary>One for each of the axes A to D; that of the master is not used.</summary>
+    /// <summary>One for each of the axes A to D; the master's own is not used.</summary>
     public CamFollower[] Followers { get; }
 
-    /// <summary>EA; null before.</summary>
+    /// <summary>EA; null before it was given.</summary>
     public Axis? Master { get; set; }
 
     /// <summary>EB.</summary>
@@ -33,27 +33,27 @@ internal sealed class ElectronicCam
     /// <summary>EP, first field: counts of the master from one point of the table to the next.</summary>
     public int Interval { get; set; } = UsualInterval;
 
-    /// <summary>EP, second field: moves the graph to the right, also while the cam runs.</summary>
+    /// <summary>EP, second field: shifts the table along the master's position, also while the cam runs.</summary>
     public int Shift { get; set; }
 
     /// <summary>EC: the next point that ET without an index sets.</summary>
     public int Index { get; set; }
 
-    /// <summary>The encoder of the master, within its cycle.</summary>
+    /// <summary>The master's encoder, counted within its cycle.</summary>
     public double MasterPlace => Master?.Motor.Position ?? 0;
 
-    /// <summary>Where in the table the master stands, from 0 to the modulus.</summary>
+    /// <summary>The master's position in the table, from 0 to the modulus.</summary>
     public double Phase { get; private set; }
 
-    /// <summary>Counts cycles of the table; its difference tells how often the table was passed.</summary>
+    /// <summary>Counts cycles of the table; the difference of two values says how often the table's end was passed.</summary>
     public long CycleNumber { get; private set; }
 
-    /// <summary>The master has moved since the slaves looked.</summary>
+    /// <summary>The master has moved since the slaves last followed it.</summary>
     public bool IsBehind => MasterPlace != _seen;
 
     public bool Contains(double masterPlace) => masterPlace >= 0 && masterPlace < Modulus;
 
-    /// <summary>EB 1: from here on the position of the master is told within its cycle.</summary>
+    /// <summary>EB 1: from here on the master's position is counted within its cycle.</summary>
     /// <exception cref="CommandRefusedException">TC 102 without a master, TC 103 when the table is too short for the cycle.</exception>
     public void Enable()
     {
@@ -64,7 +64,7 @@ internal sealed class ElectronicCam
         Look();
     }
 
-    /// <summary>EB 0, AB: every slave stands at once.</summary>
+    /// <summary>EB 0, AB: every slave stops at once.</summary>
     public void Disable(int code)
     {
         foreach (var follower in Followers) follower.Release(code);
@@ -78,8 +78,8 @@ internal sealed class ElectronicCam
         foreach (var follower in Followers) follower.Clear();
     }
 
-    /// <summary>One sample: the slaves go where the table sends them for the place the master had at its beginning.</summary>
-    /// <returns>Slaves that the table drove into a limit switch; they stand.</returns>
+    /// <summary>One sample: the slaves move to where the table puts them for the master's position at the beginning of the sample.</summary>
+    /// <returns>Number of slaves that the table drove into a limit switch; they are stopped.</returns>
     public int Step()
     {
         var hits = 0;
@@ -102,7 +102,7 @@ internal sealed class ElectronicCam
         return hits;
     }
 
-    /// <summary>The master went over a place of its cycle on the last so many counts, which end where it stands.</summary>
+    /// <summary>True when the master passed this position of its cycle in its last <paramref name="distance"/> counts.</summary>
     public bool Passed(double place, double distance)
     {
         var behind = distance > 0 ? MasterPlace - place : place - MasterPlace;
@@ -116,7 +116,7 @@ internal sealed class ElectronicCam
         return points[segment] + (((double)points[segment + 1] - points[segment]) * share);
     }
 
-    /// <summary>EP n or a step of the master: where in the table, and in which cycle.</summary>
+    /// <summary>After EP or a step of the master: computes the phase and the cycle number anew.</summary>
     public void Look()
     {
         _seen = MasterPlace;
@@ -125,7 +125,7 @@ internal sealed class ElectronicCam
         CycleNumber = _wraps + (long)turns;
     }
 
-    /// <summary>The position of the master is told within one cycle (C.4); its motion goes on untouched.</summary>
+    /// <summary>Keeps the master's position within one cycle (C.4); its motion goes on unchanged.</summary>
     private void WrapMaster()
     {
         var turns = Math.Floor(MasterPlace / Modulus);

@@ -1,6 +1,6 @@
 namespace Engraver.Simulator.Motion.Following;
 
-/// <summary>GA, GR and GM of one axis (galil-dmc.md B.6): it follows the path of a plane, always forwards, or another axis.</summary>
+/// <summary>GA, GR and GM of one axis (galil-dmc.md B.6): it follows another axis, or the path length of a plane, which only grows.</summary>
 internal sealed class Gear
 {
     private double _masterBefore;
@@ -22,16 +22,16 @@ internal sealed class Gear
         _masterBefore = masterNow;
     }
 
-    /// <summary>ST or a limit.</summary>
+    /// <summary>Ends gearing for ST or a limit, unless GM 1 was given.</summary>
     public void Release() => Ratio = IsGantry ? Ratio : 0;
 
-    /// <summary>The place of the master got another number.</summary>
+    /// <summary>Called when the master's position was redefined without motion.</summary>
     public void Renumber(double difference) => _masterBefore += difference;
 
-    /// <summary>The master has gone on since the last call.</summary>
+    /// <summary>The master has moved since the last <see cref="Follow"/>.</summary>
     public bool IsBehind(double masterNow) => masterNow != _masterBefore;
 
-    /// <summary>Counts to go for what the master went since the last call.</summary>
+    /// <summary>Counts that this axis has to move for the master's motion since the last call.</summary>
     public double Follow(double masterNow)
     {
         var counts = Ratio * (masterNow - _masterBefore);

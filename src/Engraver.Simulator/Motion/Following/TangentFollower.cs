@@ -1,7 +1,7 @@
 namespace Engraver.Simulator.Motion.Following;
 
-/// <summary>The axis that VM drives along the tangent of the path (galil-dmc.md B.6): position = zero + counts per degree x angle.</summary>
-/// <remarks>The angle goes on beyond 180 degrees, so that the axis never turns back at the seam.</remarks>
+/// <summary>The axis that VM keeps along the tangent of the path (galil-dmc.md B.6): position = zero + counts per degree x angle.</summary>
+/// <remarks>The angle continues beyond 180 degrees, so that the axis never turns back by a whole turn.</remarks>
 internal sealed class TangentFollower
 {
     private double? _angle;

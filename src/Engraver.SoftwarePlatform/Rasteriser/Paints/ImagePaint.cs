@@ -3,9 +3,9 @@ using Avalonia;
 namespace Engraver.SoftwarePlatform.Rasteriser.Paints;
 
 /// <summary>Takes pixels from part of an image, the nearest or a mix of four.</summary>
-/// <param name="source">The owner keeps it alive while this paint is used.</param>
+/// <param name="source">Its owner keeps it alive while this paint is used.</param>
 /// <param name="toImage">From device pixels to image pixels.</param>
-/// <param name="domain">The part of the image that counts; <paramref name="wrapX"/> and <paramref name="wrapY"/> say what is outside of it.</param>
+/// <param name="domain">The part of the image that is used; <paramref name="wrapX"/> and <paramref name="wrapY"/> say what is outside it.</param>
 /// <param name="opacity">0 to 255.</param>
 internal sealed class ImagePaint(PixelSource source, Matrix toImage, PixelBounds domain, ImageWrap wrapX, ImageWrap wrapY, bool isSmooth, uint opacity) : Paint
 {
@@ -77,7 +77,7 @@ internal sealed class ImagePaint(PixelSource source, Matrix toImage, PixelBounds
 
     private uint At(int x, int y) => source[Wrapped(x, domain.Left, domain.Right, wrapX), Wrapped(y, domain.Top, domain.Bottom, wrapY)];
 
-    /// <summary>The place inside from low to high whose pixel is taken for a place outside.</summary>
+    /// <summary>The coordinate from low to high whose pixel is used for one outside.</summary>
     private static int Wrapped(int value, int low, int high, ImageWrap wrap)
     {
         if (value >= low && value < high)
@@ -102,7 +102,7 @@ internal sealed class ImagePaint(PixelSource source, Matrix toImage, PixelBounds
     }
 }
 
-/// <summary>What stands outside an image.</summary>
+/// <summary>What is outside an image.</summary>
 internal enum ImageWrap
 {
     /// <summary>Nothing: transparent.</summary>

@@ -2,13 +2,13 @@ using Avalonia.Media.Imaging;
 
 namespace Engraver.SoftwarePlatform.Rasteriser.Paints;
 
-/// <summary>Where the colours of a filled shape come from.</summary>
+/// <summary>Source of the colours of a filled shape.</summary>
 internal abstract class Paint
 {
     /// <summary>Every pixel it gives has full alpha.</summary>
     public abstract bool IsOpaque { get; }
 
-    /// <summary>How its pixels are mixed with what is beneath; only bitmaps have other modes than over.</summary>
+    /// <summary>How its pixels are blended with what is beneath; only bitmaps use modes other than source-over.</summary>
     public BitmapBlendingMode Mode { get; init; } = BitmapBlendingMode.SourceOver;
 
     public bool IsPlainOver => Mode is BitmapBlendingMode.SourceOver or BitmapBlendingMode.Unspecified;

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Rasteriser.Paints;
 
-/// <summary>An image pixel for pixel; its first pixel stands at the given device pixel. Only asked for pixels that the image has.</summary>
+/// <summary>An image copied pixel by pixel, its first pixel at the given device pixel. Only called for pixels that the image has.</summary>
 internal sealed class PixelCopyPaint(PixelSource source, int left, int top, uint opacity) : Paint
 {
     public override bool IsOpaque => source.IsOpaque && opacity == 255;
@@ -17,7 +17,7 @@ internal sealed class PixelCopyPaint(PixelSource source, int left, int top, uint
     }
 }
 
-/// <summary>Pixels to read: premultiplied, or with an alpha byte to be taken for 255 where <paramref name="alphaFill"/> is 0xFF000000.</summary>
+/// <summary>Pixels to read: premultiplied, or with an alpha byte that counts as 255 where <paramref name="alphaFill"/> is 0xFF000000.</summary>
 internal readonly unsafe struct PixelSource(uint* pixels, int pixelsPerRow, int width, int height, uint alphaFill)
 {
     public int Width => width;

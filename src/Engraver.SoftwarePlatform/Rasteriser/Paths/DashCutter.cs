@@ -2,12 +2,12 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Rasteriser.Paths;
 
-/// <summary>Cuts a figure into its dashes.</summary>
+/// <summary>Divides a figure into its dashes.</summary>
 internal sealed class DashCutter
 {
     private const double ShortestPattern = 1e-6;
 
-    /// <summary>A pattern finer than this over the whole figure is drawn solid rather than in millions of pieces.</summary>
+    /// <summary>A pattern with more dashes over the whole figure is drawn solid.</summary>
     private const int MostDashes = 100_000;
 
     private readonly double[] _lengths;

@@ -2,7 +2,7 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Rasteriser.Paths;
 
-/// <summary>Adds an elliptical arc given by its ends, as SVG does (SVG 1.1, appendix F.6): radii that are too small grow until the arc fits.</summary>
+/// <summary>Adds an elliptical arc given by its ends, as in SVG (SVG 1.1, appendix F.6): radii that are too small are enlarged until the arc fits.</summary>
 internal static class EllipticalArc
 {
     public static void ArcTo(this VectorPath path, Point end, Size radii, double rotationDegrees, bool isLarge, bool isClockwise)

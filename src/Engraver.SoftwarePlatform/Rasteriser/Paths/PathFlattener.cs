@@ -2,7 +2,7 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Rasteriser.Paths;
 
-/// <summary>Makes polylines of a path, without points that repeat their predecessor.</summary>
+/// <summary>Converts a path to polylines, without points that repeat their predecessor.</summary>
 internal static class PathFlattener
 {
     private const double SamePoint = 1e-12;
@@ -62,7 +62,7 @@ internal sealed class Polyline
 
     public bool IsClosed { get; set; }
 
-    /// <summary>Straight pieces, the closing one of a closed figure included.</summary>
+    /// <summary>Number of straight pieces, including the closing one of a closed figure.</summary>
     public int SegmentCount => IsClosed && Points.Count > 1 ? Points.Count : Math.Max(0, Points.Count - 1);
 
     public (Vector Start, Vector End) Segment(int index) => (Points[index], Points[(index + 1) % Points.Count]);

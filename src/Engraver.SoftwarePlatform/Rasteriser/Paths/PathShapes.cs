@@ -5,7 +5,7 @@ namespace Engraver.SoftwarePlatform.Rasteriser.Paths;
 /// <summary>Adds whole shapes to a path as one closed figure each, clockwise on screen.</summary>
 internal static class PathShapes
 {
-    /// <summary>Length of the handles of a cubic that stands for a quarter of a unit circle (largest error 0.00027 radii).</summary>
+    /// <summary>Length of the handles of a cubic that approximates a quarter of a unit circle (largest error 0.00027 radii).</summary>
     private const double CircleHandle = 0.5522847498307936;
 
     public static void AddRectangle(this VectorPath path, Rect rectangle)
@@ -29,7 +29,7 @@ internal static class PathShapes
         path.Close();
     }
 
-    /// <summary>Radii larger than half a side are cut to half the side.</summary>
+    /// <summary>Adds a rounded rectangle; radii larger than half a side are reduced to half the side.</summary>
     public static void AddRoundedRectangle(this VectorPath path, RoundedRect rounded)
     {
         var box = rounded.Rect;

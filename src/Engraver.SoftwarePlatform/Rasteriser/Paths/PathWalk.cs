@@ -2,7 +2,7 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Rasteriser.Paths;
 
-/// <summary>Walks a path as straight lines; curves are divided evenly in their parameter until they are within the tolerance.</summary>
+/// <summary>Goes through a path as straight lines; curves are divided evenly in their parameter until they are within the tolerance.</summary>
 internal static class PathWalk
 {
     private const int MostSteps = 200;
@@ -53,7 +53,7 @@ internal static class PathWalk
         sink.LineTo(d.X, d.Y);
     }
 
-    /// <summary>A cubic lies within 3/4 of its largest second difference, over the square of the steps, of its chords.</summary>
+    /// <summary>Number of chords of a cubic, whose distance from them is at most 3/4 of its largest second difference, divided by the square of that number.</summary>
     private static int StepsFor(Vector a, Vector b, Vector c, Vector d, double tolerance)
     {
         var first = a - b * 2 + c;
@@ -67,7 +67,7 @@ internal static class PathWalk
         new(point.X * transform.M11 + point.Y * transform.M21 + transform.M31, point.X * transform.M12 + point.Y * transform.M22 + transform.M32);
 }
 
-/// <summary>Takes a path as straight lines. Implemented by structs, so that the walk is compiled for each.</summary>
+/// <summary>Receives a path as straight lines. Implemented by structs, so that the code is compiled for each.</summary>
 internal interface IPolylineSink
 {
     void MoveTo(double x, double y);

@@ -3,7 +3,7 @@ using Avalonia.Media;
 
 namespace Engraver.SoftwarePlatform.Rasteriser.Paths;
 
-/// <summary>Walks around a figure at half the line's width: there on its left side, back on the other.</summary>
+/// <summary>Builds the outline of a figure at half the line's width: along its left side, and back along the other.</summary>
 internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, double scale)
 {
     private const double StraightOn = 0.99999;
@@ -48,7 +48,7 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
         outline.Close();
     }
 
-    /// <summary>A closed figure of two points turns around with joins instead of caps.</summary>
+    /// <summary>Draws an open figure; a closed figure of two points is drawn the same way, with joins instead of caps.</summary>
     private void DrawOpen(List<Vector> points, bool isClosed)
     {
         var last = points.Count - 1;
@@ -108,7 +108,7 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
         }
     }
 
-    /// <summary>Where both borders cross; if a segment is too short for that, by way of the corner itself, so that no hole is left.</summary>
+    /// <summary>Adds the crossing of both borders; where a segment is too short for that, a point through the corner itself, so that there is no hole.</summary>
     private void AddInnerJoin(Vector before, Vector corner, Vector after, Vector normal0, Vector normal1, double cosine)
     {
         var back = _half * Math.Sqrt(Math.Max(0, 1 - cosine) / Math.Max(1e-9, 1 + cosine));
@@ -160,7 +160,7 @@ internal sealed class StrokeOutline(VectorPath outline, StrokeStyle style, doubl
         _isBegun = true;
     }
 
-    /// <summary>Half the width long, to the left of the direction on screen.</summary>
+    /// <summary>Vector of half the line's width, to the left of the direction on screen.</summary>
     private Vector Normal(Vector from, Vector to)
     {
         var along = to - from;

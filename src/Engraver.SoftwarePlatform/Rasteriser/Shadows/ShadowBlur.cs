@@ -2,11 +2,11 @@ using System.Buffers;
 
 namespace Engraver.SoftwarePlatform.Rasteriser.Shadows;
 
-/// <summary>Three means over a sliding window in each direction, which together are close to a Gaussian.</summary>
+/// <summary>Three means over a sliding window in each direction, which together approximate a Gaussian.</summary>
 /// <remarks>The three numbers are the odd lengths of the windows in pixels.</remarks>
 internal readonly record struct ShadowBlur(int First, int Second, int Third)
 {
-    /// <summary>How far anything spreads.</summary>
+    /// <summary>Distance in pixels over which the blur spreads.</summary>
     public int Reach => (First + Second + Third) / 2 + 1;
 
     public bool IsNone => First + Second + Third == 3;
@@ -48,7 +48,7 @@ internal readonly record struct ShadowBlur(int First, int Second, int Third)
         }
     }
 
-    /// <summary>Replaces every cell of a row or column by the mean over the window around it; the outermost cells go on outside.</summary>
+    /// <summary>Replaces every cell of a row or column by the mean over the window around it; the outermost cells are repeated outside.</summary>
     private static void Slide(Span<byte> cells, int step, int count, int window, byte[] line)
     {
         for (var i = 0; i < count; i++)

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Rasteriser.Shadows;
 
-/// <summary>Keeps the masks of the soft shadows that were drawn last.</summary>
+/// <summary>Caches the masks of the soft shadows that were drawn last.</summary>
 internal sealed class ShadowMasks
 {
     private const int Most = 64;

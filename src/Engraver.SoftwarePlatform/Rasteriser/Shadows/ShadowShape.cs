@@ -3,10 +3,10 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Rasteriser.Shadows;
 
-/// <summary>All that a soft shadow's mask depends on, in device pixels: equal ones have equal masks.</summary>
+/// <summary>Everything that determines a soft shadow's mask, in device pixels: equal shapes have equal masks.</summary>
 internal readonly record struct ShadowShape(int Width, int Height, Vector TopLeft, Vector TopRight, Vector BottomRight, Vector BottomLeft, ShadowBlur Blur)
 {
-    /// <summary>The smallest shape with the same corners: what is longer is stretched in its middle, where nothing changes.</summary>
+    /// <summary>The smallest shape with the same corners; longer ones are made by stretching its middle, where nothing changes.</summary>
     /// <param name="box">In device pixels.</param>
     public static ShadowShape Smallest(RoundedRect box, PixelBounds pixels, ShadowBlur blur)
     {

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.Text.Outlines;
 
-/// <summary>Which of a large font's parts describes a glyph (Adobe TN 5176, section 19).</summary>
+/// <summary>Selects the part of a large font that describes a glyph (Adobe TN 5176, section 19).</summary>
 internal sealed class CffFontSelection(FontBytes data)
 {
     public int FontOf(int glyph)
@@ -16,7 +16,7 @@ internal sealed class CffFontSelection(FontBytes data)
         }
     }
 
-    /// <summary>Ranges stand in order; each begins with its first glyph and ends where the next begins.</summary>
+    /// <summary>Ranges are in order; each begins with its first glyph and ends where the next begins.</summary>
     private int InRanges(int glyph)
     {
         int low = 0, high = data.UInt16(1) - 1;

@@ -3,7 +3,7 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 namespace Engraver.SoftwarePlatform.Text.Outlines;
 
 /// <summary>Runs the program of one glyph (Adobe TN 5177, "The Type 2 charstring format"). Hints are skipped.</summary>
-/// <remarks>Not supported, and the glyph then stays blank: arithmetic operators, and accented letters composed by endchar. No font of today uses them.</remarks>
+/// <remarks>Not supported, so that the glyph stays blank: arithmetic operators, and accented letters composed by endchar. Fonts in use today do without them.</remarks>
 internal sealed class CharstringInterpreter(VectorPath path, CffIndex globalSubroutines, CffIndex localSubroutines)
 {
     private const int DeepestCall = 10;
@@ -69,7 +69,7 @@ internal sealed class CharstringInterpreter(VectorPath path, CffIndex globalSubr
         }
     }
 
-    /// <summary>Numbers of subroutines are stored less a bias that depends on how many there are.</summary>
+    /// <summary>Calls a subroutine. Numbers are stored minus a bias that depends on the number of subroutines.</summary>
     private void Call(CffIndex subroutines, int depth)
     {
         if (_count == 0)

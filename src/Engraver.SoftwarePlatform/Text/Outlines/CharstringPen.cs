@@ -3,7 +3,7 @@ using Engraver.SoftwarePlatform.Rasteriser.Paths;
 
 namespace Engraver.SoftwarePlatform.Text.Outlines;
 
-/// <summary>Draws what the path operators of a charstring say; all operands are distances from where the pen is.</summary>
+/// <summary>Draws the path operators of a charstring; all operands are relative to the pen's position.</summary>
 internal sealed class CharstringPen(VectorPath path)
 {
     private Point _at;
@@ -20,7 +20,7 @@ internal sealed class CharstringPen(VectorPath path)
     {
         switch (operation)
         {
-            // A width may stand before the operands of the first move: the move's own are the last ones.
+            // A width may come before the operands of the first move: the move's own are the last ones.
             case CharstringOperator.RMoveTo:
                 Need(a, 2);
                 MoveBy(a[^2], a[^1]);
@@ -91,7 +91,7 @@ internal sealed class CharstringPen(VectorPath path)
         }
     }
 
-    /// <summary>The last operand goes along the longer way; the other way comes back to the start.</summary>
+    /// <summary>The last operand applies to the longer direction; in the other one the curve returns to its start.</summary>
     private void FlexToLevel(ReadOnlySpan<double> a)
     {
         double dx = a[0] + a[2] + a[4] + a[6] + a[8], dy = a[1] + a[3] + a[5] + a[7] + a[9];
@@ -121,7 +121,7 @@ internal sealed class CharstringPen(VectorPath path)
             CurveBy(a[i], a[i + 1], a[i + 2], a[i + 3], a[i + 4], a[i + 5]);
     }
 
-    /// <summary>Curves that begin and end in the same direction; an odd operand more begins the first one aside.</summary>
+    /// <summary>Curves that begin and end in the same direction; an additional operand shifts the first one sideways.</summary>
     private void SameTangents(ReadOnlySpan<double> a, bool isHorizontal)
     {
         var aside = 0.0;
@@ -140,7 +140,7 @@ internal sealed class CharstringPen(VectorPath path)
         }
     }
 
-    /// <summary>Curves that begin in one direction and end in the other, in turn; an operand more lets the last one end aside.</summary>
+    /// <summary>Curves that alternately begin in one direction and end in the other; an additional operand shifts the end of the last one.</summary>
     private void AlternatingTangents(ReadOnlySpan<double> a, bool isHorizontal)
     {
         for (var i = 0; i + 3 < a.Length; i += 4)

@@ -64,6 +64,6 @@ internal sealed class GlyfOutlines : IGlyphOutlines
 internal interface IGlyphOutlines
 {
     /// <summary>In font units, y up, to be filled by the non-zero rule. Empty for a blank or unknown glyph.</summary>
-    /// <exception cref="BrokenFontException">The glyph's description makes no sense.</exception>
+    /// <exception cref="BrokenFontException">The glyph's description is invalid.</exception>
     VectorPath Outline(int glyph);
 }

@@ -2,7 +2,7 @@ using Avalonia;
 
 namespace Engraver.SoftwarePlatform.Text.Outlines;
 
-/// <summary>A glyph that is part of another one (OpenType 1.9, glyf, "Composite glyph description"). Components placed by matching points stand at the origin.</summary>
+/// <summary>A glyph that is part of another one (OpenType 1.9, glyf, "Composite glyph description"). Components placed by matching points are put at the origin.</summary>
 internal readonly record struct GlyphComponent(int Glyph, Matrix Transform, bool HasMore)
 {
     private const int ArgumentsAreWords = 0x0001;
@@ -47,7 +47,7 @@ internal readonly record struct GlyphComponent(int Glyph, Matrix Transform, bool
         return (flags & ArgumentsAreOffsets) != 0 ? place : default;
     }
 
-    /// <summary>Signed, 14 bits after the point.</summary>
+    /// <summary>A signed number with 14 bits after the binary point.</summary>
     private static double Fraction(FontBytes data, ref int offset)
     {
         var value = data.Int16(offset) / 16384.0;

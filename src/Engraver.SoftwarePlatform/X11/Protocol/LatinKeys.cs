@@ -2,7 +2,7 @@ using Avalonia.Input;
 
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>The letter keys by their place (key codes of evdev keyboards), for layouts without Latin letters: shortcuts keep working.</summary>
+/// <summary>The letter keys by their position (key codes of evdev keyboards), so that shortcuts work in layouts without Latin letters.</summary>
 internal static class LatinKeys
 {
     private const string FirstRow = "qwertyuiop"; // key codes 24 to 33

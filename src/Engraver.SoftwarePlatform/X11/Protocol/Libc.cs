@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>What the C library is asked: waiting on two file descriptors at once, and the locale that Xlib composes characters by.</summary>
+/// <summary>Functions of the C library: waiting on two file descriptors at once, and the locale by which Xlib composes characters.</summary>
 internal static unsafe partial class Libc
 {
     public const short PollIn = 1;
@@ -25,7 +25,7 @@ internal static unsafe partial class Libc
     [LibraryImport("libc")]
     public static partial int close(int descriptor);
 
-    /// <summary>The person's locale for characters; where that does not know UTF-8, the plain one that does.</summary>
+    /// <summary>Sets the user's locale for characters; if that is not UTF-8, the C locale with UTF-8.</summary>
     public static void ChooseUtf8Locale()
     {
         setlocale(CharacterTypes, "");

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>text/uri-list (RFC 2483): one address a line, ended by CR LF, comments begin with #.</summary>
+/// <summary>text/uri-list (RFC 2483): one address per line, ended by CR LF; comments begin with #.</summary>
 internal static class UriList
 {
     /// <summary>The paths of the files on this machine; other addresses are left out.</summary>
@@ -15,7 +15,7 @@ internal static class UriList
         return paths;
     }
 
-    /// <summary>Escapes are undone by hand: <see cref="Uri"/> would take a bare # or ? of a sloppy sender for the end of the path.</summary>
+    /// <summary>Undoes escapes itself: <see cref="Uri"/> would take an unescaped # or ? for the end of the path.</summary>
     private static string? LocalPath(string address)
     {
         if (!address.StartsWith("file:", StringComparison.OrdinalIgnoreCase)) return null;

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>The atoms of one X server, asked for once.</summary>
+/// <summary>The atoms of one X server, read once.</summary>
 internal sealed class XAtoms(nint display)
 {
     public const nint None = 0;
@@ -35,7 +35,7 @@ internal sealed class XAtoms(nint display)
     /// <summary>The property of our helper window that selections are delivered to.</summary>
     public nint Delivery { get; } = Intern(display, "SOFTWARE_PLATFORM_SELECTION");
 
-    /// <summary>The same for what is dragged.</summary>
+    /// <summary>The same for dragged data.</summary>
     public nint DropDelivery { get; } = Intern(display, "SOFTWARE_PLATFORM_DROP");
 
     public nint WmProtocols { get; } = Intern(display, "WM_PROTOCOLS");

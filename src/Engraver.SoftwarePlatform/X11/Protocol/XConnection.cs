@@ -19,7 +19,7 @@ internal sealed unsafe class XConnection
 
     public nint Root { get; }
 
-    /// <exception cref="DisplayUnavailableException">There is no library, no server, or none that lets us in.</exception>
+    /// <exception cref="DisplayUnavailableException">No library, no server, or access was refused.</exception>
     public static XConnection Open(string? name)
     {
         var display = TryOpen(name);
@@ -43,7 +43,7 @@ internal sealed unsafe class XConnection
 
     public void SetText(nint window, nint property, nint type, string text) => SetBytes(window, property, type, Encoding.UTF8.GetBytes(text));
 
-    /// <returns>Empty when there is no such property, or when it is of another format.</returns>
+    /// <returns>Empty when there is no such property, or when it has another format.</returns>
     public nint[] GetLongs(nint window, nint property)
     {
         if (Xlib.XGetWindowProperty(Display, window, property, 0, 1 << 20, 0, 0, out _, out var format, out var count, out _, out var data) != 0 || data is null) return [];
@@ -52,7 +52,7 @@ internal sealed unsafe class XConnection
         return values;
     }
 
-    /// <summary>Reads a property of bytes and deletes it, as selections want it.</summary>
+    /// <summary>Reads a property of bytes and deletes it, as the selection protocol requires.</summary>
     public (nint Type, byte[] Bytes) TakeBytes(nint window, nint property)
     {
         const int everything = int.MaxValue / 4;
@@ -62,9 +62,9 @@ internal sealed unsafe class XConnection
         return (type, bytes);
     }
 
-    /// <summary>A message of five numbers to a window.</summary>
-    /// <param name="receiver">Who gets it: the window itself, or the root window for the window manager.</param>
-    /// <param name="about">The window that it is about.</param>
+    /// <summary>Sends a message of five numbers to a window.</summary>
+    /// <param name="receiver">The window itself, or the root window for the window manager.</param>
+    /// <param name="about">The window that the message concerns.</param>
     /// <param name="message">Its atom.</param>
     /// <param name="mask">0, or <see cref="XEventMask.ToWindowManager"/>.</param>
     /// <param name="numbers">At most five.</param>
@@ -87,7 +87,7 @@ internal sealed unsafe class XConnection
     {
         try
         {
-            Xlib.XInitThreads(); // the first call of all: the connections live on two threads
+            Xlib.XInitThreads(); // must be the first call, because the connections are used by two threads
             return Xlib.XOpenDisplay(name);
         }
         catch (DllNotFoundException e)

@@ -3,7 +3,7 @@ using Avalonia.Logging;
 
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>Xlib's own answer to an error is to end the process. Ours: a refused request is logged, and a lost connection is told to who listens.</summary>
+/// <summary>Replaces Xlib's error handlers, which end the process: a refused request is logged, and a lost connection is reported to a callback.</summary>
 internal static unsafe class XErrors
 {
     public static void LogRefusedRequests()
@@ -13,7 +13,7 @@ internal static unsafe class XErrors
     }
 
     /// <param name="connection">The connection to watch.</param>
-    /// <param name="lost">Called on the thread that met the loss; must not call Xlib.</param>
+    /// <param name="lost">Called on the thread that noticed the loss; must not call Xlib.</param>
     public static void WhenLost(XConnection connection, Action lost)
     {
         if (!NativeLibrary.TryGetExport(NativeLibrary.Load(Xlib.Library), nameof(Xlib.XSetIOErrorExitHandler), out _)) return; // libX11 before 1.7

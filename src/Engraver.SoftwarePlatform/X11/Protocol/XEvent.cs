@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>Xlib's union of events, as far as it is read: offsets of 64-bit Linux (X11/Xlib.h). Which fields hold is said by <see cref="Type"/>.</summary>
+/// <summary>Xlib's union of events, as far as it is used: offsets of 64-bit Linux (X11/Xlib.h). <see cref="Type"/> says which fields are valid.</summary>
 [StructLayout(LayoutKind.Explicit, Size = 192)]
 internal unsafe struct XEvent
 {

@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>Which events a window is asked for (bits of the X protocol).</summary>
+/// <summary>Bits of the X protocol that select a window's events.</summary>
 internal static class XEventMask
 {
     public const int PropertyChange = 0x400000;

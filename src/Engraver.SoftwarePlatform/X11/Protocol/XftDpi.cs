@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>The density that the desktop has put into the server's resources ("Xft.dpi: 144").</summary>
+/// <summary>The density that the desktop has set in the server's resources ("Xft.dpi: 144").</summary>
 internal static class XftDpi
 {
-    /// <returns>Pixels for each device independent unit (1/96 inch); 1 when nothing usable is said.</returns>
+    /// <returns>Pixels for each device independent unit (1/96 inch); 1 when there is no usable value.</returns>
     public static double ScaleOf(string? resources)
     {
         foreach (var line in (resources ?? "").Split('\n'))

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.SoftwarePlatform.X11.Protocol;
 
-/// <summary>The part of libX11 that is used: connections, windows and properties. Names and arguments are Xlib's; C's <c>long</c> is <c>nint</c> (64-bit Linux). Requests return nothing: their C result says nothing, errors come later.</summary>
+/// <summary>The part of libX11 that is used: connections, windows and properties. Names and arguments are Xlib's; C's <c>long</c> is <c>nint</c> (64-bit Linux). Requests are declared without a result, because errors are reported later.</summary>
 internal static unsafe partial class Xlib
 {
     public const string Library = "libX11.so.6";
@@ -126,12 +126,12 @@ internal static unsafe partial class Xlib
     [LibraryImport(Library)]
     public static partial nint XSetIOErrorHandler(delegate* unmanaged<nint, int> handler);
 
-    /// <summary>Since libX11 1.7: what is called instead of <c>exit</c> when the connection is gone.</summary>
+    /// <summary>Since libX11 1.7: sets a handler that is called instead of <c>exit</c> when the connection is lost.</summary>
     [LibraryImport(Library)]
     public static partial void XSetIOErrorExitHandler(nint display, delegate* unmanaged<nint, void*, void> handler, void* userData);
 }
 
-/// <summary>What a window is made with (X11/Xlib.h, 64-bit Linux).</summary>
+/// <summary>Attributes for the creation of a window (X11/Xlib.h, 64-bit Linux).</summary>
 [StructLayout(LayoutKind.Explicit, Size = 112)]
 internal struct XSetWindowAttributes
 {

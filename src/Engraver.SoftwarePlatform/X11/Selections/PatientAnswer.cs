@@ -1,6 +1,6 @@
 namespace Engraver.SoftwarePlatform.X11.Selections;
 
-/// <summary>An answer that is waited for as long as something of it comes: only silence ends the waiting, however large the whole is and however busy the computer.</summary>
+/// <summary>Waits for an answer as long as pieces of it arrive: only silence ends the wait, however large the answer is and however busy the computer.</summary>
 internal sealed class PatientAnswer : IDisposable
 {
     private readonly TaskCompletionSource<byte[]?> _whole = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -14,13 +14,13 @@ internal sealed class PatientAnswer : IDisposable
         _silence = time.CreateTimer(_ => GiveUp(), null, patience, Timeout.InfiniteTimeSpan);
     }
 
-    /// <summary>The whole answer; null when there is none, or it never came to its end.</summary>
+    /// <summary>The complete answer; null when there was none, or it was never completed.</summary>
     public Task<byte[]?> Whole => _whole.Task;
 
-    /// <summary>Nobody has spoken for too long.</summary>
+    /// <summary>Called when the silence has lasted too long.</summary>
     public bool GaveUp { get; private set; }
 
-    /// <summary>A piece has come.</summary>
+    /// <summary>Called when a piece has arrived.</summary>
     public void Hear() => _silence.Change(_patience, Timeout.InfiniteTimeSpan);
 
     public void Take(byte[]? bytes) => _whole.TrySetResult(bytes);

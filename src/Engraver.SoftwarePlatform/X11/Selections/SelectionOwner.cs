@@ -6,7 +6,7 @@ namespace Engraver.SoftwarePlatform.X11.Selections;
 /// <summary>Our text on the clipboard: answers other programs, on the event thread, also while the user interface is busy.</summary>
 internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms, nint helper)
 {
-    /// <summary>Larger texts go in pieces. Well under the server's longest request (256 KiB at least).</summary>
+    /// <summary>Larger texts are sent in pieces, bytes. Well below the server's longest request (256 KiB at least).</summary>
     public const int PieceLength = 64 * 1024;
 
     private readonly Dictionary<(nint Window, nint Property), (IncrSend Send, nint Type)> _sending = [];
@@ -30,10 +30,10 @@ internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms
         OnCleared();
     }
 
-    /// <summary>Asks the server: word that another program took the clipboard may still be on its way. On the event thread.</summary>
+    /// <summary>Asks the server whether we own the clipboard, because the event that another program took it may still be on its way. On the event thread.</summary>
     public bool StillOwns() => _owns && Xlib.XGetSelectionOwner(connection.Display, atoms.Clipboard) == helper;
 
-    /// <summary>Another program owned the clipboard; in the meantime it may be ours again.</summary>
+    /// <summary>Another program took the clipboard; meanwhile it may be ours again.</summary>
     public void OnCleared()
     {
         if (StillOwns()) return;
@@ -53,7 +53,7 @@ internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms
         Xlib.XSendEvent(connection.Display, request.Requestor, 0, 0, &notice);
     }
 
-    /// <summary>The reader has taken a piece: the next one.</summary>
+    /// <summary>The reader has taken a piece: sends the next one.</summary>
     public void OnPropertyDeleted(nint window, nint property)
     {
         if (!_sending.TryGetValue((window, property), out var transfer)) return;
@@ -61,7 +61,7 @@ internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms
         if (transfer.Send.IsDone) OnGone(window);
     }
 
-    /// <summary>The reader's window is gone, or has everything.</summary>
+    /// <summary>The reader's window has gone, or it has everything.</summary>
     public void OnGone(nint window)
     {
         foreach (var transfer in _sending.Keys.Where(key => key.Window == window).ToList()) _sending.Remove(transfer);
@@ -107,12 +107,12 @@ internal sealed unsafe class SelectionOwner(XConnection connection, XAtoms atoms
     }
 }
 
-/// <summary>Data that goes out in pieces (ICCCM 2.7.2): each time the reader deletes the property the next piece follows, and one of no length ends it.</summary>
+/// <summary>Data that is sent in pieces (ICCCM 2.7.2): each time the reader deletes the property the next piece follows, and an empty one ends it.</summary>
 internal sealed class IncrSend(ReadOnlyMemory<byte> bytes, int pieceLength)
 {
     private int _sent;
 
-    /// <summary>True when the piece of no length has been given out.</summary>
+    /// <summary>True when the empty last piece was sent.</summary>
     public bool IsDone { get; private set; }
 
     public ReadOnlyMemory<byte> NextPiece()

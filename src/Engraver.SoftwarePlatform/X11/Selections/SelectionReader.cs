@@ -10,8 +10,8 @@ internal sealed class SelectionReader(XConnection connection, nint helper, nint 
     private IncrReceive? _pieces;
     private nint _target;
 
-    /// <summary>Asks the owner. The answer is null when it has nothing of the kind. A newer question ends an older one with null.</summary>
-    /// <param name="heard">Called when a piece of a long answer has come.</param>
+    /// <summary>Requests the data from the owner. The answer is null when it has none of the kind. A newer request ends an older one with null.</summary>
+    /// <param name="heard">Called when a piece of a long answer has arrived.</param>
     public void Ask(nint target, nint time, Action<byte[]?> done, Action? heard = null)
     {
         Finish(null);
@@ -54,15 +54,15 @@ internal sealed class SelectionReader(XConnection connection, nint helper, nint 
     }
 }
 
-/// <summary>Data that comes in pieces (ICCCM 2.7.2): each piece is a property, and one of no length ends it.</summary>
+/// <summary>Data that arrives in pieces (ICCCM 2.7.2): each piece is a property, and an empty one ends it.</summary>
 internal sealed class IncrReceive
 {
     private readonly List<byte> _bytes = [];
 
-    /// <summary>Everything so far.</summary>
+    /// <summary>The data received so far.</summary>
     public byte[] Bytes => [.. _bytes];
 
-    /// <returns>True when this was the end.</returns>
+    /// <returns>True when this was the last piece.</returns>
     public bool Take(ReadOnlySpan<byte> piece)
     {
         _bytes.AddRange(piece);

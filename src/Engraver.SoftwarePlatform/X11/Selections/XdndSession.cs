@@ -3,7 +3,7 @@ using Avalonia.Input.Raw;
 namespace Engraver.SoftwarePlatform.X11.Selections;
 
 /// <summary>Files dragged over a window, by the XDND protocol, version 5: from Enter over Positions to Leave or Drop.</summary>
-/// <remarks>The source waits for a status after each position, so the one to the first position is held back until the files are known.</remarks>
+/// <remarks>The source waits for a status after each position, so that the status of the first position is delayed until the files are known.</remarks>
 internal sealed class XdndSession(IXdndPartner partner)
 {
     private nint _source;
@@ -53,7 +53,7 @@ internal sealed class XdndSession(IXdndPartner partner)
         Forget();
     }
 
-    /// <summary>Null or empty when the source gave none.</summary>
+    /// <summary>Null or empty when the source provided none.</summary>
     public void FilesArrived(IReadOnlyList<string>? files)
     {
         if (_stage != Stage.Asked) return;

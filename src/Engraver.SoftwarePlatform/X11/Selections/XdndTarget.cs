@@ -61,7 +61,7 @@ internal sealed class XdndTarget : IXdndPartner
     public void SendFinished(nint source, bool accepted) =>
         _connection.SendMessage(source, source, Atoms.XdndFinished, 0, _window?.Handle ?? 0, accepted ? 1 : 0, accepted ? Atoms.XdndActionCopy : XAtoms.None);
 
-    /// <summary>Up to three types stand in the message, more in a property of the source.</summary>
+    /// <summary>The types of the data: up to three are in the message, more in a property of the source.</summary>
     private unsafe bool OffersFiles(ref XEvent enter)
     {
         if ((enter.Data[1] & 1) != 0) return _connection.GetLongs((nint)enter.Data[0], Atoms.XdndTypeList).Contains(Atoms.UriList);
@@ -69,13 +69,13 @@ internal sealed class XdndTarget : IXdndPartner
     }
 }
 
-/// <summary>The two that a drag stands between: the program that drags, and the window below.</summary>
+/// <summary>The two partners of a drag: the program that drags, and the window below.</summary>
 internal interface IXdndPartner
 {
-    /// <summary>Asks the source for the files; the answer comes through <see cref="XdndSession.FilesArrived"/>.</summary>
+    /// <summary>Requests the files from the source; the answer comes through <see cref="XdndSession.FilesArrived"/>.</summary>
     void RequestFiles(nint time);
 
-    /// <summary>Tells the window; its answer comes through <see cref="XdndSession.Answer"/>. The place is in pixels of the root window.</summary>
+    /// <summary>Passes the position (pixels of the root window) to the window; its answer comes through <see cref="XdndSession.Answer"/>.</summary>
     void Tell(RawDragEventType type, int rootX, int rootY, IReadOnlyList<string> files);
 
     void SendStatus(nint source, bool accepted);

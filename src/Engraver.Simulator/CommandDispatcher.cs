@@ -6,19 +6,19 @@ using System.Runtime.CompilerServices;
 
 namespace Engraver.Simulator;
 
-/// <summary>Executes what hosts send and answers it, with the troubles of the fault plan. All members are called under the controller's lock.</summary>
-internal sealed class CommandDesk(Machine machine, ControllerClock clock, SimulatorOptions options) : ICommandSink
+/// <summary>Executes what hosts send and answers it, with the faults of the fault plan. All members are called under the controller's lock.</summary>
+internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, SimulatorOptions options) : ICommandSink
 {
     private readonly DelayedReplies _replies = new(options.Time, options.Faults?.ReplyDelay ?? TimeSpan.Zero);
 
-    /// <summary>What the commands of each handle print into; gone with the handle.</summary>
+    /// <summary>Where the commands of each handle print; collected together with the handle.</summary>
     private readonly ConditionalWeakTable<Handle, CommandContext> _contexts = [];
     private long _commands;
 
-    /// <summary>Replies wait for their time.</summary>
+    /// <summary>Replies that the fault plan delays are waiting to be sent.</summary>
     public bool HasLateReplies => _replies.AreWaiting;
 
-    /// <summary>Lets go the late replies that are due.</summary>
+    /// <summary>Sends the delayed replies that are due.</summary>
     public void ReleaseReplies() => _replies.Release();
 
     ReadOnlySpan<char> ICommandSink.Execute(Handle handle, ReadOnlySpan<char> text)
@@ -110,7 +110,7 @@ internal sealed class CommandDesk(Machine machine, ControllerClock clock, Simula
         else machine.Handles.Remove(handle);
     }
 
-    /// <summary>By the fault plan: nothing is answered any more.</summary>
+    /// <summary>True once the fault plan's limit is passed: no command is answered any more.</summary>
     public bool IsFrozen => options.Faults?.FreezeAfterCommands is { } limit && _commands > limit;
 
     private ReadOnlySpan<char> Executed(Handle handle, ReadOnlySpan<char> text)

@@ -3,8 +3,8 @@ namespace Engraver.Simulator.Clocks;
 /// <summary>Serves the hosts that have the controller's clock. All members may be called from any thread.</summary>
 /// <param name="gate">The controller's lock.</param>
 /// <param name="happened">Called under the lock when time has passed or may pass.</param>
-/// <param name="flush">Called without the lock after time has passed: the record can be written.</param>
-internal sealed class HostDesk(Machine machine, ControllerClock clock, Lock gate, Action happened, Action flush)
+/// <param name="flush">Called without the lock after time has passed, to write the record's file.</param>
+internal sealed class HostClockCoordinator(Machine machine, ControllerClock clock, Lock gate, Action happened, Action flush)
 {
     /// <summary>The controller's time in ticks of 100 ns.</summary>
     public long Now
@@ -34,7 +34,7 @@ internal sealed class HostDesk(Machine machine, ControllerClock clock, Lock gate
         return host;
     }
 
-    /// <summary>A host gives the clock back, or is gone.</summary>
+    /// <summary>Takes the clock back from a host.</summary>
     public void Leave(HostClock host)
     {
         lock (gate)
@@ -59,7 +59,7 @@ internal sealed class HostDesk(Machine machine, ControllerClock clock, Lock gate
         }
     }
 
-    /// <summary>Lets time pass in the thread of the host that waits, to the end of its wait, until another host has something to do or, at a finite speed, until the wall has to come up; then the wall lets the rest pass.</summary>
+    /// <summary>Lets time pass in the thread of the host that waits: to the end of its wait, until another host is at work or, at a finite speed, until controller time is ahead of the wall; the controller's timer then lets the rest pass.</summary>
     /// <param name="own">The wait; it fires in this thread.</param>
     public void PassWhileAllWait(HostTimer own)
     {
@@ -84,7 +84,7 @@ internal sealed class HostDesk(Machine machine, ControllerClock clock, Lock gate
         }
     }
 
-    /// <summary>Fires what time has reached by commands or with the wall.</summary>
+    /// <summary>Fires the timers that controller time has reached.</summary>
     public void FireDue()
     {
         while (true)

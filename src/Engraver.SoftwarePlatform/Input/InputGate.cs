@@ -4,9 +4,9 @@ using Avalonia.Logging;
 
 namespace Engraver.SoftwarePlatform.Input;
 
-/// <summary>What every key and button passes on the input thread before it is queued for the user interface, whichever front end it comes from.</summary>
-/// <remarks>A filter that throws is logged and counts as not interested: the input thread must outlive it.</remarks>
-internal sealed class InputDoor(KeyFilter? filter, InputRegions regions)
+/// <summary>Every key and button passes through this on the input thread before it is queued for the user interface, in each front end.</summary>
+/// <remarks>An exception in a filter is logged and the input passed on: the input thread must not end.</remarks>
+internal sealed class InputGate(KeyFilter? filter, InputRegions regions)
 {
     private readonly Lock _gate = new();
     private readonly HashSet<Key> _held = [];
@@ -43,7 +43,7 @@ internal sealed class InputDoor(KeyFilter? filter, InputRegions regions)
         lock (_gate) return !_swallowed.Remove((window, button));
     }
 
-    /// <summary>Keys let go while another window had the keyboard are never told: forget what was held.</summary>
+    /// <summary>Forgets the held keys: their release is not reported while another window has the keyboard.</summary>
     public void ForgetHeldKeys()
     {
         lock (_gate) _held.Clear();
@@ -55,7 +55,7 @@ internal sealed class InputDoor(KeyFilter? filter, InputRegions regions)
         {
             return asked();
         }
-        catch (Exception e) // the input thread is a job of its own: it records what a callback throws, and reads on
+        catch (Exception e) // the input thread must not end: it logs exceptions of callbacks and goes on
         {
             Logger.TryGet(LogEventLevel.Error, LogArea.Platform)?.Log(this, "A callback on the input thread failed: {Exception}", e);
             return false;
