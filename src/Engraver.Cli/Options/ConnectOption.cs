@@ -20,7 +20,7 @@ internal static class ConnectOption
             return null;
         }
 
-        if (address is SerialAddress && MachineFamily.WhyNoSerialLine is { } why) result.AddError($"--connect: {why}");
+        if (MachineFamilies.Of(address).WhyNot(address) is { } why) result.AddError($"--connect: {why}");
         return address;
     }
 }

@@ -98,6 +98,6 @@ internal sealed class DrawingOptions
         var profile = parsed.GetValue(_machine) is { } path ? MachineProfileSource.Load(path) : MachineProfile.Default;
         if (parsed.GetValue(_feed) is not { } feed) return profile;
         var fed = profile with { FeedMmPerMinute = feed };
-        return MachineProfileValidation.IsFeed(feed, profile, MachineFamily.Limits) ? fed : throw new UsageException($"--feed {feed.ToString("R", CultureInfo.InvariantCulture)}: the machine cuts {MachineProfileValidation.FeedRange(profile, MachineFamily.Limits)} mm/min.");
+        return MachineProfileValidation.IsFeed(feed, profile, MachineFamilies.Driver.Limits) ? fed : throw new UsageException($"--feed {feed.ToString("R", CultureInfo.InvariantCulture)}: the machine cuts {MachineProfileValidation.FeedRange(profile, MachineFamilies.Driver.Limits)} mm/min.");
     }
 }

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
-using Engraver.Galil.Programs.Timing;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Output;

@@ -35,5 +35,5 @@ internal static class RunReport
     /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
 
-    private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.CountsPerMillimetreX, settings.Machine.CountsPerMillimetreY);
+    private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.Scale.X, settings.Machine.Scale.Y);
 }

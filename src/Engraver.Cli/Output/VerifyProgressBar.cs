@@ -1,5 +1,5 @@
 using System.Globalization;
-using Engraver.Workbench.Composition;
+using Engraver.Core.Posts;
 using Engraver.Workbench.Verification;
 using Spectre.Console;
 

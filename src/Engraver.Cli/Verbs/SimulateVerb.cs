@@ -5,7 +5,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
 using Engraver.Core.Machines;
-using Engraver.Simulator;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
@@ -13,6 +13,9 @@ namespace Engraver.Cli.Verbs;
 /// <summary><c>engraver simulate</c>: serves a simulated DMC-2143 on loopback and on a pseudo-terminal until Ctrl-C.</summary>
 internal static class SimulateVerb
 {
+    private const string Blank = "blank";
+    private const string Column = "column";
+
     public static Command Build(VerbHost host)
     {
         var port = new Option<int?>("--tcp") { HelpName = "PORT", Description = "Port on loopback; 0 lets the system pick (also the default when nothing else is served).", CustomParser = ParsePort };
@@ -23,25 +26,25 @@ internal static class SimulateVerb
         var record = new Option<string?>("--record") { HelpName = "FILE", Description = "Write every motor sample and output change as CSV (t,a,b,c,d,outputs)." };
         var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = "Start with the speeds and accelerations of this machine profile, as its owner burned them, and its angle quantum." };
         var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = "What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md)." };
-        var numbers = new Option<NumberSpacing>("--numbers") { HelpName = "blank|column", Description = "What divides a negative number from the one before it in a message: a blank, or the column of the sign alone.", CustomParser = ParseSpacing };
+        var numbers = new Option<string>("--numbers") { HelpName = "blank|column", Description = "What divides a negative number from the one before it in a message: a blank, or the column of the sign alone.", DefaultValueFactory = _ => Blank, CustomParser = ParseSpacing };
         var command = new MachineCommand("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, machine, faults, numbers };
         command.Validators.Add(result =>
         {
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError("--baud is the rate of a serial port; give --serial PATH with it.");
         });
         command.SetAction((parsed, stop) => RunAsync(
-            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Machine(parsed.GetValue(machine)) with { Speed = parsed.GetValue(speed), KeepsRecord = false, Faults = Faults(parsed.GetValue(faults)), NumberSpacing = parsed.GetValue(numbers) }, stop));
+            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Simulator(parsed.GetValue(speed), parsed.GetValue(machine), parsed.GetValue(faults), parsed.GetValue(numbers) == Column), stop));
         return command;
     }
 
-    private static async Task<int> RunAsync(VerbHost host, int? port, int? datagrams, string? serial, int baud, string? record, SimulatorOptions options, CancellationToken stop)
+    private static async Task<int> RunAsync(VerbHost host, int? port, int? datagrams, string? serial, int baud, string? record, ServedSimulator served, CancellationToken stop)
     {
+        await using var controller = served;
         using var csv = record is null ? null : Create(record);
-        await using var controller = new SimulatedController(options);
-        if (csv is not null) controller.Record.AttachCsv(csv);
+        if (csv is not null) controller.RecordTo(csv);
         try
         {
-            if (options.Speed != 1.0) await OfferClockAsync(host, controller, stop).ConfigureAwait(false);
+            if (controller.Speed != 1.0) await OfferClockAsync(host, controller, stop).ConfigureAwait(false);
             await ServeAsync(host, controller, port, datagrams, serial, baud, stop).ConfigureAwait(false);
         }
         catch (OperationCanceledException) when (stop.IsCancellationRequested)
@@ -53,7 +56,7 @@ internal static class SimulateVerb
     }
 
     /// <summary>At a speed of its own the controller offers its clock to hosts that keep step with it (docs/simulator-fidelity.md, "The clock").</summary>
-    private static async Task OfferClockAsync(VerbHost host, SimulatedController controller, CancellationToken stop)
+    private static async Task OfferClockAsync(VerbHost host, ServedSimulator controller, CancellationToken stop)
     {
         var place = await controller.ListenClockAsync(stop).ConfigureAwait(false);
         await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"clock 127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
@@ -62,7 +65,7 @@ internal static class SimulateVerb
     /// <summary>Opens every way in, says so, and serves until the signal.</summary>
     /// <exception cref="OperationCanceledException">The signal.</exception>
     /// <exception cref="InvalidOperationException">A bug of the simulator; its clients are cut off.</exception>
-    private static async Task ServeAsync(VerbHost host, SimulatedController controller, int? port, int? datagrams, string? serial, int baud, CancellationToken stop)
+    private static async Task ServeAsync(VerbHost host, ServedSimulator controller, int? port, int? datagrams, string? serial, int baud, CancellationToken stop)
     {
         if (port is not null || (serial is null && datagrams is null)) await ListenAsync(host, "tcp", controller.ListenTcpAsync, port ?? 0, stop).ConfigureAwait(false);
         if (datagrams is { } place) await ListenAsync(host, "udp", controller.ListenUdpAsync, place, stop).ConfigureAwait(false);
@@ -97,7 +100,7 @@ internal static class SimulateVerb
     }
 
     /// <exception cref="UsageException">The path cannot become a serial port.</exception>
-    private static async Task ServeSerialAsync(SimulatedController controller, string path, int baud, CancellationToken stop)
+    private static async Task ServeSerialAsync(ServedSimulator controller, string path, int baud, CancellationToken stop)
     {
         try
         {
@@ -122,30 +125,19 @@ internal static class SimulateVerb
         }
     }
 
-    /// <summary>What of a profile is the controller's own: the rest describes the host's work with it.</summary>
     /// <exception cref="SettingException">The profile cannot be used.</exception>
-    private static SimulatorOptions Machine(string? path)
+    /// <exception cref="UsageException">The plan of faults cannot be read or is none.</exception>
+    private static ServedSimulator Simulator(double speed, string? machine, string? faults, bool signColumn)
     {
-        if (path is null) return new SimulatorOptions();
-        var profile = MachineProfileSource.Load(path);
-        return new SimulatorOptions
-        {
-            AngleQuantumDegrees = profile.AngleQuantumDegrees,
-            Burned = new BurnedMotion(profile.VectorSpeed, profile.AccelerationCounts, [profile.RapidSpeedX, profile.RapidSpeedY]),
-        };
-    }
-
-    /// <exception cref="UsageException">The file cannot be read or is no plan of faults.</exception>
-    private static FaultPlan? Faults(string? path)
-    {
-        if (path is null) return null;
+        var profile = machine is null ? null : MachineProfileSource.Load(machine);
+        if (faults is null) return ServedSimulator.Create(speed, profile, faults: null, signColumn);
         try
         {
-            return FaultPlan.Parse(File.ReadAllText(path));
+            return ServedSimulator.Create(speed, profile, File.ReadAllText(faults), signColumn);
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or JsonException)
         {
-            throw new UsageException($"--faults {path}: {unusable.Message}", unusable);
+            throw new UsageException($"--faults {faults}: {unusable.Message}", unusable);
         }
     }
 
@@ -165,16 +157,11 @@ internal static class SimulateVerb
         return ControllerAddress.DefaultBaud;
     }
 
-    private static NumberSpacing ParseSpacing(ArgumentResult result)
+    private static string ParseSpacing(ArgumentResult result)
     {
-        switch (result.Tokens[0].Value)
-        {
-            case "blank": return NumberSpacing.Blank;
-            case "column": return NumberSpacing.SignColumn;
-            default:
-                result.AddError($"--numbers: '{result.Tokens[0].Value}' is neither blank nor column.");
-                return NumberSpacing.Blank;
-        }
+        var word = result.Tokens[0].Value;
+        if (word is not (Blank or Column)) result.AddError($"--numbers: '{word}' is neither blank nor column.");
+        return word;
     }
 
     private static double ParseSpeed(ArgumentResult result)

@@ -14,8 +14,9 @@ public interface IMachineConnection : IAsyncDisposable
     bool IsBroken { get; }
 
     /// <summary>One look at an idle machine, now.</summary>
+    /// <param name="axes">Those that a job moves.</param>
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
-    ValueTask<MachineReading> LookAsync(CancellationToken cancellation);
+    ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation);
 
     /// <summary>Switches the tool off and brakes the path and every axis. Returns when the controller has accepted it, not at rest.</summary>
     /// <param name="toolOutput">The digital output of the tool, from 1.</param>
@@ -29,7 +30,7 @@ public interface IMachineConnection : IAsyncDisposable
     /// <summary>Switches the motors of the axes that a job moves on or off.</summary>
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
-    Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation);
+    Task<MachineRefusal?> SetMotorsAsync(MachineAxes axes, bool on, CancellationToken cancellation);
 
     /// <summary>Sends a line that an operator typed in the controller's own language, and returns the answers.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>

@@ -6,13 +6,16 @@ namespace Engraver.Core.Machines;
 /// <summary>Checks a profile against what the controller accepts, before anything is generated from it.</summary>
 public static class MachineProfileValidation
 {
+    /// <summary>Stands for a text that is no letter.</summary>
+    internal const char NoLetter = '?';
+
     private const double LongestSettleSeconds = 600.0;
 
     /// <summary>One error for each setting that cannot be used, naming the setting, its value and the limit; empty for a usable profile.</summary>
     public static IReadOnlyList<Diagnostic> Check(MachineProfile profile, MachineLimits limits) => [.. Findings(profile, limits)];
 
     /// <summary>Whether the machine can cut at this feed; with a scale of 0 it is not the feed that is wrong.</summary>
-    public static bool IsFeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) => !IsScale(profile.CountsPerMillimetreX) || !IsScale(profile.CountsPerMillimetreY) || IsSpeed(mmPerMinute, profile, limits);
+    public static bool IsFeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) => !profile.Axes.All.All(axis => IsScale(axis.CountsPerMillimetre)) || IsSpeed(mmPerMinute, profile, limits);
 
     /// <summary>The feeds of this machine, mm/min, as text: what its slower axis resolves to what its finer axis can count.</summary>
     public static string FeedRange(MachineProfile profile, MachineLimits limits) =>
@@ -21,8 +24,11 @@ public static class MachineProfileValidation
     private static IEnumerable<Diagnostic> Findings(MachineProfile p, MachineLimits limits)
     {
         const string Scale = "a number other than 0, negative to mirror the axis";
-        if (!IsScale(p.CountsPerMillimetreX)) yield return Finding("countsPerMillimetreX", p.CountsPerMillimetreX, Scale);
-        if (!IsScale(p.CountsPerMillimetreY)) yield return Finding("countsPerMillimetreY", p.CountsPerMillimetreY, Scale);
+        if (!IsScale(p.Axes.X.CountsPerMillimetre)) yield return Finding("countsPerMillimetreX", p.Axes.X.CountsPerMillimetre, Scale);
+        if (!IsScale(p.Axes.Y.CountsPerMillimetre)) yield return Finding("countsPerMillimetreY", p.Axes.Y.CountsPerMillimetre, Scale);
+        if (!limits.Axes.Contains(p.Axes.X.Letter)) yield return Finding("axisX", p.Axes.X.Letter, $"one of the letters {limits.Axes}");
+        if (!limits.Axes.Contains(p.Axes.Y.Letter)) yield return Finding("axisY", p.Axes.Y.Letter, $"one of the letters {limits.Axes}");
+        else if (p.Axes.Y.Letter == p.Axes.X.Letter) yield return Finding("axisY", p.Axes.Y.Letter, "another axis than axisX");
         if (!IsSpeed(p.FeedMmPerMinute, p, limits)) yield return Finding("feedMmPerMinute", p.FeedMmPerMinute, AxisSpeeds(limits));
         if (!IsSpeed(p.RapidMmPerMinute, p, limits)) yield return Finding("rapidMmPerMinute", p.RapidMmPerMinute, AxisSpeeds(limits));
         if (!IsAcceleration(p.AccelerationCounts, limits)) yield return Finding("accelerationCounts", p.AccelerationCounts, Accelerations(limits));
@@ -35,7 +41,7 @@ public static class MachineProfileValidation
     private static bool IsScale(double countsPerMillimetre) => double.IsFinite(countsPerMillimetre) && countsPerMillimetre != 0.0;
 
     private static bool IsSpeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) =>
-        IsSpeed(mmPerMinute / 60.0 * Math.Abs(profile.CountsPerMillimetreX), limits) && IsSpeed(mmPerMinute / 60.0 * Math.Abs(profile.CountsPerMillimetreY), limits);
+        profile.Axes.All.All(axis => IsSpeed(mmPerMinute / 60.0 * Math.Abs(axis.CountsPerMillimetre), limits));
 
     private static bool IsSpeed(double countsPerSecond, MachineLimits limits) => countsPerSecond >= limits.SlowestSpeed && countsPerSecond <= limits.FastestSpeed;
 
@@ -50,4 +56,6 @@ public static class MachineProfileValidation
 
     private static Diagnostic Finding(string setting, double value, string limit) =>
         MotionRules.SettingOutOfRange.At(default, setting, value.ToString("R", CultureInfo.InvariantCulture), limit);
+
+    private static Diagnostic Finding(string setting, char letter, string limit) => MotionRules.SettingOutOfRange.At(default, setting, letter == NoLetter ? "not one letter" : letter.ToString(), limit);
 }

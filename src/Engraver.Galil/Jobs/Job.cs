@@ -44,7 +44,7 @@ internal sealed class Job
             JobMode.Program => new ProgramStrategy(program, _machine, _ledger, _log, _memory, options),
             _ => throw new ArgumentOutOfRangeException(nameof(options)),
         };
-        _stopper = new OperatorStop(session, program.Profile.ToolOutput, OwnThreads);
+        _stopper = new OperatorStop(session, program.Profile.ToolOutput, OwnThreads, program.Profile.Axes.Letters);
     }
 
     public async Task<JobResult> RunAsync()
@@ -122,13 +122,14 @@ internal sealed class Job
         var resident = ResidentServer.Program(_options.Mode, _program.Profile);
         if (await _found.BorrowAsync(resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
+        var axes = _program.Profile.Axes.Letters;
         string[] settings = ["AC", "DC"];
         var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_program.Profile) }; // whatever somebody left on or selected
-        commands.AddRange(_session.Found.MotorsOff.Where(DmcAxes.Plane.Contains).Select(letter => $"SH{letter}"));
-        commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
+        commands.AddRange(_session.Found.MotorsOff.Where(axes.Contains).Select(letter => $"SH{letter}"));
+        commands.AddRange(Programs.Subprograms.AccelerationCommands(_program.Profile));
         commands.Add(ResidentServer.StartCommand(resident));
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
-        if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => DmcAxes.Plane.Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => axes.Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
         if (await _machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
         if (await _way.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
         if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;

@@ -27,6 +27,7 @@ internal sealed class JobMachine
     private readonly ProgressWatch _progress;
     private readonly ToolWatch _toolWatch = new();
     private readonly JobFault _fault;
+    private readonly StateQuestions _questions;
     private bool _isGuarded;
     private int _glances;
 
@@ -34,6 +35,7 @@ internal sealed class JobMachine
     {
         _session = session;
         Profile = program.Profile;
+        _questions = new StateQuestions(program.Profile.Axes);
         Start = program.Start;
         _times = new PollTimes(session.Time, (session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6);
         _pollInterval = options.PollInterval;
@@ -146,16 +148,16 @@ internal sealed class JobMachine
     /// <summary>Reads the machine's state. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
-        if (Line is null) return await ReadAsync(MachineState.Operands, MachineState.From).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
-        if (await ReadAsync(MachineState.ProgramOperands, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
-        return await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
+        if (Line is null) return await ReadAsync(_questions.All, MachineState.From).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
+        if (await ReadAsync(_questions.Program, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
+        return await ReadAsync(_questions.Motion, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
     }
 
     /// <summary>Reads only the path where a whole poll would delay the segments: on a serial line.</summary>
     public async ValueTask<JobStep> GlanceAsync()
     {
         if (Line is null || Known is null || _toolWatch.IsSuspicious || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
-        if (await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await ReadAsync(_questions.Motion, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
 
         // The axes were last seen in motion because of the path: now that it has ended they must be read again.
         return !State.SequenceRunning && State.AxesRunning ? await PollAsync().ConfigureAwait(false) : await PolledAsync().ConfigureAwait(false);
@@ -288,8 +290,9 @@ internal sealed class JobMachine
     /// <summary>Reports a position error larger than ER: the axis is jammed, or driven faster than its motor can follow.</summary>
     private async ValueTask<JobStep> CannotFollowAsync()
     {
-        var (a, b) = (await AskAtRestAsync("_TEA").ConfigureAwait(false), await AskAtRestAsync("_TEB").ConfigureAwait(false));
-        var far = a is { } first && b is { } second ? Text($" (A is {first:0} and B {second:0} counts off)") : "";
+        var (x, y) = (Profile.Axes.X.Letter, Profile.Axes.Y.Letter);
+        var (errorX, errorY) = (await AskAtRestAsync($"_TE{x}").ConfigureAwait(false), await AskAtRestAsync($"_TE{y}").ConfigureAwait(false));
+        var far = errorX is { } first && errorY is { } second ? Text($" ({x} is {first:0} and {y} {second:0} counts off)") : "";
         return JobStep.Broken(Text($"The position error became larger than ER allows at {State.Position.X},{State.Position.Y}{far}: an axis cannot follow. Look for what holds it; a lower feed or acceleration may help."));
     }
 

@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Journal;
-using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
@@ -25,7 +24,7 @@ public static class JobRunner
     {
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(session);
-        string off = string.Concat(session.Found.MotorsOff.Where(DmcAxes.Plane.Contains));
+        string off = string.Concat(session.Found.MotorsOff.Where(program.Profile.Axes.Letters.Contains));
         return off.Length > 0
             ? JobResult.NotStarted(program.Strokes.Count, $"The motor of axis {string.Join(" and ", off.AsEnumerable())} is off; switch the motors on before a move.")
             : await RunAsync(program, goal, session, options with { DryRun = true }, progress, stop).ConfigureAwait(false);
@@ -37,6 +36,8 @@ public static class JobRunner
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(session);
         ArgumentNullException.ThrowIfNull(options);
+        if (program.Profile.Axes.Letters.Except(session.Identity.Letters).ToList() is { Count: > 0 } missing)
+            return JobResult.NotStarted(program.Strokes.Count, $"The machine profile moves axis {string.Join(" and ", missing)}; this controller has {session.Identity.Letters}. Name its axes in the profile (axisX, axisY).");
         JobJournal journal;
         try
         {

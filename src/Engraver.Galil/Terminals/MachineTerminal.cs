@@ -8,7 +8,7 @@ namespace Engraver.Galil.Terminals;
 
 /// <summary>A conversation with a controller, line by line: commands go out, replies come back, and what programs print appears between them.</summary>
 /// <remarks>Leaves the controller as it was found, as every session does; numbers are printed in the format that was found.</remarks>
-public sealed class MachineTerminal : IAsyncDisposable
+public sealed class MachineTerminal : IMachineTerminal
 {
     private readonly ConcurrentQueue<string> _messages;
     private readonly List<string> _history = [];
@@ -20,6 +20,8 @@ public sealed class MachineTerminal : IAsyncDisposable
     }
 
     public ControllerSession Session { get; }
+
+    public MachineIdentity Identity => Session.Identity;
 
     /// <summary>Lines as typed, oldest first.</summary>
     public IReadOnlyList<string> History => _history;
@@ -41,6 +43,8 @@ public sealed class MachineTerminal : IAsyncDisposable
 
     /// <summary>A terminal on a session that somebody else owns: it must not be disposed.</summary>
     internal static MachineTerminal On(ControllerSession session, ConcurrentQueue<string> messages) => new(session, messages);
+
+    public bool Ends(string line) => TerminalLine.Read(line) is TerminalLine.Quit;
 
     /// <summary>Answers one line: what programs have printed by now, then the answer itself. <see cref="TerminalLine.Quit"/> is the caller's business.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>

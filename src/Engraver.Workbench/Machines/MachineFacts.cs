@@ -65,7 +65,7 @@ internal sealed record MachineFacts
             IsSimulation = IsSimulation,
             MachinePosition = place is { } at ? Millimetres(profile, at.X, at.Y) : null,
             WorkPosition = place is { } here && Frame is { } frame ? Millimetres(profile, (double)here.X - frame.X, (double)here.Y - frame.Y) : null,
-            FollowingError = Now is not { } look ? null : new Vector2D(look.ErrorX / profile.CountsPerMillimetreX, look.ErrorY / profile.CountsPerMillimetreY),
+            FollowingError = Now is not { } look ? null : Millimetres(profile, look.ErrorX, look.ErrorY) - default(Point2D),
             Speed = Now is { Moves: false } ? 0.0 : Now?.Speed / profile.Scale.Largest,
             Inputs = Now?.Inputs,
             Outputs = JobRuns ? Told?.Outputs : Now?.Outputs,
@@ -103,5 +103,5 @@ internal sealed record MachineFacts
     private static EngravedProgress Engraved(MachineProfile profile, in JobProgress told) =>
         new(told.Stroke, told.SegmentsExecuted, told.SegmentCount, Millimetres(profile, told.X, told.Y), told.ToolOn, told.Seconds);
 
-    private static Point2D Millimetres(MachineProfile profile, double x, double y) => new(x / profile.CountsPerMillimetreX, y / profile.CountsPerMillimetreY);
+    private static Point2D Millimetres(MachineProfile profile, double x, double y) => profile.Scale.ToMillimetres(x, y);
 }

@@ -22,7 +22,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         _time = time;
         _board = new MachineStatusModel(time, RaiseChanged);
-        _watched = new WatchedConnection(time, Seen, _board.Lost);
+        _watched = new WatchedConnection(time, () => Profile.Axes, Seen, _board.Lost);
         _work = new ActiveJob(_board.JobIsOver, RaiseChanged);
         Terminal = new LiveTerminal(time, AnswerAsync);
     }

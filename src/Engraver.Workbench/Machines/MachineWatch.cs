@@ -15,7 +15,9 @@ internal sealed class MachineWatch : IAsyncDisposable
     private CancellationTokenSource? _stopLooking;
     private Task _looking = Task.CompletedTask;
 
-    private MachineWatch(IMachineConnection machine, TimeProvider time) => (_machine, _time) = (machine, time);
+    private readonly Func<MachineAxes> _axes;
+
+    private MachineWatch(IMachineConnection machine, Func<MachineAxes> axes, TimeProvider time) => (_machine, _axes, _time) = (machine, axes, time);
 
     public MachineIdentity Identity => _machine.Identity;
 
@@ -24,13 +26,14 @@ internal sealed class MachineWatch : IAsyncDisposable
 
     public bool IsBroken => _machine.IsBroken;
 
+    /// <param name="axes">Those that a job would move, as the profile of the moment has them.</param>
     /// <exception cref="ControllerException">Nobody answers.</exception>
-    public static async Task<MachineWatch> OpenAsync(MachineConnection connection, TimeProvider time, CancellationToken cancellation) =>
-        new(await connection.ShakeHandsAsync(time, cancellation).ConfigureAwait(false), time);
+    public static async Task<MachineWatch> OpenAsync(MachineConnection connection, Func<MachineAxes> axes, TimeProvider time, CancellationToken cancellation) =>
+        new(await connection.ShakeHandsAsync(time, cancellation).ConfigureAwait(false), axes, time);
 
     /// <summary>One look, now.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => _machine.LookAsync(cancellation);
+    public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => _machine.LookAsync(_axes(), cancellation);
 
     /// <summary>Looks ten times a second until <see cref="PauseAsync"/>, or until the link fails.</summary>
     public void Resume(Action<MachineReading> seen, Action<ControllerException> lost)
@@ -64,7 +67,7 @@ internal sealed class MachineWatch : IAsyncDisposable
 
     /// <summary>Switches the motors of both axes.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) => _machine.SetMotorsAsync(on, cancellation);
+    public Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) => _machine.SetMotorsAsync(_axes(), on, cancellation);
 
     public async ValueTask DisposeAsync()
     {

@@ -135,7 +135,7 @@ public sealed class HarmedByteTests : IDisposable
         try
         {
             var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);
-            return new HarmedRun(OutcomeText.Word(report.Result.Outcome), report.Result.Sentence, RunJudge.ByRecord(job, controller.Record.Snapshot(), 0, 0), RunJudge.Tolerances(job).Deviation);
+            return new HarmedRun(OutcomeText.Word(report.Result.Outcome), report.Result.Sentence, RecordJudgement.Of(job, controller.Record.Snapshot(), 0, 0), RunJudge.Tolerances(job).Deviation);
         }
         catch (Engraver.Core.Machines.ControllerException unconnected)
         {

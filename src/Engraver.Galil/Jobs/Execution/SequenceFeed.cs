@@ -124,9 +124,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
         if (Remaining == 0) return JobStep.Done;
         var ahead = Ahead;
-        _byIncrements = machine.Line is null && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
+        _byIncrements = machine.Line is null && DmcAxes.AreFirst(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
         var acceleration = machine.Profile.AccelerationCounts;
-        var opened = await machine.SendAllAsync(["CSS", (_byIncrements ? "LM" : "VM") + DmcAxes.Plane, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
+        var opened = await machine.SendAllAsync(["CSS", (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.Letters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
         if (opened.Ends) return opened;
         if (await SettingCheck.ReadBackAsync(
             machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration), ("_VRS", 1.0, SettingCheck.Exact)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;

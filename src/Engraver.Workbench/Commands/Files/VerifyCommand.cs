@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Workbench.Composition;
+using Engraver.Core.Posts;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Verification;
 
@@ -19,8 +20,9 @@ internal sealed class VerifyCommand : ICommand
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
         var name = await context.ValueAsync(new TextPrompt("Enter name of program to verify") { Default = context.Remembered(Name) }).ConfigureAwait(false);
         context.Remember(Name, name);
+        var reader = PostTable.ReaderFor(name);
         var program = ReadBackFile.Open(context.FileToRead(name));
-        var report = await VerifyAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, drawing, settings, progress, cancellation), cancellation).ConfigureAwait(false);
+        var report = await VerifyAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, cancellation), cancellation).ConfigureAwait(false);
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
         FindingMessages.Say(context, name, report.Diagnostics, Severity.Warning);
         context.Say(VerificationText.Sentence(report), MessageKind.Result);

@@ -46,7 +46,7 @@ internal sealed class SettingCommand : ISettingCommand
         var value = await context.ValueAsync(_limits with { Default = ValueText(context) }).ConfigureAwait(false);
         var state = context.Document.Current;
         var settings = _write(state.Settings, value);
-        if (MachineProfileValidation.Check(settings.Machine, MachineFamily.Limits) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);
+        if (MachineProfileValidation.Check(settings.Machine, MachineFamilies.Driver.Limits) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);
         context.Take(state with { Settings = settings });
     }
 }

@@ -2,7 +2,6 @@ using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Verification;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
