@@ -12,6 +12,8 @@ namespace Engraver.Galil.Jobs.Execution;
 /// <remarks>
 /// Over a network nothing repeats what the controller received. A sequence of lines is therefore sent as increments (LM, LI): a damaged one shifts the rest of the path up to its end, where the position shows it.
 /// A VP is absolute in its sequence: after a damaged vertex the next one is right again, and where segments are shorter than the distance between two polls the error would not be seen.
+/// With an arc in it a sequence must go as VP and CR (LM takes no CR, galil-dmc.md B.7). There a vertex moved beside the path by up to about sqrt((L + A/2)^2 - L^2) counts is not noticed, L the length of
+/// its segments and A what the path length may differ by: 62 counts for 100 segments of 60. What is farther off is.
 /// </remarks>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
 {
