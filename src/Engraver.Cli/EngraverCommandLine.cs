@@ -9,7 +9,7 @@ internal static class EngraverCommandLine
 {
     public static RootCommand Build(ConsoleStreams streams, GlobalOptions global, MachineInHand machine)
     {
-        var root = new RootCommand("Turns a drawing (DXF) into motion of a CNC engraver on a Galil DMC-2143, and drives it.");
+        var root = new RootCommand(Wording.Get("EngraverCommandLine.TurnsDrawingDxfInto"));
         global.AddTo(root);
         var host = new VerbHost(streams, global, machine);
         root.Subcommands.Add(InfoVerb.Build(host));

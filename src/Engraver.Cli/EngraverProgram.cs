@@ -54,11 +54,11 @@ public static class EngraverProgram
         }
         catch (OperationCanceledException) when (stop.IsCancellationRequested)
         {
-            return Say(streams, "Stopped by the operator.", ExitCode.StoppedByOperator);
+            return Say(streams, Wording.Get("EngraverProgram.StoppedOperator"), ExitCode.StoppedByOperator);
         }
         catch (IOException unwritable)
         {
-            return Say(streams, $"the result cannot be written: {unwritable.Message}", ExitCode.DrawingError);
+            return Say(streams, Wording.Get("EngraverProgram.ResultCannotWritten", unwritable.Message), ExitCode.DrawingError);
         }
         catch (Exception bug)
         {
@@ -68,12 +68,12 @@ public static class EngraverProgram
 
     private static async Task<int> InvokeAsync(string[] args, ConsoleStreams streams, CancellationToken stop)
     {
+        if (GlobalOptions.Language(args) is { } language) CultureInfo.CurrentUICulture = language;
         var global = new GlobalOptions();
         var machine = new MachineInHand();
         var root = EngraverCommandLine.Build(streams, global, machine);
         var parsed = root.Parse(args);
-        if (parsed.Errors.Count > 0) return Say(streams, (VerbSuggestion.For(args, root) ?? OneLine(parsed.Errors[0].Message)) + " See engraver --help.", ExitCode.Usage);
-        if (global.Culture(parsed) is { } culture) CultureInfo.CurrentUICulture = culture;
+        if (parsed.Errors.Count > 0) return Say(streams, Wording.Get("EngraverProgram.SeeEngraverHelp", VerbSuggestion.For(args, root) ?? OneLine(parsed.Errors[0].Message)), ExitCode.Usage);
         var settings = new InvocationConfiguration
         {
             EnableDefaultExceptionHandler = false,

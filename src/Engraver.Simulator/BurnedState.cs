@@ -53,7 +53,7 @@ internal sealed class BurnedState(Machine machine)
         foreach (var axis in machine.Motion.Axes)
         {
             (axis.Acceleration, axis.Deceleration) = (given.Acceleration, given.Acceleration);
-            if (axis.Index < given.AxisSpeeds.Count) axis.CruiseSpeed = given.AxisSpeeds[axis.Index];
+            if (axis.Index < given.AxisSpeeds.Count && given.AxisSpeeds[axis.Index] is { } speed) axis.CruiseSpeed = speed;
         }
 
         foreach (var plane in machine.Motion.Planes) Apply((given.VectorSpeed, given.Acceleration, given.Acceleration), plane);
@@ -83,5 +83,5 @@ internal sealed class BurnedState(Machine machine)
 /// <summary>What the owner of the machine burned with BN before the simulation begins (galil-dmc.md A.6); RS brings it back.</summary>
 /// <param name="VectorSpeed">VS of both planes, counts/s.</param>
 /// <param name="Acceleration">AC and DC of all axes, VA and VD of both planes, counts/s2.</param>
-/// <param name="AxisSpeeds">SP of the axes from A on, counts/s; those left out keep the factory value.</param>
-public sealed record BurnedMotion(int VectorSpeed, int Acceleration, IReadOnlyList<int> AxisSpeeds);
+/// <param name="AxisSpeeds">SP of the axes from A on, counts/s; null and those left out keep the factory value.</param>
+public sealed record BurnedMotion(int VectorSpeed, int Acceleration, IReadOnlyList<int?> AxisSpeeds);

@@ -1,3 +1,4 @@
+using System.Globalization;
 using Avalonia;
 using Engraver.SoftwarePlatform;
 using Engraver.SoftwarePlatform.Headless;
@@ -24,8 +25,13 @@ public sealed class DesktopFixture : IDisposable
     public void Dispose() => Runner.Dispose();
 
     /// <summary>Puts an operator before a new window, on the user interface thread, and closes everything when the test ends.</summary>
-    internal Task WithOperator(Action<Operator> test, string? folder = null) => Runner.RunAsync(() =>
+    /// <param name="test">What the operator does.</param>
+    /// <param name="folder">Where settings and journals are kept; null is a folder that is gone afterwards.</param>
+    /// <param name="language">In which the window speaks; null is English.</param>
+    internal Task WithOperator(Action<Operator> test, string? folder = null, CultureInfo? language = null) => Runner.RunAsync(() =>
     {
+        var spoken = CultureInfo.CurrentUICulture;
+        CultureInfo.CurrentUICulture = language ?? spoken;
         var kept = folder ?? Directory.CreateTempSubdirectory("desktop-").FullName;
         Operator = new Operator(this, kept);
         try
@@ -36,6 +42,7 @@ public sealed class DesktopFixture : IDisposable
         {
             Operator.Leave();
             Operator = null;
+            CultureInfo.CurrentUICulture = spoken;
             if (folder is null) Directory.Delete(kept, recursive: true);
         }
 

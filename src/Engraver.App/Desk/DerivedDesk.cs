@@ -1,6 +1,6 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
-using Engraver.Galil.Programs.Posting;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
@@ -11,7 +11,7 @@ namespace Engraver.App.Desk;
 /// <summary>What follows from the document, and where the tool of the playback stands in it, as the palettes want it. UI thread only.</summary>
 public sealed class DerivedDesk(CommandSession session)
 {
-    private DmcLines _lines = DmcLines.None;
+    private PostedLines _lines = PostedLines.None;
     private int? _segmentsDone;
 
     /// <summary>The tool of the playback stands somewhere else.</summary>
@@ -110,13 +110,13 @@ public sealed class DerivedDesk(CommandSession session)
 }
 
 /// <summary>A posted program cut into lines once.</summary>
-internal sealed record DmcLines(DmcPostText? Program, IReadOnlyList<string> Lines)
+internal sealed record PostedLines(PostText? Program, IReadOnlyList<string> Lines)
 {
-    public static DmcLines None { get; } = new(null, []);
+    public static PostedLines None { get; } = new(null, []);
 
-    public DmcLines Of(DmcPostText? program)
+    public PostedLines Of(PostText? program)
     {
         if (ReferenceEquals(program, Program)) return this;
-        return program is null ? None : new DmcLines(program, program.Text.TrimEnd('\n').Split('\n'));
+        return program is null ? None : new PostedLines(program, program.Text.TrimEnd('\n').Split('\n'));
     }
 }

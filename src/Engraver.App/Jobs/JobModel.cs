@@ -50,7 +50,7 @@ public sealed class JobModel : Observable
         var figures = new List<PropertyLine>
         {
             new(Text.Get("Job.Start"), string.Create(CultureInfo.InvariantCulture, $"{settings.Start.X:0.###}, {settings.Start.Y:0.###}")),
-            new(Text.Get("Job.Order"), settings.Order.ToString()),
+            new(Text.Get("Job.Order"), Text.Get("StrokeOrder." + settings.Order)),
             new(Text.Get("Job.Feed"), Text.Get("Job.MillimetresPerMinute", settings.Machine.FeedMmPerMinute)),
             new(Text.Get("Job.Rapid"), Text.Get("Job.MillimetresPerMinute", settings.Machine.RapidMmPerMinute)),
         };

@@ -64,7 +64,7 @@ public sealed class PropertiesModel : Observable
     private static IEnumerable<PropertyLine> Slots(TableRow row)
     {
         yield return new PropertyLine(Text.Get("Properties.Row", row.Index + 1), "", IsHead: true);
-        for (var slot = 0; slot < EntitySlot.Count; slot++) yield return new PropertyLine($"{SlotNames.All[slot]} {SlotNames.Units[slot]}".TrimEnd(), row.Figure(slot));
+        for (var slot = 0; slot < EntitySlot.Count; slot++) yield return new PropertyLine($"{SlotNames.NameOf(slot)} {SlotNames.UnitOf(slot)}".TrimEnd(), row.Figure(slot));
     }
 
     private static IEnumerable<int> RowsOf(EntityTable table, int entity) => Enumerable.Range(0, table.Count).Where(row => table.EntityIndexOf(row) == entity);

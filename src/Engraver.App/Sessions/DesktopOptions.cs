@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.App.Texts;
 
 namespace Engraver.App.Sessions;
 
@@ -40,13 +41,13 @@ public sealed record DesktopOptions
             if (word == "--headless") options = options with { Headless = true };
             else if (!word.StartsWith("--", StringComparison.Ordinal))
             {
-                if (options.File is not null) return (null, $"One drawing at a time: '{word}' is one too many.");
+                if (options.File is not null) return (null, Text.Get("Options.OneDrawing", word));
                 options = options with { File = word };
             }
             else
             {
-                if (at + 1 == words.Count) return (null, $"{word} is no option of the desktop, or its value is missing.");
-                if (options.With(word, words[++at]) is not { } next) return (null, $"'{word} {words[at]}' is no option of the desktop.");
+                if (at + 1 == words.Count) return (null, Text.Get("Options.NoValue", word));
+                if (options.With(word, words[++at]) is not { } next) return (null, Text.Get("Options.Unknown", word, words[at]));
                 options = next;
             }
         }

@@ -42,8 +42,8 @@ public sealed class SlotCells : Control
         Write(context, "#", RightOf(-1), -UnitBelow);
         for (var slot = 0; slot < EntitySlot.Count; slot++)
         {
-            Write(context, SlotNames.All[slot], RightOf(slot), -UnitBelow);
-            Write(context, SlotNames.Units[slot], RightOf(slot), UnitBelow);
+            Write(context, SlotNames.NameOf(slot), RightOf(slot), -UnitBelow);
+            Write(context, SlotNames.UnitOf(slot), RightOf(slot), UnitBelow);
         }
     }
 

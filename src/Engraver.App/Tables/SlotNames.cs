@@ -7,12 +7,16 @@ namespace Engraver.App.Tables;
 /// <summary>What the 16 slots are called, and in which unit they are.</summary>
 public static class SlotNames
 {
-    public static IReadOnlyList<string> All { get; } = [.. Enumerable.Range(0, EntitySlot.Count).Select(slot => Text.Get("Slot." + slot.ToString(CultureInfo.InvariantCulture)))];
+    public static IReadOnlyList<string> All => [.. Enumerable.Range(0, EntitySlot.Count).Select(NameOf)];
+
+    /// <summary>The name of one slot.</summary>
+    public static string NameOf(int slot) => Text.Get("Slot." + slot.ToString(CultureInfo.InvariantCulture));
 
     /// <summary>Empty for a slot that is a count or a kind.</summary>
-    public static IReadOnlyList<string> Units { get; } = [.. Enumerable.Range(0, EntitySlot.Count).Select(UnitOf)];
+    public static IReadOnlyList<string> Units => [.. Enumerable.Range(0, EntitySlot.Count).Select(UnitOf)];
 
-    private static string UnitOf(int slot) => slot switch
+    /// <summary>The unit of one slot; empty where there is none.</summary>
+    public static string UnitOf(int slot) => slot switch
     {
         >= EntitySlot.StartX and <= EntitySlot.Radius => Text.Get("SlotUnit.Length"),
         EntitySlot.StartAngle or EntitySlot.EndAngle or EntitySlot.Sweep => Text.Get("SlotUnit.Angle"),

@@ -16,11 +16,11 @@ internal static class ConnectOption
         var word = result.Tokens[0].Value;
         if (!ControllerAddress.TryParse(word, out var address))
         {
-            result.AddError($"--connect: '{word}' is no controller address; write {ControllerAddress.Forms}.");
+            result.AddError(Wording.Get("ConnectOption.ConnectNoControllerAddress", word, ControllerAddress.Forms));
             return null;
         }
 
-        if (address is SerialAddress && MachineFamily.WhyNoSerialLine is { } why) result.AddError($"--connect: {why}");
+        if (MachineFamilies.Of(address).WhyNot(address) is { } why) result.AddError(Wording.Get("ConnectOption.Connect", why));
         return address;
     }
 }

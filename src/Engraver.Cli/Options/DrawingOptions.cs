@@ -16,7 +16,7 @@ internal sealed class DrawingOptions
 {
     private static readonly DrawingSettings s_defaults = new();
 
-    private readonly Argument<string> _file = new("FILE") { Description = "The drawing: a DXF of any version, ASCII or binary." };
+    private readonly Argument<string> _file = new("FILE") { Description = Wording.Get("DrawingOptions.DrawingDxfAnyVersion") };
     private readonly Option<IReadOnlyList<string>?> _layers = Described<IReadOnlyList<string>?>(SettingTable.Layers, OptionValue.Names);
     private readonly Option<IReadOnlyList<string>?> _skip = Described<IReadOnlyList<string>?>(SettingTable.SkippedLayers, OptionValue.Names);
     private readonly Option<string> _units = Choice(SettingTable.Units, "auto");
@@ -67,7 +67,7 @@ internal sealed class DrawingOptions
         null => null,
         _ when OptionValue.TryPoint(word) is { } point => new EnteringPlace.ByPoint(point),
         _ when word.Length <= 16 && word.All(char.IsAsciiHexDigit) => new EnteringPlace.ByHandle(word),
-        _ => throw new UsageException($"--enter: '{word}' is neither a point X,Y nor a hexadecimal handle."),
+        _ => throw new UsageException(Wording.Get("DrawingOptions.EnterNeitherPointX", word)),
     };
 
     /// <summary>Name, argument and help come from the one description of the setting.</summary>
@@ -98,6 +98,6 @@ internal sealed class DrawingOptions
         var profile = parsed.GetValue(_machine) is { } path ? MachineProfileSource.Load(path) : MachineProfile.Default;
         if (parsed.GetValue(_feed) is not { } feed) return profile;
         var fed = profile with { FeedMmPerMinute = feed };
-        return MachineProfileValidation.IsFeed(feed, profile, MachineFamily.Limits) ? fed : throw new UsageException($"--feed {feed.ToString("R", CultureInfo.InvariantCulture)}: the machine cuts {MachineProfileValidation.FeedRange(profile, MachineFamily.Limits)} mm/min.");
+        return MachineProfileValidation.IsFeed(feed, profile, MachineFamilies.Driver.Limits) ? fed : throw new UsageException(Wording.Get("DrawingOptions.FeedMachineCutsMm", feed.ToString("R", CultureInfo.InvariantCulture), MachineProfileValidation.FeedRange(profile, MachineFamilies.Driver.Limits)));
     }
 }

@@ -1,17 +1,18 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Engraver.Core.Languages;
 
 namespace Engraver.Cli.Options;
 
 /// <summary>Options that every verb takes.</summary>
 internal sealed class GlobalOptions
 {
-    private readonly Option<bool> _quiet = new("--quiet") { Description = "Only errors on standard error, no progress.", Recursive = true };
-    private readonly Option<bool> _verbose = new("--verbose") { Description = "Also diagnostics of severity info.", Recursive = true };
+    private readonly Option<bool> _quiet = new("--quiet") { Description = Wording.Get("GlobalOptions.OnlyErrorsOnStandard"), Recursive = true };
+    private readonly Option<bool> _verbose = new("--verbose") { Description = Wording.Get("GlobalOptions.AlsoDiagnosticsSeverityInfo"), Recursive = true };
     private readonly Option<CultureInfo?> _culture = new("--culture")
     {
-        Description = "Language of the texts (a culture name); numbers always keep the point.",
+        Description = Wording.Get("GlobalOptions.LanguageTextsCultureName"),
         HelpName = "NAME",
         Recursive = true,
         CustomParser = ParseCulture,
@@ -28,18 +29,31 @@ internal sealed class GlobalOptions
 
     public bool Verbose(ParseResult parsed) => parsed.GetValue(_verbose);
 
-    public CultureInfo? Culture(ParseResult parsed) => parsed.GetValue(_culture);
+    /// <summary>The language that the arguments ask for. Help and refusals are said in it too, so it is looked for before anything is parsed; null when there is none, or none that is known.</summary>
+    public static CultureInfo? Language(string[] args)
+    {
+        const string Name = "--culture";
+        var at = Array.FindLastIndex(args, word => word == Name || word.StartsWith(Name + "=", StringComparison.Ordinal) || word.StartsWith(Name + ":", StringComparison.Ordinal));
+        if (at < 0 || (args[at] == Name && at + 1 == args.Length)) return null;
+        return Find(args[at] == Name ? args[at + 1] : args[at][(Name.Length + 1)..]);
+    }
 
     private static CultureInfo? ParseCulture(ArgumentResult result)
     {
         var name = result.Tokens[0].Value;
+        var culture = Find(name);
+        if (culture is null) result.AddError(Wording.Get("GlobalOptions.NotCultureNameUse", name));
+        return culture;
+    }
+
+    private static CultureInfo? Find(string name)
+    {
         try
         {
-            return CultureInfo.GetCultureInfo(name, predefinedOnly: true);
+            return CultureInfo.GetCultureInfo(name, predefinedOnly: !name.Equals(PseudoLanguage.CultureName, StringComparison.OrdinalIgnoreCase));
         }
         catch (CultureNotFoundException)
         {
-            result.AddError($"'{name}' is not a culture name; use one like en-GB or de-DE.");
             return null;
         }
     }

@@ -8,7 +8,7 @@ internal static class ModeOption
 {
     public static Option<string> New()
     {
-        var option = new Option<string>("--mode") { Description = "stream: vector sequences fed live; calls: the paper's #LINEAR and #CIRC; program: the job downloaded and run in the controller, chunk by chunk.", DefaultValueFactory = _ => "stream" };
+        var option = new Option<string>("--mode") { Description = Wording.Get("ModeOption.StreamVectorSequencesFed"), DefaultValueFactory = _ => "stream" };
         option.AcceptOnlyFromAmong("stream", "calls", "program");
         return option;
     }

@@ -8,15 +8,15 @@ namespace Engraver.Cli.Options;
 /// <summary>How the words of the command line become values: invariant numbers only, and a clear sentence when a word cannot be read.</summary>
 internal static class OptionValue
 {
-    public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, "a number above 0");
+    public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, Wording.Get("OptionValue.NumberAbove"));
 
-    public static double NumberFromZero(ArgumentResult result) => Number(result, value => value >= 0.0, "a number, 0 or more");
+    public static double NumberFromZero(ArgumentResult result) => Number(result, value => value >= 0.0, Wording.Get("OptionValue.NumberOrMore"));
 
     public static Point2D Point(ArgumentResult result)
     {
         var word = result.Tokens[0].Value;
         if (TryPoint(word) is { } point) return point;
-        result.AddError($"{Name(result)}: '{word}' is not a point; write X,Y in millimetres with a decimal point, for example 12.5,-3.");
+        result.AddError(Wording.Get("OptionValue.NotPointWriteX", Name(result), word));
         return default;
     }
 
@@ -33,7 +33,7 @@ internal static class OptionValue
         foreach (var word in Names(result))
         {
             if (char.IsAsciiLetter(word[0]) && Enum.TryParse<CutChoice>(word, ignoreCase: true, out var one)) choice |= one;
-            else result.AddError($"{Name(result)}: '{word}' cannot be cut; name some of hatch, mline, leader, helix, solid.");
+            else result.AddError(Wording.Get("OptionValue.CannotCutNameSome", Name(result), word));
         }
 
         return choice;
@@ -46,7 +46,7 @@ internal static class OptionValue
     {
         var word = result.Tokens[0].Value;
         if (TryNumber(word, out var value) && allowed(value)) return value;
-        result.AddError($"{Name(result)}: '{word}' is not {wanted}.");
+        result.AddError(Wording.Get("OptionValue.Not", Name(result), word, wanted));
         return double.NaN;
     }
 

@@ -15,7 +15,7 @@ internal sealed class PlacementOptions
     private readonly Option<OriginRequest> _origin = new("--origin")
     {
         HelpName = "work|here|X,Y",
-        Description = "Where the drawing's zero lies: the machine's active work origin, so that the machine stands at --start, or a machine position in mm.",
+        Description = Wording.Get("Placement.Origin"),
         DefaultValueFactory = _ => new OriginRequest.Work(),
         CustomParser = ParseOrigin,
     };
@@ -23,7 +23,7 @@ internal sealed class PlacementOptions
     private readonly Option<FinishPlace> _finish = new("--finish")
     {
         HelpName = "origin|stay|park",
-        Description = "Where the machine goes behind the last stroke, tool off: the drawing point --start, nowhere, or the park position of the machine profile.",
+        Description = Wording.Get("Placement.Finish"),
         CustomParser = ParseFinish,
     };
 
@@ -37,7 +37,7 @@ internal sealed class PlacementOptions
 
     /// <exception cref="SettingException">The profile has no park position.</exception>
     public FinishPlace Finish(ParseResult parsed, MachineProfile profile) => parsed.GetValue(_finish) is FinishPlace.Park && profile.Park is null
-        ? throw new SettingException("--finish park: the machine profile has no park position; give parkX and parkY in the file of --machine.")
+        ? throw new SettingException(Wording.Get("Placement.NoPark"))
         : parsed.GetValue(_finish);
 
     /// <summary>Who runs, for another host that comes meanwhile.</summary>
@@ -52,7 +52,7 @@ internal sealed class PlacementOptions
         if (word == "work") return new OriginRequest.Work();
         if (word == "here") return new OriginRequest.Here();
         if (TryPlace(word) is { } place) return new OriginRequest.Given(place);
-        result.AddError($"--origin: '{word}' is neither work nor here nor a machine position X,Y in mm.");
+        result.AddError(Wording.Get("Placement.NoOrigin", word));
         return new OriginRequest.Work();
     }
 
@@ -68,7 +68,7 @@ internal sealed class PlacementOptions
             case "stay": return FinishPlace.Stay;
             case "park": return FinishPlace.Park;
             default:
-                result.AddError($"--finish: '{result.Tokens[0].Value}' is neither origin nor stay nor park.");
+                result.AddError(Wording.Get("Placement.NoFinish", result.Tokens[0].Value));
                 return FinishPlace.Origin;
         }
     }

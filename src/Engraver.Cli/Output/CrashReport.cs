@@ -13,11 +13,11 @@ internal static class CrashReport
         try
         {
             File.WriteAllText(path, report);
-            return $"internal error ({bug.GetType().Name}: {bug.Message}). A crash report stands in {path}; please send it with the drawing.";
+            return Wording.Get("CrashReport.InternalErrorCrashReport", bug.GetType().Name, bug.Message, path);
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            return $"internal error ({bug.GetType().Name}: {bug.Message}), and no crash report could be written: {unwritable.Message}";
+            return Wording.Get("CrashReport.InternalErrorNoCrash", bug.GetType().Name, bug.Message, unwritable.Message);
         }
     }
 }

@@ -13,17 +13,17 @@ internal static class CrossCheckReport
         try
         {
             var differences = CrossCheck.Read(File.ReadAllBytes(read.FileName)).DifferencesFrom(summary);
-            foreach (var difference in differences) error.WriteLine($"{read.FileName}: second reading differs: {difference}");
-            if (differences.Count == 0) error.WriteLine($"{read.FileName}: the second reading agrees (curves by type, length, extents).");
+            foreach (var difference in differences) error.WriteLine(Wording.Get("CrossCheckReport.SecondReadingDiffers", read.FileName, difference));
+            if (differences.Count == 0) error.WriteLine(Wording.Get("CrossCheckReport.SecondReadingAgreesCurves", read.FileName));
             return differences.Count == 0;
         }
         catch (CrossCheckException beyond)
         {
-            error.WriteLine($"{read.FileName}: no second reading: the drawing has {beyond.Message}.");
+            error.WriteLine(Wording.Get("CrossCheckReport.NoSecondReadingDrawing", read.FileName, beyond.Message));
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            error.WriteLine($"{read.FileName}: no second reading: {unreadable.Message}");
+            error.WriteLine(Wording.Get("CrossCheckReport.NoSecondReading", read.FileName, unreadable.Message));
         }
 
         return false;

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
-using Engraver.Galil.Programs.Timing;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Output;
@@ -21,10 +20,10 @@ internal static class PlanReport
 
     public static void Text(TextWriter output, PlanJson plan)
     {
-        output.WriteLine(Invariant($"{plan.CutLength:0.###} mm to cut, {plan.Travel:0.###} mm of travel"));
+        output.WriteLine(Wording.Get("PlanReport.MmCutMmTravel", plan.CutLength, plan.Travel));
         if (plan.Seconds is not { } seconds) return;
-        output.WriteLine(Invariant($"{seconds.Total:0.0} s: {seconds.Cutting:0.0} s cutting, {seconds.Rapid:0.0} s rapid, {seconds.Dwell:0.0} s standing"));
-        output.WriteLine(Invariant($"at most {plan.PeakSpeed:0.###} mm/s along the path and {plan.PeakAxisAcceleration:0.#} mm/s2 of one axis"));
+        output.WriteLine(Wording.Get("PlanReport.CuttingRapidStanding", seconds.Total, seconds.Cutting, seconds.Rapid, seconds.Dwell));
+        output.WriteLine(Wording.Get("PlanReport.MostMmAlongPath", plan.PeakSpeed, plan.PeakAxisAcceleration));
     }
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

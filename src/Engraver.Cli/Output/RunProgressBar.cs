@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Machines;
 using Spectre.Console;
 
@@ -15,7 +14,7 @@ internal static class RunProgressBar
             .AutoClear(true)
             .HideCompleted(false)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn())
-            .StartAsync(context => run(new Bar(context.AddTask("connecting", maxValue: Math.Max(1, program.SegmentCount)), program.Strokes.Count)));
+            .StartAsync(context => run(new Bar(context.AddTask(Wording.Get("RunProgressBar.Connecting"), maxValue: Math.Max(1, program.SegmentCount)), program.Strokes.Count)));
     }
 
     private sealed class Bar(ProgressTask task, int strokes) : IProgress<JobProgress>
@@ -23,9 +22,7 @@ internal static class RunProgressBar
         public void Report(JobProgress value)
         {
             task.Value = value.SegmentsExecuted;
-            task.Description = string.Create(
-                CultureInfo.InvariantCulture,
-                $"stroke {value.Stroke + 1}/{strokes}, tool {(value.ToolOn ? "on " : "off")}, {value.Seconds:0.0} s");
+            task.Description = Wording.Get("RunProgressBar.StrokeTool", value.Stroke + 1, strokes, value.ToolOn ? Wording.Get("RunProgressBar.On") : Wording.Get("RunProgressBar.Off"), value.Seconds);
         }
     }
 }

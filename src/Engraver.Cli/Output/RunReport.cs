@@ -35,11 +35,11 @@ internal static class RunReport
         new(OutcomeText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts, null);
 
     private static RunJson.OriginJson? Origin(DrawingSettings settings, PlacementResult? placement) => placement is { Frame: { } frame }
-        ? new(frame.X / settings.Machine.CountsPerMillimetreX, frame.Y / settings.Machine.CountsPerMillimetreY, placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })
+        ? new(frame.X / settings.Machine.Scale.X, frame.Y / settings.Machine.Scale.Y, placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })
         : null;
 
     /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);
 
-    private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.CountsPerMillimetreX, settings.Machine.CountsPerMillimetreY);
+    private static RunJson.ScaleJson Scale(DrawingSettings settings) => new(settings.Machine.Scale.X, settings.Machine.Scale.Y);
 }

@@ -41,11 +41,11 @@ internal sealed record StatusJson(
     public IEnumerable<string> Text()
     {
         yield return $"{State}, {Model}";
-        yield return $"machine {Place(Machine.X, Machine.Y)}";
-        yield return Work.X is null ? $"work    {Work.Name} is not set" : $"work    {Work.Name} {Place(Work.X, Work.Y)}";
+        yield return Wording.Get("Status.Machine", Place(Machine.X, Machine.Y));
+        yield return Work.X is null ? Wording.Get("Status.WorkNotSet", Work.Name) : Wording.Get("Status.Work", Work.Name, Place(Work.X, Work.Y));
     }
 
-    private static string Place(double? x, double? y) => x is { } atX && y is { } atY ? FormattableString.Invariant($"X {atX:0.###} Y {atY:0.###} mm") : "not known";
+    private static string Place(double? x, double? y) => x is { } atX && y is { } atY ? Wording.Get("Status.Place", atX, atY) : Wording.Get("Status.NotKnown");
 
     private static string StateText(MachineState state) => state switch
     {

@@ -11,8 +11,8 @@ internal static class VerbSuggestion
         if (args.Length == 0 || args[0].StartsWith('-') || root.Subcommands.Any(verb => verb.Name == args[0])) return null;
         var nearest = root.Subcommands.MinBy(verb => Distance(args[0], verb.Name));
         return nearest is not null && Distance(args[0], nearest.Name) <= Math.Max(1, args[0].Length / 2)
-            ? $"There is no verb '{args[0]}'; did you mean '{nearest.Name}'?"
-            : $"There is no verb '{args[0]}'; there are {string.Join(", ", root.Subcommands.Select(verb => verb.Name))}.";
+            ? Wording.Get("VerbSuggestion.ThereNoVerbDid", args[0], nearest.Name)
+            : Wording.Get("VerbSuggestion.ThereNoVerbThere", args[0], string.Join(", ", root.Subcommands.Select(verb => verb.Name)));
     }
 
     /// <summary>Levenshtein: letters to change, add or leave out.</summary>

@@ -1,5 +1,4 @@
-using System.Globalization;
-using Engraver.Workbench.Composition;
+using Engraver.Core.Posts;
 using Engraver.Workbench.Verification;
 using Spectre.Console;
 
@@ -16,7 +15,7 @@ internal static class VerifyProgressBar
             .AutoClear(true)
             .HideCompleted(false)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn())
-            .StartAsync(context => verify(new Bar(context.AddTask("reading", maxValue: 1.0))));
+            .StartAsync(context => verify(new Bar(context.AddTask(Wording.Get("VerifyProgressBar.Reading"), maxValue: 1.0))));
     }
 
     private sealed class Bar(ProgressTask task) : IProgress<ReplayProgress>
@@ -24,7 +23,7 @@ internal static class VerifyProgressBar
         public void Report(ReplayProgress value)
         {
             task.Value = value.Fraction;
-            task.Description = string.Create(CultureInfo.InvariantCulture, $"program {value.Chunk} of {value.Chunks}, {value.MachineTime.TotalSeconds:0} s of machine time");
+            task.Description = Wording.Get("VerifyProgressBar.ProgramMachineTime", value.Chunk, value.Chunks, value.MachineTime.TotalSeconds);
         }
     }
 }

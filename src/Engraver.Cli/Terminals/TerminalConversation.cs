@@ -1,10 +1,9 @@
 using Engraver.Core.Machines;
-using Engraver.Galil.Terminals;
 
 namespace Engraver.Cli.Terminals;
 
 /// <summary>A terminal with somebody at it: lines from a pipe one after the other, or keys from a person.</summary>
-internal sealed class TerminalConversation(MachineTerminal terminal, TerminalScreen screen, TimeProvider time)
+internal sealed class TerminalConversation(IMachineTerminal terminal, TerminalScreen screen, TimeProvider time)
 {
     /// <summary>Between two looks at the keyboard, and at what programs print meanwhile.</summary>
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(50);
@@ -15,14 +14,14 @@ internal sealed class TerminalConversation(MachineTerminal terminal, TerminalScr
     /// <summary>Answers every line up to the end or <c>quit</c>; what programs print at the end is shown too.</summary>
     public async Task RunAsync(TextReader lines, CancellationToken stop)
     {
-        while (await NextAsync(lines, stop).ConfigureAwait(false) is { } line && TerminalLine.Read(line) is not TerminalLine.Quit) await AnswerAsync(line, stop).ConfigureAwait(false);
+        while (await NextAsync(lines, stop).ConfigureAwait(false) is { } line && !terminal.Ends(line)) await AnswerAsync(line, stop).ConfigureAwait(false);
         foreach (var message in await terminal.PollAsync(stop).ConfigureAwait(false)) screen.Show(message);
     }
 
     /// <summary>The same with a line editor. What was refused is no failure of the program: the operator has seen it.</summary>
     public async Task RunKeysAsync(CancellationToken stop)
     {
-        while (await TypeAsync(stop).ConfigureAwait(false) is var line && TerminalLine.Read(line) is not TerminalLine.Quit) await AnswerAsync(line, stop).ConfigureAwait(false);
+        while (await TypeAsync(stop).ConfigureAwait(false) is var line && !terminal.Ends(line)) await AnswerAsync(line, stop).ConfigureAwait(false);
         Code = ExitCode.Done;
     }
 

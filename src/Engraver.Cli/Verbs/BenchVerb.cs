@@ -12,12 +12,12 @@ internal static class BenchVerb
     {
         var sizes = new Argument<int[]>("ENTITIES")
         {
-            Description = "Lines in the measured drawings (default 1000 10000 100000).",
+            Description = Wording.Get("Bench.LinesMeasuredDrawingsDefault"),
             Arity = ArgumentArity.ZeroOrMore,
             DefaultValueFactory = _ => [1_000, 10_000, 100_000],
             CustomParser = Sizes,
         };
-        var command = new Command("bench", "Measures every stage on seeded drawings: processor time and memory, as a table.") { sizes };
+        var command = new Command("bench", Wording.Get("Bench.MeasuresEveryStageOn")) { sizes };
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(sizes), stop));
         return command;
     }
@@ -47,7 +47,7 @@ internal static class BenchVerb
         foreach (var token in result.Tokens)
         {
             if (int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var size) && size is > 0 and <= 10_000_000) sizes.Add(size);
-            else result.AddError($"ENTITIES: '{token.Value}' is not a number from 1 to 10000000.");
+            else result.AddError(Wording.Get("Bench.EntitiesNotNumberFrom", token.Value));
         }
 
         return [.. sizes];

@@ -9,14 +9,14 @@ namespace Engraver.Cli.Verbs;
 internal sealed class DesktopVerb
 {
     private const string Program = "engraver-desktop";
-    private readonly Argument<string?> _file = new("FILE") { Description = "A drawing to open.", Arity = ArgumentArity.ZeroOrOne };
-    private readonly Option<string?> _script = new("--script") { Description = "Commands to run once the window stands.", HelpName = "FILE.scr" };
-    private readonly Option<bool> _headless = new("--headless") { Description = "Needs no display; ends when script and picture are done." };
-    private readonly Option<string?> _screenshot = new("--screenshot") { Description = "Where a picture of the window is written after the script.", HelpName = "OUT.png" };
-    private readonly Option<string?> _size = new("--size") { Description = "Size of the window.", HelpName = "1280x800" };
-    private readonly Option<double?> _scale = new("--scale") { Description = "Pixels for each unit.", HelpName = "1.0" };
+    private readonly Argument<string?> _file = new("FILE") { Description = Wording.Get("Desktop.DrawingOpen"), Arity = ArgumentArity.ZeroOrOne };
+    private readonly Option<string?> _script = new("--script") { Description = Wording.Get("Desktop.CommandsRunOnceWindow"), HelpName = "FILE.scr" };
+    private readonly Option<bool> _headless = new("--headless") { Description = Wording.Get("Desktop.NeedsNoDisplayEnds") };
+    private readonly Option<string?> _screenshot = new("--screenshot") { Description = Wording.Get("Desktop.WherePictureWindowWritten"), HelpName = "OUT.png" };
+    private readonly Option<string?> _size = new("--size") { Description = Wording.Get("Desktop.SizeWindow"), HelpName = "1280x800" };
+    private readonly Option<double?> _scale = new("--scale") { Description = Wording.Get("Desktop.PixelsEachUnit"), HelpName = "1.0" };
 
-    private readonly Option<string?> _benchmark = new("--benchmark") { Description = "Measures instead of opening: start, canvas or stop.", HelpName = "WHAT", Hidden = true };
+    private readonly Option<string?> _benchmark = new("--benchmark") { Description = Wording.Get("Desktop.MeasuresInsteadOpeningStart"), HelpName = "WHAT", Hidden = true };
 
     private DesktopVerb()
     {
@@ -25,7 +25,7 @@ internal sealed class DesktopVerb
     public static Command Build()
     {
         var verb = new DesktopVerb();
-        var command = new MachineCommand("desktop", "Opens the operator desktop (exit code 6 without a display).");
+        var command = new MachineCommand("desktop", Wording.Get("Desktop.OpensOperatorDesktopExit"));
         verb._file.Validators.Add(NoOption);
         command.Arguments.Add(verb._file);
         foreach (var option in (Option[])[verb._script, verb._headless, verb._screenshot, verb._size, verb._scale, verb._benchmark]) command.Options.Add(option);
@@ -47,11 +47,11 @@ internal sealed class DesktopVerb
     private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
     {
         var program = Candidates(AppContext.BaseDirectory).FirstOrDefault(File.Exists)
-            ?? throw new UsageException($"The desktop is not there: {Program} was not found beside {AppContext.BaseDirectory}. Build or publish Engraver.App.");
+            ?? throw new UsageException(Wording.Get("Desktop.DesktopNotThereNot", Program, AppContext.BaseDirectory));
         var start = new ProcessStartInfo(Dotnet()) { UseShellExecute = false };
         start.ArgumentList.Add(Path.GetFullPath(program));
         foreach (var word in Words(parsed)) start.ArgumentList.Add(word);
-        using var desktop = Process.Start(start) ?? throw new UsageException($"{program} could not be started.");
+        using var desktop = Process.Start(start) ?? throw new UsageException(Wording.Get("Desktop.CouldNotStarted", program));
         await using var asked = stop.Register(() => AskToEnd(desktop.Id)).ConfigureAwait(false);
         await desktop.WaitForExitAsync(CancellationToken.None).ConfigureAwait(false);
         return desktop.ExitCode;
@@ -62,7 +62,7 @@ internal sealed class DesktopVerb
     {
         foreach (var token in result.Tokens)
         {
-            if (token.Value.StartsWith("--", StringComparison.Ordinal)) result.AddError($"Unrecognized option '{token.Value}'.");
+            if (token.Value.StartsWith("--", StringComparison.Ordinal)) result.AddError(Wording.Get("Desktop.UnrecognizedOption", token.Value));
         }
     }
 

@@ -15,16 +15,16 @@ namespace Engraver.Cli.Verbs;
 internal sealed class HandVerbs
 {
     private readonly VerbHost _host;
-    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, "Where the controller is; as for run.");
+    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, Wording.Get("Hand.Connect"));
     private readonly Option<bool> _json = JsonOption.New();
-    private readonly Option<string?> _profile = new("--machine") { HelpName = "PROFILE.json", Description = "The machine profile: counts per millimetre, speeds, park position." };
+    private readonly Option<string?> _profile = new("--machine") { HelpName = "PROFILE.json", Description = Wording.Get("Hand.Machine") };
 
     private HandVerbs(VerbHost host) => _host = host;
 
     public static Command Status(VerbHost host)
     {
         var verb = new HandVerbs(host);
-        var command = verb.Command("status", "Says what the machine is doing and where it stands.");
+        var command = verb.Command("status", Wording.Get("Hand.Status"));
         command.SetAction((parsed, stop) => verb.WithMachineAsync(parsed, (_, _) => Task.FromResult(ExitCode.Done), stop));
         return command;
     }
@@ -32,14 +32,14 @@ internal sealed class HandVerbs
     public static Command Zero(VerbHost host)
     {
         var verb = new HandVerbs(host);
-        var x = new Option<bool>("--x") { Description = "Only X becomes 0 here." };
-        var y = new Option<bool>("--y") { Description = "Only Y becomes 0 here." };
-        var name = new Option<string?>("--origin") { HelpName = "G54", Description = "The work origin that is set and becomes the active one, G54 to G59 (default: the active one)." };
+        var x = new Option<bool>("--x") { Description = Wording.Get("Hand.ZeroX") };
+        var y = new Option<bool>("--y") { Description = Wording.Get("Hand.ZeroY") };
+        var name = new Option<string?>("--origin") { HelpName = "G54", Description = Wording.Get("Hand.ZeroOrigin") };
         name.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && WorkOriginNames.Find(token.Value) is null) result.AddError($"--origin: '{token.Value}' is none of {string.Join(", ", WorkOriginNames.All)}.");
+            if (result.Tokens is [var token] && WorkOriginNames.Find(token.Value) is null) result.AddError(Wording.Get("Hand.NoSuchOrigin", token.Value, string.Join(", ", WorkOriginNames.All)));
         });
-        var command = verb.Command("zero", "The place where the machine stands becomes the drawing's zero, in X and Y or in one of them.");
+        var command = verb.Command("zero", Wording.Get("Hand.Zero"));
         foreach (var option in (Option[])[x, y, name]) command.Options.Add(option);
         command.SetAction((parsed, stop) => verb.WithMachineAsync(
             parsed,
@@ -59,13 +59,13 @@ internal sealed class HandVerbs
     public static Command GoTo(VerbHost host)
     {
         var verb = new HandVerbs(host);
-        var place = new Argument<string>("X,Y") { Description = "Where to, millimetres of the drawing through the active work origin." };
+        var place = new Argument<string>("X,Y") { Description = Wording.Get("Hand.Place") };
         place.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && PlacementOptions.TryPlace(token.Value) is null) result.AddError($"'{token.Value}' is no place; write X,Y in mm.");
+            if (result.Tokens is [var token] && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.NoPlace", token.Value));
         });
-        var byMachine = new Option<bool>("--machine-position") { Description = "X,Y count from the controller's own zero." };
-        var command = verb.Command("goto", "Moves the machine at rapid speed with the tool off.");
+        var byMachine = new Option<bool>("--machine-position") { Description = Wording.Get("Hand.ByMachine") };
+        var command = verb.Command("goto", Wording.Get("Hand.GoTo"));
         command.Arguments.Add(place);
         command.Options.Add(byMachine);
         command.SetAction((parsed, stop) => verb.WithMachineAsync(
@@ -96,11 +96,11 @@ internal sealed class HandVerbs
         if (!byMachine)
         {
             var found = await machine.PlaceAsync(new MotionProgram(machine.Profile, default, []), stop).ConfigureAwait(false);
-            if (found?.Frame is not { } frame) return NotMoved(found?.Refusal is { } refused ? SettingWording.OnConsole(refused).Message : "Nobody knows where the drawing's zero lies.");
+            if (found?.Frame is not { } frame) return NotMoved(found?.Refusal is { } refused ? SettingWording.OnConsole(refused).Message : Wording.Get("Hand.PlaceNotKnown"));
             zero = frame;
         }
 
-        if (!scale.Holds(Bounds2D.FromCorners(place, place), new CountsPoint(-zero.X, -zero.Y))) return NotMoved("That place cannot be counted in the controller's 32 bits.");
+        if (!scale.Holds(Bounds2D.FromCorners(place, place), new CountsPoint(-zero.X, -zero.Y))) return NotMoved(Wording.Get("Hand.NotCountable"));
         var at = scale.ToCounts(place);
         var result = await machine.GoToAsync(new CountsPoint(at.X + zero.X, at.Y + zero.Y), JournalFolder.NewJournal("goto", TimeProvider.System), stop).ConfigureAwait(false);
         if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Sentence}");
@@ -109,7 +109,7 @@ internal sealed class HandVerbs
 
     private int NotMoved(string why)
     {
-        _host.Error.WriteLine($"engraver: not moved: {why}");
+        _host.Error.WriteLine(Wording.Get("Hand.NotMoved", why));
         return ExitCode.DrawingError;
     }
 }

@@ -16,8 +16,8 @@ internal static class InfoVerb
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
-        var twice = new Option<bool>("--twice") { Description = "Read the file a second time with other, simpler code and compare; exit 1 when the two differ." };
-        var command = new Command("info", "Says what is in a drawing and what was not read.");
+        var twice = new Option<bool>("--twice") { Description = Wording.Get("Info.ReadFileSecondTime") };
+        var command = new Command("info", Wording.Get("Info.SaysWhatDrawingWhat"));
         drawing.AddTo(command);
         command.Options.Add(json);
         command.Options.Add(twice);

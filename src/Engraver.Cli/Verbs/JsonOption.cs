@@ -4,5 +4,5 @@ namespace Engraver.Cli.Verbs;
 
 internal static class JsonOption
 {
-    public static Option<bool> New() => new("--json") { Description = "One JSON object on standard output and nothing else." };
+    public static Option<bool> New() => new("--json") { Description = Wording.Get("JsonOption.OneJsonObjectOn") };
 }

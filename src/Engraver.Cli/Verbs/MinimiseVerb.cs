@@ -3,6 +3,7 @@ using System.Text;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
+using Engraver.Core.Languages;
 using Engraver.Tools.Minimising;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
@@ -16,28 +17,28 @@ internal static class MinimiseVerb
 
     public static Command Build(VerbHost host)
     {
-        var file = new Argument<string>("FILE") { Description = "A drawing that shows the fault." };
-        var keep = new Option<string>("--keep") { Required = true, HelpName = "ID|crash", Description = "The fault: a diagnostic id (DXF0007), or crash for an internal error." };
-        var output = new Option<string?>("-o", "--output") { HelpName = "OUT.dxf", Description = "File to write (default: standard output)." };
-        var command = new Command("minimise", "Shrinks a drawing to the smallest one that still shows a fault.") { file, keep, output };
+        var file = new Argument<string>("FILE") { Description = Wording.Get("Minimise.DrawingShowsFault") };
+        var keep = new Option<string>("--keep") { Required = true, HelpName = "ID|crash", Description = Wording.Get("Minimise.FaultDiagnosticIdDXF0007") };
+        var output = new Option<string?>("-o", "--output") { HelpName = "OUT.dxf", Description = Wording.Get("Verbs.FileWriteDefaultStandard") };
+        var command = new Command("minimise", Wording.Get("Minimise.ShrinksDrawingSmallestOne")) { file, keep, output };
         command.SetAction((parsed, stop) => Task.FromResult(Run(host, parsed.GetRequiredValue(file), parsed.GetRequiredValue(keep), parsed.GetValue(output), stop)));
         return command;
     }
 
     private static int Run(VerbHost host, string path, string fault, string? output, CancellationToken stop)
     {
-        if (fault != Crash && DiagnosticTable.All.All(rule => rule.Id != fault)) throw new UsageException($"--keep: '{fault}' is neither a diagnostic id (docs/diagnostics.md) nor the word crash.");
+        if (fault != Crash && DiagnosticTable.All.All(rule => rule.Id != fault)) throw new UsageException(Wording.Get("Minimise.KeepNeitherDiagnosticId", fault));
         if (Read(host, path) is not { } bytes) return ExitCode.DrawingError;
         Predicate<byte[]> shows = fault == Crash ? candidate => Crashes(candidate, stop) : candidate => Diagnostics(candidate, fault, stop).Any(found => found.Id == fault);
         if (!shows(bytes))
         {
-            host.Error.WriteLine($"engraver: {path} does not show {fault}; there is nothing to keep.");
+            host.Error.WriteLine(Wording.Get("Minimise.DoesNotShow", path, fault));
             return ExitCode.DrawingError;
         }
 
         var smallest = DrawingMinimiser.Minimise(bytes, shows, stop);
         host.Write(output, writer => writer.Write(Encoding.Latin1.GetString(smallest)));
-        host.Error.WriteLine($"engraver: {bytes.Length} bytes became {smallest.Length} that still show {fault}.");
+        host.Error.WriteLine(Wording.Get("Minimise.Became", bytes.Length, smallest.Length, fault));
         return ExitCode.Done;
     }
 
@@ -49,7 +50,7 @@ internal static class MinimiseVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            host.Error.WriteLine($"engraver: {unreadable.Message}");
+            host.Error.WriteLine($"engraver: {TextCatalogue.Fact(unreadable.Message)}");
             return null;
         }
     }

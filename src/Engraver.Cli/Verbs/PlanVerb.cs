@@ -14,9 +14,9 @@ internal static class PlanVerb
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
-        var connect = ConnectOption.New(required: false, "Where the job will run: over a serial line every byte takes time. Nothing is sent there.");
+        var connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
         var mode = ModeOption.New();
-        var command = new Command("plan", "Says how long the job takes on the machine, without a machine.");
+        var command = new Command("plan", Wording.Get("Plan.SaysHowLongJob"));
         drawing.AddTo(command);
         foreach (var option in (Option[])[json, connect, mode]) command.Options.Add(option);
         command.SetAction((parsed, stop) =>

@@ -11,10 +11,10 @@ internal static class PlotVerb
     public static Command Build(VerbHost host)
     {
         var drawing = new DrawingOptions();
-        var output = new Option<string>("-o", "--output") { Required = true, HelpName = "OUT.svg", Description = "File to write." };
-        var what = new Option<string>("--what") { Description = "drawing: as drawn; path: strokes in cutting order, directions, rapids.", DefaultValueFactory = _ => "path" };
+        var output = new Option<string>("-o", "--output") { Required = true, HelpName = "OUT.svg", Description = Wording.Get("Plot.FileWrite") };
+        var what = new Option<string>("--what") { Description = Wording.Get("Plot.DrawingDrawnPathStrokes"), DefaultValueFactory = _ => "path" };
         what.AcceptOnlyFromAmong("drawing", "path");
-        var command = new Command("plot", "Draws a picture of the drawing and its path.");
+        var command = new Command("plot", Wording.Get("Plot.DrawsPictureDrawingIts"));
         drawing.AddTo(command);
         command.Options.Add(output);
         command.Options.Add(what);

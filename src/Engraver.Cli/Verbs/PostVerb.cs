@@ -1,30 +1,58 @@
 using System.CommandLine;
+using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
+using Engraver.Core.Languages;
+using Engraver.Core.Posts;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Verbs;
 
-/// <summary><c>engraver post</c>: a self-contained DMC program, or the sequenced drawing.</summary>
+/// <summary><c>engraver post</c>: the job in one of the formats of the table of posts.</summary>
 internal static class PostVerb
 {
     public static Command Build(VerbHost host)
     {
         var drawing = new DrawingOptions();
-        var target = new Option<string>("--target") { Required = true, Description = "galil: continuous vector sequences; galil-calls: the paper's calls of #LINEAR and #CIRC; cldata: the sequenced drawing as DXF." };
-        target.AcceptOnlyFromAmong([.. PostedProgram.Targets]);
-        var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = "File to write (default: standard output)." };
-        var command = new Command("post", "Writes the job as a program for the controller.");
+        var target = new Option<string>("--target") { Required = true, Description = string.Join("; ", PostTable.All.Select(entry => $"{TextCatalogue.Fact(entry.Post.Name)}: {entry.Post.Summary}")) + "." };
+        target.AcceptOnlyFromAmong([.. PostTable.All.Select(entry => entry.Post.Name)]);
+        var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = Wording.Get("Verbs.FileWriteDefaultStandard") };
+        var choices = PostTable.Options.Select(Choice).ToList();
+        var command = new Command("post", Wording.Get("Post.WritesJobProgramController"));
         drawing.AddTo(command);
         command.Options.Add(target);
         command.Options.Add(output);
+        foreach (var choice in choices) command.Options.Add(choice);
+        command.Validators.Add(result => CheckChoices(result, target, choices));
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var posted = PostedProgram.Create(read, settings, parsed.GetRequiredValue(target));
+            var chosen = choices.Where(choice => parsed.GetValue(choice) is not null).ToDictionary(NameOf, choice => parsed.GetValue(choice)!);
+            var posted = PostedProgram.Create(read, settings, PostTable.Find(parsed.GetRequiredValue(target)).Post, chosen);
             if (posted.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
             return Task.FromResult(host.Report(parsed, read.FileName, posted.Diagnostics));
         });
         return command;
     }
+
+    private static Option<string?> Choice(PostOption option)
+    {
+        var choice = new Option<string?>("--" + option.Name) { HelpName = option.Argument, Description = Wording.Get("Post.Default", string.Join(", ", PostTable.Having(option)), option.Summary, option.Form, option.Default) };
+        choice.Validators.Add(result =>
+        {
+            if (result.Tokens is [{ Value: var value }] && !option.Takes(value)) result.AddError(Wording.Get("Post.Not", option.Name, value, option.Form));
+        });
+        return choice;
+    }
+
+    /// <summary>An option that the target does not have is a mistake, not nothing.</summary>
+    private static void CheckChoices(CommandResult result, Option<string> target, IEnumerable<Option<string?>> choices)
+    {
+        if (result.GetResult(target) is not { Tokens: [{ Value: var name }] } || PostTable.All.FirstOrDefault(entry => entry.Post.Name == name) is not { Post: var post }) return;
+        foreach (var choice in choices.Where(choice => result.GetResult(choice) is not null && post.Options.All(option => option.Name != NameOf(choice))))
+            result.AddError(Wording.Get("Post.NoOptionTarget", choice.Name, name));
+    }
+
+    private static string NameOf(Option<string?> choice) => choice.Name["--".Length..];
 }

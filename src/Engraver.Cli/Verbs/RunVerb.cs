@@ -16,21 +16,21 @@ internal sealed class RunVerb
 {
     private readonly VerbHost _host;
     private readonly DrawingOptions _drawing = new();
-    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, "tcp://HOST:PORT, serial://DEVICE?baud=19200, or sim: for the simulated controller (sim:?speed=1 in real time).");
+    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, Wording.Get("Run.TcpHostPortSerial"));
     private readonly Option<string> _mode = ModeOption.New();
     private readonly Option<bool> _json = JsonOption.New();
-    private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = "Where progress is journalled (default: the user's data folder)." };
-    private readonly Option<bool> _dryRun = new("--dry-run") { Description = "Every motion, but the tool stays off." };
+    private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = Wording.Get("Run.WhereProgressJournalledDefault") };
+    private readonly Option<bool> _dryRun = new("--dry-run") { Description = Wording.Get("Run.EveryMotionButTool") };
     private readonly PlacementOptions _placement = new();
-    private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = "Write every line on the wire." };
-    private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = "Start although the drawing has errors." };
+    private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = Wording.Get("Run.WriteEveryLineOn") };
+    private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = Wording.Get("Run.StartAlthoughDrawingHas") };
 
     private RunVerb(VerbHost host) => _host = host;
 
     public static Command Build(VerbHost host)
     {
         var verb = new RunVerb(host);
-        var command = new MachineCommand("run", "Runs the drawing on a controller and says how well it was cut.");
+        var command = new MachineCommand("run", Wording.Get("Run.RunsDrawingOnController"));
         verb._drawing.AddTo(command);
         foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors]) command.Options.Add(option);
         verb._placement.AddTo(command);
@@ -47,7 +47,7 @@ internal sealed class RunVerb
         var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
         {
-            return NotStarted(parsed, job, job.Motion.Program is null ? job.WithoutProgram : "the drawing has errors; look at them, then start with --accept-errors");
+            return NotStarted(parsed, job, job.Motion.Program is null ? job.WithoutProgram : Wording.Get("Run.DrawingHasErrorsLook"));
         }
 
         if (fit is null || program.SegmentCount == 0) return NotStarted(parsed, job, job.WithoutProgram);
@@ -124,8 +124,8 @@ internal sealed class RunVerb
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal), ContractJson.Default.RunJson);
         else _host.Out.WriteLine(RunText.Sentence(job, report));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
-        if (report.TraceFailure is { } failure) _host.Error.WriteLine($"engraver: the trace is not whole: {failure} Give another file or make room; the job was not touched by it.");
-        foreach (var left in report.Result.NotRestored) _host.Error.WriteLine($"engraver: not restored: {left}");
+        if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.EngraverTraceNotWhole", failure));
+        foreach (var left in report.Result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.EngraverNotRestored", left));
         return report.Result.Outcome switch
         {
             JobOutcome.Complete => ExitCode.Done,
@@ -147,7 +147,7 @@ internal sealed class RunVerb
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)
     {
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job.Settings, job, JobOutcome.Refused), ContractJson.Default.RunJson);
-        _host.Error.WriteLine($"engraver: not started: {char.ToLowerInvariant(why[0])}{why[1..]}.");
+        _host.Error.WriteLine(Wording.Get("Run.EngraverNotStarted", char.ToLowerInvariant(why[0]) + why[1..]));
         return ExitCode.DrawingError;
     }
 
@@ -162,7 +162,7 @@ internal sealed class RunVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException($"{path} cannot be written: {unwritable.Message}", unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, unwritable.Message), unwritable);
         }
     }
 }

@@ -11,14 +11,14 @@ namespace Engraver.Cli.Verbs;
 internal sealed class ScriptVerb
 {
     private readonly VerbHost _host;
-    private readonly Argument<string> _file = new("FILE.scr") { Description = "Commands as they are typed: a space or a line's end is Enter, a blank line is Enter alone, ; begins a comment line." };
+    private readonly Argument<string> _file = new("FILE.scr") { Description = Wording.Get("Script.CommandsTheyTypedSpace") };
 
     private ScriptVerb(VerbHost host) => _host = host;
 
     public static Command Build(VerbHost host)
     {
         var verb = new ScriptVerb(host);
-        var command = new Command("script", "Runs a script of commands (AutoCAD's .scr rules); a command that fails ends it.");
+        var command = new Command("script", Wording.Get("Script.RunsScriptCommandsAutoCAD"));
         command.Arguments.Add(verb._file);
         command.SetAction(verb.RunAsync);
         return command;
@@ -77,13 +77,13 @@ internal sealed class ScriptVerb
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException($"{UserFiles.Aliases} cannot be read: {unreadable.Message}", unreadable);
+            throw new UsageException(Wording.Get("Script.CannotRead", UserFiles.Aliases, unreadable.Message), unreadable);
         }
     }
 
     private int Unfinished(CommandSession session, string file)
     {
-        _host.Error.WriteLine($"engraver: {file}: the script ends while {session.Prompt.Command} still asks: {session.Prompt.Text}");
+        _host.Error.WriteLine(Wording.Get("Script.EndsWhile", file, session.Prompt.Command, session.Prompt.Text));
         return ExitCode.Usage;
     }
 

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Sequencing;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
 
@@ -15,8 +16,8 @@ internal static class SequenceVerb
     {
         var drawing = new DrawingOptions();
         var json = JsonOption.New();
-        var output = new Option<string?>("-o", "--output") { HelpName = "CLDATA.dxf", Description = "Also write the sequenced and oriented drawing as DXF." };
-        var command = new Command("sequence", "Chains the drawing into contours, orders them, and names every discontinuity.");
+        var output = new Option<string?>("-o", "--output") { HelpName = "CLDATA.dxf", Description = Wording.Get("Sequence.AlsoWriteSequencedOriented") };
+        var command = new Command("sequence", Wording.Get("Sequence.ChainsDrawingIntoContours"));
         drawing.AddTo(command);
         command.Options.Add(json);
         command.Options.Add(output);
@@ -27,7 +28,7 @@ internal static class SequenceVerb
             var options = JobPreparation.SequencingFor(read, settings);
             var (chained, chainSeconds) = Timed(() => Sequencer.Chain(JobPreparation.Analyse(read, settings), read, options));
             var (result, orderSeconds) = Timed(() => Sequencer.Order(chained, options));
-            var posted = parsed.GetValue(output) is null ? null : PostedProgram.OfSequence(read, chained.Analysed, result, settings);
+            var posted = parsed.GetValue(output) is null ? null : PostedProgram.OfSequence(read, chained.Analysed, result, settings, PostTable.ForEnding(".dxf")!.Post, PostedProgram.NoOptions);
             if (posted?.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);

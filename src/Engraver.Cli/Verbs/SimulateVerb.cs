@@ -5,7 +5,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
 using Engraver.Core.Machines;
-using Engraver.Simulator;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
@@ -13,36 +13,39 @@ namespace Engraver.Cli.Verbs;
 /// <summary><c>engraver simulate</c>: serves a simulated DMC-2143 on loopback and on a pseudo-terminal until Ctrl-C.</summary>
 internal static class SimulateVerb
 {
+    private const string Blank = "blank";
+    private const string Column = "column";
+
     public static Command Build(VerbHost host)
     {
-        var port = new Option<int?>("--tcp") { HelpName = "PORT", Description = "Port on loopback; 0 lets the system pick (also the default when nothing else is served).", CustomParser = ParsePort };
-        var datagrams = new Option<int?>("--udp") { HelpName = "PORT", Description = "Port on loopback for commands by datagram; 0 lets the system pick. Hosts expect 60007.", CustomParser = ParsePort };
-        var serial = new Option<string?>("--serial") { HelpName = "PATH", Description = "Serve the serial port: PATH becomes a link to a pseudo-terminal." };
-        var baud = new Option<int>("--baud") { HelpName = "N", Description = "Rate of the serial port, which every byte takes its time by.", DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
-        var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = "Controller seconds for each second on the wall; max: virtual time.", DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
-        var record = new Option<string?>("--record") { HelpName = "FILE", Description = "Write every motor sample and output change as CSV (t,a,b,c,d,outputs)." };
-        var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = "Start with the speeds and accelerations of this machine profile, as its owner burned them, and its angle quantum." };
-        var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = "What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md)." };
-        var numbers = new Option<NumberSpacing>("--numbers") { HelpName = "blank|column", Description = "What divides a negative number from the one before it in a message: a blank, or the column of the sign alone.", CustomParser = ParseSpacing };
-        var number = new Option<int?>("--serial-number") { HelpName = "N", Description = "What _BN answers: a host knows a controller by it (default: another one each time, as another controller)." };
-        var command = new MachineCommand("simulate", "Serves a simulated DMC-2143 controller until Ctrl-C.") { port, datagrams, serial, baud, speed, record, machine, faults, numbers, number };
+        var port = new Option<int?>("--tcp") { HelpName = "PORT", Description = Wording.Get("Simulate.PortOnLoopbackLets"), CustomParser = ParsePort };
+        var datagrams = new Option<int?>("--udp") { HelpName = "PORT", Description = Wording.Get("Simulate.PortOnLoopbackCommands"), CustomParser = ParsePort };
+        var serial = new Option<string?>("--serial") { HelpName = "PATH", Description = Wording.Get("Simulate.ServeSerialPortPath") };
+        var baud = new Option<int>("--baud") { HelpName = "N", Description = Wording.Get("Simulate.RateSerialPortWhich"), DefaultValueFactory = _ => ControllerAddress.DefaultBaud, CustomParser = ParseBaud };
+        var speed = new Option<double>("--speed") { HelpName = "1|N|max", Description = Wording.Get("Simulate.ControllerSecondsEachSecond"), DefaultValueFactory = _ => 1.0, CustomParser = ParseSpeed };
+        var record = new Option<string?>("--record") { HelpName = "FILE", Description = Wording.Get("Simulate.WriteEveryMotorSample") };
+        var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = Wording.Get("Simulate.StartWithSpeedsAccelerations") };
+        var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = Wording.Get("Simulate.WhatShallGoWrong") };
+        var numbers = new Option<string>("--numbers") { HelpName = "blank|column", Description = Wording.Get("Simulate.WhatDividesNegativeNumber"), DefaultValueFactory = _ => Blank, CustomParser = ParseSpacing };
+        var number = new Option<int?>("--serial-number") { HelpName = "N", Description = Wording.Get("Simulate.SerialNumber") };
+        var command = new MachineCommand("simulate", Wording.Get("Simulate.ServesSimulatedDmcController")) { port, datagrams, serial, baud, speed, record, machine, faults, numbers, number };
         command.Validators.Add(result =>
         {
-            if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError("--baud is the rate of a serial port; give --serial PATH with it.");
+            if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError(Wording.Get("Simulate.BaudRateSerialPort"));
         });
         command.SetAction((parsed, stop) => RunAsync(
-            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Machine(parsed.GetValue(machine)) with { Speed = parsed.GetValue(speed), KeepsRecord = false, Faults = Faults(parsed.GetValue(faults)), NumberSpacing = parsed.GetValue(numbers), SerialNumber = parsed.GetValue(number) ?? new SimulatorOptions().SerialNumber }, stop));
+            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Simulator(parsed.GetValue(speed), parsed.GetValue(machine), parsed.GetValue(faults), parsed.GetValue(numbers) == Column), stop));
         return command;
     }
 
-    private static async Task<int> RunAsync(VerbHost host, int? port, int? datagrams, string? serial, int baud, string? record, SimulatorOptions options, CancellationToken stop)
+    private static async Task<int> RunAsync(VerbHost host, int? port, int? datagrams, string? serial, int baud, string? record, ServedSimulator served, CancellationToken stop)
     {
+        await using var controller = served;
         using var csv = record is null ? null : Create(record);
-        await using var controller = new SimulatedController(options);
-        if (csv is not null) controller.Record.AttachCsv(csv);
+        if (csv is not null) controller.RecordTo(csv);
         try
         {
-            if (options.Speed != 1.0) await OfferClockAsync(host, controller, stop).ConfigureAwait(false);
+            if (controller.Speed != 1.0) await OfferClockAsync(host, controller, stop).ConfigureAwait(false);
             await ServeAsync(host, controller, port, datagrams, serial, baud, stop).ConfigureAwait(false);
         }
         catch (OperationCanceledException) when (stop.IsCancellationRequested)
@@ -50,11 +53,11 @@ internal static class SimulateVerb
             // A signal may come before everything has been said; it ends the serving like any other.
         }
 
-        return controller.RecordFailure is { } failure ? throw new UsageException($"{record} is incomplete: {failure.Message}", failure) : ExitCode.Done;
+        return controller.RecordFailure is { } failure ? throw new UsageException(Wording.Get("Simulate.Incomplete", record, failure.Message), failure) : ExitCode.Done;
     }
 
     /// <summary>At a speed of its own the controller offers its clock to hosts that keep step with it (docs/simulator-fidelity.md, "The clock").</summary>
-    private static async Task OfferClockAsync(VerbHost host, SimulatedController controller, CancellationToken stop)
+    private static async Task OfferClockAsync(VerbHost host, ServedSimulator controller, CancellationToken stop)
     {
         var place = await controller.ListenClockAsync(stop).ConfigureAwait(false);
         await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"clock 127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
@@ -63,7 +66,7 @@ internal static class SimulateVerb
     /// <summary>Opens every way in, says so, and serves until the signal.</summary>
     /// <exception cref="OperationCanceledException">The signal.</exception>
     /// <exception cref="InvalidOperationException">A bug of the simulator; its clients are cut off.</exception>
-    private static async Task ServeAsync(VerbHost host, SimulatedController controller, int? port, int? datagrams, string? serial, int baud, CancellationToken stop)
+    private static async Task ServeAsync(VerbHost host, ServedSimulator controller, int? port, int? datagrams, string? serial, int baud, CancellationToken stop)
     {
         if (port is not null || (serial is null && datagrams is null)) await ListenAsync(host, "tcp", controller.ListenTcpAsync, port ?? 0, stop).ConfigureAwait(false);
         if (datagrams is { } place) await ListenAsync(host, "udp", controller.ListenUdpAsync, place, stop).ConfigureAwait(false);
@@ -87,7 +90,7 @@ internal static class SimulateVerb
         }
         catch (SocketException taken)
         {
-            throw new ControllerLinkException($"Port {port.ToString(CultureInfo.InvariantCulture)} cannot be served: {taken.Message}. Use --{way} 0 to let the system pick one.", taken);
+            throw new ControllerLinkException(Wording.Get("Simulate.PortCannotServedUse", port.ToString(CultureInfo.InvariantCulture), taken.Message, way), taken);
         }
     }
 
@@ -98,7 +101,7 @@ internal static class SimulateVerb
     }
 
     /// <exception cref="UsageException">The path cannot become a serial port.</exception>
-    private static async Task ServeSerialAsync(SimulatedController controller, string path, int baud, CancellationToken stop)
+    private static async Task ServeSerialAsync(ServedSimulator controller, string path, int baud, CancellationToken stop)
     {
         try
         {
@@ -106,7 +109,7 @@ internal static class SimulateVerb
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or PlatformNotSupportedException)
         {
-            throw new UsageException($"--serial {path}: {unusable.Message}", unusable);
+            throw new UsageException(Wording.Get("Simulate.Serial", path, unusable.Message), unusable);
         }
     }
 
@@ -119,34 +122,23 @@ internal static class SimulateVerb
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException($"{path} cannot be written: {unwritable.Message}", unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, unwritable.Message), unwritable);
         }
     }
 
-    /// <summary>What of a profile is the controller's own: the rest describes the host's work with it.</summary>
     /// <exception cref="SettingException">The profile cannot be used.</exception>
-    private static SimulatorOptions Machine(string? path)
+    /// <exception cref="UsageException">The plan of faults cannot be read or is none.</exception>
+    private static ServedSimulator Simulator(double speed, string? machine, string? faults, bool signColumn)
     {
-        if (path is null) return new SimulatorOptions();
-        var profile = MachineProfileSource.Load(path);
-        return new SimulatorOptions
-        {
-            AngleQuantumDegrees = profile.AngleQuantumDegrees,
-            Burned = new BurnedMotion(profile.VectorSpeed, profile.AccelerationCounts, [profile.RapidSpeedX, profile.RapidSpeedY]),
-        };
-    }
-
-    /// <exception cref="UsageException">The file cannot be read or is no plan of faults.</exception>
-    private static FaultPlan? Faults(string? path)
-    {
-        if (path is null) return null;
+        var profile = machine is null ? null : MachineProfileSource.Load(machine);
+        if (faults is null) return ServedSimulator.Create(speed, profile, faults: null, signColumn);
         try
         {
-            return FaultPlan.Parse(File.ReadAllText(path));
+            return ServedSimulator.Create(speed, profile, File.ReadAllText(faults), signColumn);
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or JsonException)
         {
-            throw new UsageException($"--faults {path}: {unusable.Message}", unusable);
+            throw new UsageException(Wording.Get("Simulate.Faults", faults, unusable.Message), unusable);
         }
     }
 
@@ -154,7 +146,7 @@ internal static class SimulateVerb
     {
         var word = result.Tokens[0].Value;
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port <= 65535) return port;
-        result.AddError($"{((OptionResult)result.Parent!).Option.Name}: '{word}' is not a port (0 to 65535).");
+        result.AddError(Wording.Get("Simulate.NotPort", ((OptionResult)result.Parent!).Option.Name, word));
         return null;
     }
 
@@ -162,20 +154,15 @@ internal static class SimulateVerb
     {
         var word = result.Tokens[0].Value;
         if (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)) return baud;
-        result.AddError($"--baud: '{word}' is not one of {string.Join(", ", SerialLine.Rates)}.");
+        result.AddError(Wording.Get("Simulate.BaudNotOne", word, string.Join(", ", SerialLine.Rates)));
         return ControllerAddress.DefaultBaud;
     }
 
-    private static NumberSpacing ParseSpacing(ArgumentResult result)
+    private static string ParseSpacing(ArgumentResult result)
     {
-        switch (result.Tokens[0].Value)
-        {
-            case "blank": return NumberSpacing.Blank;
-            case "column": return NumberSpacing.SignColumn;
-            default:
-                result.AddError($"--numbers: '{result.Tokens[0].Value}' is neither blank nor column.");
-                return NumberSpacing.Blank;
-        }
+        var word = result.Tokens[0].Value;
+        if (word is not (Blank or Column)) result.AddError(Wording.Get("Simulate.NumbersNeitherBlankNor", word));
+        return word;
     }
 
     private static double ParseSpeed(ArgumentResult result)
@@ -183,7 +170,7 @@ internal static class SimulateVerb
         var word = result.Tokens[0].Value;
         if (word == "max") return double.PositiveInfinity;
         if (double.TryParse(word, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out var speed) && speed > 0.0) return speed;
-        result.AddError($"--speed: '{word}' is neither a number above 0 nor max.");
+        result.AddError(Wording.Get("Simulate.SpeedNeitherNumberAbove", word));
         return 1.0;
     }
 }

@@ -11,10 +11,10 @@ internal static class TableVerb
     public static Command Build(VerbHost host)
     {
         var drawing = new DrawingOptions();
-        var format = new Option<string>("--format") { Description = "How the table is written.", DefaultValueFactory = _ => "text" };
+        var format = new Option<string>("--format") { Description = Wording.Get("Table.HowTableWritten"), DefaultValueFactory = _ => "text" };
         format.AcceptOnlyFromAmong([.. EntityTableFormat.Names]);
-        var asDrawn = new Option<bool>("--as-drawn") { Description = "Analysed, but in file order and not sequenced (slot 13 is 0)." };
-        var command = new Command("table", "Prints the fixed-slot entity table, one row for each directed segment.");
+        var asDrawn = new Option<bool>("--as-drawn") { Description = Wording.Get("Table.AnalysedButFileOrder") };
+        var command = new Command("table", Wording.Get("Table.PrintsFixedSlotEntity"));
         drawing.AddTo(command);
         command.Options.Add(format);
         command.Options.Add(asDrawn);

@@ -2,7 +2,6 @@ using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Terminals;
 using Engraver.Core.Machines;
-using Engraver.Galil.Terminals;
 using Engraver.Workbench.Composition;
 
 namespace Engraver.Cli.Verbs;
@@ -14,8 +13,8 @@ internal static class TerminalVerb
 
     public static Command Build(VerbHost host)
     {
-        var connect = ConnectOption.New(required: true, "Where the controller is; as for run.");
-        var command = new MachineCommand("terminal", "Talks to a controller line by line: type help, or pipe commands in, one a line.") { connect };
+        var connect = ConnectOption.New(required: true, Wording.Get("Terminal.WhereControllerRun"));
+        var command = new MachineCommand("terminal", Wording.Get("Terminal.TalksControllerLineLine")) { connect };
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(connect)!, stop));
         return command;
     }
@@ -23,12 +22,12 @@ internal static class TerminalVerb
     private static async Task<int> RunAsync(VerbHost host, ControllerAddress address, CancellationToken stop)
     {
         await using var connection = MachineConnection.To(address, TimeProvider.System);
-        await using var terminal = await MachineTerminal.OpenAsync(connection.OpenLinkAsync, TimeProvider.System, stop).ConfigureAwait(false);
+        await using var terminal = await connection.OpenTerminalAsync(TimeProvider.System, stop).ConfigureAwait(false);
         var screen = new TerminalScreen(host.Out, host.Interactive && Environment.GetEnvironmentVariable("NO_COLOR") is null or "");
         var conversation = new TerminalConversation(terminal, screen, TimeProvider.System);
         try
         {
-            if (host.Interactive) screen.Show(new TerminalAnswer(TerminalAnswerKind.Help, $"{terminal.Session.Identity.Model} at {connection.Description}; type help, or quit."));
+            if (host.Interactive) screen.Show(new TerminalAnswer(TerminalAnswerKind.Help, Wording.Get("Terminal.TypeHelpOrQuit", terminal.Identity.Model, connection.Description)));
             await (host.Interactive ? conversation.RunKeysAsync(stop) : conversation.RunAsync(host.In, stop)).ConfigureAwait(false);
             return conversation.Code;
         }

@@ -50,7 +50,7 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            throw new UsageException($"{path} cannot be written: {unwritable.Message}", unwritable);
+            throw new UsageException(Wording.Get("Verbs.CannotWritten", path, unwritable.Message), unwritable);
         }
     }
 }

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Verification;
@@ -11,22 +12,22 @@ namespace Engraver.Cli.Verbs;
 internal sealed class VerifyVerb
 {
     private readonly VerbHost _host;
-    private readonly Argument<string> _program = new("PROGRAM") { Description = "The program as it was posted, all chunks." };
-    private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = "The drawing it was made from (DXF)." };
-    private readonly Option<string> _target = new("--target") { Description = "Language of the program.", DefaultValueFactory = _ => "galil" };
+    private readonly Argument<string> _program = new("PROGRAM") { Description = Wording.Get("Verify.ProgramPostedAllChunks") };
+    private readonly Option<string> _against = new("--against") { Required = true, HelpName = "FILE", Description = Wording.Get("Verify.DrawingMadeFromDxf") };
+    private readonly Option<string> _target = new("--target") { Description = Wording.Get("Verify.LanguageProgram"), DefaultValueFactory = _ => PostTable.All[0].Post.Name };
     private readonly Option<bool> _json = JsonOption.New();
     private readonly DrawingOptions _drawing = new();
 
     private VerifyVerb(VerbHost host)
     {
         _host = host;
-        _target.AcceptOnlyFromAmong("galil");
+        _target.AcceptOnlyFromAmong([.. PostTable.All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Name)]);
     }
 
     public static Command Build(VerbHost host)
     {
         var verb = new VerifyVerb(host);
-        var command = new Command("verify", "Replays a posted program and compares what it cuts with the drawing, both ways.");
+        var command = new Command("verify", Wording.Get("Verify.ReplaysPostedProgramCompares"));
         command.Arguments.Add(verb._program);
         foreach (var option in (Option[])[verb._against, verb._target, verb._json]) command.Options.Add(option);
         verb._drawing.AddOptionsTo(command);
@@ -39,8 +40,9 @@ internal sealed class VerifyVerb
         var settings = _drawing.Settings(parsed);
         var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings, stop);
         var program = ReadBackFile.Open(parsed.GetRequiredValue(_program));
+        var reader = PostTable.Find(parsed.GetRequiredValue(_target)).Reader!;
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
-        var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, drawing, settings, progress, stop)).ConfigureAwait(false);
+        var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop)).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report), ContractJson.Default.VerifyJson);
         else _host.Out.WriteLine(VerificationText.Sentence(report));
         _host.Report(parsed, drawing.FileName, drawing.Diagnostics);

@@ -1,24 +1,34 @@
+using System.Collections.Immutable;
 using System.Text;
+using Engraver.Core.Languages;
 
 namespace Engraver.Core.Diagnostics;
 
 /// <summary>A finding about a drawing or a setting: permanent id, severity, one sentence that says what, where and what to do.</summary>
 public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnlyList<string> Facts)
 {
+    private readonly string? _advice;
+
     public string Id => Rule.Id;
 
     public Severity Severity => Rule.Severity;
 
     /// <summary>The sentence with its facts filled in, followed by the advice.</summary>
-    public string Message => $"{Sentence} {Rule.Advice}";
+    public string Message => $"{Sentence} {Advice}";
 
     /// <summary>The sentence with its facts filled in.</summary>
-    public string Sentence => Fill(Rule.Sentence, Facts);
+    public string Sentence => Fill(Rule.Sentence);
 
-    private static string Fill(string sentence, IReadOnlyList<string> facts)
+    /// <summary>The rule's advice, or what somebody who knows how settings are given made of it.</summary>
+    public string Advice
+    {
+        get => _advice ?? Rule.Advice;
+        init => _advice = value;
+    }
+
+    private string Fill(string sentence)
     {
         var text = new StringBuilder();
-        var names = new List<string>();
         for (var i = 0; i < sentence.Length; i++)
         {
             var close = sentence[i] == '{' ? sentence.IndexOf('}', i) : -1;
@@ -28,10 +38,8 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
                 continue;
             }
 
-            var name = sentence[(i + 1)..close];
-            if (!names.Contains(name)) names.Add(name);
-            var place = names.IndexOf(name);
-            text.Append(place < facts.Count ? facts[place] : "?");
+            var place = Rule.FactNames.IndexOf(sentence[(i + 1)..close]);
+            text.Append(place >= 0 && place < Facts.Count ? TextCatalogue.Fact(Facts[place]) : "?");
             i = close;
         }
 
@@ -39,14 +47,27 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
     }
 }
 
-/// <summary>One row of the table that code, documentation and tests share.</summary>
-/// <param name="Id">Permanent: never reused, never renumbered (DXF0007, SEQ0003).</param>
-/// <param name="Severity">How bad it is.</param>
-/// <param name="Sentence">What and where, with {names} for the facts of the case.</param>
-/// <param name="Advice">What the operator can do. Settings are named by their keys in brackets, [max-error]; whoever shows the finding puts the option or command there (docs/settings.md).</param>
-public sealed record DiagnosticRule(string Id, Severity Severity, string Sentence, string Advice)
+/// <summary>One row of the table that code, documentation and tests share. Its sentence and its advice are texts of the resources by the id, so that a language may name the facts in another order.</summary>
+public sealed record DiagnosticRule
 {
-    /// <summary>The finding for one case. <paramref name="facts"/> fill the {names} of the sentence in the order in which they first appear.</summary>
+    public DiagnosticRule(string id, Severity severity, params ReadOnlySpan<string> factNames) => (Id, Severity, FactNames) = (id, severity, [.. factNames]);
+
+    /// <summary>Permanent: never reused, never renumbered (DXF0007, SEQ0003).</summary>
+    public string Id { get; }
+
+    /// <summary>How bad it is.</summary>
+    public Severity Severity { get; }
+
+    /// <summary>What the sentence's braces hold, in the order in which the facts of a case are given.</summary>
+    public ImmutableArray<string> FactNames { get; }
+
+    /// <summary>What and where, with {names} for the facts of the case.</summary>
+    public string Sentence => Wording.Get(Id);
+
+    /// <summary>What the operator can do. Settings are named by their keys in brackets, [max-error]; whoever shows the finding puts the option or command there (docs/settings.md).</summary>
+    public string Advice => Wording.Get(Id + ".Advice");
+
+    /// <summary>The finding for one case. <paramref name="facts"/> stand in the order of <see cref="FactNames"/>.</summary>
     public Diagnostic At(SourceRef source, params ReadOnlySpan<string> facts) => new(this, source, facts.ToArray());
 }
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Blocks;
@@ -74,7 +73,7 @@ internal sealed class ContentReader(RecordReader records, TextMapper texts, Outl
         if (_record.Fault is { } fault) target.Refuse(_record, fault);
         else target.AddInsert(_record, insert, attributes);
         if (_record.Oddity is { } odd) target.Note(odd);
-        if (insert.ZeroScaleCode is not 0 and var code) target.Note(_record.Finding(DxfRules.ZeroScale, string.Create(CultureInfo.InvariantCulture, $"group {code}"), refused: false));
+        if (insert.ZeroScaleCode is not 0 and var code) target.Note(_record.Finding(DxfRules.ZeroScale, Wording.Get("ContentReader.Group", code), refused: false));
         foreach (var text in _attributes) target.AddText(text);
     }
 

@@ -37,7 +37,7 @@ internal sealed class DrawingImport
     {
         _tags = tags;
         _options = options;
-        _log = new ImportLog(tags.IsBinary ? "byte" : "line");
+        _log = new ImportLog(tags.IsBinary ? Wording.Get("DrawingImport.Byte") : Wording.Get("DrawingImport.Line"));
         if (tags.IsUtf8) _text.UseUtf8();
         var multiLines = options.Cut.HasFlag(CutChoice.MLine) ? MultiLineStyles.Read(tags, cancellation) : new MultiLineStyles();
         _records = new RecordReader(tags, new NameTable(_text.Decode), new NameTable(_text.Decode), _text.Decode, options.Cut, _log, cancellation) { Progress = options.Progress };
@@ -151,7 +151,7 @@ internal sealed class DrawingImport
             if (RecordKinds.IsOfDrawing(_records.Next) && count++ == 0) first = _records.NextLine;
         }
 
-        if (count > 0) _log.Add(DxfRules.SectionPassedOver, first, name, string.Create(CultureInfo.InvariantCulture, $"{count} {(count == 1 ? "record" : "records")}"), _log.Place(first));
+        if (count > 0) _log.Add(DxfRules.SectionPassedOver, first, name, Wording.Count("Count.Record", count), _log.Place(first));
         TellDamage(name, damages);
     }
 
@@ -209,7 +209,7 @@ internal sealed class DrawingImport
         var (line, before) = (_records.NextLine, _balance.Taken);
         while (!AtSectionEnd() && _records.Next is not (RecordKind.Block or RecordKind.BlockEnd)) _content.ReadEntity(_modelSpace);
         var taken = _balance.Taken - before;
-        if (taken > 0) _log.Add(DxfRules.ModelSpaceBlock, line, _log.Place(line), string.Create(CultureInfo.InvariantCulture, $"{taken} {(taken == 1 ? "entity" : "entities")}"));
+        if (taken > 0) _log.Add(DxfRules.ModelSpaceBlock, line, _log.Place(line), Wording.Count("Count.Entity", taken));
     }
 
     private LengthUnit Unit()
@@ -220,7 +220,7 @@ internal sealed class DrawingImport
         return LengthUnit.AssumedMillimetres;
     }
 
-    private static string Shown(double? variable) => variable?.ToString(CultureInfo.InvariantCulture) ?? "missing";
+    private static string Shown(double? variable) => variable?.ToString(CultureInfo.InvariantCulture) ?? Wording.Get("DrawingImport.Missing");
 }
 
 /// <summary>

@@ -50,10 +50,10 @@ public static class DxfReader
 
     private static string Beginning(ReadOnlySpan<byte> bytes)
     {
-        if (bytes.StartsWith(BinaryTagSource.Sentinel)) return "nothing follows the mark of a binary DXF";
+        if (bytes.StartsWith(BinaryTagSource.Sentinel)) return Wording.Get("DxfReader.NothingFollowsMarkBinary");
         var start = Encoding.Latin1.GetString(bytes[..Math.Min(ShownStart, bytes.Length)]);
         var shown = string.Join(' ', start.Split((char[])['\r', '\n', '\t', ' '], StringSplitOptions.RemoveEmptyEntries));
-        return $"it begins with '{string.Concat(shown.Select(c => char.IsControl(c) ? '.' : c))}' and has no section";
+        return Wording.Get("DxfReader.BeginsWithHasNo", string.Concat(shown.Select(c => char.IsControl(c) ? '.' : c)));
     }
 
     private static Drawing Unreadable(string fileName, long bytes, Diagnostic why) => Drawing.Unusable(fileName, bytes, why);

@@ -32,7 +32,7 @@ public static class CutFindings
     {
         if (extent.Slanted is { Count: > 0 } slanted)
         {
-            var curves = slanted.Count == 1 ? "1 of the curves rises or falls" : Whole(slanted.Count) + " of the curves rise or fall";
+            var curves = slanted.Count == 1 ? Wording.Get("CutFindings.CurvesRisesOrFalls") : Wording.Get("CutFindings.CurvesRiseOrFall", Whole(slanted.Count));
             findings.Add(PreparationRules.NotLevel.At(drawing.SourceOf(slanted.First), curves, Number(slanted.Low), Number(slanted.High)));
         }
 
@@ -52,12 +52,12 @@ public static class CutFindings
     private static string Guess(LengthUnit unit, Bounds2D bounds)
     {
         var size = Math.Max(bounds.Width, bounds.Height);
-        if (size <= LargestMm) return ": the size is usual, but it lies far away from its origin, as what was cut out of a map does";
+        if (size <= LargestMm) return Wording.Get("CutFindings.SizeUsualButLies");
         var asNumbers = size / unit.ToMillimetres;
-        var says = unit.Source == "INSUNITS" ? $"the drawing says that its unit is {unit.Name}" : $"its unit was taken as {unit.Name}";
+        var says = unit.Source == "INSUNITS" ? Wording.Get("CutFindings.DrawingSaysItsUnit", unit.Name) : Wording.Get("CutFindings.ItsUnitTaken", unit.Name);
         return asNumbers <= LargestMm && unit.ToMillimetres > 1.0
-            ? $": {says}, and its numbers read as millimetres would make it {Number(bounds.Width / unit.ToMillimetres)} x {Number(bounds.Height / unit.ToMillimetres)} mm"
-            : $": {says}, and such a size is that of a building or a map";
+            ? Wording.Get("CutFindings.ItsNumbersReadMillimetres", says, Number(bounds.Width / unit.ToMillimetres), Number(bounds.Height / unit.ToMillimetres))
+            : Wording.Get("CutFindings.SuchSizeBuildingOr", says);
     }
 
     private static string Whole(int count) => count.ToString(CultureInfo.InvariantCulture);

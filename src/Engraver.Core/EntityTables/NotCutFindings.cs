@@ -41,16 +41,16 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
         {
             string[] parts = [.. Counts.Select(pair => FormattableString.Invariant($"{pair.Value} {pair.Key}"))];
             if (parts.Length == 0) return "";
-            var list = parts.Length == 1 ? parts[0] : $"{string.Join(", ", parts[..^1])} and {parts[^1]}";
+            var list = parts.Length == 1 ? parts[0] : Wording.Get("NotCutFindings.And", string.Join(", ", parts[..^1]), parts[^1]);
             return $"{list} {Verb}";
         }
     }
 
     /// <summary>The same as the last words about a job; "" when nothing is left.</summary>
-    public string Clause => Counts.Count == 0 ? "" : $"{Subject} visible and NOT CUT";
+    public string Clause => Counts.Count == 0 ? "" : Wording.Get("NotCutFindings.VisibleNotCut", Subject);
 
     /// <summary>The finding about it; null when nothing is left.</summary>
     public Diagnostic? Finding => Counts.Count == 0 ? null : PreparationRules.NotCut.At(First, Subject, Verb);
 
-    private string Verb => Counts is { Count: 1 } && Counts.Values.First() == 1 ? "is" : "are";
+    private string Verb => Counts is { Count: 1 } && Counts.Values.First() == 1 ? Wording.Get("NotCutFindings.Is") : Wording.Get("NotCutFindings.Are");
 }

@@ -22,10 +22,19 @@ public readonly record struct OrientedBox(Point2D Centre, Vector2D Along, double
         return extent.Box();
     }
 
-    /// <summary>A box round a line, or round an arc of any sweep.</summary>
+    /// <summary>A box round the control points.</summary>
+    public static OrientedBox Around(BezierSpan span)
+    {
+        Span<Point2D> control = stackalloc Point2D[span.Degree + 1];
+        for (var i = 0; i < control.Length; i++) control[i] = span.Control(i);
+        return Around(control[0], control[^1], control[1..^1]);
+    }
+
+    /// <summary>A box round a line, an arc of any sweep, or a curve of one span.</summary>
     public static OrientedBox Around(in Segment path)
     {
         if (path.Kind == SegmentKind.Line) return Around(path.Start, path.End);
+        if (path.IsFreeCurve) return Around(path.Curve.Spans[0]);
         var arc = path.Arc;
         if (Math.Abs(arc.Sweep.Degrees) > 180.0) return new OrientedBox(arc.Centre, s_east, arc.Radius, arc.Radius).Grown(0.0);
         var (start, end, top) = (arc.StartPoint, arc.EndPoint, arc.PointAt(0.5));

@@ -10,75 +10,49 @@ public sealed class OrientedBoxTree
     private readonly OrientedBox[] _items;
     private readonly int[] _order;
     private readonly List<OrientedBoxNode> _nodes;
-    private readonly Slant[] _slants;
-    private readonly Slant[] _nodeSlants;
 
-    private OrientedBoxTree(OrientedBox[] items, Slant[] slants, int[] order, List<OrientedBoxNode> nodes)
-    {
-        (_items, _slants, _order, _nodes, _nodeSlants) = (items, slants, order, nodes, new Slant[nodes.Count]);
-        for (var index = nodes.Count - 1; index >= 0; index--) _nodeSlants[index] = SlantOf(index); // halves stand behind the whole
-    }
+    private OrientedBoxTree(OrientedBox[] items, int[] order, List<OrientedBoxNode> nodes) => (_items, _order, _nodes) = (items, order, nodes);
 
     /// <summary>Boxes that were looked at since the tree was built, of nodes and of items.</summary>
     public long Steps { get; private set; }
 
     /// <summary>A tree over boxes; item numbers are indices into <paramref name="boxes"/>, which are taken over.</summary>
-    public static OrientedBoxTree Build(OrientedBox[] boxes) => Build(boxes, [.. boxes.Select(_ => Slant.Unknown)]);
-
-    /// <summary>As above, with what is known of the directions in each box.</summary>
-    internal static OrientedBoxTree Build(OrientedBox[] boxes, Slant[] slants)
+    public static OrientedBoxTree Build(OrientedBox[] boxes)
     {
         var (order, nodes) = OrientedBoxDivision.Divide(boxes);
-        return new OrientedBoxTree(boxes, slants, order, nodes);
+        return new OrientedBoxTree(boxes, order, nodes);
     }
 
-    /// <summary>The nearest item by <paramref name="measure"/>, ties to the lower number; -1 when none is nearer than or as near as <paramref name="within"/>.</summary>
+    /// <summary>The nearest item by <paramref name="measure"/>, ties to the lower number, or the first found that is near enough; -1 when none is nearer than or as near as <paramref name="within"/>.</summary>
     /// <param name="place">Seen from here.</param>
     /// <param name="measure">Exact distance of an item, which is nowhere nearer than its box. Several items may be pieces of one thing and measure the whole.</param>
     /// <param name="within">Largest distance of interest; positive infinity for any.</param>
+    /// <param name="enough">No nearer need the answer be; 0 for the nearest of all, negative where ties matter.</param>
     /// <param name="distance">Distance of the answer, or <paramref name="within"/> when there is none.</param>
-    public int Nearest(Point2D place, BoxTree.Measure measure, double within, out double distance)
+    public int Nearest(Point2D place, BoxTree.Measure measure, double within, double enough, out double distance)
     {
         var best = new BoxTree.Best(-1, within);
-        if (_nodes.Count > 0) Descend(0, place, measure, ref best);
+        if (_nodes.Count > 0) Descend(0, place, measure, enough, ref best);
         distance = best.Distance;
         return best.Item;
     }
 
-    /// <summary>Adds every item whose box comes within <paramref name="radius"/> of a place, in no particular order.</summary>
-    public void Around(Point2D place, double radius, List<int> found) => Collect(0, new Disc(place, radius), found);
-
-    /// <summary>Adds every item whose box comes within <paramref name="reach"/> of a line or an arc, and some that do not quite, in no particular order.</summary>
-    public void Along(in Segment path, double reach, List<int> found)
+    /// <summary>True when the box of an item comes within <paramref name="reach"/> of a line, an arc or a curve of one span, or nearly.</summary>
+    /// <param name="counts">Which items count; all when left out.</param>
+    public bool ComesNear(in Segment path, double reach, Predicate<int>? counts = null)
     {
         var box = OrientedBox.Around(path).Grown(reach);
-        if (path.Kind == SegmentKind.Line) Collect(0, new Strip(box), found);
-        else Collect(0, new Ring(box, path.Arc.Centre, path.Arc.Radius - reach, path.Arc.Radius + reach), found);
+        if (path.Kind == SegmentKind.Line || path.IsFreeCurve) return ComesNear(0, new Strip(box), counts);
+        return ComesNear(0, new Ring(box, path.Arc.Centre, path.Arc.Radius - reach, path.Arc.Radius + reach), counts);
     }
 
-    /// <summary>As <see cref="Along"/> a line, without what it only crosses (<see cref="Slant.Crossed"/>).</summary>
-    internal void AlongNotAcross(LineSegment line, double reach, List<int> found) => Collect(0, new Course(OrientedBox.Around(line.Start, line.End).Grown(reach)), found);
-
-    private Slant SlantOf(int index)
-    {
-        var (node, slant) = (_nodes[index], Slant.None);
-        if (!node.IsLeaf)
-        {
-            foreach (var half in (ReadOnlySpan<int>)[index + 1, node.Second]) slant = slant.With(_nodeSlants[half], node.Box.Along, _nodes[half].Box.Along);
-            return slant;
-        }
-
-        for (var slot = node.First; slot < node.First + node.Count; slot++) slant = slant.With(_slants[_order[slot]], node.Box.Along, _items[_order[slot]].Along);
-        return slant;
-    }
-
-    private void Descend(int index, Point2D place, BoxTree.Measure measure, ref BoxTree.Best best)
+    private void Descend(int index, Point2D place, BoxTree.Measure measure, double enough, ref BoxTree.Best best)
     {
         var node = _nodes[index];
         if (node.IsLeaf)
         {
             Steps += node.Count;
-            for (var slot = node.First; slot < node.First + node.Count; slot++)
+            for (var slot = node.First; slot < node.First + node.Count && !IsEnough(best, enough); slot++)
             {
                 var item = _order[slot];
                 if (_items[item].DistanceTo(place) <= best.Distance) best.Offer(item, measure(item, place));
@@ -91,55 +65,43 @@ public sealed class OrientedBoxTree
         var (near, far) = (index + 1, node.Second);
         var (toNear, toFar) = (_nodes[near].Box.DistanceTo(place), _nodes[far].Box.DistanceTo(place));
         if (toFar < toNear) (near, far, toNear, toFar) = (far, near, toFar, toNear);
-        if (toNear <= best.Distance) Descend(near, place, measure, ref best);
-        if (toFar <= best.Distance) Descend(far, place, measure, ref best);
+        if (toNear <= best.Distance) Descend(near, place, measure, enough, ref best);
+        if (toFar <= best.Distance && !IsEnough(best, enough)) Descend(far, place, measure, enough, ref best);
     }
 
-    private void Collect<TQuery>(int index, in TQuery query, List<int> found)
+    private static bool IsEnough(in BoxTree.Best best, double enough) => best.Item >= 0 && best.Distance <= enough;
+
+    private bool ComesNear<TQuery>(int index, in TQuery query, Predicate<int>? counts)
         where TQuery : struct, IBoxQuery
     {
-        if (_nodes.Count == 0) return;
+        if (_nodes.Count == 0) return false;
         Steps++;
         var node = _nodes[index];
-        if (!query.Meets(node.Box, _nodeSlants[index])) return;
-        if (!node.IsLeaf)
-        {
-            Collect(index + 1, query, found);
-            Collect(node.Second, query, found);
-            return;
-        }
-
-        Steps += node.Count;
+        if (!query.Meets(node.Box)) return false;
+        if (!node.IsLeaf) return ComesNear(index + 1, query, counts) || ComesNear(node.Second, query, counts);
         for (var slot = node.First; slot < node.First + node.Count; slot++)
         {
-            if (query.Meets(_items[_order[slot]], _slants[_order[slot]])) found.Add(_order[slot]);
+            Steps++;
+            if (query.Meets(_items[_order[slot]]) && counts?.Invoke(_order[slot]) != false) return true;
         }
+
+        return false;
     }
 
     private interface IBoxQuery
     {
-        bool Meets(in OrientedBox box, Slant slant);
-    }
-
-    private readonly struct Disc(Point2D place, double radius) : IBoxQuery
-    {
-        public bool Meets(in OrientedBox box, Slant slant) => box.DistanceTo(place) <= radius;
+        bool Meets(in OrientedBox box);
     }
 
     private readonly struct Strip(OrientedBox strip) : IBoxQuery
     {
-        public bool Meets(in OrientedBox box, Slant slant) => strip.Overlaps(box);
-    }
-
-    private readonly struct Course(OrientedBox strip) : IBoxQuery
-    {
-        public bool Meets(in OrientedBox box, Slant slant) => !slant.IsCrossed(box.Along, strip.Along) && strip.Overlaps(box);
+        public bool Meets(in OrientedBox box) => strip.Overlaps(box);
     }
 
     /// <summary>What is within reach of an arc lies in the arc's box, and between two radii.</summary>
     private readonly struct Ring(OrientedBox around, Point2D centre, double least, double most) : IBoxQuery
     {
-        public bool Meets(in OrientedBox box, Slant slant) => around.Overlaps(box) && box.DistanceTo(centre) <= most && box.FarthestFrom(centre) >= least;
+        public bool Meets(in OrientedBox box) => around.Overlaps(box) && box.DistanceTo(centre) <= most && box.FarthestFrom(centre) >= least;
     }
 }
 
@@ -151,21 +113,4 @@ public sealed class OrientedBoxTree
 internal readonly record struct OrientedBoxNode(OrientedBox Box, int First, int Count, int Second)
 {
     public bool IsLeaf => Second == 0;
-}
-
-/// <summary>The directions of what is in a box, and which crossings of it matter.</summary>
-/// <param name="Turn">Sine of the largest angle between the box and a direction of what is in it; 1 for any.</param>
-/// <param name="Crossed">Sine of the angle from which on a line that crosses what is in the box need not be found; 1 when every line must be.</param>
-internal readonly record struct Slant(double Turn, double Crossed)
-{
-    public static Slant Unknown => new(1.0, 1.0);
-
-    public static Slant None => default;
-
-    /// <summary>With what is in another box, of another direction.</summary>
-    public Slant With(Slant other, Vector2D own, Vector2D others) => new(Math.Min(1.0, Math.Max(Turn, other.Turn + Math.Abs(own.Cross(others)))), Math.Max(Crossed, other.Crossed));
-
-    /// <summary>True when a line crosses all that is in the box at more than that angle.</summary>
-    public bool IsCrossed(Vector2D own, Vector2D line) =>
-        Turn < 1.0 && (Math.Abs(own.Cross(line)) * Math.Sqrt(1.0 - (Turn * Turn))) - (Math.Abs(own.Dot(line)) * Turn) > Crossed;
 }

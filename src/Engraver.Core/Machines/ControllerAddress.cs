@@ -13,15 +13,14 @@ public abstract record ControllerAddress
     public const int DefaultBaud = 19200;
 
     /// <summary>What is accepted, for messages.</summary>
-    public const string Forms =
-        "tcp://HOST:PORT, serial://DEVICE?baud=19200 (1200, 9600, 19200, 38400, 57600 or 115200; &flow=none, xonxoff or rtscts, the default) or sim:?speed=max; behind a simulated controller that is not at speed 1 also clock=PORT";
+    public static string Forms => Wording.Get("ControllerAddress.Forms");
 
     /// <summary>Loopback port at which a simulated controller in another process offers its clock; null for a controller that follows the wall clock.</summary>
     public int? ClockPort { get; init; }
 
     /// <exception cref="FormatException">The text is not an address; the message says what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
-        TryParse(text, out var address) ? address : throw new FormatException($"'{text}' is no controller address; write {Forms}.");
+        TryParse(text, out var address) ? address : throw new FormatException(Wording.Get("ControllerAddress.NoControllerAddressWrite", text, Forms));
 
     public static bool TryParse(string text, [NotNullWhen(true)] out ControllerAddress? address)
     {

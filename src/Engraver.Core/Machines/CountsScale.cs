@@ -24,6 +24,9 @@ public readonly record struct CountsScale(double X, double Y)
 
     public Point2D Exact(Point2D millimetres) => new(X * millimetres.X, Y * millimetres.Y);
 
+    /// <summary>Counts, rounded or not, as millimetres of the drawing.</summary>
+    public Point2D ToMillimetres(double x, double y) => new(x / X, y / Y);
+
     public CountsPoint ToCounts(Point2D millimetres) => Round(Exact(millimetres));
 
     /// <summary>The same arc in counts. A mirrored X turns the angle into 180 - angle, a mirrored Y into -angle; each reverses the sweep.</summary>

@@ -15,12 +15,14 @@ public interface IMachineConnection : IAsyncDisposable
     bool IsBroken { get; }
 
     /// <summary>One look at an idle machine, now.</summary>
+    /// <param name="axes">Those that a job moves.</param>
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
-    ValueTask<MachineReading> LookAsync(CancellationToken cancellation);
+    ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation);
 
     /// <summary>Where the machine stands, and what tells whether the controller still counts from the same zero.</summary>
+    /// <param name="axes">The axes that move the drawing's X and Y.</param>
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
-    ValueTask<ControllerPlace> LocateAsync(CancellationToken cancellation);
+    ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation);
 
     /// <summary>Leaves a number in the controller that is gone once it is switched off or reset.</summary>
     /// <returns>False when the controller does not take it.</returns>
@@ -39,7 +41,7 @@ public interface IMachineConnection : IAsyncDisposable
     /// <summary>Switches the motors of the axes that a job moves on or off.</summary>
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
-    Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation);
+    Task<MachineRefusal?> SetMotorsAsync(MachineAxes axes, bool on, CancellationToken cancellation);
 
     /// <summary>Sends a line that an operator typed in the controller's own language, and returns the answers.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>

@@ -6,4 +6,5 @@ namespace Engraver.Core.Machines;
 /// <param name="AccelerationStep">Accelerations are multiples of this, counts/s2; it is the smallest one too.</param>
 /// <param name="LargestAcceleration">Counts/s2.</param>
 /// <param name="Outputs">Digital outputs, counted from 1.</param>
-public sealed record MachineLimits(int SlowestSpeed, int FastestSpeed, int AccelerationStep, int LargestAcceleration, int Outputs);
+/// <param name="Axes">The letters that an axis may have.</param>
+public sealed record MachineLimits(int SlowestSpeed, int FastestSpeed, int AccelerationStep, int LargestAcceleration, int Outputs, string Axes);

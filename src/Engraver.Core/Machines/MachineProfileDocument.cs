@@ -3,6 +3,10 @@ namespace Engraver.Core.Machines;
 /// <summary>The fields of a profile file; those that are not given keep the default machine profile's value.</summary>
 internal sealed class MachineProfileDocument
 {
+    public string? AxisX { get; set; }
+
+    public string? AxisY { get; set; }
+
     public double? CountsPerMillimetreX { get; set; }
 
     public double? CountsPerMillimetreY { get; set; }
@@ -27,8 +31,10 @@ internal sealed class MachineProfileDocument
 
     public static MachineProfileDocument From(MachineProfile profile) => new()
     {
-        CountsPerMillimetreX = profile.CountsPerMillimetreX,
-        CountsPerMillimetreY = profile.CountsPerMillimetreY,
+        AxisX = profile.Axes.X.Letter.ToString(),
+        AxisY = profile.Axes.Y.Letter.ToString(),
+        CountsPerMillimetreX = profile.Axes.X.CountsPerMillimetre,
+        CountsPerMillimetreY = profile.Axes.Y.CountsPerMillimetre,
         FeedMmPerMinute = profile.FeedMmPerMinute,
         RapidMmPerMinute = profile.RapidMmPerMinute,
         AccelerationCounts = profile.AccelerationCounts,
@@ -42,8 +48,7 @@ internal sealed class MachineProfileDocument
 
     public MachineProfile Over(MachineProfile profile) => new()
     {
-        CountsPerMillimetreX = CountsPerMillimetreX ?? profile.CountsPerMillimetreX,
-        CountsPerMillimetreY = CountsPerMillimetreY ?? profile.CountsPerMillimetreY,
+        Axes = new MachineAxes(Axis(AxisX, CountsPerMillimetreX, profile.Axes.X), Axis(AxisY, CountsPerMillimetreY, profile.Axes.Y)),
         FeedMmPerMinute = FeedMmPerMinute ?? profile.FeedMmPerMinute,
         RapidMmPerMinute = RapidMmPerMinute ?? profile.RapidMmPerMinute,
         AccelerationCounts = AccelerationCounts ?? profile.AccelerationCounts,
@@ -54,4 +59,8 @@ internal sealed class MachineProfileDocument
         ParkX = ParkX ?? profile.ParkX,
         ParkY = ParkY ?? profile.ParkY,
     };
+
+    /// <summary>What is no single letter becomes none that a controller has, for the check of the profile to refuse.</summary>
+    private static MachineAxis Axis(string? letter, double? countsPerMillimetre, MachineAxis otherwise) =>
+        new(letter is null ? otherwise.Letter : letter.Length == 1 ? letter[0] : MachineProfileValidation.NoLetter, countsPerMillimetre ?? otherwise.CountsPerMillimetre);
 }

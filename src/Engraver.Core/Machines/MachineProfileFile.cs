@@ -25,7 +25,7 @@ public static class MachineProfileFile
 
     private static MachineProfileReading Checked(MachineProfileDocument? document, MachineLimits limits)
     {
-        if (document is null) return new MachineProfileReading(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), "it holds null instead of an object")]);
+        if (document is null) return new MachineProfileReading(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), Wording.Get("MachineProfileFile.HoldsNullInsteadObject"))]);
         var profile = document.Over(MachineProfile.Default);
         var findings = MachineProfileValidation.Check(profile, limits);
         return new MachineProfileReading(findings.Count == 0 ? profile : null, findings);
@@ -34,9 +34,9 @@ public static class MachineProfileFile
     private static Diagnostic Finding(JsonException trouble)
     {
         var place = new SourceRef((trouble.LineNumber ?? 0) + 1);
-        if (trouble.InnerException is JsonException) return MotionRules.ProfileUnreadable.At(place, $"the text is no JSON at line {place.Line}");
+        if (trouble.InnerException is JsonException) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.TextNoJsonLine", place.Line));
         var field = trouble.Path is ['$', '.', .. var name] ? name : string.Empty;
-        if (field.Length == 0) return MotionRules.ProfileUnreadable.At(place, "it is no JSON object");
+        if (field.Length == 0) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.NoJsonObject"));
         return (IsKnown(field) ? MotionRules.ProfileValueUnreadable : MotionRules.ProfileFieldUnknown).At(place, field);
     }
 

@@ -6,12 +6,13 @@ namespace Engraver.Core.Motion;
 /// <summary>Says where the path turns too sharply to be cut without a stop. It looks at the drawn tangents: rounded counts would see corners in any run of short pieces.</summary>
 /// <remarks>Moves that vanish in counts are seen too, so that a bend made of many of them is smooth, and a speck of another direction inside a straight is no corner.
 /// A bend so small that the controller would be around it between two of its samples is a corner too, however smooth it was drawn; near a standstill the tool is slow, and it is none.</remarks>
-public sealed class CornerDetector(MachineProfile profile)
+/// <param name="vectorSpeed">Counts/s along the path, as the controller takes it.</param>
+public sealed class CornerDetector(MachineProfile profile, double vectorSpeed)
 {
     /// <summary>Allowance, so that turns of exactly the limit (a regular polygon) do not depend on the last bit of an arc tangent.</summary>
     private const double RoundingDegrees = 1e-6;
 
-    /// <summary>At TM 1000, the default sample time.</summary>
+    /// <summary>Between two looks of a controller at its motors.</summary>
     private const double SampleSeconds = 0.001;
 
     /// <summary>Counts by which a motor sample may pass inside a bend: the same as the general tolerance against the drawing.</summary>
@@ -60,7 +61,7 @@ public sealed class CornerDetector(MachineProfile profile)
     }
 
     /// <summary>What the tool travels between two samples, counts.</summary>
-    private double WayOfSample(double countsSinceStop) => SampleSeconds * Math.Min(profile.VectorSpeed, Math.Sqrt(2.0 * profile.AccelerationCounts * countsSinceStop));
+    private double WayOfSample(double countsSinceStop) => SampleSeconds * Math.Min(vectorSpeed, Math.Sqrt(2.0 * profile.AccelerationCounts * countsSinceStop));
 
     /// <summary>Turn of the move within one sample's distance, degrees.</summary>
     private double BendOf(in Segment move, double way) =>

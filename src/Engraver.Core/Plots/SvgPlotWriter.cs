@@ -96,16 +96,16 @@ public static class SvgPlotWriter
         var (top, drawn) = (frame.FieldHeight, plot.Drawn);
         var closed = plot.Strokes.Count(stroke => stroke.Closed);
         Line(output, $"<rect class=\"caption\" y=\"{Number(top)}\" width=\"100%\" height=\"{Number(PlotFrame.CaptionHeight)}\"/>");
-        Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{Escaped(plot.Title)}   {Millimetres(drawn.Width)} x {Millimetres(drawn.Height)} mm</text>");
-        var travel = plot.ToolStart is null ? string.Empty : $", travel {Millimetres(plot.Travel)} mm";
-        Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{plot.Strokes.Count} strokes, cut {Millimetres(plot.CutLength)} mm{travel}</text>");
-        var entries = new List<(string Class, string Text)> { ("cut closed", $"closed ({closed})"), ("cut open", $"open ({plot.Strokes.Count - closed})") };
-        if (plot.ToolStart is not null) entries.AddRange([("rapid", "rapid"), ("start", "start")]);
+        Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{Escaped(Wording.Get("Plot.Size", plot.Title, Millimetres(drawn.Width), Millimetres(drawn.Height)))}</text>");
+        var travel = plot.ToolStart is null ? string.Empty : Wording.Get("Plot.Travel", Millimetres(plot.Travel));
+        Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{Escaped(Wording.Get("Plot.Strokes", plot.Strokes.Count, Millimetres(plot.CutLength), travel))}</text>");
+        var entries = new List<(string Class, string Text)> { ("cut closed", Wording.Get("Plot.Closed", closed)), ("cut open", Wording.Get("Plot.Open", plot.Strokes.Count - closed)) };
+        if (plot.ToolStart is not null) entries.AddRange([("rapid", Wording.Get("Plot.Rapid")), ("start", Wording.Get("Plot.Start"))]);
         for (var i = 0; i < entries.Count; i++) WriteLegend(entries[i].Class, entries[i].Text, frame.FieldWidth - (122.0 * (entries.Count - i)), top + 42.0, output);
     }
 
     private static void WriteLegend(string css, string text, double x, double y, TextWriter output) =>
-        Line(output, $"<path class=\"{css}\" stroke-width=\"2\" d=\"M{Number(x)},{Number(y - 4.0)}h24\"/><text x=\"{Number(x + 30.0)}\" y=\"{Number(y)}\" font-size=\"12\">{text}</text>");
+        Line(output, $"<path class=\"{css}\" stroke-width=\"2\" d=\"M{Number(x)},{Number(y - 4.0)}h24\"/><text x=\"{Number(x + 30.0)}\" y=\"{Number(y)}\" font-size=\"12\">{Escaped(text)}</text>");
 
     private static string Colour(PlotStroke stroke) => stroke.Closed ? "closed" : "open";
 

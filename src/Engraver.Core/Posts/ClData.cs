@@ -19,11 +19,8 @@ public static class ClData
 
     private static readonly DxfSheetLayer[] s_layers = [new(ClosedLayer, 4), new(OpenLayer, 30), new(RapidLayer, 1, Plots: false)];
 
-    /// <summary>The same from the strokes as they were drawn: an ellipse stays an ELLIPSE and a spline a SPLINE, exact, where the toolpath has arcs within a tolerance.</summary>
-    public static void Write(SequencingResult sequence, Point2D toolStart, TextWriter output) =>
-        Write(new Toolpath(toolStart, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]), output);
-
     /// <summary>Writes the path as DXF: each rapid before the stroke it leads to, each stroke's moves in order and direction. An empty path is an empty drawing.</summary>
+    /// <remarks>Given the strokes as they were drawn, an ellipse stays an ELLIPSE and a spline a SPLINE, exact, where a planned path has arcs within a tolerance.</remarks>
     public static void Write(Toolpath path, TextWriter output) => DxfWriter.Write(new DxfSheet(s_layers, [.. Entities(path)]), output);
 
     private static IEnumerable<DxfSheetEntity> Entities(Toolpath path)

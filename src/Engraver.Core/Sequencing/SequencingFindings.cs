@@ -27,7 +27,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         var first = 0;
         while (first < kept.Length && kept[first] == first) first++;
         var entity = analysed.EntityIndexOf(first);
-        Add(SequencingRules.DuplicatesRemoved, entity, Number(analysed.Count - kept.Length), HandleOf(entity) ?? "without a handle");
+        Add(SequencingRules.DuplicatesRemoved, entity, Number(analysed.Count - kept.Length), HandleOf(entity) ?? Wording.Get("SequencingFindings.WithoutHandle"));
     }
 
     public void AddArcs(ArcRecoveryResult recovered)
@@ -70,7 +70,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
     public void AddEntry(EnterAt wish, EnterAt enter, StrokeEntry? entry, ReadOnlySpan<int> inside)
     {
         if (enter != wish && (wish, enter) is (EnterAt.AtEntity { EntityIndex: var named }, EnterAt.AtEntity { EntityIndex: var standIn }))
-            Add(SequencingRules.EntryStandsIn, named, HandleOf(named) ?? "without a handle", HandleOf(standIn) ?? "without a handle");
+            Add(SequencingRules.EntryStandsIn, named, HandleOf(named) ?? Wording.Get("SequencingFindings.WithoutHandle"), HandleOf(standIn) ?? Wording.Get("SequencingFindings.WithoutHandle"));
         if (entry is not { } found)
         {
             _diagnostics.Add(SequencingRules.EntryNotFound.At(default));
@@ -94,7 +94,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
     private void AddSmallGap(Discontinuity end, EntityTable table)
     {
-        var nearest = HandleOf(table.EntityIndexOf(end.NearestRow)) ?? "without a handle";
+        var nearest = HandleOf(table.EntityIndexOf(end.NearestRow)) ?? Wording.Get("SequencingFindings.WithoutHandle");
         Add(SequencingRules.SmallGap, table.EntityIndexOf(end.Row), Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest);
     }
 

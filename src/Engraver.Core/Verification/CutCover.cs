@@ -81,7 +81,7 @@ internal sealed class CutCover
             if (IsBeside(move, place, within)) return _last = move;
         }
 
-        var found = _index.NearestBy(_measure, place, within, out _);
+        var found = _index.NearestBy(_measure, place, within, 0.0, out _);
         return found < 0 ? -1 : _last = found;
     }
 

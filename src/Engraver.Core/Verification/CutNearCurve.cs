@@ -2,53 +2,64 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Which part of a nearly straight piece of a curve lies within reach of a cut along a line or an arc: between the feet of the cut's ends, as far as the cut stays near.</summary>
+/// <summary>Which part of a nearly straight piece of a curve lies within reach of a cut, or of any segment one along such a piece: between the feet of the cut's ends, as far as the cut stays near.</summary>
 /// <remarks>A cut that only crosses the piece covers nothing of it: what it would cover is shorter than any gap that counts.</remarks>
 internal static class CutNearCurve
 {
     private const int Places = 8;
     private const int Halvings = 30;
 
+    /// <summary>The ends of an arc of more degrees say nothing of what lies beside it.</summary>
+    private const double Bent = 60.0;
+
     public static void Cover(in Segment piece, in Segment cut, double reach, CoveredParts covered)
     {
-        var span = piece.Curve.Spans[0];
-        var (first, last) = (FootOf.Place(span, cut.Start), FootOf.Place(span, cut.End));
+        var (first, last) = (FootOf.Place(piece, cut.Start, double.NaN).Foot, FootOf.Place(piece, cut.End, double.NaN).Foot);
         var (from, to) = (Math.Min(first, last), Math.Max(first, last));
-        Widen(span, reach, ref from, ref to);
+        Widen(piece, reach, ref from, ref to);
+        var isBent = cut.Kind is SegmentKind.Arc or SegmentKind.Circle && Math.Abs(cut.Arc.Sweep.Degrees) > Bent;
+        ReadOnlySpan<double> marks = isBent ? [0.0, from, to, 1.0] : [from, to];
         var isShort = cut.Kind == SegmentKind.Line && cut.Length < 4.0 * reach;
         var places = isShort ? 2 : Places;
-        var (before, wasNear) = (from, IsNear(span, from, cut, reach));
-        var start = from;
-        for (var i = 1; i <= places; i++)
+        var (before, wasNear) = (marks[0], IsNear(piece, marks[0], cut, reach));
+        var start = before;
+        for (var i = 1; i <= places * (marks.Length - 1); i++)
         {
-            var at = from + ((to - from) * i / places);
-            var isNear = IsNear(span, at, cut, reach);
-            if (isNear && !wasNear) start = Border(span, at, before, cut, reach);
-            if (wasNear && !isNear) covered.Add(start, Border(span, before, at, cut, reach));
+            var (mark, share) = ((i - 1) / places, (((i - 1) % places) + 1.0) / places);
+            var at = marks[mark] + ((marks[mark + 1] - marks[mark]) * share);
+            var isNear = IsNear(piece, at, cut, reach);
+            if (isNear && !wasNear) start = Border(piece, at, before, cut, reach);
+            if (wasNear && !isNear) covered.Add(start, Border(piece, before, at, cut, reach));
             (before, wasNear) = (at, isNear);
         }
 
-        if (wasNear) covered.Add(start, to);
+        if (wasNear) covered.Add(start, marks[^1]);
     }
 
     /// <summary>The piece reaches beyond the feet by up to the reach.</summary>
-    private static void Widen(BezierSpan span, double reach, ref double from, ref double to)
+    private static void Widen(in Segment piece, double reach, ref double from, ref double to)
     {
-        span.Evaluate(from, out var atFrom);
-        span.Evaluate(to, out var atTo);
-        if (atFrom.Length > 0.0) from = Math.Max(0.0, from - (reach / atFrom.Length));
-        if (atTo.Length > 0.0) to = Math.Min(1.0, to + (reach / atTo.Length));
+        var (atFrom, atTo) = (SpeedAt(piece, from), SpeedAt(piece, to));
+        if (atFrom > 0.0) from = Math.Max(0.0, from - (reach / atFrom));
+        if (atTo > 0.0) to = Math.Min(1.0, to + (reach / atTo));
     }
 
-    private static bool IsNear(BezierSpan span, double parameter, in Segment cut, double reach) => cut.DistanceTo(span.PointAt(parameter)) <= reach;
+    private static double SpeedAt(in Segment piece, double parameter)
+    {
+        if (!piece.IsFreeCurve) return piece.Length;
+        piece.Curve.Spans[0].Evaluate(parameter, out var derivative);
+        return derivative.Length;
+    }
+
+    private static bool IsNear(in Segment piece, double parameter, in Segment cut, double reach) => cut.DistanceTo(piece.PointAt(parameter)) <= reach;
 
     /// <summary>The last parameter within reach on the way from one that is to one that is not.</summary>
-    private static double Border(BezierSpan span, double near, double far, in Segment cut, double reach)
+    private static double Border(in Segment piece, double near, double far, in Segment cut, double reach)
     {
         for (var i = 0; i < Halvings; i++)
         {
             var middle = (near + far) / 2.0;
-            if (IsNear(span, middle, cut, reach)) near = middle;
+            if (IsNear(piece, middle, cut, reach)) near = middle;
             else far = middle;
         }
 

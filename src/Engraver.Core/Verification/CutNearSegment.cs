@@ -8,6 +8,14 @@ internal static class CutNearSegment
 {
     private const int MostMarks = 24;
 
+    /// <summary>Any by any; of curves nearly straight pieces.</summary>
+    public static void CoverAny(in Segment drawn, in Segment cut, double reach, CoveredParts covered)
+    {
+        if (drawn.IsFreeCurve || cut.IsFreeCurve) CutNearCurve.Cover(drawn, cut, reach, covered);
+        else if (drawn.Kind == SegmentKind.Line && cut.Kind == SegmentKind.Line) CoverLine(drawn.Line, cut.Line, reach, covered);
+        else Cover(drawn, cut, reach, covered);
+    }
+
     /// <summary>A line by a line: one interval, since both the line and what is within reach of the cut are convex.</summary>
     public static void CoverLine(LineSegment drawn, LineSegment cut, double reach, CoveredParts covered)
     {

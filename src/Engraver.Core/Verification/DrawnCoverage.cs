@@ -2,76 +2,104 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Verification;
 
-/// <summary>Which parts of a drawing a cut has passed near enough, as parameter intervals of each segment: exact, however long the segments are.</summary>
+/// <summary>Which parts of a drawing were cut, as parameter intervals of each segment: exact, however long the segments are.</summary>
+/// <remarks>A cut is held against the segments that are nearest to it and no others, so that thousands that meet in a point or lie on one another cost no more than as many elsewhere.
+/// What that leaves open is asked at the end of what was cut beside it (<see cref="NeighbourCover"/>).</remarks>
 internal sealed class DrawnCoverage
 {
-    private const int FewCandidates = 8;
-
-    /// <summary>Of the reach: a shorter cut may be a step of many that follow a segment across it.</summary>
-    private const double LongPath = 100.0;
+    /// <summary>Of the length that is missing already: more closely it need not be known.</summary>
+    private const double MissingKnown = 1e-5;
 
     private readonly Segment[] _drawing;
     private readonly SegmentIndex _index;
     private readonly TraceTolerances _tolerances;
     private readonly double _reach;
     private readonly CoveredParts[] _covered;
-    private readonly NearSegments _near;
-    private readonly List<int> _candidates = [];
-    private Bounds2D _nearBox = Bounds2D.Empty;
-    private double _margin = 1.0;
+    private readonly FollowedSegment _followed;
+    private readonly int[] _cuts;
+    private int _cut;
 
     /// <param name="drawing">Ellipses and splines as their pieces.</param>
+    /// <param name="index">Of the drawing.</param>
     public DrawnCoverage(Segment[] drawing, SegmentIndex index, TraceTolerances tolerances)
     {
-        (_drawing, _index, _tolerances, _reach) = (drawing, index, tolerances, tolerances.Coverage);
+        (_drawing, _index, _tolerances, _reach, _cuts) = (drawing, index, tolerances, tolerances.Coverage, new int[drawing.Length]);
         _covered = new CoveredParts[drawing.Length];
-        for (var i = 0; i < _covered.Length; i++) _covered[i] = new CoveredParts(LongestIgnored(drawing[i].Length) / 2.0 / Math.Max(drawing[i].Length, double.Epsilon));
-        _near = new NearSegments(drawing, _reach, _covered, Cover);
+        for (var i = 0; i < _covered.Length; i++) _covered[i] = new CoveredParts();
+        _followed = new FollowedSegment(drawing, _reach, _covered, Cover);
     }
 
-    /// <summary>Sine of the angle from which on a line that crosses a segment covers less of it than is kept (see <see cref="CoveredParts"/>): every line of a hatch crosses thousands.</summary>
-    public static double Crossed(in Segment segment, TraceTolerances tolerances)
+    /// <summary>Chords, and pairs of a segment and a cut that were compared.</summary>
+    public long Steps { get; private set; }
+
+    /// <summary>A straight cut between two samples, or a dot.</summary>
+    /// <param name="nearest">The segment nearest to its end, or one near enough; -1 for none.</param>
+    public void AddChord(Point2D from, Point2D to, int nearest)
     {
-        var length = segment.Length;
-        return length > 0.0 ? Math.Min(1.0, 4.0 * tolerances.Coverage * tolerances.StepsFor(length) / length) : 1.0;
+        Steps++;
+        var chord = Segment.FromLine(from, to);
+        _followed.Add(chord);
+        if (nearest == _followed.Drawn) return;
+        _followed.Set(nearest);
+        _followed.Add(chord);
     }
 
-    /// <summary>A straight cut between two samples, or a dot. Quick when cuts follow one another: what lies around is looked up once for many.</summary>
-    public void AddChord(Point2D from, Point2D to)
-    {
-        var box = Bounds2D.FromCorners(from, to).Grown(_reach);
-        if (!_nearBox.Contains(box)) LookAround(box);
-        if (_near.Count > 0) _near.Add(Segment.FromLine(from, to));
-    }
+    /// <summary>The segment along which the last chord went; -1 for none.</summary>
+    public int Followed => _followed.Drawn;
+
+    /// <summary>The next chord goes on from a place near this one.</summary>
+    public void Follow(int nearest) => _followed.Set(nearest);
+
+    /// <summary>From now on another cut is told by <see cref="Add"/>.</summary>
+    public void Begin() => _cut++;
 
     /// <summary>A cut along a line, or an arc of at most half a turn, of any length.</summary>
-    public void Add(in Segment path)
+    /// <param name="drawn">A segment that some part of it is near; told twice of one cut it is asked once.</param>
+    public void Add(int drawn, in Segment path)
     {
-        if (path.Kind == SegmentKind.Line && path.Length > LongPath * _reach) _index.AlongNotAcross(path.Line, _reach, _candidates);
-        else _index.Along(path, _reach, _candidates);
-        foreach (var candidate in _candidates) Cover(candidate, path);
+        if (_cuts[drawn] == _cut) return;
+        _cuts[drawn] = _cut;
+        Cover(drawn, path);
     }
 
     /// <summary>Length of the drawing that no cut came near, and where the first of it is. Gaps shorter than a step of the drawing are none: chords between samples cut corners.</summary>
-    public (double Length, Point2D? At) Missing()
+    /// <param name="farthest">The largest distance of a cut from the drawing: so far from the segment that it was held against it may be, and nearer to one beside it.</param>
+    public (double Length, Point2D? At) Missing(double farthest)
     {
-        _near.Close();
-        var missing = 0.0;
-        Point2D? first = null;
+        var together = _reach + Math.Min(_reach, farthest + (_reach / 100.0));
+        _followed.Close();
+        var (missing, first) = (0.0, (Point2D?)null);
+        NeighbourCover? neighbours = null;
         for (var i = 0; i < _covered.Length; i++)
         {
-            var segment = _drawing[i];
-            var longest = LongestIgnored(segment.Length);
-            foreach (var (from, to) in _covered[i].Gaps())
+            if (!Gaps(i, _covered[i]).Any()) continue;
+            neighbours ??= new NeighbourCover(_drawing, _index, _covered, together);
+            foreach (var (from, to) in Gaps(i, WithNeighbours(i, neighbours, missing)))
             {
-                var length = LengthOf(segment, from, to);
-                if (length == 0.0 || length < longest * 0.999) continue;
+                var length = LengthOf(_drawing[i], from, to);
                 missing += length;
-                first ??= segment.PointAt(from + ((to - from) * Math.Min(0.5, longest / (2.0 * length))));
+                first ??= _drawing[i].PointAt(from + ((to - from) * Math.Min(0.5, LongestIgnored(_drawing[i].Length) / (2.0 * length))));
             }
         }
 
         return (missing, first);
+    }
+
+    private CoveredParts WithNeighbours(int drawn, NeighbourCover neighbours, double missing)
+    {
+        var length = _drawing[drawn].Length;
+        var shortest = Math.Max(LongestIgnored(length) / 2.0, MissingKnown * missing) / length;
+        var covered = new CoveredParts();
+        foreach (var (from, to) in _covered[drawn].Parts()) covered.Add(from, to);
+        foreach (var gap in Gaps(drawn, _covered[drawn])) neighbours.Cover(drawn, gap, shortest, covered);
+        return covered;
+    }
+
+    /// <summary>Those that count.</summary>
+    private IEnumerable<(double From, double To)> Gaps(int drawn, CoveredParts covered)
+    {
+        var longest = LongestIgnored(_drawing[drawn].Length);
+        return covered.Gaps().Where(gap => LengthOf(_drawing[drawn], gap.From, gap.To) is > 0.0 and var length && length >= longest * 0.999);
     }
 
     private double LongestIgnored(double length) => length / _tolerances.StepsFor(length);
@@ -86,31 +114,15 @@ internal sealed class DrawnCoverage
         return sum;
     }
 
-    private void LookAround(Bounds2D box)
-    {
-        if (_near.Count > FewCandidates) _margin /= 2.0;
-        else if (_near.Count < 2) _margin *= 2.0;
-        _margin = Math.Clamp(_margin, 2.0 * _reach, 100.0);
-        _nearBox = box.Grown(_margin);
-        var middle = new Point2D((_nearBox.MinX + _nearBox.MaxX) / 2.0, (_nearBox.MinY + _nearBox.MaxY) / 2.0);
-        var radius = Math.Sqrt((_nearBox.Width * _nearBox.Width) + (_nearBox.Height * _nearBox.Height)) / 2.0;
-        _index.Around(middle, radius, _candidates);
-        _candidates.RemoveAll(candidate => _drawing[candidate].DistanceTo(middle) > radius);
-        _near.Set(_candidates);
-    }
-
     private void Cover(int drawn, in Segment cut)
     {
-        ref readonly var segment = ref _drawing[drawn];
-        var covered = _covered[drawn];
-        if (segment.IsFreeCurve) CutNearCurve.Cover(segment, cut, _reach, covered);
-        else if (segment.Kind == SegmentKind.Line && cut.Kind == SegmentKind.Line) CutNearSegment.CoverLine(segment.Line, cut.Line, _reach, covered);
-        else CutNearSegment.Cover(segment, cut, _reach, covered);
+        Steps++;
+        CutNearSegment.CoverAny(_drawing[drawn], cut, _reach, _covered[drawn]);
     }
 }
 
-/// <summary>Parameter intervals of one segment that have been covered. Memory is bounded: bits shorter than what may be missing anyway are forgotten unless the next bit touches them.</summary>
-internal sealed class CoveredParts(double shortestKept)
+/// <summary>Parameter intervals of one segment that have been covered. None is forgotten, however short: where a cut follows another segment for a moment, a neighbour may need it. Cuts that only cross are not told, so they are few.</summary>
+internal sealed class CoveredParts
 {
     private const double Touching = 1e-9;
     private const int ManyParts = 64;
@@ -132,17 +144,23 @@ internal sealed class CoveredParts(double shortestKept)
         (_from, _to) = (from, to);
     }
 
-    /// <summary>What is not covered, in order.</summary>
-    public IEnumerable<(double From, double To)> Gaps()
+    /// <summary>What is covered, in order, none touching the next.</summary>
+    public IReadOnlyList<(double From, double To)> Parts()
     {
         var parts = new List<(double From, double To)>(_parts ?? []);
         if (!double.IsNaN(_from)) parts.Add((_from, _to));
-        parts.Sort();
+        if (parts.Count > 1) Merge(parts);
+        return parts;
+    }
+
+    /// <summary>What is not covered, in order.</summary>
+    public IEnumerable<(double From, double To)> Gaps()
+    {
         var end = 0.0;
-        foreach (var (from, to) in parts)
+        foreach (var (from, to) in Parts())
         {
             if (from > end + Touching) yield return (end, from);
-            end = Math.Max(end, to);
+            end = to;
         }
 
         if (end < 1.0 - Touching) yield return (end, 1.0);
@@ -150,7 +168,7 @@ internal sealed class CoveredParts(double shortestKept)
 
     private void Keep()
     {
-        if (double.IsNaN(_from) || _to - _from < shortestKept) return;
+        if (double.IsNaN(_from)) return;
         _parts ??= [];
         _parts.Add((_from, _to));
         if (_parts.Count >= ManyParts && (_parts.Count & (_parts.Count - 1)) == 0) Merge(_parts);

@@ -60,7 +60,7 @@ internal sealed class DrawnRest
     private (double Distance, int Piece) From(Point2D place)
     {
         var bound = _last < _pieces.Count ? _measure(_last, place) : double.PositiveInfinity;
-        var piece = _index.NearestBy(_measure, place, bound, out var distance);
+        var piece = _index.NearestBy(_measure, place, bound, 0.0, out var distance);
         if (piece >= 0 && double.IsFinite(distance)) _last = piece;
         return double.IsFinite(distance) ? (distance, _last) : (distance, -1);
     }

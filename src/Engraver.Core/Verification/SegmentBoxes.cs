@@ -5,9 +5,9 @@ namespace Engraver.Core.Verification;
 /// <summary>Oriented boxes round segments. Where curved ones lie closer together than their boxes are wide they are cut into pieces until the boxes are that narrow, and long ones into pieces of like length.</summary>
 /// <remarks>The number of boxes is bounded: a few for each segment, and some hundred thousand in all that crowded rings may have more.</remarks>
 /// <param name="Boxes">Of all pieces, segment by segment.</param>
-/// <param name="Turns">Sine of the largest angle between each box and the piece in it.</param>
 /// <param name="Owners">The segment of each.</param>
-internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] Owners)
+/// <param name="Parts">Which part of it, as fractions; of a curve of many spans the whole of it.</param>
+internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double From, double To)[] Parts)
 {
     private const double PiecesPerSegment = 24.0;
     private const double MostPieces = 200_000.0;
@@ -33,16 +33,14 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] O
         var width = Math.Max(Narrow * extents.Width * extents.Height / Math.Max(total, double.Epsilon), double.Epsilon);
         var roots = sags.Sum(sag => Math.Sqrt(sag / width));
         if (roots > budget) width *= roots / budget * (roots / budget);
-        var (boxes, turns, owners) = (new List<OrientedBox>(sags.Length), new List<double>(sags.Length), new List<int>(sags.Length));
+        var (boxes, owners, parts) = (new List<OrientedBox>(sags.Length), new List<int>(sags.Length), new List<(double From, double To)>(sags.Length));
         for (var i = 0; i < sags.Length; i++)
         {
-            var pieces = PiecesOf(segments[i], sags[i], width, length);
-            AddPieces(segments[i], pieces, boxes);
+            AddPieces(segments[i], PiecesOf(segments[i], sags[i], width, length), boxes, parts);
             while (owners.Count < boxes.Count) owners.Add(i);
-            while (turns.Count < boxes.Count) turns.Add(TurnOf(segments[i], pieces));
         }
 
-        return new SegmentBoxes([.. boxes], [.. turns], [.. owners]);
+        return new SegmentBoxes([.. boxes], [.. owners], [.. parts]);
     }
 
     /// <summary>The width of a box falls with the square of the number of pieces.</summary>
@@ -57,19 +55,12 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] O
     private static double SagOf(in Segment segment)
     {
         if (segment.Kind == SegmentKind.Line) return 0.0;
-        if (segment.IsFreeCurve) return segment.Curve.Spans.ToArray().Max(span => 2.0 * BoxOf(span).HalfWidth);
+        if (segment.IsFreeCurve) return segment.Curve.Spans.ToArray().Max(span => 2.0 * OrientedBox.Around(span).HalfWidth);
         var half = segment.Arc.Sweep.Radians / 2.0;
         return segment.Arc.Radius * half * half / 2.0;
     }
 
-    private static double TurnOf(in Segment segment, int pieces)
-    {
-        if (segment.Kind == SegmentKind.Line) return 0.0;
-        var half = segment.IsFreeCurve ? Math.PI : Math.Abs(segment.Arc.Sweep.Radians) / (2.0 * pieces);
-        return half < Math.PI / 2.0 ? Math.Sin(half) : 1.0;
-    }
-
-    private static void AddPieces(in Segment segment, int pieces, List<OrientedBox> boxes)
+    private static void AddPieces(in Segment segment, int pieces, List<OrientedBox> boxes, List<(double From, double To)> parts)
     {
         var spans = segment.IsFreeCurve ? segment.Curve.Spans : [];
         for (var span = 0; span < Math.Max(1, spans.Length); span++)
@@ -77,15 +68,9 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, double[] Turns, int[] O
             for (var piece = 0; piece < pieces; piece++)
             {
                 var (from, to) = ((double)piece / pieces, (piece + 1.0) / pieces);
-                boxes.Add(spans.Length > 0 ? BoxOf(spans[span].Part(from, to)) : OrientedBox.Around(SpanDeviation.Part(segment, from, to)));
+                parts.Add(spans.Length > 1 ? (0.0, 1.0) : (from, to));
+                boxes.Add(spans.Length > 0 ? OrientedBox.Around(spans[span].Part(from, to)) : OrientedBox.Around(SegmentPart.Of(segment, from, to)));
             }
         }
-    }
-
-    private static OrientedBox BoxOf(BezierSpan span)
-    {
-        Span<Point2D> control = stackalloc Point2D[span.Degree + 1];
-        for (var i = 0; i < control.Length; i++) control[i] = span.Control(i);
-        return OrientedBox.Around(control[0], control[^1], control[1..^1]);
     }
 }

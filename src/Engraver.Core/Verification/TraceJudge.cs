@@ -6,6 +6,9 @@ namespace Engraver.Core.Verification;
 /// <remarks>Meaning and numbers are those of <see cref="TraceComparison.Compare"/>. Not thread safe.</remarks>
 public sealed class TraceJudge
 {
+    /// <summary>Places that are looked at between two samples; a machine goes a few hundredths of a millimetre from one to the next.</summary>
+    private const int MostStepsOfChord = 64;
+
     private readonly SegmentIndex _index;
     private readonly SpanDeviation _spans;
     private readonly DrawnCoverage _coverage;
@@ -24,10 +27,13 @@ public sealed class TraceJudge
         ArgumentNullException.ThrowIfNull(tolerances);
         Segment[] pieces = [.. CurvePieces.Split(drawing)];
         _reach = tolerances.Coverage;
-        _index = new SegmentIndex(pieces, segment => DrawnCoverage.Crossed(segment, tolerances));
-        _spans = new SpanDeviation(pieces, _index, tolerances);
+        _index = new SegmentIndex(pieces);
         _coverage = new DrawnCoverage(pieces, _index, tolerances);
+        _spans = new SpanDeviation(pieces, _index, _coverage, tolerances);
     }
+
+    /// <summary>Segments and boxes that were looked at so far.</summary>
+    internal long Steps => _index.Steps + _coverage.Steps;
 
     /// <summary>The machine was here; between two consecutive cutting samples it went straight.</summary>
     public void Add(in TraceSample sample)
@@ -48,11 +54,10 @@ public sealed class TraceJudge
         {
             _samples += span.Samples;
             Judge(span.At(0.0));
-            var found = _spans.Measure(span, _largest);
+            var found = _spans.Measure(span, _largest, _extra);
             if (found.Largest > _largest) (_largest, _worst) = (found.Largest, span.At(found.At));
             _extra += found.Extra;
-            _coverage.Add(span.Path);
-            _index.NearEnoughTo(span.Path.End, _reach, out var atEnd);
+            _coverage.Follow(_index.NearEnoughTo(span.Path.End, _reach, out var atEnd));
             _wasOff = atEnd > _reach;
         }
 
@@ -62,26 +67,43 @@ public sealed class TraceJudge
     /// <summary>What is known so far; with no more to come, the verdict.</summary>
     public TraceVerdict Verdict()
     {
-        var (missing, at) = _coverage.Missing();
+        var (missing, at) = _coverage.Missing(_largest);
         return new TraceVerdict(_samples, _largest, _worst, missing, at, _extra);
     }
 
     private void Judge(in TraceSample sample)
     {
-        _index.NearEnoughTo(sample.Place, Math.Min(_largest, _reach), out var deviation);
+        var nearest = _index.NearEnoughTo(sample.Place, Math.Min(_largest, _reach), out var deviation);
         if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
         var isOff = deviation > _reach;
         if (_last is { Cutting: true } before)
         {
             if (isOff || _wasOff) _extra += before.Place.DistanceTo(sample.Place);
-            if (before.Place != sample.Place) _coverage.AddChord(before.Place, sample.Place);
+            if (before.Place != sample.Place) AddChord(before.Place, sample.Place, nearest);
         }
         else
         {
-            _coverage.AddChord(sample.Place, sample.Place); // a lone sample is a dot
+            _coverage.AddChord(sample.Place, sample.Place, nearest); // a lone sample is a dot
         }
 
         _wasOff = isOff;
+    }
+
+    /// <summary>Where it leads from one segment to another there may be shorter ones between them.</summary>
+    private void AddChord(Point2D from, Point2D to, int nearest)
+    {
+        if (nearest != _coverage.Followed)
+        {
+            var (chord, steps) = (Segment.FromLine(from, to), Math.Min(MostStepsOfChord, (int)Math.Ceiling(from.DistanceTo(to) / _reach)));
+            _coverage.Begin();
+            for (var i = 1; i < steps; i++)
+            {
+                var between = _index.NearEnoughTo(chord.PointAt((double)i / steps), Math.Min(_largest, _reach), out var distance);
+                if (distance <= _reach) _coverage.Add(between, chord);
+            }
+        }
+
+        _coverage.AddChord(from, to, nearest);
     }
 }
 

@@ -5,7 +5,6 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Timing;
-using Engraver.Galil.Language;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -44,9 +43,9 @@ public sealed class GalilConnection : IMachineConnection
         return new GalilConnection(session, messages);
     }
 
-    public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => StatusPoll.ReadAsync(_session.StopHandle, cancellation);
+    public ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation) => StatusPoll.ReadAsync(_session.StopHandle, axes, cancellation);
 
-    public ValueTask<ControllerPlace> LocateAsync(CancellationToken cancellation) => PlaceQuestions.AskAsync(_session.Commands, cancellation);
+    public ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation) => PlaceQuestions.AskAsync(_session.Commands, axes, cancellation);
 
     public ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation) => PlaceQuestions.MarkAsync(_session.Commands, mark, cancellation);
 
@@ -59,8 +58,11 @@ public sealed class GalilConnection : IMachineConnection
             await _session.StopHandle.SendAsync(command, CancellationToken.None).ConfigureAwait(false);
     }
 
-    public async Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) =>
-        (await _session.Commands.SendAsync((on ? "SH" : "MO") + DmcAxes.Plane, cancellation).ConfigureAwait(false) as Rejected)?.ToRefusal();
+    public async Task<MachineRefusal?> SetMotorsAsync(MachineAxes axes, bool on, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(axes);
+        return (await _session.Commands.SendAsync((on ? "SH" : "MO") + axes.Letters, cancellation).ConfigureAwait(false) as Rejected)?.ToRefusal();
+    }
 
     public Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation) => _terminal.AnswerAsync(line, cancellation);
 

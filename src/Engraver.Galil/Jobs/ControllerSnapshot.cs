@@ -42,6 +42,6 @@ internal sealed class ControllerSnapshot(ControllerSession session, ProgramMemor
     {
         _earlier = options.JournalPath is { } journal ? CrashRecovery.Last(journal, now) : null;
         if (_earlier is not null) session.Inherit(_earlier.Found.State);
-        else Lost.Add("A run that died has left its program and its settings in the controller, and no journal beside this one tells what stood there before; download your own program and set VS VA VD VR SP AC DC again, or switch the controller off and on.");
+        else Lost.Add(Wording.Get("ControllerSnapshot.RunDiedHasLeft"));
     }
 }

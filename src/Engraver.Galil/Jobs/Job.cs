@@ -44,7 +44,7 @@ internal sealed class Job
             JobMode.Program => new ProgramStrategy(program, _machine, _ledger, _log, _memory, options),
             _ => throw new ArgumentOutOfRangeException(nameof(options)),
         };
-        _stopper = new OperatorStop(session, program.Profile.ToolOutput, OwnThreads);
+        _stopper = new OperatorStop(session, program.Profile.ToolOutput, OwnThreads, program.Profile.Axes.Letters);
     }
 
     public async Task<JobResult> RunAsync()
@@ -66,7 +66,7 @@ internal sealed class Job
         return Journalled(_options.Judge?.Invoke(result) ?? result);
     }
 
-    private static JobStep Stopped => new(JobOutcome.Stopped, "Stopped by the operator.", null);
+    private static JobStep Stopped => new(JobOutcome.Stopped, Wording.Get("Job.StoppedOperator"), null);
 
     private JobResult Journalled(JobResult result)
     {
@@ -77,7 +77,7 @@ internal sealed class Job
         }
         catch (IOException failure)
         {
-            return result with { Sentence = $"{result.Sentence} The journal's last line could not be written: {failure.Message}" };
+            return result with { Sentence = Wording.Get("Job.JournalLastLineCould", result.Sentence, failure.Message) };
         }
     }
 
@@ -101,7 +101,7 @@ internal sealed class Job
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobStep.Broken($"The journal cannot be written: {failure.Message} The job was stopped, for without it nobody could say what is engraved.");
+            return JobStep.Broken(Wording.Get("Job.JournalCannotWrittenJob", failure.Message));
         }
     }
 
@@ -122,13 +122,14 @@ internal sealed class Job
         var resident = ResidentServer.Program(_options.Mode, _program.Profile);
         if (await _found.BorrowAsync(resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
+        var axes = _program.Profile.Axes.Letters;
         string[] settings = ["AC", "DC"];
         var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_program.Profile) }; // whatever somebody left on or selected
-        commands.AddRange(_session.Found.MotorsOff.Where(DmcAxes.Plane.Contains).Select(letter => $"SH{letter}"));
-        commands.AddRange(settings.SelectMany(name => new[] { $"{name}A={acceleration}", $"{name}B={acceleration}" }));
+        commands.AddRange(_session.Found.MotorsOff.Where(axes.Contains).Select(letter => $"SH{letter}"));
+        commands.AddRange(Programs.Subprograms.AccelerationCommands(_program.Profile));
         commands.Add(ResidentServer.StartCommand(resident));
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
-        if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => DmcAxes.Plane.Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => axes.Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
         if (await _machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
         if (await _way.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
         if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;
@@ -138,14 +139,14 @@ internal sealed class Job
 
     private async Task<JobStep> CutAsync()
     {
-        if (IsTooFar) return JobStep.Broken(JobMachine.Text($"With the drawing's zero at {_machine.Frame.X},{_machine.Frame.Y} the controller cannot count to all of the drawing; set its position (DP) nearer to 0,0, or the origin nearer to its zero."));
+        if (IsTooFar) return JobStep.Broken(Wording.Get("Job.CannotCountToAll", _machine.Frame.X, _machine.Frame.Y));
         if (_options.Frame is not null && _program.Strokes.Count > 0 && await RapidMove.ToAsync(_machine, _program.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
         if (await _way.CutAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         if (_program.Finish is { } finish && await RapidMove.ToAsync(_machine, finish).ConfigureAwait(false) is { Ends: true } unfinished) return unfinished;
-        return new JobStep(JobOutcome.Complete, JobMachine.Text($"Done: {_ledger.Executed} segments."), null);
+        return new JobStep(JobOutcome.Complete, Wording.Get("Job.DoneSegments", _ledger.Executed), null);
     }
 
-    /// <summary>A rapid or a line would leave the controller's 32 bits.</summary>
+    /// <summary>Whether a rapid would leave the controller's 32 bits.</summary>
     private bool IsTooFar => !_program.Strokes.All(stroke => _machine.ControllerFrame.Holds(stroke.Start)) || !_machine.ControllerFrame.Holds(_program.Start) || !_machine.ControllerFrame.Holds(_program.Finish ?? _program.Start);
 
     /// <summary>Tool off, stop, our threads halted, at rest; after a complete job only the threads are left to stop. Tried over a lost link too, because the other handle may still work.</summary>
@@ -171,7 +172,7 @@ internal sealed class Job
 
     /// <summary>What was last known. After the link is lost the controller continues unseen: with its buffer, or a program with all its strokes, until the watchdog trips.</summary>
     private string LastWord => _machine.Known is { } known
-        ? JobMachine.Text($" The last word of the controller was {known.Position.X},{known.Position.Y} with {_ledger.Executed} segments done; it goes on with what it has until its watchdog stops it, so that more may be cut than is counted here.")
+        ? Wording.Get("Job.LastWordControllerWith", known.Position.X, known.Position.Y, _ledger.Executed)
         : "";
 
     /// <summary>Restores the found program, speeds and motors; the machine is at rest and our threads are halted.</summary>
@@ -189,11 +190,11 @@ internal sealed class Job
         }
         catch (Exception unwritten) when (unwritten is IOException or UnauthorizedAccessException)
         {
-            return [$"The journal of an earlier run could not be ended: {unwritten.Message}"];
+            return [Wording.Get("Job.JournalEarlierRunCould", unwritten.Message)];
         }
         catch (ControllerException failure)
         {
-            return [$"The controller could not be left as it was found: {failure.Message}"];
+            return [Wording.Get("Job.ControllerCouldNotLeft", failure.Message)];
         }
     }
 

@@ -28,6 +28,7 @@ internal sealed class JobMachine
     private readonly ProgressWatch _progress;
     private readonly ToolWatch _toolWatch = new();
     private readonly JobFault _fault;
+    private readonly StateQuestions _questions;
     private bool _isGuarded;
     private int _glances;
 
@@ -35,6 +36,7 @@ internal sealed class JobMachine
     {
         _session = session;
         Profile = program.Profile;
+        _questions = new StateQuestions(program.Profile.Axes);
         Start = program.Start;
         _times = new PollTimes(session.Time, (session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6);
         _pollInterval = options.PollInterval;
@@ -151,16 +153,16 @@ internal sealed class JobMachine
     /// <summary>Reads the machine's state. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
-        if (Line is null) return await ReadAsync(MachineState.Operands, MachineState.From).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
-        if (await ReadAsync(MachineState.ProgramOperands, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
-        return await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
+        if (Line is null) return await ReadAsync(_questions.All, MachineState.From).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
+        if (await ReadAsync(_questions.Program, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
+        return await ReadAsync(_questions.Motion, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
     }
 
     /// <summary>Reads only the path where a whole poll would delay the segments: on a serial line.</summary>
     public async ValueTask<JobStep> GlanceAsync()
     {
         if (Line is null || Known is null || _toolWatch.IsSuspicious || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
-        if (await ReadAsync(MachineState.MotionOperands, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await ReadAsync(_questions.Motion, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
 
         // The axes were last seen in motion because of the path: now that it has ended they must be read again.
         return !State.SequenceRunning && State.AxesRunning ? await PollAsync().ConfigureAwait(false) : await PolledAsync().ConfigureAwait(false);
@@ -280,30 +282,31 @@ internal sealed class JobMachine
     {
         if (State.Trip == WatchdogProgram.ToolForgotten) return _fault.ToolForgotten();
         if (State.Trip != 0)
-            return JobStep.LinkLost("The controller heard nothing from this program for 1.0 s; its watchdog has switched the tool off and stopped the machine. Look for what held this computer or the network up.", LinkLoss.Watchdog);
+            return JobStep.LinkLost(Wording.Get("JobMachine.ControllerHeardNothingFrom"), LinkLoss.Watchdog);
         if (State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
         if (State.ProgramError == SupervisedProgram.Strayed)
-            return JobStep.Broken(Text($"The motion ended at {State.Position.X},{State.Position.Y} before its end ({StopCodes.Text(State.StopCode)}); find out what stopped it."));
+            return JobStep.Broken(Wording.Get("JobMachine.MotionEndedBeforeIts", State.Position.X, State.Position.Y, StopCodes.Text(State.StopCode)));
         if (State.ProgramError == PositionErrorProgram.Code) return await CannotFollowAsync().ConfigureAwait(false);
         var (line, _) = await AskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false);
         var code = (TcCode)State.ProgramError;
-        return Refuse(new Rejected(code, TcCodes.Text(code), Text($"line {line:0} of the downloaded program")), PlaceInProgram((int)line));
+        return Refuse(new Rejected(code, TcCodes.Text(code), Wording.Get("JobMachine.LineDownloadedProgram", line)), PlaceInProgram((int)line));
     }
 
     /// <summary>Reports a position error larger than ER: the axis is jammed, or driven faster than its motor can follow.</summary>
     private async ValueTask<JobStep> CannotFollowAsync()
     {
-        var (a, b) = (await AskAtRestAsync("_TEA").ConfigureAwait(false), await AskAtRestAsync("_TEB").ConfigureAwait(false));
-        var far = a is { } first && b is { } second ? Text($" (A is {first:0} and B {second:0} counts off)") : "";
-        return JobStep.Broken(Text($"The position error became larger than ER allows at {State.Position.X},{State.Position.Y}{far}: an axis cannot follow. Look for what holds it; a lower feed or acceleration may help.")) with { Doubt = "an axis could not follow in the last motion, and its motor was switched off" };
+        var (x, y) = (Profile.Axes.X.Letter, Profile.Axes.Y.Letter);
+        var (errorX, errorY) = (await AskAtRestAsync($"_TE{x}").ConfigureAwait(false), await AskAtRestAsync($"_TE{y}").ConfigureAwait(false));
+        var far = errorX is { } first && errorY is { } second ? Wording.Get("JobMachine.CountsOff", x, first, y, second) : "";
+        return JobStep.Broken(Wording.Get("JobMachine.PositionErrorBecameLarger", State.Position.X, State.Position.Y, far)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
     }
 
     /// <summary>Reports a halt from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is active, by AB, or by HX.</summary>
     private async ValueTask<JobStep> ProgramHaltedAsync()
     {
-        var where = Text($"at {State.Position.X},{State.Position.Y}");
+        var where = Wording.Get("Common.At", State.Position.X, State.Position.Y);
         if (State.StopCode == StopCodes.AbortInput || await AskAtRestAsync("_AB").ConfigureAwait(false) == 0)
-            return JobStep.Broken($"The abort input of the controller was hit; the machine stopped {where} without a ramp. Look at the machine and the tool, release the input, and start again.");
-        return JobStep.Broken($"Somebody halted the program in the controller that watches over this job ({StopCodes.Text(State.StopCode)}, {where}); nobody else may use the controller while a job runs.");
+            return JobStep.Broken(Wording.Get("JobMachine.AbortInputControllerHit", where));
+        return JobStep.Broken(Wording.Get("JobMachine.SomebodyHaltedProgramController", StopCodes.Text(State.StopCode), where));
     }
 }

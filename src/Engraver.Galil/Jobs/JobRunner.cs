@@ -1,6 +1,5 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Journal;
-using Engraver.Galil.Language;
 using Engraver.Galil.Sessions;
 
 namespace Engraver.Galil.Jobs;
@@ -25,9 +24,9 @@ public static class JobRunner
     {
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(session);
-        string off = string.Concat(session.Found.MotorsOff.Where(DmcAxes.Plane.Contains));
+        string off = string.Concat(session.Found.MotorsOff.Where(program.Profile.Axes.Letters.Contains));
         return off.Length > 0
-            ? JobResult.NotStarted(program.Strokes.Count, $"The motor of axis {string.Join(" and ", off.AsEnumerable())} is off; switch the motors on before a move.")
+            ? JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.MotorAxisOffSwitch", string.Join(Wording.Get("Common.And"), off.AsEnumerable())))
             : await RunAsync(program, goal, session, options with { DryRun = true }, progress, stop).ConfigureAwait(false);
     }
 
@@ -37,6 +36,8 @@ public static class JobRunner
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(session);
         ArgumentNullException.ThrowIfNull(options);
+        if (program.Profile.Axes.Letters.Except(session.Identity.Letters).ToList() is { Count: > 0 } missing)
+            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.MachineProfileMovesAxis", string.Join(Wording.Get("Common.And"), missing), session.Identity.Letters));
         JobJournal journal;
         try
         {
@@ -44,7 +45,7 @@ public static class JobRunner
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
-            return JobResult.NotStarted(program.Strokes.Count, $"The journal cannot be written: {failure.Message} Name another file.");
+            return JobResult.NotStarted(program.Strokes.Count, Wording.Get("JobRunner.JournalCannotWrittenName", failure.Message));
         }
 
         // Replies from memory are immediate: without a thread of its own the whole job would run before this method returns.

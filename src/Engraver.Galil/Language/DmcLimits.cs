@@ -41,5 +41,5 @@ public static class DmcLimits
     public const int Outputs = 8;
 
     /// <summary>The part of them that a machine profile can break.</summary>
-    public static MachineLimits Machine { get; } = new(SlowestSpeed, FastestSpeed, AccelerationStep, LargestAcceleration, Outputs);
+    public static MachineLimits Machine { get; } = new(SlowestSpeed, FastestSpeed, AccelerationStep, LargestAcceleration, Outputs, DmcAxes.All);
 }

@@ -58,7 +58,7 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         {
             clock.Dispose();
             throw new ControllerLinkException(
-                string.Create(CultureInfo.InvariantCulture, $"No clock at port {port} of this computer: {failure.Message} Give the port that 'engraver simulate' printed behind 'clock', or leave clock= out."), failure);
+                Wording.Get("OfferedClock.NoClockPortComputer", port, failure.Message), failure);
         }
     }
 
@@ -216,11 +216,11 @@ public sealed class OfferedClock : TimeProvider, IDisposable
         {
             var more = _socket.Receive(_answer.AsSpan(count));
             count += more;
-            if (more == 0 || count == _answer.Length) throw new IOException("the other end closed the clock.");
+            if (more == 0 || count == _answer.Length) throw new IOException(Wording.Get("OfferedClock.OtherEndClosedClock"));
             if (_answer[count - 1] != '\n') continue;
             return long.TryParse(_answer.AsSpan(0, count - 1), NumberStyles.None, CultureInfo.InvariantCulture, out var microseconds)
                 ? microseconds * TimeSpan.TicksPerMicrosecond
-                : throw new IOException("what answers there is no clock.");
+                : throw new IOException(Wording.Get("OfferedClock.WhatAnswersThereNo"));
         }
     }
 

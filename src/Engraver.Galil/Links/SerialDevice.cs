@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text;
 using Engraver.Core.Machines;
@@ -26,12 +25,12 @@ internal sealed class SerialDevice : IDisposable
     public static SerialDevice Open(SerialAddress address)
     {
         var device = SerialNative.Open(Encoding.UTF8.GetBytes(address.Device + '\0'), OpenFlags);
-        if (device.IsInvalid) throw Failure(address, "it cannot be opened"); // before another call takes the reason away
+        if (device.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotOpened")); // before another call takes the reason away
         var bell = EventFd(0, EventFlags);
         try
         {
-            if (bell.IsInvalid) throw Failure(address, "it cannot be opened");
-            if (Lock(device, LockForUs) != 0) throw new ControllerLinkException($"{address.Device} is in use by another program; close that one first.");
+            if (bell.IsInvalid) throw Failure(address, Wording.Get("SerialDevice.CannotOpened"));
+            if (Lock(device, LockForUs) != 0) throw new ControllerLinkException(Wording.Get("SerialDevice.UseAnotherProgramClose", address.Device));
             Configure(device, address);
             return new SerialDevice(device, bell);
         }
@@ -72,7 +71,7 @@ internal sealed class SerialDevice : IDisposable
         return count switch
         {
             > 0 => (int)count,
-            0 => throw new IOException("the device hung up"),
+            0 => throw new IOException(Wording.Get("Links.DeviceHungUp")),
             _ => NothingOr(Marshal.GetLastPInvokeError()),
         };
     }
@@ -96,11 +95,11 @@ internal sealed class SerialDevice : IDisposable
     private static void Configure(SafeFileHandle device, SerialAddress address)
     {
         var settings = default(LineSettings);
-        if (Control(device, GetSettings, ref settings) != 0) throw Failure(address, "it is no serial line");
+        if (Control(device, GetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.NoSerialLine"));
         settings = SerialSettings.Apply(settings, address.Baud, address.Flow);
-        if (Control(device, SetSettings, ref settings) != 0) throw Failure(address, "the line cannot be set");
+        if (Control(device, SetSettings, ref settings) != 0) throw Failure(address, Wording.Get("SerialDevice.LineCannotSet"));
         if (Control(device, GetSettings, ref settings) != 0 || !SerialSettings.HasRate(settings, address.Baud))
-            throw new ControllerLinkException(string.Create(CultureInfo.InvariantCulture, $"{address.Device} does not take {address.Baud} baud; give another rate, and set it on the controller too."));
+            throw new ControllerLinkException(Wording.Get("SerialDevice.DoesNotTakeBaud", address.Device, address.Baud));
         _ = Control(device, Flush, FlushInput);
     }
 
@@ -114,5 +113,5 @@ internal sealed class SerialDevice : IDisposable
         error is TryAgain or Interrupted ? 0 : throw new IOException(Marshal.GetPInvokeErrorMessage(error));
 
     private static ControllerLinkException Failure(SerialAddress address, string what) =>
-        new($"No connection to {address.Device}: {what} ({Marshal.GetLastPInvokeErrorMessage()}).");
+        new(Wording.Get("SerialDevice.NoConnection", address.Device, what, Marshal.GetLastPInvokeErrorMessage()));
 }

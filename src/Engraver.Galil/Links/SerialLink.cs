@@ -34,7 +34,7 @@ public sealed class SerialLink : IControllerLink
     /// <summary>Why serial links cannot be opened on this computer, a sentence; null where they can.</summary>
     public static string? WhyUnsupported => OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture != Architecture.Ppc64le
         ? null
-        : "serial links are built for Linux only so far; connect the controller by tcp://HOST:PORT.";
+        : Wording.Get("SerialLink.SerialLinksBuiltLinux");
 
     public string Description { get; }
 
@@ -68,7 +68,7 @@ public sealed class SerialLink : IControllerLink
 
     public async ValueTask DisposeAsync()
     {
-        Fail(new IOException("it was closed"));
+        Fail(new IOException(Wording.Get("SerialLink.Closed")));
         await _ended.Task.ConfigureAwait(false);
     }
 
@@ -93,7 +93,7 @@ public sealed class SerialLink : IControllerLink
         }
         catch (TimeoutException nothing)
         {
-            throw new IOException(string.Create(CultureInfo.InvariantCulture, $"the line took no byte for {_writeTimeout.TotalSeconds:0.#} s; look at the cable and at the flow control (flow=none, xonxoff or rtscts)"), nothing);
+            throw new IOException(Wording.Get("SerialLink.LineTookNoByte", _writeTimeout.TotalSeconds), nothing);
         }
     }
 
@@ -135,7 +135,7 @@ public sealed class SerialLink : IControllerLink
             _received.Writer.FlushAsync(CancellationToken.None).AsTask().GetAwaiter().GetResult();
         }
 
-        if ((happened & SerialNative.PollGone) != 0) throw new IOException("the device hung up");
+        if ((happened & SerialNative.PollGone) != 0) throw new IOException(Wording.Get("Links.DeviceHungUp"));
     }
 
     private void Fail(IOException failure)

@@ -8,7 +8,7 @@ namespace Engraver.Galil.Links;
 public sealed class TcpLink : IControllerLink
 {
     /// <summary>What a connection that is dropped as soon as it stands means (galil-dmc.md A.1).</summary>
-    internal const string HandlesTaken = "The controller dropped the connection as soon as it stood: probably all its handles are taken. This program needs two; close other programs that talk to the controller.";
+    internal static string HandlesTaken => Wording.Get("TcpLink.HandlesTaken");
 
     private readonly Socket _socket;
 
@@ -38,12 +38,12 @@ public sealed class TcpLink : IControllerLink
         {
             socket.Dispose();
             var hint = failure.SocketErrorCode == SocketError.ConnectionReset ? " " + HandlesTaken : "";
-            throw new ControllerLinkException($"No connection to {description}: {failure.Message}.{hint}".Replace("..", ".", StringComparison.Ordinal), failure);
+            throw new ControllerLinkException(Wording.Get("TcpLink.NoConnection", description, failure.Message, hint).Replace("..", ".", StringComparison.Ordinal), failure);
         }
         catch (OperationCanceledException failure) when (!cancellation.IsCancellationRequested)
         {
             socket.Dispose();
-            throw new ControllerTimeoutException($"{description} did not answer within {timeout.TotalSeconds:0.#} s.", failure);
+            throw new ControllerTimeoutException(Wording.Get("TcpLink.DidNotAnswerWithin", description, timeout.TotalSeconds), failure);
         }
         catch (OperationCanceledException)
         {

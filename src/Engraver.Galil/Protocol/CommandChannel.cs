@@ -115,7 +115,7 @@ public sealed class CommandChannel : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        _failure ??= new ControllerLinkException($"The link to {_link.Description} was closed.");
+        _failure ??= new ControllerLinkException(Wording.Get("CommandChannel.LinkClosed", _link.Description));
         await _link.DisposeAsync().ConfigureAwait(false);
         _deadline.Dispose();
         _turn.Dispose();
@@ -161,7 +161,7 @@ public sealed class CommandChannel : IAsyncDisposable
         await WriteAsync("TC1", false, ReplyShape.Text, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
         var frame = await ReadFrameAsync("TC1").ConfigureAwait(false);
         if (!frame.Accepted || !TcCodes.TryParse(frame.Data, out var code, out var text))
-            throw Fail(new ProtocolViolationException($"{_link.Description} refused '{command}' and answered '{Trimmed(frame.Data)}' to TC1, which is no reason."));
+            throw Fail(new ProtocolViolationException(Wording.Get("CommandChannel.RefusedAnsweredTC1Which", _link.Description, command, Trimmed(frame.Data))));
         return new Rejected(code, text, command);
     }
 
@@ -234,7 +234,7 @@ public sealed class CommandChannel : IAsyncDisposable
         _echo = null;
         await WriteAsync(SerialGreeting.Text, false, ReplyShape.Greeting, 0, _replyTimeout, CancellationToken.None).ConfigureAwait(false);
         await ReadFrameAsync(SerialGreeting.Text).ConfigureAwait(false);
-        return new EchoException($"{_link.Description} heard '{heard.TrimEnd('\r')}' where '{FirstLine(text)}' was sent: the line does not carry what is said. Look at the cable, at what disturbs it, and at the flow control.");
+        return new EchoException(Wording.Get("CommandChannel.HeardWhereSentLine", _link.Description, heard.TrimEnd('\r'), FirstLine(text)));
     }
 
     private async ValueTask ReadSomeAsync(string text)
@@ -242,7 +242,7 @@ public sealed class CommandChannel : IAsyncDisposable
         try
         {
             var count = await _link.ReadAsync(_received, _deadline.Expired).ConfigureAwait(false);
-            if (count == 0) throw Fail(new ControllerLinkException($"{_link.Description} closed the connection."));
+            if (count == 0) throw Fail(new ControllerLinkException(Wording.Get("CommandChannel.ClosedConnection", _link.Description)));
             count = _echo?.Strip(_received.AsSpan(0, count)) ?? count;
             _framer.Append(_received.AsSpan(0, count));
 
@@ -261,9 +261,9 @@ public sealed class CommandChannel : IAsyncDisposable
 
     private ControllerException Describe(Exception failure, string text) => failure is OperationCanceledException
         ? text == SerialGreeting.Text
-            ? new ControllerTimeoutException($"{_link.Description} did not answer; look at the cable, the baud rate (19200 without a jumper, 9600 with the jumper 96) and the flow control (flow=none for a cable of three wires).", failure)
-            : new ControllerTimeoutException($"{_link.Description} did not answer '{FirstLine(text)}' in time.", failure)
-        : new ControllerLinkException($"The link to {_link.Description} was lost: {failure.Message}", failure);
+            ? new ControllerTimeoutException(Wording.Get("CommandChannel.DidNotAnswerLook", _link.Description), failure)
+            : new ControllerTimeoutException(Wording.Get("CommandChannel.DidNotAnswerTime", _link.Description, FirstLine(text)), failure)
+        : new ControllerLinkException(Wording.Get("CommandChannel.LinkLost", _link.Description, failure.Message), failure);
 
     private static string FirstLine(string text) => text.IndexOf('\r', StringComparison.Ordinal) is >= 0 and var end ? text[..end] : text;
 

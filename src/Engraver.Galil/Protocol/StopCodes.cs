@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Engraver.Galil.Protocol;
 
 /// <summary>The codes of SC: why an axis stopped or is stopping (galil-dmc.md A.10).</summary>
@@ -18,16 +16,16 @@ public static class StopCodes
     public static string Text(int code) => code switch
     {
         0 => "running",
-        AtTarget => "at the commanded position",
-        2 => "stopped by the forward limit switch or the software limit FL",
-        3 => "stopped by the reverse limit switch or the software limit BL",
-        4 => "stopped by an ST command",
-        AbortInput => "stopped by the abort input",
-        7 => "stopped by an AB command",
-        8 => "switched off because of the position error",
-        11 => "stopped by a selective abort input",
-        SequenceRunning => "vector sequence running",
-        SequenceEnded => "vector sequence ended",
-        _ => string.Create(CultureInfo.InvariantCulture, $"stop code {code}"),
+        AtTarget => Wording.Get("StopCodes.CommandedPosition"),
+        2 => Wording.Get("StopCodes.StoppedForwardLimitSwitch"),
+        3 => Wording.Get("StopCodes.StoppedReverseLimitSwitch"),
+        4 => Wording.Get("StopCodes.StoppedStCommand"),
+        AbortInput => Wording.Get("StopCodes.StoppedAbortInput"),
+        7 => Wording.Get("StopCodes.StoppedAbCommand"),
+        8 => Wording.Get("StopCodes.SwitchedOffBecausePosition"),
+        11 => Wording.Get("StopCodes.StoppedSelectiveAbortInput"),
+        SequenceRunning => Wording.Get("StopCodes.VectorSequenceRunning"),
+        SequenceEnded => Wording.Get("StopCodes.VectorSequenceEnded"),
+        _ => Wording.Get("StopCodes.StopCode", code),
     };
 }

@@ -100,32 +100,32 @@ public static class TcCodes
 
     private static readonly FrozenDictionary<TcCode, string> Meanings = new Dictionary<TcCode, string>
     {
-        [TcCode.UnrecognizedCommand] = "this firmware does not know the command",
-        [TcCode.InputBufferFull] = "commands came faster than they were read",
-        [TcCode.NumberOutOfRange] = "a number is outside the controller's range",
-        [TcCode.NotValidWhileRunning] = "the machine was still moving",
-        [TcCode.DownloadWhileProgramRunning] = "a program is running; halt it first",
-        [TcCode.ThreadAlreadyExecuting] = "the program thread is already running",
-        [TcCode.BeginNotValidWithMotorOff] = "switch the motors on (SH) first",
-        [TcCode.BeginWhileRunning] = "the axis is already moving",
-        [TcCode.BeginAgainstLimitSwitch] = "the move goes towards an active limit switch or beyond a software limit",
-        [TcCode.BeginWithoutSequence] = "no segment was buffered",
-        [TcCode.NotValidDuringCoordinatedMove] = "a vector sequence is running",
-        [TcCode.SequenceSegmentTooShort] = "a segment has no length in counts",
-        [TcCode.SequenceTooLong] = "the sequence is longer than 2 billion counts",
-        [TcCode.SegmentBufferFull] = "the segment buffer is full",
-        [TcCode.VectorMixedWithLinear] = "linear and vector segments were mixed",
-        [TcCode.ArrayIndexInvalidOrOutOfRange] = "the program memory's arrays are too small",
-        [TcCode.DownloadError] = "a program line is too long or there are too many",
-        [TcCode.ArraySpaceFull] = "the controller has no array space left",
-        [TcCode.TooManyArraysOrVariables] = "the controller has no variables left",
+        [TcCode.UnrecognizedCommand] = "TcCodes.UnrecognizedCommand",
+        [TcCode.InputBufferFull] = "TcCodes.InputBufferFull",
+        [TcCode.NumberOutOfRange] = "TcCodes.NumberOutOfRange",
+        [TcCode.NotValidWhileRunning] = "TcCodes.NotValidWhileRunning",
+        [TcCode.DownloadWhileProgramRunning] = "TcCodes.DownloadWhileProgramRunning",
+        [TcCode.ThreadAlreadyExecuting] = "TcCodes.ThreadAlreadyExecuting",
+        [TcCode.BeginNotValidWithMotorOff] = "TcCodes.BeginNotValidWithMotorOff",
+        [TcCode.BeginWhileRunning] = "TcCodes.BeginWhileRunning",
+        [TcCode.BeginAgainstLimitSwitch] = "TcCodes.BeginAgainstLimitSwitch",
+        [TcCode.BeginWithoutSequence] = "TcCodes.BeginWithoutSequence",
+        [TcCode.NotValidDuringCoordinatedMove] = "TcCodes.NotValidDuringCoordinatedMove",
+        [TcCode.SequenceSegmentTooShort] = "TcCodes.SequenceSegmentTooShort",
+        [TcCode.SequenceTooLong] = "TcCodes.SequenceTooLong",
+        [TcCode.SegmentBufferFull] = "TcCodes.SegmentBufferFull",
+        [TcCode.VectorMixedWithLinear] = "TcCodes.VectorMixedWithLinear",
+        [TcCode.ArrayIndexInvalidOrOutOfRange] = "TcCodes.ArrayIndexInvalidOrOutOfRange",
+        [TcCode.DownloadError] = "TcCodes.DownloadError",
+        [TcCode.ArraySpaceFull] = "TcCodes.ArraySpaceFull",
+        [TcCode.TooManyArraysOrVariables] = "TcCodes.TooManyArraysOrVariables",
     }.ToFrozenDictionary();
 
     /// <summary>The controller's text for a code; for a code that is in no table, the number in words.</summary>
-    public static string Text(TcCode code) => Texts.TryGetValue(code, out var text) ? text : string.Create(CultureInfo.InvariantCulture, $"error {(int)code}");
+    public static string Text(TcCode code) => Texts.TryGetValue(code, out var text) ? text : Wording.Get("TcCodes.Error", (int)code);
 
     /// <summary>What the code means, as the second half of a sentence that begins with a colon; empty where the text says it all.</summary>
-    public static string Hint(TcCode code) => Meanings.TryGetValue(code, out var meaning) ? ": " + meaning : "";
+    public static string Hint(TcCode code) => Meanings.TryGetValue(code, out var meaning) ? ": " + Wording.Get(meaning) : "";
 
     /// <summary>Parses the answer of TC1: number and text, with any white space between them.</summary>
     /// <returns>False when the answer does not begin with a number.</returns>

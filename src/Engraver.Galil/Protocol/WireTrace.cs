@@ -56,7 +56,7 @@ public sealed class WireTrace
         if (_failure is not null) return;
         var seconds = _time.GetElapsedTime(_start).TotalSeconds.ToString("0.000000", CultureInfo.InvariantCulture);
         var visible = text.Replace("\r", "", StringComparison.Ordinal).Replace("\n", " | ", StringComparison.Ordinal).Replace("\x12\x16", "^R^V", StringComparison.Ordinal);
-        if (!_lines.Writer.TryWrite($"{seconds} {handle} {direction} {visible}")) Fail("Whoever reads it does not keep up.");
+        if (!_lines.Writer.TryWrite($"{seconds} {handle} {direction} {visible}")) Fail(Wording.Get("WireTrace.WhoeverReadsDoesNot"));
     }
 
     private async Task WhileTakenAsync()
@@ -67,7 +67,7 @@ public sealed class WireTrace
             await Task.WhenAny(_writing, Task.Delay(Patience, _wall, CancellationToken.None)).ConfigureAwait(false);
         }
 
-        if (!_writing.IsCompleted) Fail("Whoever reads it has stopped reading.");
+        if (!_writing.IsCompleted) Fail(Wording.Get("WireTrace.WhoeverReadsHasStopped"));
     }
 
     private void WriteAll(TextWriter writer)

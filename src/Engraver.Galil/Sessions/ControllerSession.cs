@@ -126,17 +126,17 @@ public sealed class ControllerSession : IAsyncDisposable
     public async Task<string?> BusyReasonAsync(CancellationToken cancellation)
     {
         if (await IsOurJobRunningAsync(cancellation).ConfigureAwait(false))
-            return "Another run of this program works on the controller now; wait for its end, or stop it where it was started.";
+            return Wording.Get("ControllerSession.AnotherRunProgramWorks");
         for (var thread = 0; thread < 8; thread++)
         {
             var line = (await Commands.ReadAsync($"_XQ{thread}", cancellation).ConfigureAwait(false)).OrNothing;
-            if (line is >= 0) return $"Thread {thread} of a program that is not ours runs in the controller (line {line:0}); halt it (HX{thread}) or let it end, then start the job again.";
+            if (line is >= 0) return Wording.Get("ControllerSession.ThreadProgramNotOurs", thread, line);
         }
 
         foreach (var mover in Identity.Letters + "ST")
         {
             var moving = (await Commands.ReadAsync($"_BG{mover}", cancellation).ConfigureAwait(false)).OrNothing;
-            if (moving is 1.0) return $"{(mover is 'S' or 'T' ? "Plane" : "Axis")} {mover} is moving; wait until the machine stands, then start the job again.";
+            if (moving is 1.0) return Wording.Get("ControllerSession.MovingWaitUntilMachine", mover is 'S' or 'T' ? Wording.Get("ControllerSession.Plane") : Wording.Get("ControllerSession.Axis"), mover);
         }
 
         return null;

@@ -12,7 +12,7 @@ internal static class Handshake
     public static async Task<ControllerIdentity> IdentifyAsync(CommandChannel channel, CancellationToken cancellation)
     {
         var model = await TextAsync(channel, RevisionQuestion, cancellation).ConfigureAwait(false);
-        var axes = AxesOf(model) ?? throw new ProtocolViolationException($"'{model}' answers on the link; a controller of the DMC family was expected.");
+        var axes = AxesOf(model) ?? throw new ProtocolViolationException(Wording.Get("Handshake.AnswersOnLinkController", model));
         var handle = await TextAsync(channel, "WH", cancellation).ConfigureAwait(false);
         var record = await RecordBytesAsync(channel, axes, cancellation).ConfigureAwait(false);
         await channel.SendAsync("TC1", cancellation).ConfigureAwait(false);
@@ -28,7 +28,7 @@ internal static class Handshake
     {
         if (await channel.SendAsync("QZ", cancellation).ConfigureAwait(false) is not Accepted { Data: var answer }) return null;
         if (!ControllerNumber.TryParseAll(answer, out var blocks) || blocks.Length != 4)
-            throw new ProtocolViolationException($"The controller answered '{answer}' to QZ; four numbers were expected.");
+            throw new ProtocolViolationException(Wording.Get("Handshake.ControllerAnsweredQzFour", answer));
         return 4 + (int)blocks[1] + (int)blocks[2] + (axes * (int)blocks[3]);
     }
 

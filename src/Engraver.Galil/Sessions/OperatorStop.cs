@@ -9,10 +9,11 @@ namespace Engraver.Galil.Sessions;
 /// <remarks>Two passes. <see cref="Begin"/> goes at once over the stop handle, while the feeder may still have a command on its way; when the feeder is silent,
 /// <see cref="FinishAsync"/> says it again, so that a BGS that arrived in between starts nothing.</remarks>
 /// <param name="ownThreads">Ours; first the one that commands motion.</param>
-/// <param name="axes">Letters of the axes that brake; null for those that a job moves.</param>
-public sealed class OperatorStop(ControllerSession session, int toolOutput, IReadOnlyList<int> ownThreads, string? axes = null)
+/// <param name="axes">Letters of the axes that brake and are waited for; of a job its X and then its Y.</param>
+public sealed class OperatorStop(ControllerSession session, int toolOutput, IReadOnlyList<int> ownThreads, string axes)
 {
-    private const string Operands = "_BGS,_BGA,_BGB,_CSS,_RPA,_RPB,TIME";
+    /// <summary>What rest is known by: the sequence and every axis, _CSS, where each axis stands, TIME.</summary>
+    private readonly string _operands = $"_BGS,{DmcAxes.Operands(axes, "_BG")},_CSS,{DmcAxes.Operands(axes, "_RP")},TIME";
 
     /// <summary>Polls at standstill after which an open sequence is ended by AB1, because STS does not close one that ran dry (galil-dmc.md B.7).</summary>
     private const int PatiencePolls = 20;
@@ -68,7 +69,7 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
         return report;
     }
 
-    private string[] BrakeCommands => [string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "STS", "ST " + (axes ?? DmcAxes.Plane)];
+    private string[] BrakeCommands => [string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "STS", "ST " + axes];
 
     private async Task HaltAsync()
     {
@@ -89,33 +90,32 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 
     private async Task<StandstillReport> WaitForRestAsync(TimeSpan pollInterval, CancellationToken cancellation)
     {
-        var last = new StandstillReport(0, 0, 0, 0);
+        double[] last = [];
         for (var standing = 0; ; standing++)
         {
             var v = await LookAsync(cancellation).ConfigureAwait(false);
-            var now = new StandstillReport((int)v[3], (int)v[4], (int)v[5], (long)v[6]);
-            if ((now.X, now.Y) != (last.X, last.Y)) standing = 0;
-            if ((v[0] == 0 && v[1] == 0 && v[2] == 0) || standing == MostStandingPolls) return now;
+            var (running, places) = (v[..(axes.Length + 1)], v[(axes.Length + 2)..^1]);
+            if (!places.SequenceEqual(last)) standing = 0;
+            if (running.All(runs => runs == 0) || standing == MostStandingPolls) return new StandstillReport((int)v[axes.Length + 1], (int)places[0], (int)places.ElementAtOrDefault(1), (long)v[^1]);
             if (standing == PatiencePolls) await SendAsync("AB 1").ConfigureAwait(false);
-            last = now;
+            last = places;
             if (pollInterval > TimeSpan.Zero) await Task.Delay(pollInterval, session.Time, cancellation).ConfigureAwait(false);
         }
     }
 
-    /// <summary>Asks all at once and, where that is refused, one by one: what the controller does not know is not fitted and does not move. The position it must know.</summary>
-    private async ValueTask<IReadOnlyList<double>> LookAsync(CancellationToken cancellation)
+    /// <summary>Asks all at once and, where that is refused or longer than a line, one by one: what the controller does not know is not fitted and does not move. The position it must know.</summary>
+    private async ValueTask<double[]> LookAsync(CancellationToken cancellation)
     {
-        var all = await session.StopHandle.ReadAsync(Operands, cancellation).ConfigureAwait(false);
-        if (all.Refusal is null) return all.Values;
+        if (_operands.Length <= DmcLimits.LineLength - "MG ".Length && await session.StopHandle.ReadAsync(_operands, cancellation).ConfigureAwait(false) is { Refusal: null } all) return [.. all.Values];
         var values = new List<double>();
-        foreach (var operand in Operands.Split(','))
+        foreach (var operand in _operands.Split(','))
         {
             var one = await session.StopHandle.ReadAsync(operand, cancellation).ConfigureAwait(false);
-            if (one.Refusal is { } refused && operand.StartsWith("_RP", StringComparison.Ordinal)) throw new ProtocolViolationException($"The tool is off and the machine was told to stop; where it stands could not be asked: {refused.Explain()}");
+            if (one.Refusal is { } refused && operand.StartsWith("_RP", StringComparison.Ordinal)) throw new ProtocolViolationException(Wording.Get("OperatorStop.ToolOffMachineTold", refused.Explain()));
             values.Add(one.OrNothing ?? 0.0);
         }
 
-        return values;
+        return [.. values];
     }
 
     /// <summary>Sends one command of the stop; its refusal does not prevent the others.</summary>
@@ -124,6 +124,7 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 
 /// <summary>Where and when the machine came to rest.</summary>
 /// <param name="SegmentCounter">_CSS before the buffer was emptied: segments of the stopped sequence that were done.</param>
-/// <param name="X">_RPA, controller's counts.</param>
+/// <param name="X">_RP of the first axis, controller's counts.</param>
+/// <param name="Y">Of the second.</param>
 /// <param name="Time">TIME, samples.</param>
 public sealed record StandstillReport(int SegmentCounter, int X, int Y, long Time);

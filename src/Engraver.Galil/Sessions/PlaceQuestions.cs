@@ -13,21 +13,22 @@ internal static class PlaceQuestions
     private const string MarkVariable = "cncmark";
 
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
-    public static async ValueTask<ControllerPlace> AskAsync(CommandChannel channel, CancellationToken cancellation)
+    /// <param name="axes">The axes that move the drawing's X and Y.</param>
+    public static async ValueTask<ControllerPlace> AskAsync(CommandChannel channel, MachineAxes axes, CancellationToken cancellation)
     {
-        var position = await channel.ReadAsync("_RPA,_RPB", cancellation).ConfigureAwait(false);
+        var position = await channel.ReadAsync(string.Join(',', axes.Letters.Select(letter => $"_RP{letter}")), cancellation).ConfigureAwait(false);
         if (position.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
         async ValueTask<double?> Ask(string operand) => (await channel.ReadAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
         var serial = await Ask("_BN").ConfigureAwait(false);
         var mark = await Ask(MarkVariable).ConfigureAwait(false);
         var clock = await Ask("TIME").ConfigureAwait(false);
-        var steppersOff = await SteppersOffAsync(Ask).ConfigureAwait(false);
+        var steppersOff = await SteppersOffAsync(axes.Letters, Ask).ConfigureAwait(false);
         return new ControllerPlace(
             new CountsPoint((int)position.Values[0], (int)position.Values[1]),
             serial is > 0 ? (long)serial : null,
             mark is > 0 ? (int)mark : null,
             clock,
-            steppersOff.Length == 0 ? "" : $"the stepper motor of axis {string.Join(" and ", steppersOff.AsEnumerable())} is off, and a stepper without current does not keep its place");
+            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("PlaceQuestions.And"), steppersOff.AsEnumerable())));
     }
 
     /// <summary>The variable is made by the assignment.</summary>
@@ -36,14 +37,14 @@ internal static class PlaceQuestions
         await channel.SendAsync(string.Create(CultureInfo.InvariantCulture, $"{MarkVariable}={mark}"), cancellation).ConfigureAwait(false) is Accepted;
 
     /// <summary>A servo without current is still counted by its encoder. _MT is 2, -2, 2.5 or -2.5 for a stepper (galil-dmc.md C).</summary>
-    private static async ValueTask<string> SteppersOffAsync(Func<string, ValueTask<double?>> ask)
+    private static async ValueTask<string> SteppersOffAsync(string axes, Func<string, ValueTask<double?>> ask)
     {
-        var letters = "";
-        foreach (var axis in DmcAxes.Plane)
+        var off = "";
+        foreach (var axis in axes)
         {
-            if (await ask($"_MO{axis}").ConfigureAwait(false) is 1.0 && await ask($"_MT{axis}").ConfigureAwait(false) is { } type && Math.Abs(type) >= 2.0) letters += axis;
+            if (await ask($"_MO{axis}").ConfigureAwait(false) is 1.0 && await ask($"_MT{axis}").ConfigureAwait(false) is { } type && Math.Abs(type) >= 2.0) off += axis;
         }
 
-        return letters;
+        return off;
     }
 }

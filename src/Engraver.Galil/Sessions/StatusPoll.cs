@@ -10,42 +10,41 @@ internal static class StatusPoll
     /// <summary>Stop code of an axis that was switched off because of its position error (galil-dmc.md A.10).</summary>
     private const int PositionError = 8;
 
-    private const string MotionOperands = "_RPA,_RPB,_TEA,_TEB,_BGS,_BGA,_BGB,_MOA,_MOB";
-
-    private const string InputOperands = "_TI0,_OP0,_VMS,_LFA,_LRA,_LFB,_LRB,_SCA,_SCB,_AB,_XQ0";
-
+    /// <param name="axes">Those that a job moves.</param>
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
-    public static async ValueTask<MachineReading> ReadAsync(CommandChannel channel, CancellationToken cancellation)
+    public static async ValueTask<MachineReading> ReadAsync(CommandChannel channel, MachineAxes axes, CancellationToken cancellation)
     {
-        var motion = await channel.ReadAsync(MotionOperands, cancellation).ConfigureAwait(false);
+        var letters = axes.Letters;
+        var motion = await channel.ReadAsync($"{Each("_RP")},{Each("_TE")},_BGS,{Each("_BG")},{Each("_MO")}", cancellation).ConfigureAwait(false);
         if (motion.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
         var v = motion.Values;
-        var found = new MachineReading((int)v[0], (int)v[1], (int)v[2], (int)v[3], v[4] != 0 || v[5] != 0 || v[6] != 0, Letters(v[7] != 0, v[8] != 0));
-        var inputs = await channel.ReadAsync(InputOperands, cancellation).ConfigureAwait(false);
-        return inputs.Refusal is null ? WithInputs(found, inputs.Values) : found;
+        var found = new MachineReading((int)v[0], (int)v[1], (int)v[2], (int)v[3], v[4] != 0 || v[5] != 0 || v[6] != 0, Those(letters, [v[7] != 0, v[8] != 0]));
+        var inputs = await channel.ReadAsync($"_TI0,_OP0,_VMS,{string.Join(',', letters.Select(letter => $"_LF{letter},_LR{letter}"))},{Each("_SC")},_AB,_XQ0", cancellation).ConfigureAwait(false);
+        return inputs.Refusal is null ? WithInputs(found, letters, inputs.Values) : found;
+
+        string Each(string operand) => DmcAxes.Operands(letters, operand);
     }
 
-    private static MachineReading WithInputs(MachineReading found, IReadOnlyList<double> v) => found with
+    private static MachineReading WithInputs(MachineReading found, string letters, IReadOnlyList<double> v) => found with
     {
         Inputs = (int)v[0],
         Outputs = (int)v[1],
         Speed = v[2],
-        Limit = LimitText(v[3], v[4], v[5], v[6]),
-        LostPosition = string.Concat(Letters(v[7] == PositionError, v[8] == PositionError).Intersect(found.MotorsOff)),
+        Limit = string.Join(Wording.Get("Common.And"), LimitsHit(letters, v)),
+        LostPosition = string.Concat(Those(letters, [v[7] == PositionError, v[8] == PositionError]).Intersect(found.MotorsOff)),
         AbortInput = v[9] == 0,
         ProgramRuns = v[10] >= 0,
     };
 
-    private static string Letters(bool first, bool second) => (first ? DmcAxes.Plane[..1] : "") + (second ? DmcAxes.Plane[1..2] : "");
+    private static string Those(string letters, bool[] chosen) => string.Concat(letters.Where((_, i) => chosen[i]));
 
-    /// <summary>_LF and _LR are 0 where the switch is hit.</summary>
-    private static string LimitText(double forwardA, double reverseA, double forwardB, double reverseB)
+    /// <summary>_LF and _LR are 0 where the switch is hit; they begin at the fourth answer.</summary>
+    private static IEnumerable<string> LimitsHit(string letters, IReadOnlyList<double> v)
     {
-        var hit = new List<string>();
-        if (forwardA == 0) hit.Add("the forward limit of axis A");
-        if (reverseA == 0) hit.Add("the reverse limit of axis A");
-        if (forwardB == 0) hit.Add("the forward limit of axis B");
-        if (reverseB == 0) hit.Add("the reverse limit of axis B");
-        return string.Join(" and ", hit);
+        for (var i = 0; i < letters.Length; i++)
+        {
+            if (v[3 + (2 * i)] == 0) yield return Wording.Get("StatusPoll.ForwardLimit", letters[i]);
+            if (v[4 + (2 * i)] == 0) yield return Wording.Get("StatusPoll.ReverseLimit", letters[i]);
+        }
     }
 }

@@ -10,13 +10,13 @@ public static class CommandGuard
     /// <param name="confirmed">The operator typed the word of confirmation.</param>
     public static string? WhyNot(string line, bool confirmed)
     {
-        if (line.Length > CommandLine.MaximumLength) return $"The line has {line.Length} characters; the controller takes {CommandLine.MaximumLength}.";
-        if (line.Contains('\\', StringComparison.Ordinal) || line.Any(char.IsControl) || !line.All(char.IsAscii)) return "The controller takes printable ASCII without a backslash.";
+        if (line.Length > CommandLine.MaximumLength) return Wording.Get("CommandGuard.LineHasCharactersController", line.Length, CommandLine.MaximumLength);
+        if (line.Contains('\\', StringComparison.Ordinal) || line.Any(char.IsControl) || !line.All(char.IsAscii)) return Wording.Get("CommandGuard.ControllerTakesPrintableAscii");
         foreach (var part in CommandLine.Parts(line))
         {
             var command = part.Trim();
             if (NeverSent(command) is { } never) return never;
-            if (!confirmed && Danger(command) is { } danger) return $"'{command}' {danger}; if that is meant, write: {TerminalLine.ConfirmWord} {line}";
+            if (!confirmed && Danger(command) is { } danger) return Wording.Get("CommandGuard.IfMeantWrite", command, danger, TerminalLine.ConfirmWord, line);
         }
 
         return null;
@@ -24,20 +24,20 @@ public static class CommandGuard
 
     private static string? Danger(string command) => Letters(command) switch
     {
-        "ST" when command.Length == 2 => "stops every motion and ends all programs, ST AB or STS only brakes what it names",
-        "RS" => "resets the controller, which ends motion, programs and this connection",
-        "BN" => "overwrites the burned parameters",
-        "BP" => "overwrites the burned program",
-        "BV" => "overwrites the burned variables",
+        "ST" when command.Length == 2 => Wording.Get("CommandGuard.StopsEveryMotionEnds"),
+        "RS" => Wording.Get("CommandGuard.ResetsControllerWhichEnds"),
+        "BN" => Wording.Get("CommandGuard.OverwritesBurnedParameters"),
+        "BP" => Wording.Get("CommandGuard.OverwritesBurnedProgram"),
+        "BV" => Wording.Get("CommandGuard.OverwritesBurnedVariables"),
         _ => null,
     };
 
     private static string? NeverSent(string command) => Letters(command) switch
     {
-        "DL" or "QD" => "A download waits for lines and an end mark, which a terminal cannot send; use run or post.",
-        "ED" => "The controller's line editor cannot be used here; its answers have no prompt.",
-        "QR" => "QR answers in binary; ask with MG instead, for example MG _RPA,_RPB.",
-        "QU" => "QU answers without a line end; ask for one value with MG name[0].",
+        "DL" or "QD" => Wording.Get("CommandGuard.DownloadWaitsLinesEnd"),
+        "ED" => Wording.Get("CommandGuard.ControllerLineEditorCannot"),
+        "QR" => Wording.Get("CommandGuard.QrAnswersBinaryAsk"),
+        "QU" => Wording.Get("CommandGuard.QuAnswersWithoutLine"),
         _ => null,
     };
 

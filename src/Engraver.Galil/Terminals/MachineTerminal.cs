@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
@@ -8,7 +9,7 @@ namespace Engraver.Galil.Terminals;
 
 /// <summary>A conversation with a controller, line by line: commands go out, replies come back, and what programs print appears between them.</summary>
 /// <remarks>Leaves the controller as it was found, as every session does; numbers are printed in the format that was found.</remarks>
-public sealed class MachineTerminal : IAsyncDisposable
+public sealed class MachineTerminal : IMachineTerminal
 {
     private readonly ConcurrentQueue<string> _messages;
     private readonly List<string> _history = [];
@@ -20,6 +21,8 @@ public sealed class MachineTerminal : IAsyncDisposable
     }
 
     public ControllerSession Session { get; }
+
+    public MachineIdentity Identity => Session.Identity;
 
     /// <summary>Lines as typed, oldest first.</summary>
     public IReadOnlyList<string> History => _history;
@@ -41,6 +44,8 @@ public sealed class MachineTerminal : IAsyncDisposable
 
     /// <summary>A terminal on a session that somebody else owns: it must not be disposed.</summary>
     internal static MachineTerminal On(ControllerSession session, ConcurrentQueue<string> messages) => new(session, messages);
+
+    public bool Ends(string line) => TerminalLine.Read(line) is TerminalLine.Quit;
 
     /// <summary>Answers one line: what programs have printed by now, then the answer itself. <see cref="TerminalLine.Quit"/> is the caller's business.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
@@ -83,14 +88,14 @@ public sealed class MachineTerminal : IAsyncDisposable
             : await Session.Commands.SendAsync(command, cancellation).ConfigureAwait(false);
         return reply switch
         {
-            Rejected refused => new TerminalAnswer(TerminalAnswerKind.Refusal, $"? {(int)refused.Code} {refused.Text}{TcCodes.Hint(refused.Code)}{CaseHint(refused)}"),
+            Rejected refused => new TerminalAnswer(TerminalAnswerKind.Refusal, $"? {(int)refused.Code} {TextCatalogue.Fact(refused.Text)}{TcCodes.Hint(refused.Code)}{CaseHint(refused)}"),
             Accepted { Data.Length: > 0 } accepted => new TerminalAnswer(TerminalAnswerKind.Reply, accepted.Data),
             _ => new TerminalAnswer(TerminalAnswerKind.Reply, ":"),
         };
     }
 
     private static string CaseHint(Rejected refused) =>
-        refused.Code == TcCode.UnrecognizedCommand && refused.Command.Length > 0 && char.IsAsciiLetterLower(refused.Command[0]) ? " (commands are upper case)" : "";
+        refused.Code == TcCode.UnrecognizedCommand && refused.Command.Length > 0 && char.IsAsciiLetterLower(refused.Command[0]) ? Wording.Get("MachineTerminal.CommandsUpperCase") : "";
 
     private IEnumerable<TerminalAnswer> TakeMessages()
     {

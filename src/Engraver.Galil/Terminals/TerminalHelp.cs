@@ -1,4 +1,5 @@
 using System.Globalization;
+using Engraver.Core.Languages;
 using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Terminals;
@@ -11,21 +12,21 @@ public static class TerminalHelp
     {
         if (subject.Length == 0) return General();
         if (int.TryParse(subject, NumberStyles.None, CultureInfo.InvariantCulture, out var number)) return OfCode((TcCode)number);
-        return CommandHelpTable.TryFind(subject, out var help) ? help.ToString() : $"'{subject}' is no command of the DMC-21x3; help lists them all.";
+        return CommandHelpTable.TryFind(subject, out var help) ? help.ToString() : Wording.Get("TerminalHelp.NoCommandDmcHelp", subject);
     }
 
     private static string OfCode(TcCode code) => Enum.IsDefined(code) && code != TcCode.None
-        ? $"TC {(int)code}  {TcCodes.Text(code)}{TcCodes.Hint(code)}"
-        : $"TC {(int)code} is not defined.";
+        ? Wording.Get("TerminalHelp.OfCode", (int)code, TcCodes.Text(code), TcCodes.Hint(code))
+        : Wording.Get("TerminalHelp.TcNotDefined", (int)code);
 
     private static string General()
     {
-        var commands = CommandHelpTable.All.Select(help => help.Command).Chunk(20).Select(row => "  " + string.Join(' ', row));
+        var commands = CommandHelpTable.All.Select(help => help.Command).Chunk(20).Select(row => "  " + TextCatalogue.Fact(string.Join(' ', row)));
         return string.Join('\n', [
-            "A line goes to the controller as it is; its answer follows (: when it has nothing to say, ? and the reason when it refuses).",
-            "help VP  a command        help 22  a TC code        history  lines so far        quit  ends",
-            $"{TerminalLine.ConfirmWord} RS  for what stops or overwrites everything (bare ST, RS, BN, BP, BV)",
-            "Commands of the DMC-21x3:",
+            Wording.Get("TerminalHelp.LineGoesControllerIts"),
+            Wording.Get("TerminalHelp.Words"),
+            Wording.Get("TerminalHelp.RsWhatStopsOr", TerminalLine.ConfirmWord),
+            Wording.Get("TerminalHelp.CommandsDmc"),
             .. commands]);
     }
 }

@@ -10,8 +10,8 @@ internal abstract class SteadyCourse
     /// <summary>As <see cref="At"/>, before rounding to counts.</summary>
     public abstract void Exactly(long sample, Span<double> positions);
 
-    /// <summary>The arc that axes A and B follow between two samples; null when they go straight or stand.</summary>
-    public virtual ArcCourse? ArcBetween(long from, long to) => null;
+    /// <summary>The arc that two axes follow between two samples; null when they go straight or stand.</summary>
+    public virtual ArcCourse? ArcBetween(long from, long to, int x, int y) => null;
 }
 
 /// <summary>An independent move.</summary>
@@ -61,12 +61,14 @@ internal sealed class PathCourse : SteadyCourse
     }
 
     /// <summary>With the axes the other way round the angle counts from the other axis, in the other sense.</summary>
-    public override ArcCourse? ArcBetween(long from, long to)
+    public override ArcCourse? ArcBetween(long from, long to, int x, int y)
     {
-        if (_segment is not CircularSegment circular || _axes[0] > 1) return null;
+        if (_segment is not CircularSegment circular) return null;
+        var isSwapped = (_axes[0], _axes[1]) == (y, x);
+        if (!isSwapped && (_axes[0], _axes[1]) != (x, y)) return null;
         var arc = circular.Course(Distance(from), Distance(to), _firstScale, _secondScale);
-        arc = arc with { CentreA = arc.CentreA + _origin[0], CentreB = arc.CentreB + _origin[1] };
-        return _axes[0] == 0 ? arc : new ArcCourse(arc.CentreB, arc.CentreA, arc.RadiusB, arc.RadiusA, 90 - arc.StartDegrees, -arc.SweepDegrees);
+        arc = arc with { CentreX = arc.CentreX + _origin[0], CentreY = arc.CentreY + _origin[1] };
+        return !isSwapped ? arc : new ArcCourse(arc.CentreY, arc.CentreX, arc.RadiusY, arc.RadiusX, 90 - arc.StartDegrees, -arc.SweepDegrees);
     }
 
     private double Distance(long sample) => _from + ((_passed + sample) * _way) - _segment.StartLength;
@@ -74,5 +76,5 @@ internal sealed class PathCourse : SteadyCourse
     private double Scale(int slot) => slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1;
 }
 
-/// <summary>A = CentreA + RadiusA cos(angle), B = CentreB + RadiusB sin(angle), counts; the angle goes from Start by the signed sweep, degrees.</summary>
-public readonly record struct ArcCourse(double CentreA, double CentreB, double RadiusA, double RadiusB, double StartDegrees, double SweepDegrees);
+/// <summary>First axis: CentreX + RadiusX cos(angle), second: CentreY + RadiusY sin(angle), counts; the angle goes from Start by the signed sweep, degrees.</summary>
+public readonly record struct ArcCourse(double CentreX, double CentreY, double RadiusX, double RadiusY, double StartDegrees, double SweepDegrees);

@@ -41,26 +41,27 @@ public sealed class MotionSpan
         }
     }
 
-    /// <summary>Axes A and B at one of its samples, counts before rounding.</summary>
-    public (double A, double B) Exactly(long index)
+    /// <summary>Two axes at one of its samples, counts before rounding.</summary>
+    /// <param name="x">An axis, from 0 for A.</param>
+    /// <param name="y">Another.</param>
+    public (double X, double Y) Exactly(long index, int x, int y)
     {
         Span<double> places = [_end.A, _end.B, _end.C, _end.D, 0, 0];
         foreach (var course in _courses) course.Exactly(index + 1, places);
-        return (places[0], places[1]);
+        return (places[x], places[y]);
     }
 
-    /// <summary>The arc on which A and B go from the first sample to the last, at most a quarter of an ellipse; null when they go straight, or stand.</summary>
-    public ArcCourse? Arc
+    /// <summary>The arc on which two axes go from the first sample to the last, at most a quarter of an ellipse; null when they go straight, or stand.</summary>
+    /// <param name="x">The axis of the cosine, from 0 for A.</param>
+    /// <param name="y">The axis of the sine.</param>
+    public ArcCourse? ArcOf(int x, int y)
     {
-        get
+        foreach (var course in _courses)
         {
-            foreach (var course in _courses)
-            {
-                if (course.ArcBetween(1, Count) is { } arc) return arc;
-            }
-
-            return null;
+            if (course.ArcBetween(1, Count, x, y) is { } arc) return arc;
         }
+
+        return null;
     }
 }
 
@@ -80,4 +81,7 @@ public readonly record struct MotionSample(long Sample, int A, int B, int C, int
 {
     /// <summary>Nominal controller time in seconds.</summary>
     public double Seconds => Sample / 1000.0;
+
+    /// <summary>The place of an axis, from 0 for A.</summary>
+    public int this[int axis] => axis switch { 0 => A, 1 => B, 2 => C, 3 => D, _ => 0 };
 }

@@ -1,12 +1,8 @@
-using System.Globalization;
-
 namespace Engraver.Workbench.CommandLanguage;
 
 /// <summary>A number with its noun: <c>1 error</c>, <c>2 errors</c>, <c>0 entities</c>.</summary>
 public static class CountText
 {
-    /// <param name="noun">In the singular; the plural is regular English.</param>
-    public static string Format(int count, string noun) => $"{count.ToString(CultureInfo.InvariantCulture)} {(count == 1 ? noun : Plural(noun))}";
-
-    private static string Plural(string noun) => noun.EndsWith('y') ? noun[..^1] + "ies" : noun + "s";
+    /// <param name="noun">Which of the nouns in <c>Texts.resx</c>: <c>Error</c> for <c>Count.Error.One</c> and <c>Count.Error.Many</c>.</param>
+    public static string Format(int count, string noun) => Wording.Count("Count." + noun, count);
 }

@@ -11,7 +11,7 @@ public sealed record MachinePlacePrompt(string Instruction) : ValuePrompt<Machin
         var parts = typed.Split(',');
         return parts.Length == 2 && NumberPrompt.TryNumber(parts[0], out var x) && NumberPrompt.TryNumber(parts[1], out var y) && double.IsFinite(x) && double.IsFinite(y)
             ? new Reading<MachinePlace>.Value(new MachinePlace(x, y))
-            : new Reading<MachinePlace>.Wrong($"'{typed}' is no machine position; type x,y in mm or an option.");
+            : new Reading<MachinePlace>.Wrong(Wording.Get("MachinePlacePrompt.NoMachinePositionType", typed));
     }
 }
 

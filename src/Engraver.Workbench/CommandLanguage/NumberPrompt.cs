@@ -14,13 +14,13 @@ public sealed record NumberPrompt(string Instruction) : ValuePrompt<double>(Inst
 
     public override Reading<double> Read(string typed, Point2D lastPoint)
     {
-        if (!TryNumber(typed, out var value) || (Whole && value != Math.Floor(value))) return new Reading<double>.Wrong($"'{typed}' is no {(Whole ? "whole " : "")}number; type one with a decimal point.");
-        return value >= Least && value <= Most ? new Reading<double>.Value(value) : new Reading<double>.Wrong($"{typed} is not allowed here: {Limits}.");
+        if (!TryNumber(typed, out var value) || (Whole && value != Math.Floor(value))) return new Reading<double>.Wrong(Wording.Get("NumberPrompt.NoNumberTypeOne", typed, Whole ? Wording.Get("NumberPrompt.Whole") : ""));
+        return value >= Least && value <= Most ? new Reading<double>.Value(value) : new Reading<double>.Wrong(Wording.Get("NumberPrompt.NotAllowedHere", typed, Limits));
     }
 
     private string Limits => Most == double.MaxValue
-        ? string.Create(CultureInfo.InvariantCulture, $"it must be {Least:R} or more")
-        : string.Create(CultureInfo.InvariantCulture, $"it must be from {Least:R} to {Most:R}");
+        ? Wording.Get("NumberPrompt.MustOrMore", Least)
+        : Wording.Get("NumberPrompt.MustFrom", Least, Most);
 
     /// <summary>A finite number, spelled with a point whatever the culture.</summary>
     public static bool TryNumber(string typed, out double value) =>

@@ -1,4 +1,5 @@
 using System.Text;
+using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.CommandLanguage;
 
@@ -30,8 +31,8 @@ public abstract record Prompt(string Instruction)
         get
         {
             var text = new StringBuilder(Instruction);
-            if (Options.Count > 0) text.Append(OnlyOptions ? " [" : " or [").AppendJoin('/', Options.Select(option => option.Name)).Append(']');
-            if (Default is { } standard) text.Append(" <").Append(standard).Append('>');
+            if (Options.Count > 0) text.Append(OnlyOptions ? " [" : Wording.Get("Prompt.Or")).AppendJoin('/', Options.Select(option => option.Name)).Append(']');
+            if (Default is { } standard) text.Append(" <").Append(TextCatalogue.Fact(standard)).Append('>');
             return text.Append(':').ToString();
         }
     }

@@ -12,11 +12,11 @@ public sealed record ZoomPrompt(string Instruction) : ValuePrompt<ZoomRequest>(I
         ArgumentNullException.ThrowIfNull(typed);
         var relative = typed[^1] is 'x' or 'X';
         if (NumberPrompt.TryNumber(relative ? typed[..^1] : typed, out var factor))
-            return factor > 0.0 ? new Reading<ZoomRequest>.Value(new ZoomRequest.Scale(factor, relative)) : new Reading<ZoomRequest>.Wrong("A scale factor must be above 0.");
+            return factor > 0.0 ? new Reading<ZoomRequest>.Value(new ZoomRequest.Scale(factor, relative)) : new Reading<ZoomRequest>.Wrong(Wording.Get("ZoomPrompt.ScaleFactorMustAbove"));
         return new PointPrompt(Instruction).Read(typed, lastPoint) switch
         {
             Reading<Point2D>.Value point => new Reading<ZoomRequest>.Value(new ZoomRequest.Corner(point.Of)),
-            _ => new Reading<ZoomRequest>.Wrong($"'{typed}' is no corner and no scale; type x,y or 2 or 2X or an option."),
+            _ => new Reading<ZoomRequest>.Wrong(Wording.Get("ZoomPrompt.NoCornerNoScale", typed)),
         };
     }
 }

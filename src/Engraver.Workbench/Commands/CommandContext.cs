@@ -42,7 +42,7 @@ public sealed class CommandContext
 
     /// <summary>The open drawing.</summary>
     /// <exception cref="CommandException">None is open.</exception>
-    public Drawing Drawing => Document.Current.Drawing ?? throw new CommandException(CommandFailure.Usage, "No drawing is open; OPEN one first.");
+    public Drawing Drawing => Document.Current.Drawing ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CommandContext.NoDrawingOpenOpen"));
 
     /// <summary>What <c>@</c> is relative to, drawing units.</summary>
     public Point2D LastPoint => _session.LastPoint;
@@ -115,9 +115,9 @@ public sealed class CommandContext
         var name = _frame.Info.Name;
         var wasRunning = Machine.IsRunning;
         if (wasRunning) Machine.Stop();
-        var sentence = $"{name} ended by an internal error ({bug.GetType().Name}: {bug.Message}).{(wasRunning ? " The job was stopped." : "")}";
+        var sentence = Wording.Get("CommandContext.EndedInternalError", name, bug.GetType().Name, bug.Message, wasRunning ? Wording.Get("CommandContext.JobStopped") : "");
         var report = _session.Environment.Failures?.Write(bug);
-        Machine.Alarms.Raise(AlarmCause.InternalError, sentence, name, $"SAVEAS what matters and look at the machine before another start; please send {report ?? "the history"} with the drawing.");
+        Machine.Alarms.Raise(AlarmCause.InternalError, sentence, name, Wording.Get("CommandContext.SaveasWhatMattersLook", report ?? Wording.Get("CommandContext.History")));
         Say(bug.ToString());
         return new InputResult.Failed(CommandFailure.Internal, sentence) { Bug = bug };
     }

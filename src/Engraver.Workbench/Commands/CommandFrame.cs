@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
@@ -80,7 +81,7 @@ internal sealed class CommandFrame : IDisposable
         }
         catch (Exception file) when (file is IOException or UnauthorizedAccessException)
         {
-            return new InputResult.Failed(CommandFailure.Usage, file.Message);
+            return new InputResult.Failed(CommandFailure.Usage, TextCatalogue.Fact(file.Message));
         }
         catch (OperationCanceledException)
         {

@@ -107,9 +107,9 @@ public sealed class CommandSession : IAsyncDisposable
     public async Task<InputResult> EnterLinesAsync(string lines, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(lines);
-        if (IsBusy) return Told(new InputResult.NotUnderstood("A command is at work; pasted lines are not taken until it has ended."));
+        if (IsBusy) return Told(new InputResult.NotUnderstood(Wording.Get("CommandSession.CommandWorkPastedLines")));
         Environment.Journal?.WriteLine(lines.TrimEnd());
-        QueueScript("pasted lines", lines);
+        QueueScript(Wording.Get("CommandSession.PastedLines"), lines);
         return Told(await RunScriptsAsync(cancellation).ConfigureAwait(false));
     }
 
@@ -124,7 +124,7 @@ public sealed class CommandSession : IAsyncDisposable
         }
 
         await EndAllAsync().ConfigureAwait(false);
-        Say(MessageKind.Note, "*Cancel*");
+        Say(MessageKind.Note, Wording.Get("CommandSession.Cancel"));
         if (Document.Current.Selection.Count > 0) Document.Select([], Document.Current.Previous);
     }
 
@@ -168,7 +168,7 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>While a command is at work.</summary>
     private async Task<InputResult> HearAsync(string input, CancellationToken cancellation)
     {
-        if (Find(input) is not { Info.HeardDuringJob: true } command) return new InputResult.NotUnderstood("A command is at work; only CNCSTOP, CNCSTATUS and Esc are heard.");
+        if (Find(input) is not { Info.HeardDuringJob: true } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.CommandWorkOnlyCncstop"));
         using var frame = new CommandFrame(command.Info);
         frame.Start(command, new CommandContext(this, frame));
         return await frame.Ended.WaitAsync(cancellation).ConfigureAwait(false);
@@ -177,7 +177,7 @@ public sealed class CommandSession : IAsyncDisposable
     private async Task<InputResult> BeginAsync(string input, CancellationToken cancellation)
     {
         if (input.Length == 0) return await RepeatAsync(cancellation).ConfigureAwait(false);
-        if (Find(input) is not { } command) return new InputResult.NotUnderstood($"Unknown command '{input}'; HELP lists what there is.");
+        if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommandHelpLists", input));
         _last = command;
         return await StartAsync(command, cancellation).ConfigureAwait(false);
     }
@@ -186,14 +186,14 @@ public sealed class CommandSession : IAsyncDisposable
     {
         if (_last is not { } command) return new InputResult.Done();
         if (!command.Info.StartsMotion) return await StartAsync(command, cancellation).ConfigureAwait(false);
-        Say(MessageKind.Note, $"{command.Info.Name} starts motion and is not repeated by Enter; type it.");
+        Say(MessageKind.Note, Wording.Get("CommandSession.StartsMotionNotRepeated", command.Info.Name));
         return new InputResult.Done();
     }
 
     private async Task<InputResult> BeginInsideAsync(CommandFrame outer, string input, CancellationToken cancellation)
     {
-        if (Find(input) is not { } command) return new InputResult.NotUnderstood($"Unknown command '{input}'; HELP lists what there is.");
-        if (!command.Info.Transparent || _frames.IsNested) return new InputResult.NotUnderstood($"{command.Info.Name} cannot be used inside {outer.Info.Name}; end that first.");
+        if (Find(input) is not { } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.UnknownCommandHelpLists", input));
+        if (!command.Info.Transparent || _frames.IsNested) return new InputResult.NotUnderstood(Wording.Get("CommandSession.CannotUsedInsideEnd", command.Info.Name, outer.Info.Name));
         return await StartAsync(command, cancellation).ConfigureAwait(false);
     }
 
@@ -208,7 +208,7 @@ public sealed class CommandSession : IAsyncDisposable
     {
         var result = await _frames.SettledAsync(frame, cancellation).ConfigureAwait(false);
         if (result is not InputResult.Done || _frames.Top is not { } outer) return result;
-        Say(MessageKind.Note, $"Resuming {outer.Info.Name} command.");
+        Say(MessageKind.Note, Wording.Get("CommandSession.ResumingCommand", outer.Info.Name));
         return new InputResult.Asking();
     }
 
@@ -257,5 +257,5 @@ public sealed class CommandSession : IAsyncDisposable
 /// <param name="Aim">The place that a click on the canvas answers with (its coordinates are entered); null when it is no answer.</param>
 public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, PointAim? Aim)
 {
-    public static PromptView Idle { get; } = new(null, "Command:", [], null, false, null);
+    public static PromptView Idle => new(null, Wording.Get("Prompt.Command"), [], null, false, null);
 }

@@ -25,9 +25,11 @@ public enum CommandGroup
 
 /// <summary>What is known of a command before it runs.</summary>
 /// <param name="Name">In capitals, as it is typed.</param>
-/// <param name="Summary">One sentence for the help.</param>
-public sealed record CommandInfo(string Name, CommandGroup Group, string Summary)
+public sealed record CommandInfo(string Name, CommandGroup Group)
 {
+    /// <summary>One sentence for the help.</summary>
+    public string Summary => Wording.Get("Command." + Name);
+
     /// <summary>True when it may be used inside another command, with an apostrophe before it: it only looks.</summary>
     public bool Transparent { get; init; }
 

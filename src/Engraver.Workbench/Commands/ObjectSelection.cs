@@ -19,7 +19,7 @@ internal static class ObjectSelection
         _ = context.Drawing;
         var before = context.Document.Current.Selection;
         if (before.Count == 0) return await PickAsync(context).ConfigureAwait(false);
-        context.Say(FormattableString.Invariant($"{before.Count} found"));
+        context.Say(Wording.Get("ObjectSelection.Found", before.Count));
         return before;
     }
 
@@ -29,7 +29,7 @@ internal static class ObjectSelection
     {
         var drawing = context.Drawing;
         var picking = new Picking();
-        var prompt = new PointPrompt("Select objects") { Options = s_options, EnterEnds = true, Use = PointUse.Object };
+        var prompt = new PointPrompt(Wording.Get("ObjectSelection.SelectObjects")) { Options = s_options, EnterEnds = true, Use = PointUse.Object };
         while (await context.AskAsync(prompt).ConfigureAwait(false) is var answer and not Answer<Point2D>.Ended)
         {
             switch (answer)
@@ -42,7 +42,7 @@ internal static class ObjectSelection
             }
         }
 
-        return picking.Selected.Count > 0 ? picking.Selected : throw new CommandException(CommandFailure.Usage, "Nothing was selected.");
+        return picking.Selected.Count > 0 ? picking.Selected : throw new CommandException(CommandFailure.Usage, Wording.Get("ObjectSelection.NothingSelected"));
     }
 
     /// <summary>The visible object under a point; null when there is none.</summary>
@@ -60,23 +60,23 @@ internal static class ObjectSelection
         "ALL" => [.. DrawingPick.Visible(drawing)],
         "Last" => [.. DrawingPick.Visible(drawing).TakeLast(1)],
         "Previous" => context.Document.Current.Previous,
-        "Handle" => ByHandle(drawing, await context.ValueAsync(new TextPrompt("Enter handle")).ConfigureAwait(false)),
-        _ => ByLayer(drawing, await context.ValueAsync(new TextPrompt("Enter layer name")).ConfigureAwait(false)),
+        "Handle" => ByHandle(drawing, await context.ValueAsync(new TextPrompt(Wording.Get("Common.EnterHandle"))).ConfigureAwait(false)),
+        _ => ByLayer(drawing, await context.ValueAsync(new TextPrompt(Wording.Get("ObjectSelection.EnterLayerName"))).ConfigureAwait(false)),
     };
 
     /// <summary>On an object: that one. On empty space: a box, to the right a window, to the left a crossing.</summary>
     private static async Task<IReadOnlyList<int>> ByPointAsync(CommandContext context, Drawing drawing, Point2D point)
     {
         if (At(context, point) is { } entity) return [entity];
-        var corner = await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = point }).ConfigureAwait(false);
+        var corner = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Use = PointUse.Corner, From = point }).ConfigureAwait(false);
         var box = Bounds2D.FromCorners(point, corner);
         return [.. corner.X >= point.X ? DrawingPick.Inside(drawing, box) : DrawingPick.Touching(drawing, box)];
     }
 
     private static async Task<Bounds2D> BoxAsync(CommandContext context)
     {
-        var first = await context.ValueAsync(new PointPrompt("Specify first corner") { Use = PointUse.Corner }).ConfigureAwait(false);
-        return Bounds2D.FromCorners(first, await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = first }).ConfigureAwait(false));
+        var first = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyFirstCorner")) { Use = PointUse.Corner }).ConfigureAwait(false);
+        return Bounds2D.FromCorners(first, await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Use = PointUse.Corner, From = first }).ConfigureAwait(false));
     }
 
     private static IReadOnlyList<int> ByHandle(Drawing drawing, string handle) => [.. DrawingPick.Visible(drawing).Where(entity => IsHandle(drawing, entity, handle))];
@@ -103,8 +103,8 @@ internal static class ObjectSelection
             var again = found.Count(known.Contains);
             var hit = found.ToHashSet();
             Selected = Adding ? [.. Selected, .. found.Where(entity => !known.Contains(entity))] : [.. Selected.Where(entity => !hit.Contains(entity))];
-            var what = Adding ? (again > 0 ? $", {again} duplicate" : "") : $", {again} removed";
-            return FormattableString.Invariant($"{found.Count} found{what}, {Selected.Count} total");
+            var what = Adding ? (again > 0 ? Wording.Get("ObjectSelection.Duplicate", again) : "") : Wording.Get("ObjectSelection.Removed", again);
+            return Wording.Get("ObjectSelection.FoundTotal", found.Count, what, Selected.Count);
         }
 
         public void Undo() => Selected = _before.TryPop(out var earlier) ? earlier : Selected;

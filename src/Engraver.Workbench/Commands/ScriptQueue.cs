@@ -23,7 +23,7 @@ internal sealed class ScriptQueue
 
     public void Add(string path, string text)
     {
-        if (_scripts.Count == Deepest) throw new CommandException(CommandFailure.Usage, $"Scripts call each other more than {Deepest} deep; does one call itself?");
+        if (_scripts.Count == Deepest) throw new CommandException(CommandFailure.Usage, Wording.Get("ScriptQueue.ScriptsCallEachOther", Deepest));
         _scripts.Push((path, ScriptText.Read(text).GetEnumerator()));
     }
 
@@ -57,5 +57,5 @@ internal sealed record ScriptInput(string Path, ScriptToken Token)
         _ => result,
     };
 
-    private string Place(string sentence) => FormattableString.Invariant($"{Path}({Token.Line}): '{Token.Text}': {sentence}");
+    private string Place(string sentence) => Wording.Get("ScriptQueue.Place", Path, Token.Line, Token.Text, sentence);
 }

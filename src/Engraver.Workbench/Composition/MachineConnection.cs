@@ -3,6 +3,7 @@ using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Galil.Driver;
 using Engraver.Galil.Links;
+using Engraver.Galil.Terminals;
 using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
@@ -11,7 +12,7 @@ namespace Engraver.Workbench.Composition;
 public sealed class MachineConnection : IAsyncDisposable
 {
     /// <summary>The same for every controller in this process, so that the same run is written down the same way.</summary>
-    private const int SimulatedSerialNumber = 2143;
+    internal const int SimulatedSerialNumber = 2143;
 
     private static readonly TimeSpan s_connectTimeout = TimeSpan.FromSeconds(5);
     private static readonly TimeSpan s_writeTimeout = TimeSpan.FromSeconds(2);
@@ -33,7 +34,10 @@ public sealed class MachineConnection : IAsyncDisposable
 
     /// <exception cref="PlatformNotSupportedException">A serial link on a machine for which it is not built; thrown when the link is opened.</exception>
     /// <param name="keepsRecord">Whether a simulated controller keeps its record to be read afterwards; its listeners are told in either case.</param>
-    public static MachineConnection To(ControllerAddress address, TimeProvider time, bool keepsRecord = false) => address switch
+    public static MachineConnection To(ControllerAddress address, TimeProvider time, bool keepsRecord = false) => MachineFamilies.Of(address).Connect(address, time, keepsRecord);
+
+    /// <summary>The entry of the DMC family.</summary>
+    internal static MachineConnection ToGalil(ControllerAddress address, TimeProvider time, bool keepsRecord) => address switch
     {
         TcpAddress tcp => new MachineConnection(
             $"tcp://{tcp.Host}:{tcp.Port}",
@@ -55,6 +59,10 @@ public sealed class MachineConnection : IAsyncDisposable
 
     /// <summary>Opens one more link (one more handle of the controller).</summary>
     public Task<IControllerLink> OpenLinkAsync(CancellationToken cancellation) => _open(cancellation);
+
+    /// <summary>Opens a conversation line by line.</summary>
+    /// <exception cref="ControllerException">The link never came up.</exception>
+    public async Task<IMachineTerminal> OpenTerminalAsync(TimeProvider time, CancellationToken cancellation) => await MachineTerminal.OpenAsync(OpenLinkAsync, time, cancellation).ConfigureAwait(false);
 
     /// <summary>Shakes hands over links of its own, by the wall's clock or another: for those who look and do not run a job (<see cref="MachineClock"/>).</summary>
     /// <exception cref="ControllerException">Nobody answers.</exception>

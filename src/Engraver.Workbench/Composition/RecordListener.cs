@@ -14,11 +14,13 @@ internal sealed class RecordListener(MachineProfile profile, params TraceJudge[]
     private readonly Lock _gate = new();
     private readonly int _toolBit = 1 << (profile.ToolOutput - 1);
     private readonly double _count = 1.0 / profile.Scale.Largest;
+    private readonly int _x = IndexOf(profile.Axes.X);
+    private readonly int _y = IndexOf(profile.Axes.Y);
     private (double X, double Y)? _frame;
 
     /// <summary>Samples from now on belong to the job; what was before is nobody's.</summary>
-    /// <param name="frameX">Counts of the controller at the drawing's zero, axis A.</param>
-    /// <param name="frameY">The same, axis B.</param>
+    /// <param name="frameX">Counts of the controller at the drawing's zero, axis of X.</param>
+    /// <param name="frameY">The same, axis of Y.</param>
     public void Start(double frameX, double frameY)
     {
         lock (_gate)
@@ -41,7 +43,7 @@ internal sealed class RecordListener(MachineProfile profile, params TraceJudge[]
         lock (_gate)
         {
             if (_frame is not { } frame) return;
-            var place = Place(frame, sample.A, sample.B);
+            var place = Place(frame, sample[_x], sample[_y]);
             var told = new TraceSample(sample.Seconds, place.X, place.Y, IsCutting(sample.Outputs));
             foreach (var judge in judges) judge.Add(told);
         }
@@ -52,20 +54,23 @@ internal sealed class RecordListener(MachineProfile profile, params TraceJudge[]
         lock (_gate)
         {
             if (_frame is not { } frame) return;
-            if (span.Arc is { } arc && IsCutting(span.Outputs)) TellArc(frame, span, arc);
+            if (span.ArcOf(_x, _y) is { } arc && IsCutting(span.Outputs)) TellArc(frame, span, arc);
             else Tell(frame, span, 0, span.Count - 1);
         }
     }
 
+    /// <summary>Samples hold the axes in the order of their letters.</summary>
+    private static int IndexOf(MachineAxis axis) => axis.Letter - 'A';
+
     private bool IsCutting(byte outputs) => (outputs & _toolBit) != 0;
 
-    private Point2D Place((double X, double Y) frame, double a, double b) => new((a - frame.X) / profile.CountsPerMillimetreX, (b - frame.Y) / profile.CountsPerMillimetreY);
+    private Point2D Place((double X, double Y) frame, double x, double y) => profile.Scale.ToMillimetres(x - frame.X, y - frame.Y);
 
     /// <summary>The straight way from one sample of a span to another.</summary>
     private void Tell((double X, double Y) frame, MotionSpan span, long from, long to)
     {
-        var (first, last) = (span.Exactly(from), span.Exactly(to));
-        Tell(span, from, to, Segment.FromLine(Place(frame, first.A, first.B), Place(frame, last.A, last.B)));
+        var (first, last) = (span.Exactly(from, _x, _y), span.Exactly(to, _x, _y));
+        Tell(span, from, to, Segment.FromLine(Place(frame, first.X, first.Y), Place(frame, last.X, last.Y)));
     }
 
     private void Tell(MotionSpan span, long from, long to, Segment path)
@@ -77,11 +82,11 @@ internal sealed class RecordListener(MachineProfile profile, params TraceJudge[]
     /// <summary>Where the axes' scales make an ellipse of it, which no program of ours asks for, it is told as chords that stay within a twentieth of a count.</summary>
     private void TellArc((double X, double Y) frame, MotionSpan span, ArcCourse arc)
     {
-        var (radiusX, radiusY) = (arc.RadiusA / profile.CountsPerMillimetreX, arc.RadiusB / profile.CountsPerMillimetreY);
+        var (radiusX, radiusY) = (arc.RadiusX / profile.Scale.X, arc.RadiusY / profile.Scale.Y);
         var radius = Math.Max(Math.Abs(radiusX), Math.Abs(radiusY));
         if (Math.Abs(Math.Abs(radiusX) - Math.Abs(radiusY)) <= RoundEnough * radius)
         {
-            var centre = Place(frame, arc.CentreA, arc.CentreB);
+            var centre = Place(frame, arc.CentreX, arc.CentreY);
             Tell(span, 0, span.Count - 1, Segment.FromArc(Unmirrored(new ArcSegment(centre, radius, Angle.FromDegrees(arc.StartDegrees), Angle.FromDegrees(arc.SweepDegrees)), radiusX < 0.0, radiusY < 0.0)));
             return;
         }

@@ -2,10 +2,10 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
+using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
-using Engraver.Galil.Programs.Posting;
-using Engraver.Galil.Programs.Timing;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
 
@@ -35,8 +35,8 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
     /// <summary>The planned motion; null when there is nothing to cut.</summary>
     public PlannedMotion? Motion { get; init; }
 
-    /// <summary>The posted program (target galil); null when there is nothing to cut.</summary>
-    public DmcPostText? Program { get; init; }
+    /// <summary>The posted program of the machine's own controller; null when there is nothing to cut.</summary>
+    public PostText? Program { get; init; }
 
     /// <summary>Findings of every stage, worst first, in the words of the command line.</summary>
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
@@ -68,21 +68,19 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
         if (line == Line) return this;
         if (Job is not { Motion.Program: { SegmentCount: > 0 } program, Drawing: var drawing }) return this with { Line = line };
         var fit = JobPlan.FitToLink(program, line, Mode, drawing).Program;
-        return this with { Line = line, Plan = line is null ? MotionTime.Calculate(program) : JobPlan.PlannedTimes(fit, line, Mode) };
+        return this with { Line = line, Plan = line is null ? JobPlan.NetworkTimes(program) : JobPlan.PlannedTimes(fit, line, Mode) };
     }
 
     private DerivedDocument WithMotion(PreparedJob job, CancellationToken cancellation)
     {
         if (job.Motion.Program is not { SegmentCount: > 0 } program) return this with { Findings = Sorted(job.Diagnostics) };
-        var post = program.Style == MotionStyle.Calls
-            ? DmcPost.Calls(program, DmcPostOptions.Default, job.Drawing.SourceOf)
-            : DmcPost.Sequences(program, DmcPostOptions.Default, job.Drawing.SourceOf);
+        var post = PostTable.ForMotion(program.Style).Post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, PostedProgram.NoOptions));
         cancellation.ThrowIfCancellationRequested();
         return this with
         {
-            Plan = MotionTime.Calculate(program),
+            Plan = JobPlan.NetworkTimes(program),
             Program = post,
-            Motion = PlannedMotion.Create(program, job.Sequence, post.Text, cancellation),
+            Motion = PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, post.SegmentLines, cancellation),
             Findings = Sorted([.. job.Diagnostics, .. post.Diagnostics]),
         };
     }

@@ -22,7 +22,7 @@ public static class DrawingFile
 
     private static Drawing Open(string path, DxfReadOptions options, CancellationToken cancellation)
     {
-        if (Directory.Exists(path)) return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, "it is a folder"));
+        if (Directory.Exists(path)) return Drawing.Unusable(path, 0, DocumentRules.Unreadable.At(default, Wording.Get("DrawingFile.Folder")));
         try
         {
             return DxfReader.Read(File.ReadAllBytes(path), path, options, cancellation);

@@ -1,8 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
-using Engraver.Galil.Jobs.Timing;
-using Engraver.Galil.Programs.Timing;
+using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Documents;
 
@@ -14,13 +13,13 @@ public static class JobPlan
 
     /// <summary>The program as it will be run over this link: on a serial line that is too slow for its feed it is cut slower, and the finding says so before the start.</summary>
     /// <param name="address">Null for none: nothing limits the feed.</param>
-    public static LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, JobMode mode, Drawing drawing) => (address, mode) is (SerialAddress serial, JobMode.Stream)
-        ? LinkFeedFitting.Create(program, new SerialLine(serial.Baud), drawing.SourceOf)
-        : new LinkFeedFit(program, []);
+    public static LinkFeedFit FitToLink(MotionProgram program, ControllerAddress? address, JobMode mode, Drawing drawing) => MachineFamilies.Driver.FitToLink(program, address, mode, drawing.SourceOf);
 
     /// <summary>How long the program will take over this link.</summary>
     /// <param name="program">Made fit for the link (<see cref="FitToLink"/>).</param>
     /// <param name="address">Null for none: as over a network.</param>
-    public static MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, JobMode mode) =>
-        JobTime.Estimate(program, address is SerialAddress serial ? new SerialLine(serial.Baud) : null, mode);
+    public static MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, JobMode mode) => MachineFamilies.Driver.PlannedTimes(program, address, mode);
+
+    /// <summary>How long the program takes when the host leads it over a network.</summary>
+    public static MotionTimes NetworkTimes(MotionProgram program) => MotionTime.Calculate(program, MachineFamilies.Driver.NetworkTimes);
 }

@@ -7,7 +7,7 @@ using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Core.Toolpaths;
 using Engraver.Core.Verification;
-using Engraver.Galil.Programs.Generation;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
@@ -80,7 +80,7 @@ public static class JobPreparation
     /// <summary>The last stages: the motion of a toolpath, when the toolpath is what is drawn. Otherwise there is no program, and the faults say where.</summary>
     public static PreparedJob OfPath(Drawing drawing, DrawingSettings settings, EntityTable analysed, SequencingResult sequence, Toolpath toolpath, MotionStyle style)
     {
-        var motion = MotionProgramGenerator.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
+        var motion = MachineFamilies.Driver.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
         var faults = motion.Program is null ? [] : FaultsOf(drawing, settings, analysed, toolpath);
         var program = faults.Count > 0 || motion.Program is not { } made ? null : made with { Finish = made.Start };
         return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion with { Program = program }) { Faults = faults, Findings = Findings(drawing, settings) };

@@ -30,15 +30,15 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     public string WithoutProgram => (Faults.Count, Motion.Program) switch
     {
         ( > 0, _) => NotAsDrawn(Faults),
-        (_, null) => $"This machine cannot cut what is drawn ({Ids(Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error))})",
+        (_, null) => Wording.Get("PreparedJob.MachineCannotCutWhat", Ids(Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error))),
         _ => NothingCut(NotCut),
     };
 
     /// <summary>The toolpath has these faults; without a full stop.</summary>
-    internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => $"The toolpath is not what is drawn ({Ids(faults)})";
+    internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => Wording.Get("PreparedJob.ToolpathNotWhatDrawn", Ids(faults));
 
     /// <summary>No curve is left on the layers that are cut; without a full stop.</summary>
-    internal static string NothingCut(NotCutFindings notCut) => notCut.Counts.Count == 0 ? "No curve of the drawing is cut" : $"No curve of the drawing is cut; {notCut.Clause}";
+    internal static string NothingCut(NotCutFindings notCut) => notCut.Counts.Count == 0 ? Wording.Get("PreparedJob.NoCurveDrawingCut") : Wording.Get("PreparedJob.NoCurveDrawingCut2", notCut.Clause);
 
     private static string Ids(IEnumerable<Diagnostic> findings) => string.Join(", ", findings.Select(finding => finding.Id).Distinct());
 }

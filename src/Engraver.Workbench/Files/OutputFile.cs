@@ -10,8 +10,8 @@ public static class OutputFile
     /// <exception cref="UnauthorizedAccessException">The place may not be written; nothing is left behind.</exception>
     public static void Write(string path, Action<TextWriter> write)
     {
-        if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException($"There is no folder {folder}.");
-        if (Directory.Exists(path)) throw new IOException("That is a folder.");
+        if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException(Wording.Get("OutputFile.ThereNoFolder", folder));
+        if (Directory.Exists(path)) throw new IOException(Wording.Get("OutputFile.Folder"));
         var target = new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
         if (FileKind.IsWay(path) || FileKind.IsWay(target)) WriteInPlace(path, write);
         else Replace(target, write);

@@ -65,7 +65,7 @@ internal sealed record MachineFacts
             IsSimulation = IsSimulation,
             MachinePosition = place is { } at ? Millimetres(profile, at.X, at.Y) : null,
             WorkPosition = place is { } here && Frame is { } frame ? Millimetres(profile, (double)here.X - frame.X, (double)here.Y - frame.Y) : null,
-            FollowingError = Now is not { } look ? null : new Vector2D(look.ErrorX / profile.CountsPerMillimetreX, look.ErrorY / profile.CountsPerMillimetreY),
+            FollowingError = Now is not { } look ? null : Millimetres(profile, look.ErrorX, look.ErrorY) - default(Point2D),
             Speed = Now is { Moves: false } ? 0.0 : Now?.Speed / profile.Scale.Largest,
             Inputs = Now?.Inputs,
             Outputs = JobRuns ? Told?.Outputs : Now?.Outputs,
@@ -83,16 +83,16 @@ internal sealed record MachineFacts
 
     private (MachineState State, string Reason) StateOf(ArmedJob? armed) => this switch
     {
-        { JobRuns: true, Stopping: true } => (MachineState.Stopping, "braking"),
+        { JobRuns: true, Stopping: true } => (MachineState.Stopping, Wording.Get("MachineFacts.Braking")),
         { JobRuns: true } => (MachineState.Running, ""),
         { Lost: { } why } => (MachineState.Fault, why),
         { Poll: null } => (MachineState.Connected, ""),
-        { Poll.AbortInput: true } => (MachineState.EmergencyStopOpen, "the abort input is active"),
-        { Poll.Limit: { Length: > 0 } limit } => (MachineState.Fault, $"on {limit}"),
-        { Poll.LostPosition: { Length: > 0 } axes } => (MachineState.Fault, $"axis {axes} was switched off because of its position error"),
-        { Poll.Moves: true } => (MachineState.Busy, "something moves that is not ours"),
-        { Poll.ProgramRuns: true } => (MachineState.Busy, "a program runs in the controller that is not ours"),
-        { Poll.MotorsOff: { Length: > 0 } axes } => (MachineState.MotorsOff, $"motor off: {axes}"),
+        { Poll.AbortInput: true } => (MachineState.EmergencyStopOpen, Wording.Get("MachineFacts.AbortInputActive")),
+        { Poll.Limit: { Length: > 0 } limit } => (MachineState.Fault, Wording.Get("MachineFacts.On", limit)),
+        { Poll.LostPosition: { Length: > 0 } axes } => (MachineState.Fault, Wording.Get("MachineFacts.AxisSwitchedOffBecause", axes)),
+        { Poll.Moves: true } => (MachineState.Busy, Wording.Get("MachineFacts.SomethingMovesNotOurs")),
+        { Poll.ProgramRuns: true } => (MachineState.Busy, Wording.Get("MachineFacts.ProgramRunsControllerNot")),
+        { Poll.MotorsOff: { Length: > 0 } axes } => (MachineState.MotorsOff, Wording.Get("MachineFacts.MotorOff", axes)),
         _ => armed is null ? (MachineState.Ready, "") : (MachineState.Armed, ""),
     };
 
@@ -104,5 +104,5 @@ internal sealed record MachineFacts
     private static EngravedProgress Engraved(MachineProfile profile, in JobProgress told) =>
         new(told.Stroke, told.SegmentsExecuted, told.SegmentCount, Millimetres(profile, told.X, told.Y), told.ToolOn, told.Seconds);
 
-    private static Point2D Millimetres(MachineProfile profile, double x, double y) => new(x / profile.CountsPerMillimetreX, y / profile.CountsPerMillimetreY);
+    private static Point2D Millimetres(MachineProfile profile, double x, double y) => profile.Scale.ToMillimetres(x, y);
 }

@@ -18,7 +18,7 @@ internal static class MachineMove
         var options = new JobOptions { JournalPath = journal, Address = connection.Description, DrawingName = "CNCGOTO", DryRun = true };
         using var clock = connection.TakeClock();
         await using var machine = await clock.ShakeHandsAsync(connection, trace: null, stop).ConfigureAwait(false);
-        if (hold.Keep(memory => memory with { IsMoving = true }) is { } failure) throw new MachineMemoryException($"Where the machine is cannot be written down: {failure}. Nothing was moved; make room or let the file be written.");
+        if (hold.Keep(memory => memory with { IsMoving = true }) is { } failure) throw new MachineMemoryException(Wording.Get("Origins.NotWritten", failure));
         var result = await machine.GoToAsync(new MotionProgram(profile, start, []), goal, options, progress, stop).ConfigureAwait(false);
         var rest = result.IsEndKnown ? result.FinalPosition : null;
         hold.Keep(memory => memory with { IsMoving = rest is null, Rest = rest, Lost = result.PositionDoubt.Length > 0 ? result.PositionDoubt : memory.Lost });

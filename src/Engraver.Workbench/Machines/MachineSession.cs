@@ -25,7 +25,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         _time = time;
         _board = new MachineStatusModel(time, RaiseChanged);
-        _watched = new WatchedConnection(time, Seen, _board.Lost);
+        _watched = new WatchedConnection(time, () => Profile.Axes, Seen, _board.Lost);
         _work = new ActiveJob(_board.JobIsOver, RaiseChanged);
         Terminal = new LiveTerminal(time, AnswerAsync);
     }
@@ -98,7 +98,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         try
         {
-            var place = _place = await _watched.Watch!.LocateAsync(cancellation).ConfigureAwait(false);
+            var place = _place = await _watched.Watch!.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
             Hold = new MachineMemories(IsSimulation ? null : OriginsFolder).Take(_watched.Connection!.Description, identity, place, MachineHolder.Describe("CncEngraver", _time));
         }
         catch (ControllerException)
@@ -157,7 +157,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         ArgumentNullException.ThrowIfNull(program);
         if (_watched.Watch is not { } watch || Hold is not { } hold) return null;
-        var place = _place = await watch.LocateAsync(cancellation).ConfigureAwait(false);
+        var place = _place = await watch.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
         return WorkPlacement.Find(hold.Memory, place, new OriginRequest.Work(), program.Profile, program.Start);
     }
 
@@ -177,7 +177,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         if (_watched.Watch is not { } watch || Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
-        var memory = await watch.SetOriginAsync(hold, set, cancellation).ConfigureAwait(false);
+        var memory = await watch.SetOriginAsync(Profile.Axes, hold, set, cancellation).ConfigureAwait(false);
         _board.Placed(memory.ActiveOrigin?.Plane);
         RaiseChanged();
         return memory;
@@ -314,8 +314,8 @@ public sealed class MachineSession : IAsyncDisposable
 
     private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {
-        if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "No controller is connected; CNCCONNECT first.")];
-        if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, "A job runs; nothing is sent beside it.")];
+        if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("Common.NoControllerConnectedCncconnect"))];
+        if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("MachineSession.JobRunsNothingSent"))];
         Disarm();
         var answers = await watch.AnswerAsync(line, cancellation).ConfigureAwait(false);
         if (answers.LastOrDefault(answer => answer.Kind == TerminalAnswerKind.Refusal) is { Text: { } refusal }) _board.NoteRefusal(refusal);

@@ -17,7 +17,9 @@ internal sealed class MachineWatch : IAsyncDisposable
     private CancellationTokenSource? _stopLooking;
     private Task _looking = Task.CompletedTask;
 
-    private MachineWatch(IMachineConnection machine, TimeProvider time) => (_machine, _time) = (machine, time);
+    private readonly Func<MachineAxes> _axes;
+
+    private MachineWatch(IMachineConnection machine, Func<MachineAxes> axes, TimeProvider time) => (_machine, _axes, _time) = (machine, axes, time);
 
     public MachineIdentity Identity => _machine.Identity;
 
@@ -26,21 +28,22 @@ internal sealed class MachineWatch : IAsyncDisposable
 
     public bool IsBroken => _machine.IsBroken;
 
+    /// <param name="axes">Those that a job would move, as the profile of the moment has them.</param>
     /// <exception cref="ControllerException">Nobody answers.</exception>
-    public static async Task<MachineWatch> OpenAsync(MachineConnection connection, TimeProvider time, CancellationToken cancellation) =>
-        new(await connection.ShakeHandsAsync(time, cancellation).ConfigureAwait(false), time);
+    public static async Task<MachineWatch> OpenAsync(MachineConnection connection, Func<MachineAxes> axes, TimeProvider time, CancellationToken cancellation) =>
+        new(await connection.ShakeHandsAsync(time, cancellation).ConfigureAwait(false), axes, time);
 
     /// <summary>One look, now.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => _machine.LookAsync(cancellation);
+    public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => _machine.LookAsync(_axes(), cancellation);
 
     /// <summary>Where the machine stands and whether it still counts from the same zero.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public ValueTask<ControllerPlace> LocateAsync(CancellationToken cancellation) => _machine.LocateAsync(cancellation);
+    public ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation) => _machine.LocateAsync(axes, cancellation);
 
     /// <summary>Sets a work origin by where the machine stands.</summary>
     /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
-    public Task<MachineMemory> SetOriginAsync(MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation) => JobPlacement.SetOriginAsync(_machine, hold, set, _time, cancellation);
+    public Task<MachineMemory> SetOriginAsync(MachineAxes axes, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation) => JobPlacement.SetOriginAsync(_machine, axes, hold, set, _time, cancellation);
 
     /// <summary>Looks ten times a second until <see cref="PauseAsync"/>, or until the link fails.</summary>
     public void Resume(Action<MachineReading> seen, Action<ControllerException> lost)
@@ -74,7 +77,7 @@ internal sealed class MachineWatch : IAsyncDisposable
 
     /// <summary>Switches the motors of both axes.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) => _machine.SetMotorsAsync(on, cancellation);
+    public Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) => _machine.SetMotorsAsync(_axes(), on, cancellation);
 
     public async ValueTask DisposeAsync()
     {

@@ -5,7 +5,8 @@ namespace Engraver.Workbench.Machines;
 
 /// <summary>The controller that a machine session has, and the watch that looks at it while no job runs. Nothing is connected at first.</summary>
 /// <remarks>What it has may be asked from any thread; connecting, letting go and making way for a job are the session's, one after the other.</remarks>
-internal sealed class WatchedConnection(TimeProvider time, Action<MachineReading> seen, Action<ControllerException> lost)
+/// <param name="axes">Those that a job would move, as the profile of the moment has them.</param>
+internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axes, Action<MachineReading> seen, Action<ControllerException> lost)
 {
     private readonly Lock _guard = new();
     private MachineWatch? _watch;
@@ -34,7 +35,7 @@ internal sealed class WatchedConnection(TimeProvider time, Action<MachineReading
         MachineWatch? watch = null;
         try
         {
-            watch = await MachineWatch.OpenAsync(connection, time, cancellation).ConfigureAwait(false);
+            watch = await MachineWatch.OpenAsync(connection, axes, time, cancellation).ConfigureAwait(false);
             var poll = await watch.LookAsync(cancellation).ConfigureAwait(false);
             lock (_guard) (Connection, Address, Identity, _watch) = (connection, address, watch.Identity, watch);
             return poll;
@@ -103,7 +104,7 @@ internal sealed class WatchedConnection(TimeProvider time, Action<MachineReading
     private async Task<MachineReading> LookAnewAsync(MachineConnection connection)
     {
         if (Watch is { } broken) await broken.DisposeAsync().ConfigureAwait(false);
-        var watch = await MachineWatch.OpenAsync(connection, time, CancellationToken.None).ConfigureAwait(false);
+        var watch = await MachineWatch.OpenAsync(connection, axes, time, CancellationToken.None).ConfigureAwait(false);
         lock (_guard) _watch = watch;
         return await watch.LookAsync(CancellationToken.None).ConfigureAwait(false);
     }

@@ -2,8 +2,6 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
-using Engraver.Galil.Programs.Posting;
-using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Workbench.Playback;
 
@@ -48,13 +46,14 @@ public sealed class PlannedMotion
     public MotionTimeline Timeline => _timeline;
 
     /// <param name="program">Generated from the strokes of <paramref name="sequence"/>.</param>
-    /// <param name="posted">The program's text, for the line under the tool; null when there is none.</param>
-    public static PlannedMotion Create(MotionProgram program, SequencingResult sequence, string? posted, CancellationToken cancellation)
+    /// <param name="commands">How the controller spends its time.</param>
+    /// <param name="lines">Of the posted program, for the line under the tool: one for each segment; empty when there is none.</param>
+    public static PlannedMotion Create(MotionProgram program, SequencingResult sequence, CommandTimes commands, IReadOnlyList<int> lines, CancellationToken cancellation)
     {
-        var timeline = MotionTimeline.From(program, cancellation);
+        var timeline = MotionTimeline.From(program, commands, cancellation);
         var rows = SegmentRows.Map(program, sequence);
         cancellation.ThrowIfCancellationRequested();
-        return new PlannedMotion(timeline, rows, posted is null ? [] : SegmentLines.Map(posted));
+        return new PlannedMotion(timeline, rows, [.. lines]);
     }
 
     /// <summary>The motion at a moment; before 0 its beginning, after the end its end. A job with nothing to cut stands at its start.</summary>
@@ -182,13 +181,11 @@ public sealed class PlannedMotion
 
     private PlaybackMoment Rapid(in MotionSpan span, double since)
     {
-        var profile = _program.Profile;
-        var x = new SpeedTrapezoid(Math.Abs((double)span.To.X - span.From.X), profile.RapidSpeedX, profile.AccelerationCounts);
-        var y = new SpeedTrapezoid(Math.Abs((double)span.To.Y - span.From.Y), profile.RapidSpeedY, profile.AccelerationCounts);
+        var (x, y) = _timeline.RapidOf(span);
         var place = Millimetres(
             span.From.X + (Math.Sign((long)span.To.X - span.From.X) * x.DistanceAt(since)),
             span.From.Y + (Math.Sign((long)span.To.Y - span.From.Y) * y.DistanceAt(since)));
-        var speed = double.Hypot(x.SpeedAt(since) / profile.CountsPerMillimetreX, y.SpeedAt(since) / profile.CountsPerMillimetreY);
+        var speed = Millimetres(x.SpeedAt(since), y.SpeedAt(since)).DistanceTo(default);
         return Moment(span, since, _firstSegments[span.Stroke][0] + StandsBehind(span), place, speed);
     }
 
@@ -204,7 +201,7 @@ public sealed class PlannedMotion
     private PlaybackMoment Moment(in MotionSpan span, double since, int segment, Point2D place, double speed) => new(
         span.Start + since, place, speed, span.ToolOn, span.Kind, _program.Strokes[span.Stroke].Index, segment, _segments[segment].EntityIndex, _rows[segment], segment < _lines.Length ? _lines[segment] : 0);
 
-    private Point2D Millimetres(double x, double y) => new(x / _program.Profile.CountsPerMillimetreX, y / _program.Profile.CountsPerMillimetreY);
+    private Point2D Millimetres(double x, double y) => _program.Profile.Scale.ToMillimetres(x, y);
 }
 
 /// <summary>What the planned motion does at one moment.</summary>

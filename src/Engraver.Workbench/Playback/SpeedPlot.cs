@@ -1,4 +1,3 @@
-using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 
 namespace Engraver.Workbench.Playback;
@@ -30,12 +29,11 @@ public static class SpeedPlot
 
     private static IEnumerable<double> Corners(PlannedMotion motion)
     {
-        var program = motion.Timeline.Program;
         foreach (var span in motion.Timeline.Spans)
         {
             yield return span.Start;
             if (span.Kind == MotionSpanKind.Dwell) continue;
-            var profile = span.Kind == MotionSpanKind.Cut ? motion.TrapezoidOf(span.Stroke, span.Sequence) : Longest(span, program);
+            var profile = span.Kind == MotionSpanKind.Cut ? motion.TrapezoidOf(span.Stroke, span.Sequence) : Longest(motion.Timeline.RapidOf(span));
             yield return span.Start + profile.RampSeconds;
             yield return span.Start + profile.Seconds - profile.RampSeconds;
             yield return Math.BitDecrement(span.End);
@@ -44,13 +42,7 @@ public static class SpeedPlot
         yield return motion.DurationSeconds;
     }
 
-    private static SpeedTrapezoid Longest(in MotionSpan span, MotionProgram program)
-    {
-        var profile = program.Profile;
-        var x = new SpeedTrapezoid(Math.Abs((double)span.To.X - span.From.X), profile.RapidSpeedX, profile.AccelerationCounts);
-        var y = new SpeedTrapezoid(Math.Abs((double)span.To.Y - span.From.Y), profile.RapidSpeedY, profile.AccelerationCounts);
-        return x.Seconds >= y.Seconds ? x : y;
-    }
+    private static SpeedTrapezoid Longest((SpeedTrapezoid X, SpeedTrapezoid Y) axes) => axes.X.Seconds >= axes.Y.Seconds ? axes.X : axes.Y;
 }
 
 /// <summary>A corner of the speed plot; between two of them the speed is a straight line over time.</summary>

@@ -8,7 +8,7 @@ public static class DiagnosticLine
     public static string Format(string file, Diagnostic diagnostic)
     {
         var place = diagnostic.Source.Line > 0 ? FormattableString.Invariant($"{file}({diagnostic.Source.Line})") : file;
-        var handle = diagnostic.Source.Handle is { } name ? $" [handle {name}]" : "";
-        return $"{place}: {DiagnosticTable.SeverityWord(diagnostic.Severity)} {diagnostic.Id}: {diagnostic.Message}{handle}";
+        var handle = diagnostic.Source.Handle is { } name ? Wording.Get("DiagnosticLine.Handle", name) : "";
+        return Wording.Get("DiagnosticLine.Line", place, DiagnosticTable.SeverityWord(diagnostic.Severity), diagnostic.Id, diagnostic.Message, handle);
     }
 }

@@ -12,41 +12,41 @@ public static class DrawingText
     {
         if (IsUnusable(drawing))
         {
-            output.WriteLine(Invariant($"{drawing.FileName}: {Bytes(drawing)}nothing could be read"));
+            output.WriteLine(Wording.Get("DrawingText.NothingCouldRead", drawing.FileName, Bytes(drawing)));
             return;
         }
 
         var balance = drawing.Balance;
-        output.WriteLine(Invariant($"{drawing.FileName}: {Version(drawing)}, {Bytes(drawing)}{Unit(drawing.Unit)}"));
-        output.WriteLine(Invariant($"{CountText.Format(balance.Read, "entity")} read = {balance.Cut} cut + {balance.Construction} construction + {balance.Refused.Count} refused{(balance.EntityCounts.Count == 0 ? "" : $" ({Counts(balance.EntityCounts)})")}"));
-        if (summary.Leaf.Count > 0) output.WriteLine(Invariant($"curves, blocks expanded: {Counts(summary.Leaf.ToDictionary(pair => pair.Key.ToDxfName(), pair => pair.Value))}; length {summary.Length.Total:0.######} {drawing.Unit.Name}"));
+        output.WriteLine(Wording.Get("DrawingText.Head", drawing.FileName, Version(drawing), Bytes(drawing), Unit(drawing.Unit)));
+        output.WriteLine(Wording.Get("DrawingText.ReadCutConstructionRefused", CountText.Format(balance.Read, "Entity"), balance.Cut, balance.Construction, balance.Refused.Count, balance.EntityCounts.Count == 0 ? "" : $" ({Counts(balance.EntityCounts)})"));
+        if (summary.Leaf.Count > 0) output.WriteLine(Wording.Get("DrawingText.CurvesBlocksExpandedLength", Counts(summary.Leaf.ToDictionary(pair => pair.Key.ToDxfName(), pair => pair.Value)), summary.Length.Total, drawing.Unit.Name));
         output.WriteLine(Size(summary.Bounds, drawing.Unit));
         foreach (var (layer, index) in drawing.Layers.Select((layer, index) => (layer, index)))
         {
-            var switches = $"{(layer.On ? "" : ", off")}{(layer.Frozen ? ", frozen" : "")}{(layer.Plot ? "" : ", not plotted")}";
-            output.WriteLine(Invariant($"  layer {layer.Name}: {CountText.Format(Records(balance, index), "entity")}{switches}"));
+            var switches = (layer.On ? "" : Wording.Get("DrawingText.Off")) + (layer.Frozen ? Wording.Get("DrawingText.Frozen") : "") + (layer.Plot ? "" : Wording.Get("DrawingText.NotPlotted"));
+            output.WriteLine(Wording.Get("DrawingText.Layer", layer.Name, CountText.Format(Records(balance, index), "Entity"), switches));
         }
 
         foreach (var refused in balance.Refused.Concat(balance.RefusedInBlocks))
         {
-            output.WriteLine(Invariant($"  not read: {refused.Type}{(refused.Handle is { } handle ? $" {handle}" : "")} at line {refused.Line}: {refused.Reason} ({refused.DiagnosticId})"));
+            output.WriteLine(Wording.Get("DrawingText.NotReadLine", refused.Type, refused.Handle is { } handle ? $" {handle}" : "", refused.Line, refused.Reason, refused.DiagnosticId));
         }
     }
 
     /// <summary>Neither its version nor its unit is known then, and to count nothing would say that it was looked at.</summary>
     private static bool IsUnusable(Drawing drawing) => drawing is { HasErrors: true, DxfVersion.Length: 0, Layers.Count: 0, Balance.Read: 0 };
 
-    private static string Bytes(Drawing drawing) => drawing.Bytes == 0 ? "" : Invariant($"{drawing.Bytes} {(drawing.Bytes == 1 ? "byte" : "bytes")}, ");
+    private static string Bytes(Drawing drawing) => drawing.Bytes == 0 ? "" : Wording.Get(drawing.Bytes == 1 ? "DrawingText.Bytes.One" : "DrawingText.Bytes.Many", drawing.Bytes);
 
     private static int Records(DrawingBalance balance, int layer) => layer < balance.RecordsPerLayer.Count ? balance.RecordsPerLayer[layer] : 0;
 
-    private static string Version(Drawing drawing) => drawing.DxfVersion.Length == 0 ? $"{drawing.Encoding} DXF" : $"{drawing.Encoding} DXF {drawing.DxfVersion}";
+    private static string Version(Drawing drawing) => drawing.DxfVersion.Length == 0 ? Wording.Get("DrawingText.Dxf", drawing.Encoding) : Wording.Get("DrawingText.Dxf2", drawing.Encoding, drawing.DxfVersion);
 
-    private static string Unit(LengthUnit unit) => Invariant($"unit {unit.Name} ({unit.Source}{(unit.ToMillimetres == 1.0 ? "" : Invariant($", {unit.ToMillimetres:0.######} mm"))})");
+    private static string Unit(LengthUnit unit) => Wording.Get("DrawingText.Unit", unit.Name, unit.Source, unit.ToMillimetres == 1.0 ? "" : Wording.Get("DrawingText.Mm", unit.ToMillimetres));
 
     private static string Size(Bounds2D? bounds, LengthUnit unit) => bounds is { } box
-        ? Invariant($"size {box.Width:0.######} x {box.Height:0.######} {unit.Name}, from {box.MinX:0.######},{box.MinY:0.######} to {box.MaxX:0.######},{box.MaxY:0.######}")
-        : "no curve";
+        ? Wording.Get("DrawingText.SizeXFrom", box.Width, box.Height, unit.Name, box.MinX, box.MinY, box.MaxX, box.MaxY)
+        : Wording.Get("DrawingText.NoCurve");
 
     private static string Counts(IReadOnlyDictionary<string, int> counts) => string.Join(", ", counts.OrderByDescending(pair => pair.Value).Select(pair => Invariant($"{pair.Value} {pair.Key}")));
 

@@ -13,8 +13,8 @@ public static class EntityText
         foreach (var index in entities)
         {
             var entity = drawing.Entities[index];
-            var handle = drawing.SourceOf(index).Handle is { } name ? $", handle {name}" : "";
-            output.WriteLine(Invariant($"{entity.Type.ToDxfName()}{handle}, layer {drawing.Layers[entity.Layer].Name}{(entity.Closed ? ", closed" : "")}, length {LengthOf(drawing, index):0.######}"));
+            var handle = drawing.SourceOf(index).Handle is { } name ? Wording.Get("EntityText.Handle", name) : "";
+            output.WriteLine(Wording.Get("EntityText.LayerLength", entity.Type.ToDxfName(), handle, drawing.Layers[entity.Layer].Name, entity.Closed ? Wording.Get("EntityText.Closed") : "", LengthOf(drawing, index)));
             foreach (var segment in DrawingPick.Segments(drawing, index)) output.WriteLine("    " + Describe(segment));
         }
     }
@@ -24,22 +24,22 @@ public static class EntityText
     {
         var types = entities.GroupBy(index => drawing.Entities[index].Type).Select(group => Invariant($"{group.Count()} {group.Key.ToDxfName()}"));
         var layers = entities.Select(index => drawing.Layers[drawing.Entities[index].Layer].Name).Distinct().Order(StringComparer.Ordinal);
-        output.WriteLine(Invariant($"{entities.Count} objects: {string.Join(", ", types)}"));
-        output.WriteLine($"layers: {string.Join(", ", layers)}");
-        output.WriteLine(Invariant($"length {entities.Sum(index => LengthOf(drawing, index)):0.######} {drawing.Unit.Name}"));
+        output.WriteLine(Wording.Get("EntityText.Objects", entities.Count, string.Join(", ", types)));
+        output.WriteLine(Wording.Get("EntityText.Layers", string.Join(", ", layers)));
+        output.WriteLine(Wording.Get("EntityText.Length", entities.Sum(index => LengthOf(drawing, index)), drawing.Unit.Name));
         var box = DrawingPick.BoundsOf(drawing, entities);
-        if (!box.IsEmpty) output.WriteLine(Invariant($"from {box.MinX:0.######},{box.MinY:0.######} to {box.MaxX:0.######},{box.MaxY:0.######}"));
+        if (!box.IsEmpty) output.WriteLine(Wording.Get("EntityText.From", box.MinX, box.MinY, box.MaxX, box.MaxY));
     }
 
     private static double LengthOf(Drawing drawing, int index) => DrawingPick.Segments(drawing, index).Sum(segment => segment.Length);
 
     private static string Describe(Segment segment)
     {
-        var ends = Invariant($"from {segment.Start.X:0.######},{segment.Start.Y:0.######} to {segment.End.X:0.######},{segment.End.Y:0.######}");
-        if (segment.IsFreeCurve) return Invariant($"{(segment.Kind == SegmentKind.Ellipse ? "ellipse" : "spline")} {ends}, {segment.Curve.Spans.Length} spans, length {segment.Length:0.######}");
+        var ends = Wording.Get("EntityText.From", segment.Start.X, segment.Start.Y, segment.End.X, segment.End.Y);
+        if (segment.IsFreeCurve) return Wording.Get("EntityText.SpansLength", segment.Kind == SegmentKind.Ellipse ? Wording.Get("EntityText.Ellipse") : Wording.Get("EntityText.Spline"), ends, segment.Curve.Spans.Length, segment.Length);
         return segment.Kind == SegmentKind.Line
-            ? $"line {ends}"
-            : Invariant($"{(segment.Kind == SegmentKind.Circle ? "circle" : "arc")} {ends}, centre {segment.Arc.Centre.X:0.######},{segment.Arc.Centre.Y:0.######}, radius {segment.Arc.Radius:0.######}, sweep {segment.Arc.Sweep.Degrees:0.######}");
+            ? Wording.Get("EntityText.Line", ends)
+            : Wording.Get("EntityText.CentreRadiusSweep", segment.Kind == SegmentKind.Circle ? Wording.Get("EntityText.Circle") : Wording.Get("EntityText.Arc"), ends, segment.Arc.Centre.X, segment.Arc.Centre.Y, segment.Arc.Radius, segment.Arc.Sweep.Degrees);
     }
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.EntityTables;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
@@ -12,9 +11,7 @@ public static class RunText
     {
         var result = report.Result;
         var planned = job.Motion.Program?.SegmentCount ?? 0;
-        return string.Create(
-            CultureInfo.InvariantCulture,
-            $"{OutcomeText.Word(result.Outcome)}: {result.SegmentsExecuted} of {planned} segments cut in {result.Seconds:0.0} s of machine time; {Verdict(report.Judgement, LeftOut(job), job.NotCut)}.");
+        return Wording.Get("RunText.SegmentsCutMachineTime", OutcomeText.Word(result.Outcome), result.SegmentsExecuted, planned, result.Seconds, Verdict(report.Judgement, LeftOut(job), job.NotCut));
     }
 
     /// <summary>Entities of the drawing, in its blocks too, that gave no curve though they should have.</summary>
@@ -23,16 +20,16 @@ public static class RunText
     private static string Verdict(RunJudgement judgement, int leftOut, NotCutFindings notCut)
     {
         var unseen = notCut.Counts.Count == 0 ? "" : $"; {notCut.Clause}";
-        if (judgement.MaxDeviationMm is not { } deviation) return "nothing is known about the cut" + unseen;
-        var who = judgement.Source == "record" ? "the simulated motors were" : "the polled positions were";
+        if (judgement.MaxDeviationMm is not { } deviation) return Wording.Get("RunText.NothingKnownAboutCut", unseen);
+        var who = judgement.Source == "record" ? Wording.Get("RunText.SimulatedMotors") : Wording.Get("RunText.PolledPositions");
         var missing = judgement.MissingLengthMm switch
         {
-            null => "how much of it is missing is not known",
-            > 0.0 and var length => string.Create(CultureInfo.InvariantCulture, $"{length:0.###} mm of the drawing are MISSING"),
-            _ when leftOut > 0 => "nothing of what could be read is missing",
-            _ => unseen.Length > 0 ? "nothing of its curves is missing" : "nothing of it is missing",
+            null => Wording.Get("RunText.HowMuchMissingNot"),
+            > 0.0 and var length => Wording.Get("RunText.MmDrawingMissing", length),
+            _ when leftOut > 0 => Wording.Get("RunText.NothingWhatCouldRead"),
+            _ => unseen.Length > 0 ? Wording.Get("RunText.NothingItsCurvesMissing") : Wording.Get("RunText.NothingMissing"),
         };
-        if (leftOut > 0) missing += string.Create(CultureInfo.InvariantCulture, $", but {leftOut} of its entities could not be read and {(leftOut == 1 ? "is" : "are")} LEFT OUT");
-        return string.Create(CultureInfo.InvariantCulture, $"{who} at worst {deviation:0.0000} mm from the drawing and {missing}{unseen}");
+        if (leftOut > 0) missing += Wording.Get("RunText.ButItsEntitiesCould", leftOut, leftOut == 1 ? Wording.Get("RunText.Is") : Wording.Get("RunText.Are"));
+        return Wording.Get("RunText.WorstMmFromDrawing", who, deviation, missing, unseen);
     }
 }

@@ -9,14 +9,13 @@ public static class SequenceText
 {
     public static void Write(TextWriter output, SequencingResult result)
     {
-        output.WriteLine(Invariant($"{CountText.Format(result.Contours, "contour")} ({result.Closed} closed, {result.Open} open) of {CountText.Format(result.Segments, "segment")}, {result.PathLength:0.###} mm to cut"));
-        output.WriteLine(Invariant($"{CountText.Format(result.Reversed, "segment")} turned round, {CountText.Format(result.DuplicatesRemoved, "duplicate")} left out"));
-        output.WriteLine(Invariant($"travel {result.Travel:0.###} mm ({result.TravelAsDrawn:0.###} mm as drawn), {result.TravelAndBack:0.###} mm with the way back"));
+        output.WriteLine(Wording.Get("SequenceText.ClosedOpenMmCut", CountText.Format(result.Contours, "Contour"), result.Closed, result.Open, CountText.Format(result.Segments, "Segment"), result.PathLength));
+        output.WriteLine(Wording.Get("SequenceText.TurnedRoundLeftOut", CountText.Format(result.Reversed, "Segment"), CountText.Format(result.DuplicatesRemoved, "Duplicate")));
+        output.WriteLine(Wording.Get("SequenceText.TravelMmMmDrawn", result.Travel, result.TravelAsDrawn, result.TravelAndBack));
         foreach (var stroke in result.Strokes)
         {
-            var inside = stroke.Inside < 0 ? "" : Invariant($", inside {stroke.Inside + 1}");
-            output.WriteLine(Invariant(
-                $"{stroke.Index + 1,5}  {(stroke.Closed ? "closed" : "open  ")} {stroke.Segments,5} segments {stroke.Length,10:0.###} mm  from {stroke.Start.X:0.####},{stroke.Start.Y:0.####} to {stroke.End.X:0.####},{stroke.End.Y:0.####}{inside}"));
+            var inside = stroke.Inside < 0 ? "" : Wording.Get("SequenceText.Inside", stroke.Inside + 1);
+            output.WriteLine(Wording.Get("SequenceText.SegmentsMmFrom", stroke.Index + 1, stroke.Closed ? Wording.Get("SequenceText.Closed") : Wording.Get("SequenceText.Open"), stroke.Segments, stroke.Length, stroke.Start.X, stroke.Start.Y, stroke.End.X, stroke.End.Y, inside));
         }
 
         if (result.Discontinuities.Count > 0) WriteOpenEnds(output, result);
@@ -25,10 +24,10 @@ public static class SequenceText
     /// <summary>Every end of an open stroke with the gap to the nearest other one, mm.</summary>
     public static void WriteOpenEnds(TextWriter output, SequencingResult result)
     {
-        output.WriteLine($"{CountText.Format(result.Discontinuities.Count, "open end")}:");
+        output.WriteLine($"{CountText.Format(result.Discontinuities.Count, "OpenEnd")}:");
         foreach (var end in result.Discontinuities)
         {
-            output.WriteLine(Invariant($"       {end.Place.X:0.####},{end.Place.Y:0.####}  nearest open end {(end.Gap is { } gap ? Invariant($"{gap:0.####} mm away") : "none")}"));
+            output.WriteLine(Wording.Get("SequenceText.NearestOpenEnd", end.Place.X, end.Place.Y, end.Gap is { } gap ? Wording.Get("SequenceText.MmAway", gap) : Wording.Get("SequenceText.None")));
         }
     }
 

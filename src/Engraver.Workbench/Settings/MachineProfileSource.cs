@@ -16,10 +16,10 @@ public static class MachineProfileSource
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            throw new SettingException($"{path} cannot be read: {unreadable.Message}", unreadable);
+            throw new SettingException(Wording.Get("MachineProfileSource.CannotRead", path, unreadable.Message), unreadable);
         }
 
-        var read = MachineProfileFile.Read(json, MachineFamily.Limits);
+        var read = MachineProfileFile.Read(json, MachineFamilies.Driver.Limits);
         if (read.Profile is { } profile) return profile;
         throw new SettingException($"{path}({read.Diagnostics[0].Source.Line}): {read.Diagnostics[0].Id}: {read.Diagnostics[0].Message}");
     }

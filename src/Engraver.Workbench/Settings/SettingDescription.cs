@@ -2,10 +2,14 @@ namespace Engraver.Workbench.Settings;
 
 /// <summary>One setting of a job, described once: the console's options, the commands, the advice of findings and docs/settings.md take name, unit, range, default and help from here.</summary>
 /// <param name="Key">Permanent name; advice names a setting by it, in brackets.</param>
-/// <param name="Name">What it is called in a list.</param>
-/// <param name="Meaning">One sentence with a full stop; other settings in brackets.</param>
-public sealed record SettingDescription(string Key, string Name, string Meaning)
+public sealed record SettingDescription(string Key)
 {
+    /// <summary>What it is called in a list.</summary>
+    public string Name => Wording.Get("Setting." + Key);
+
+    /// <summary>One sentence with a full stop; other settings in brackets.</summary>
+    public string Meaning => Wording.Get($"Setting.{Key}.Meaning");
+
     /// <summary>Unit of the value; empty for a choice or a switch.</summary>
     public string Unit { get; init; } = "";
 
@@ -18,8 +22,12 @@ public sealed record SettingDescription(string Key, string Name, string Meaning)
     /// <summary>Only whole numbers.</summary>
     public bool Whole { get; init; }
 
-    /// <summary>The value without any choice of the operator.</summary>
-    public string Default { get; init; } = "";
+    /// <summary>The value without any choice of the operator; a text of the resources where it is said in words.</summary>
+    public string Default
+    {
+        get => Wording.Find($"Setting.{Key}.Default") ?? field;
+        init;
+    } = "";
 
     /// <summary>Option of the console; null where there is none.</summary>
     public string? Flag { get; init; }
@@ -29,9 +37,6 @@ public sealed record SettingDescription(string Key, string Name, string Meaning)
 
     /// <summary>What is typed at the command line of the desktop, with its value where one choice is meant; null where there is nothing to type.</summary>
     public string? Command { get; init; }
-
-    /// <summary>What the command says of itself where its values are spelled otherwise than the option's; null: the help.</summary>
-    public string? CommandHelp { get; init; }
 
     /// <summary>Field of the machine profile or of <c>--json</c> that holds it; null where there is none.</summary>
     public string? JsonField { get; init; }

@@ -20,7 +20,7 @@ public sealed class SettingException : Exception
     }
 
     public static SettingException UnknownLayers(IReadOnlyList<string> unknown, IReadOnlyList<Layer> layers) => new(
-        $"The drawing has no layer {string.Join(", ", unknown.Select(name => $"'{name}'"))}; it has {string.Join(", ", layers.Take(20).Select(layer => $"'{layer.Name}'"))}{(layers.Count > 20 ? " and others" : "")}.");
+        Wording.Get("SettingException.DrawingHasNoLayer", string.Join(", ", unknown.Select(name => $"'{name}'")), string.Join(", ", layers.Take(20).Select(layer => $"'{layer.Name}'")), layers.Count > 20 ? Wording.Get("SettingException.Others") : ""));
 
-    public static SettingException UnknownHandle(string handle) => new($"--enter: no curve of the drawing has the handle {handle}; engraver table and info show what there is.");
+    public static SettingException UnknownHandle(string handle) => new(Wording.Get("SettingException.EnterNoCurveDrawing", handle));
 }

@@ -1,5 +1,6 @@
 using System.Text.RegularExpressions;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.Settings;
 
@@ -12,7 +13,7 @@ public static partial class SettingWording
         ["units-mm"] = ("--units mm", "CNCUNITS 4"),
         ["units-inch"] = ("--units inch", "CNCUNITS 1"),
         ["look"] = ("engraver info", "CHECK"),
-        ["cut"] = ("--cut", "CNCCUT (and OPEN the drawing again)"),
+        ["cut"] = ("--cut", "CNCCUT"),
         ["zero"] = ("engraver zero", "CNCZERO"),
         ["origin-here"] = ("--origin here", "CNCZERO Point"),
     };
@@ -33,19 +34,19 @@ public static partial class SettingWording
     {
         ArgumentNullException.ThrowIfNull(finding);
         var advice = Key().Replace(finding.Rule.Advice, key => spell(key.Groups["sign"].Value, key.Groups["key"].Value));
-        return advice == finding.Rule.Advice ? finding : finding with { Rule = finding.Rule with { Advice = advice } };
+        return advice == finding.Rule.Advice ? finding : finding with { Advice = advice };
     }
 
     private static string Console(string sign, string key)
     {
         var flag = s_phrases.TryGetValue(key, out var phrase) ? phrase.Console : Find(key).Flag ?? Find(key).Name;
-        return sign switch { "+" => $"with {flag}", "-" => $"without {flag}", _ => flag };
+        return sign switch { "+" => Wording.Get("Advice.With", flag), "-" => Wording.Get("Advice.Without", flag), _ => TextCatalogue.Fact(flag) };
     }
 
     private static string Desktop(string sign, string key)
     {
         var command = s_phrases.TryGetValue(key, out var phrase) ? phrase.Desktop : Find(key).Command ?? Find(key).Name;
-        return sign switch { "+" => $"with {command} 1", "-" => $"with {command} 0", _ => command };
+        return sign switch { "+" => Wording.Get("Advice.With", command + " 1"), "-" => Wording.Get("Advice.With", command + " 0"), _ => key == "cut" ? Wording.Get("Advice.CutAtOpening", command) : TextCatalogue.Fact(command) };
     }
 
     private static SettingDescription Find(string key) => SettingTable.All.First(setting => setting.Key == key);

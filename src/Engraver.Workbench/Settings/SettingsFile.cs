@@ -14,7 +14,7 @@ public static class SettingsFile
         try
         {
             var read = File.Exists(path) ? JsonSerializer.Deserialize(File.ReadAllText(path), DesktopSettingsJson.Default.DesktopSettings) : DesktopSettings.Default;
-            return read is null ? SetAside(path, "it is empty.", time) : (Checked(read), null);
+            return read is null ? SetAside(path, Wording.Get("SettingsFile.Empty"), time) : (Checked(read), null);
         }
         catch (JsonException broken)
         {
@@ -22,7 +22,7 @@ public static class SettingsFile
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return (DesktopSettings.Default, $"The settings in {path} cannot be read: {unreadable.Message} The defaults are used.");
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotReadDefaults", path, unreadable.Message));
         }
     }
 
@@ -40,11 +40,11 @@ public static class SettingsFile
         try
         {
             File.Move(path, aside);
-            return (DesktopSettings.Default, $"The settings in {path} cannot be understood: {why} The file was set aside as {aside}; the defaults are used.");
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotUnderstoodFile", path, why, aside));
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            return (DesktopSettings.Default, $"The settings in {path} cannot be understood: {why} They could not be set aside either: {stuck.Message}");
+            return (DesktopSettings.Default, Wording.Get("SettingsFile.SettingsCannotUnderstoodThey", path, why, stuck.Message));
         }
     }
 

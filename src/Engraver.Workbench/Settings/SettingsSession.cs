@@ -46,7 +46,7 @@ public sealed class SettingsSession
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            Finding = $"The settings cannot be kept in {_path}: {stuck.Message}";
+            Finding = Wording.Get("SettingsSession.SettingsCannotKept", _path, stuck.Message);
         }
     }
 }

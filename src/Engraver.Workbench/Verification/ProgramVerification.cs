@@ -2,12 +2,9 @@ using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
+using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Verification;
-using Engraver.Galil.Programs.Generation;
-using Engraver.Galil.Programs.Posting;
-using Engraver.Galil.Programs.Timing;
-using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
@@ -22,33 +19,31 @@ public static class ProgramVerification
     private const double PatienceSeconds = 60.0;
 
     /// <summary>Runs the program and compares.</summary>
+    /// <param name="reader">Of the language that the program is written in.</param>
     /// <param name="settings">As the program was posted: layers, units, start and machine decide what is compared with what.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
-    public static async Task<VerificationReport> VerifyAsync(ReadBackProgram program, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
         var bridges = BridgedGaps.Beyond(job.Toolpath, RunJudge.Tolerances(job).Deviation);
         TraceJudge[] judges = bridges.Count == 0 ? [RunJudge.JudgeOf(job)] : [RunJudge.JudgeOf(job), RunJudge.JudgeOf(job, bridges)];
-        var listener = new RecordListener(job.Settings.Machine, judges);
-        var start = job.Settings.Machine.Scale.ToCounts(job.Settings.Start);
-        listener.Start(-(double)start.X, -(double)start.Y);
-        var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? MotionTime.Estimate(motion) : 0.0);
-        var replay = program.Diagnostics.Count > 0
-            ? new ProgramReplay(program.Diagnostics)
-            : await ProgramReplayer.RunAsync(program, expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * expected), listener, progress, cancellation).ConfigureAwait(false);
-        return Report(job, replay, listener.Verdicts(), bridges);
+        var machine = job.Settings.Machine;
+        var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
+        var request = new ReplayRequest(machine, machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * expected), judges);
+        var faults = program.Text is { } text ? await reader.ReplayAsync(text, request, progress, cancellation).ConfigureAwait(false) : program.Diagnostics;
+        return Report(job, faults, [.. judges.Select(judge => judge.Verdict())], bridges);
     }
 
     /// <summary>The largest deviation is always the one from the drawing. Where the join tolerance bridges gaps, what may be cut is the drawing with its bridges.</summary>
     /// <param name="verdicts">On the drawing, and where there are bridges on the drawing with them.</param>
-    private static VerificationReport Report(PreparedJob job, ProgramReplay replay, TraceVerdict[] verdicts, IReadOnlyList<StrokeMove> bridges)
+    private static VerificationReport Report(PreparedJob job, IReadOnlyList<Diagnostic> faults, TraceVerdict[] verdicts, IReadOnlyList<StrokeMove> bridges)
     {
         var tolerance = RunJudge.Tolerances(job).Deviation;
         var found = verdicts[0];
         var isBridged = bridges.Count > 0 && found.MaxDeviation > tolerance;
         var judged = isBridged ? verdicts[^1] : found;
-        var findings = replay.Diagnostics.Count > 0 ? replay.Diagnostics : [.. Differences(judged with { MissingLength = found.MissingLength, MissingAt = found.MissingAt }, tolerance)];
+        var findings = faults.Count > 0 ? faults : [.. Differences(judged with { MissingLength = found.MissingLength, MissingAt = found.MissingAt }, tolerance)];
         var deviation = found.CuttingSamples == 0 || !double.IsFinite(found.MaxDeviation) ? (double?)null : found.MaxDeviation;
         var allowed = tolerance + (!isBridged ? 0.0 : bridges.Max(bridge => bridge.Segment.Length) / 2.0);
         var ok = findings.Count == 0 && judged.ExtraLength == 0.0 && !job.Drawing.HasErrors;

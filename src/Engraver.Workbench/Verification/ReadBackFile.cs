@@ -1,20 +1,23 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Galil.Programs.Posting;
 
 namespace Engraver.Workbench.Verification;
 
-/// <summary>A posted program from a file. Whatever stands there, the answer is a program; what is wrong with it is among its diagnostics.</summary>
-public static class ReadBackFile
+/// <summary>A posted program as it stands in a file.</summary>
+/// <param name="Text">Null when the file cannot be read; then <paramref name="Diagnostics"/> say why.</param>
+public sealed record ReadBackFile(string? Text, IReadOnlyList<Diagnostic> Diagnostics)
 {
-    public static ReadBackProgram Open(string path)
+    /// <summary>Whatever stands there; what is wrong with it is the reader's to say.</summary>
+    public static ReadBackFile Open(string path)
     {
         try
         {
-            return ReadBackProgram.Parse(File.ReadAllText(path));
+            return FromText(File.ReadAllText(path));
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return new ReadBackProgram([], [DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.'))]);
+            return new ReadBackFile(null, [DocumentRules.Unreadable.At(default, unreadable.Message.TrimEnd('.'))]);
         }
     }
+
+    public static ReadBackFile FromText(string text) => new(text, []);
 }

@@ -1,24 +1,28 @@
+using System.Text.RegularExpressions;
 using Engraver.Core.Diagnostics;
 
 namespace Engraver.Core.Tests.Diagnostics;
 
 public class DiagnosticTests
 {
-    private static readonly DiagnosticRule s_rule = new("TST0001", Severity.Warning, "{type} at line {line} has {count} of {type}.", "Do this.");
-
     [Fact]
-    public void Facts_fill_the_names_in_the_order_in_which_they_first_appear()
+    public void Facts_fill_the_names_by_their_place_in_the_rule_and_the_advice_follows()
     {
-        var diagnostic = s_rule.At(new SourceRef(7, "1A"), "LINE", "7", "3");
+        var diagnostic = VerificationRules.CutBesideDrawing.At(new SourceRef(7, "1A"), "0.5", "12", "7", "0.01");
 
-        Assert.Equal("LINE at line 7 has 3 of LINE. Do this.", diagnostic.Message);
-        Assert.Equal("TST0001", diagnostic.Id);
+        Assert.Equal("The program cuts 0.5 mm beside the drawing at 12, 7; 0.01 mm are allowed. Compare the program with the drawing there.", diagnostic.Message);
+        Assert.Equal("VER0008", diagnostic.Id);
     }
 
     [Fact]
-    public void A_missing_fact_shows_and_a_brace_without_partner_stays()
+    public void A_missing_fact_shows() =>
+        Assert.Equal("The program cuts 0.5 mm beside the drawing at ?, ?; ? mm are allowed.", VerificationRules.CutBesideDrawing.At(default, "0.5").Sentence);
+
+    [Fact]
+    public void Every_rule_names_the_facts_that_its_sentence_shows_in_the_order_of_English()
     {
-        Assert.Equal("LINE at line ? has ? of LINE. Do this.", s_rule.At(default, "LINE").Message);
-        Assert.Equal("open { brace x", new DiagnosticRule("TST0002", Severity.Info, "open { brace", "x").At(default).Message);
+        var shown = DiagnosticTable.All.Select(rule => $"{rule.Id} {string.Join(' ', Regex.Matches(rule.Sentence, @"\{(\w+)\}").Select(fact => fact.Groups[1].Value).Distinct())}");
+
+        Assert.Equal(shown, DiagnosticTable.All.Select(rule => $"{rule.Id} {string.Join(' ', rule.FactNames)}"));
     }
 }

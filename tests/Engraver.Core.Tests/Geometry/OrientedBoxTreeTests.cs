@@ -14,22 +14,21 @@ public class OrientedBoxTreeTests
         {
             var (lines, here) = Lines(seed);
 
-            var found = Tree(lines).Nearest(here, (item, place) => lines[item].DistanceTo(place), double.PositiveInfinity, out var distance);
+            var found = Tree(lines).Nearest(here, (item, place) => lines[item].DistanceTo(place), double.PositiveInfinity, -1.0, out var distance);
 
             var expected = Enumerable.Range(0, lines.Length).MinBy(i => lines[i].DistanceTo(here));
             return found == expected && distance == lines[expected].DistanceTo(here);
         }).QuickCheckThrowOnFailure();
 
     [Fact]
-    public void Around_a_place_are_all_lines_whose_distance_is_no_more() =>
+    public void Any_line_that_is_near_enough_will_do() =>
         Prop.ForAll(Seeds, seed =>
         {
             var (lines, here) = Lines(seed);
-            var found = new List<int>();
 
-            Tree(lines).Around(here, 9.0, found);
+            var found = Tree(lines).Nearest(here, (item, place) => lines[item].DistanceTo(place), double.PositiveInfinity, 9.0, out var distance);
 
-            return found.Count == found.Distinct().Count() && Enumerable.Range(0, lines.Length).All(i => found.Contains(i) == lines[i].DistanceTo(here) <= 9.0);
+            return distance == lines[found].DistanceTo(here) && (distance <= 9.0 || distance == lines.Min(line => line.DistanceTo(here)));
         }).QuickCheckThrowOnFailure();
 
     /// <summary>Places of the path stand for the path: a line that one of them is near must be found. What is found besides does no harm.</summary>
@@ -52,13 +51,9 @@ public class OrientedBoxTreeTests
     public void An_empty_tree_answers_none()
     {
         var tree = OrientedBoxTree.Build([]);
-        var found = new List<int>();
 
-        tree.Around(default, 1e9, found);
-        tree.Along(Segment.FromLine(default, new Point2D(1, 0)), 1e9, found);
-
-        Assert.Empty(found);
-        Assert.Equal(-1, tree.Nearest(default, (_, _) => 0.0, double.PositiveInfinity, out _));
+        Assert.False(tree.ComesNear(Segment.FromLine(default, new Point2D(1, 0)), 1e9));
+        Assert.Equal(-1, tree.Nearest(default, (_, _) => 0.0, double.PositiveInfinity, -1.0, out _));
     }
 
     /// <summary>Equal boxes cannot be told apart by place or direction, and one far away must not make a chain of the tree.</summary>
@@ -66,9 +61,9 @@ public class OrientedBoxTreeTests
     public void Boxes_on_one_another_and_boxes_ever_farther_away_are_divided_in_number()
     {
         OrientedBox[] boxes = [.. Enumerable.Range(0, 5000).Select(i => OrientedBox.Around(default, new Point2D(1, 1))), .. Enumerable.Range(0, 300).Select(i => OrientedBox.Around(new Point2D(Math.Pow(2.0, i), 0), new Point2D(Math.Pow(2.0, i), 1)))];
-        var found = new List<int>();
+        var found = new HashSet<int>();
 
-        OrientedBoxTree.Build(boxes).Around(new Point2D(0.5, 0.5), 0.1, found);
+        OrientedBoxTree.Build(boxes).ComesNear(Segment.FromLine(new Point2D(0.5, 0.5), new Point2D(0.5, 0.6)), 0.1, item => !found.Add(item)); // none counts, so that all are asked
 
         Assert.Equal(5000, found.Count);
     }
@@ -77,9 +72,11 @@ public class OrientedBoxTreeTests
 
     private static HashSet<int> Along(OrientedBoxTree tree, Segment path, double reach)
     {
-        var found = new List<int>();
-        tree.Along(path, reach, found);
-        return [.. found];
+        var found = new HashSet<int>();
+        var any = tree.ComesNear(path, reach);
+        tree.ComesNear(path, reach, item => !found.Add(item)); // none counts, so that all are asked
+        Assert.Equal(found.Count > 0, any);
+        return found;
     }
 
     private static HashSet<int> Near(LineSegment[] lines, Segment path, double reach) =>

@@ -5,7 +5,7 @@ namespace Engraver.Core.Tests.Machines;
 public class MachineProfileFileTests
 {
     /// <summary>As of the DMC-21x3.</summary>
-    private static readonly MachineLimits s_limits = new(SlowestSpeed: 2, FastestSpeed: 12_000_000, AccelerationStep: 1024, LargestAcceleration: 67_107_840, Outputs: 8);
+    private static readonly MachineLimits s_limits = new(SlowestSpeed: 2, FastestSpeed: 12_000_000, AccelerationStep: 1024, LargestAcceleration: 67_107_840, Outputs: 8, "ABCD");
 
     [Fact]
     public void An_empty_object_is_the_default_machine_profile() => Assert.Equal(MachineProfile.Default, MachineProfileFile.Read("{}", s_limits).Profile);
@@ -15,8 +15,8 @@ public class MachineProfileFileTests
     {
         var profile = MachineProfile.Default;
 
-        Assert.Equal((20000, 50000, 50000, 256000), (profile.VectorSpeed, profile.RapidSpeedX, profile.RapidSpeedY, profile.AccelerationCounts));
-        Assert.Equal((1, 100, 10.0, 1.0 / 65536.0), (profile.ToolOutput, profile.ToolSettleMilliseconds, profile.SharpCornerDegrees, profile.AngleQuantumDegrees));
+        Assert.Equal((MachineAxes.FromScale(1000.0, 1000.0), 256000), (profile.Axes, profile.AccelerationCounts));
+        Assert.Equal((1, 0.1, 10.0, 1.0 / 65536.0), (profile.ToolOutput, profile.ToolSettleSeconds, profile.SharpCornerDegrees, profile.AngleQuantumDegrees));
     }
 
     [Fact]
@@ -24,7 +24,7 @@ public class MachineProfileFileTests
     {
         var profile = new MachineProfile
         {
-            CountsPerMillimetreX = -80.5, CountsPerMillimetreY = 81.25, FeedMmPerMinute = 601, RapidMmPerMinute = 2999, AccelerationCounts = 102400,
+            Axes = new MachineAxes(new MachineAxis('C', -80.5), new MachineAxis('A', 81.25)), FeedMmPerMinute = 601, RapidMmPerMinute = 2999, AccelerationCounts = 102400,
             SharpCornerDegrees = 12.5, ToolOutput = 3, ToolSettleSeconds = 0.25, AngleQuantumDegrees = 1.0 / 256.0,
         };
 
@@ -53,6 +53,11 @@ public class MachineProfileFileTests
     [InlineData("{ \"feedMmPerMinute\": 0 }", "MOT0006", 0, "feedMmPerMinute to 0")]
     [InlineData("{ \"rapidMmPerMinute\": 720001 }", "MOT0006", 0, "12000000")]
     [InlineData("{ \"countsPerMillimetreX\": 0 }", "MOT0006", 0, "countsPerMillimetreX to 0")]
+    [InlineData("{ \"axisX\": \"Q\" }", "MOT0006", 0, "axisX to Q; it must be one of the letters ABCDEFGH")]
+    [InlineData("{ \"axisY\": \"b\" }", "MOT0006", 0, "axisY to b")]
+    [InlineData("{ \"axisY\": \"BC\" }", "MOT0006", 0, "axisY to not one letter")]
+    [InlineData("{ \"axisY\": \"\" }", "MOT0006", 0, "axisY to not one letter")]
+    [InlineData("{ \"axisX\": \"B\" }", "MOT0006", 0, "axisY to B; it must be another axis than axisX")]
     [InlineData("{ \"sharpCornerDegrees\": -1 }", "MOT0006", 0, "sharpCornerDegrees to -1")]
     [InlineData("{ \"toolSettleSeconds\": 1e9 }", "MOT0006", 0, "toolSettleSeconds")]
     [InlineData("{ \"angleQuantumDegrees\": 0 }", "MOT0006", 0, "angleQuantumDegrees to 0")]

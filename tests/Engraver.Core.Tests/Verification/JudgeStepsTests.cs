@@ -3,7 +3,7 @@ using Engraver.Core.Verification;
 
 namespace Engraver.Core.Tests.Verification;
 
-/// <summary>However crowded and however large a drawing is, the judge looks at few of its segments for each question: steps are counted by the index, not timed.</summary>
+/// <summary>However crowded and however large a drawing is, the judge looks at few of its segments for each cut: steps are counted, not timed.</summary>
 public class JudgeStepsTests
 {
     private const int Count = 2000;
@@ -11,7 +11,15 @@ public class JudgeStepsTests
     /// <summary>Steps of a question: nodes of the tree on the way to what is near, and distances.</summary>
     private const int FewSteps = 400;
 
+    /// <summary>Of a segment that was not cut: a handful for each of the thousands that cross it.</summary>
+    private const int MostStepsBeside = 10_000;
+
+    /// <summary>A cut of the machine: samples while it gathers speed, a span, samples while it brakes.</summary>
+    private const int SamplesOfRamp = 40;
+
     public static TheoryData<string> Crowded => ["diagonals", "fan", "rings", "shifted arcs", "ellipses", "hatch"];
+
+    public static TheoryData<string> Crossing => ["diagonals", "rings", "shifted arcs", "hatch", "star", "rays", "one line again and again", "lines half a count apart", "lines within a hair", "circles through one point", "specks"];
 
     [Theory]
     [MemberData(nameof(Crowded))]
@@ -31,57 +39,73 @@ public class JudgeStepsTests
         Assert.InRange(index.Steps / (drawing.Length / 7.0), 1.0, FewSteps);
     }
 
+    /// <summary>Where thousands meet or lie on one another, each is asked of its own cut, and not of the cut of each other.</summary>
     [Theory]
-    [MemberData(nameof(Crowded))]
-    public void Few_segments_lie_along_one_of_many(string name)
+    [MemberData(nameof(Crossing))]
+    public void A_faithful_run_is_judged_in_few_steps_a_cut(string name)
     {
         var drawing = Drawing(name);
-        var index = new SegmentIndex(drawing, segment => DrawnCoverage.Crossed(segment, TraceTolerances.Default));
-        var (found, sum, questions) = (new List<int>(), 0, 0);
-        for (var i = 0; i < drawing.Length; i += 7)
-        {
-            if (drawing[i].IsFreeCurve) continue;
-            var path = SpanDeviation.Part(drawing[i], 0.0, 0.5);
-            if (path.Kind == SegmentKind.Line) index.AlongNotAcross(path.Line, 0.004, found);
-            else index.Along(path, 0.004, found);
-            Assert.Contains(i, found);
-            (sum, questions) = (sum + found.Count, questions + 1);
-        }
+        var judge = new TraceJudge(drawing, TraceTolerances.Default);
+        foreach (var segment in drawing) Cut(judge, segment);
 
-        Assert.True(sum <= 100 * questions, $"{sum} segments along {questions} paths");
+        var verdict = judge.Verdict();
+
+        Assert.Equal((0.0, 0.0), (verdict.MissingLength, verdict.ExtraLength));
+        Assert.InRange(judge.Steps / (double)drawing.Length, 1.0, FewSteps + (2 * SamplesOfRamp * FewSteps / 20.0));
     }
 
+    /// <summary>The drawing of a run that was stopped: half of it was never cut.</summary>
     [Theory]
-    [MemberData(nameof(Crowded))]
-    public void A_judge_of_short_chords_along_crowded_segments_looks_at_few(string name)
+    [MemberData(nameof(Crossing))]
+    public void What_was_not_cut_is_found_in_few_steps(string name)
     {
         var drawing = Drawing(name);
-        var index = new SegmentIndex(drawing);
-        var coverage = new DrawnCoverage(drawing, index, TraceTolerances.Default);
-        for (var i = 0; i < drawing.Length; i += 7)
-        {
-            var before = drawing[i].PointAt(0.4);
-            for (var step = 1; step <= 10; step++)
-            {
-                var next = drawing[i].PointAt(0.4 + (0.01 * step / drawing[i].Length));
-                coverage.AddChord(before, next);
-                before = next;
-            }
-        }
+        var judge = new TraceJudge(drawing, TraceTolerances.Default);
+        foreach (var segment in drawing[..(drawing.Length / 2)]) Cut(judge, segment);
 
-        Assert.InRange(index.Steps / (drawing.Length / 7.0), 1.0, 3 * FewSteps);
+        judge.Verdict();
+
+        Assert.InRange(judge.Steps / (double)drawing.Length, 1.0, MostStepsBeside);
+    }
+
+    /// <summary>Along a segment as the machine goes, its samples rounded to counts.</summary>
+    private static void Cut(TraceJudge judge, Segment segment)
+    {
+        var ramp = Math.Min(0.3, 1.0 / segment.Length);
+        judge.Add(Sample(segment, 0.0, false));
+        for (var i = 0; i <= SamplesOfRamp; i++) judge.Add(Sample(segment, ramp * i * i / SamplesOfRamp / SamplesOfRamp, true));
+        judge.Add(new TraceSpan(1, 2, 1000, SegmentPart.Of(segment, ramp, 1.0 - ramp), true));
+        for (var i = SamplesOfRamp; i >= 0; i--) judge.Add(Sample(segment, 1.0 - (ramp * i * i / SamplesOfRamp / SamplesOfRamp), true));
+        judge.Add(Sample(segment, 1.0, false));
+    }
+
+    private static TraceSample Sample(in Segment segment, double fraction, bool isCutting)
+    {
+        var place = segment.PointAt(fraction);
+        return new TraceSample(0, Math.Round(place.X, 3), Math.Round(place.Y, 3), isCutting);
     }
 
     private static Segment[] Drawing(string name) => name switch
     {
         "diagonals" => Each(i => Segment.FromLine(new Point2D(i, 0), new Point2D(i + 61_000, 59_595))),
         "fan" => Each(i => Segment.FromLine(new Point2D(i, 0), new Point2D((2 * i) + 61_000, 59_595))),
-        "rings" => Each(i => Segment.FromArc(new ArcSegment(default, 10 + (0.5 * i), Angle.Zero, Angle.FullTurn))),
+        "rings" => Each(i => Segment.FromArc(new ArcSegment(default, 10 + (0.5 * i), Angle.Zero, Angle.FromDegrees(170)))),
         "shifted arcs" => Each(i => Segment.FromArc(new ArcSegment(new Point2D(0, i), 100_000, Angle.FromDegrees(20), Angle.FromDegrees(50)))),
         "ellipses" => [.. CurvePieces.Split(Ellipses())],
         "hatch" => [.. Each(i => Segment.FromLine(new Point2D(i, 0), new Point2D(i + 3000, 2950))), .. Each(i => Segment.FromLine(new Point2D(i, 3000), new Point2D(i + 3000, 0)))],
+        "star" => Each(i => Segment.FromLine(default, new Point2D(0, 0) + (Direction(i) * 500.0))),
+        "rays" => Each(i => Segment.FromLine(default, new Point2D(1000, 0.05 * i))),
+        "one line again and again" => Each(_ => Segment.FromLine(default, new Point2D(300, 100))),
+        "lines half a count apart" => Each(i => Segment.FromLine(new Point2D(i * 0.0005, 0), new Point2D((i * 0.0005) + 700, 650))),
+        "lines within a hair" => Each(i => Segment.FromLine(new Point2D(i * 7 % 50 * 0.001, i * 11 % 50 * 0.001), new Point2D(1000 + (i * 13 % 50 * 0.001), 700 + (i * 17 % 50 * 0.001)))),
+        "circles through one point" => Each(i => Segment.FromArc(new ArcSegment(new Point2D(0, 0) + (Direction(i) * 100.0), 100, Angle.FromDegrees(i * 360.0 / Count), Angle.FromDegrees(170)))),
+        "specks" => Each(i => Segment.FromLine(Speck(i), Speck(i) + (Direction(i * 7) * 0.01))),
         _ => throw new ArgumentException(name, nameof(name)),
     };
+
+    private static Point2D Speck(int i) => new(i * 37 % 101 * 0.0022, i * 53 % 103 * 0.0022);
+
+    private static Vector2D Direction(int i) => new(Math.Cos(i * 2.0 * Math.PI / Count), Math.Sin(i * 2.0 * Math.PI / Count));
 
     private static Segment[] Each(Func<int, Segment> segment) => [.. Enumerable.Range(0, Count).Select(segment)];
 

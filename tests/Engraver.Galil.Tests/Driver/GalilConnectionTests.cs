@@ -37,10 +37,10 @@ public class GalilConnectionTests
     {
         await using var bench = new SimulatedBench();
         await using var connection = await OpenAsync(bench, trace: null);
-        Assert.Null(await connection.SetMotorsAsync(on: false, CancellationToken.None));
+        Assert.Null(await connection.SetMotorsAsync(MachineAxes.Default, on: false, CancellationToken.None));
         bench.Controller.SetLimitSwitch(1, forward: false, active: true);
 
-        var found = await connection.LookAsync(CancellationToken.None);
+        var found = await connection.LookAsync(MachineAxes.Default, CancellationToken.None);
 
         Assert.Equal((0, 0, false, "AB", "the reverse limit of axis B", "", false), (found.X, found.Y, found.Moves, found.MotorsOff, found.Limit, found.LostPosition, found.AbortInput));
         Assert.False(connection.Capabilities.IsSingleWire);

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Execution;
 

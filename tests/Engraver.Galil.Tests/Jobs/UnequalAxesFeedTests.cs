@@ -24,7 +24,7 @@ public class UnequalAxesFeedTests
     public async Task In_no_direction_the_tool_is_faster_than_the_feed_and_along_the_coarse_axis_it_is_as_fast(double countsX, double countsY, JobMode mode)
     {
         await using var bench = new SimulatedBench();
-        var profile = MachineProfile.Default with { CountsPerMillimetreX = countsX, CountsPerMillimetreY = countsY, FeedMmPerMinute = 60.0 * FeedMmPerSecond };
+        var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(countsX, countsY), FeedMmPerMinute = 60.0 * FeedMmPerSecond };
         var program = MotionProgramGenerator.Generate(Star(), profile, 0.001, null, mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous).Program!;
 
         var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode });
@@ -51,7 +51,7 @@ public class UnequalAxesFeedTests
             var (from, to) = (record[i - Window], record[i]);
             if ((from.Outputs & to.Outputs & 1) == 0) continue;
             var seconds = to.Seconds - from.Seconds;
-            var (x, y) = (Math.Abs(to.A - from.A) / Math.Abs(profile.CountsPerMillimetreX) / seconds, Math.Abs(to.B - from.B) / Math.Abs(profile.CountsPerMillimetreY) / seconds);
+            var (x, y) = (Math.Abs(to.A - from.A) / Math.Abs(profile.Scale.X) / seconds, Math.Abs(to.B - from.B) / Math.Abs(profile.Scale.Y) / seconds);
             yield return (Math.Sqrt((x * x) + (y * y)), x, y);
         }
     }

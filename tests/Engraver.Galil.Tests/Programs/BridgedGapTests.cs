@@ -41,7 +41,7 @@ public class BridgedGapTests
     [InlineData(0.0071, -1000.0, 0.001, true)]
     public void A_gap_that_takes_the_tool_farther_than_two_and_a_half_counts_and_the_curve_error_is_warned_of(double gap, double scale, double maxError, bool warned)
     {
-        var profile = MachineProfile.Default with { CountsPerMillimetreX = scale, CountsPerMillimetreY = Math.Abs(scale) };
+        var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(scale, Math.Abs(scale)) };
         var found = MotionProgramGenerator.Generate(Toolpaths.OfStroke(Toolpaths.Line(0, 0, 10, 0), Toolpaths.Line(10 + gap, 0, 20, 0)), profile, maxError, null).Diagnostics;
 
         Assert.Equal(warned ? ["MOT0011"] : [], found.Select(finding => finding.Id));

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Posts;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
@@ -18,7 +19,7 @@ public class PostInControllerTests
     /// <summary>Samples at 20 counts per ms lie so far apart.</summary>
     private const double SampleSpacing = 25.0;
 
-    private static readonly MachineProfile HundredCounts = MachineProfile.Default with { CountsPerMillimetreX = 100, CountsPerMillimetreY = 100 };
+    private static readonly MachineProfile HundredCounts = MachineProfile.Default with { Axes = MachineAxes.FromScale(100, 100) };
 
     public static TheoryData<string, MotionStyle> Jobs => new()
     {
@@ -97,7 +98,7 @@ public class PostInControllerTests
         Assert.Equal((15000, 5000, 0), ((int)bench.Value("_RPA"), (int)bench.Value("_RPB"), bench.Status.Outputs));
     }
 
-    private static DmcPostText Post(MotionProgram program, int lines)
+    private static PostText Post(MotionProgram program, int lines)
     {
         var options = DmcPostOptions.Default with { MemoryLines = lines };
         return program.Style == MotionStyle.Calls ? DmcPost.Calls(program, options) : DmcPost.Sequences(program, options);
@@ -105,8 +106,8 @@ public class PostInControllerTests
 
     private static (Toolpath Toolpath, MachineProfile Profile) Drawing(string job)
     {
-        var mirrored = MachineProfile.Default with { CountsPerMillimetreX = -1000 };
-        var ellipses = MachineProfile.Default with { CountsPerMillimetreY = 640 };
+        var mirrored = MachineProfile.Default with { Axes = MachineAxes.FromScale(-1000, 1000) };
+        var ellipses = MachineProfile.Default with { Axes = MachineAxes.FromScale(1000, 640) };
         return job switch
         {
             "paper" => (Toolpaths.Paper, MachineProfile.Default),

@@ -123,7 +123,7 @@ public class OperatorStopTests
         bench.Controller.Advance(TimeSpan.FromSeconds(1));
         Assert.True(bench.Controller.Status.IsSequenceOpen);
 
-        var standstill = await new OperatorStop(session, 1, []).FinishAsync(TimeSpan.Zero, CancellationToken.None);
+        var standstill = await new OperatorStop(session, 1, [], "AB").FinishAsync(TimeSpan.Zero, CancellationToken.None);
 
         Assert.Equal((100, 0), (standstill.X, standstill.Y));
         Assert.False(bench.Controller.Status.IsSequenceOpen);
@@ -135,7 +135,7 @@ public class OperatorStopTests
         await using var bench = new SimulatedBench();
         await using var session = await bench.OpenAsync(opened: link => link.Harm = line => line.Replace("MG _BGS,_BGA", "MG _BGS,1", StringComparison.Ordinal));
 
-        var standstill = await new OperatorStop(session, 1, []).FinishAsync(TimeSpan.Zero, CancellationToken.None).WaitAsync(TimeSpan.FromMinutes(1));
+        var standstill = await new OperatorStop(session, 1, [], "AB").FinishAsync(TimeSpan.Zero, CancellationToken.None).WaitAsync(TimeSpan.FromMinutes(1));
 
         Assert.Equal((0, 0), (standstill.X, standstill.Y));
     }

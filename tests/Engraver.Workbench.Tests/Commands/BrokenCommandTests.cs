@@ -94,7 +94,7 @@ public sealed class BrokenCommandTests : IDisposable
 
     private sealed class BreakCommand(bool late) : ICommand
     {
-        public CommandInfo Info { get; } = new("BREAK", CommandGroup.Ask, "Breaks.") { HeardDuringJob = true };
+        public CommandInfo Info { get; } = new("BREAK", CommandGroup.Ask) { HeardDuringJob = true };
 
         public async Task RunAsync(CommandContext context, CancellationToken cancellation)
         {

@@ -1,6 +1,8 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Programs.Timing;
 using Engraver.TestKit;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 
@@ -23,9 +25,9 @@ public sealed class DerivationSessionTests : IDisposable
         var derived = await _derivation.ForCurrentAsync(CancellationToken.None);
 
         Assert.Equal((2, 2), (derived.Analysed!.Count, derived.Sequence!.Contours));
-        Assert.Equal(MotionTime.Calculate(derived.Job!.Motion.Program!), derived.Plan);
+        Assert.Equal(JobPlan.NetworkTimes(derived.Job!.Motion.Program!), derived.Plan);
         Assert.Equal(derived.Plan!.Value.Total, derived.Motion!.DurationSeconds, precision: 9);
-        Assert.Equal(PostedProgram.Create(_document.Current.Drawing!, _document.Current.Settings, PostedProgram.Galil).Text, derived.Program!.Text);
+        Assert.Equal(PostedProgram.Create(_document.Current.Drawing!, _document.Current.Settings, PostTable.Find("galil").Post, PostedProgram.NoOptions).Text, derived.Program!.Text);
         Assert.Contains(derived.Findings, found => found.Id == "SEQ0002");
         Assert.Same(derived, _derivation.Current);
         Assert.True(_derivation.IsCurrent);

@@ -5,6 +5,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.TestKit;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Arming;
@@ -39,7 +40,7 @@ public class SpoiledToolpathTests
     public void It_is_not_posted_and_not_armed_even_when_errors_are_accepted(string how)
     {
         var job = Spoiled(how, 0);
-        var posted = PostedProgram.OfJob(job);
+        var posted = PostedProgram.OfJob(job, PostTable.Find("galil").Post, PostedProgram.NoOptions);
         var ready = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true };
         var checklist = ArmingChecklist.Create(job, ready, errorsAccepted: true, MachineBench.Placed);
 
@@ -58,8 +59,8 @@ public class SpoiledToolpathTests
         var analysed = JobPreparation.Analyse(drawing, s_settings);
         var sequence = JobPreparation.Sequence(drawing, analysed, s_settings);
 
-        Assert.NotNull(PostedProgram.OfSequence(drawing, analysed, sequence, s_settings).Text);
-        var lost = PostedProgram.OfSequence(drawing, analysed, sequence with { Strokes = [.. sequence.Strokes.Skip(1)] }, s_settings);
+        Assert.NotNull(PostedProgram.OfSequence(drawing, analysed, sequence, s_settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions).Text);
+        var lost = PostedProgram.OfSequence(drawing, analysed, sequence with { Strokes = [.. sequence.Strokes.Skip(1)] }, s_settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions);
         Assert.Null(lost.Text);
         Assert.Contains(lost.Diagnostics, finding => finding.Id == "VER0021");
         Assert.Equal("The toolpath is not what is drawn (VER0021)", lost.WithoutProgram);

@@ -45,7 +45,7 @@ public class MachineFactsTests
     [Fact]
     public void Counts_become_millimetres_of_the_profile_with_its_mirrored_axis()
     {
-        var profile = MachineProfile.Default with { CountsPerMillimetreX = -500, CountsPerMillimetreY = 2000, ToolOutput = 3 };
+        var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(-500, 2000), ToolOutput = 3 };
         var status = (With(new MachineReading(1000, 4000, 5, -20, false, "") { Outputs = 4, Speed = 2000, Inputs = 255 }) with { Frame = new CountsPoint(500, 2000) }).ToStatus(profile, null);
 
         Assert.Equal((-2.0, 2.0), (status.MachinePosition!.Value.X, status.MachinePosition.Value.Y));

@@ -46,7 +46,7 @@ internal sealed class ServedController : IAsyncDisposable
         var options = new MachineRunOptions(_address, mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
         var program = JobPlan.FitToLink(job.Motion.Program!, _address, mode, job.Drawing).Program;
         var report = await MachineRun.RunAsync(job, program, options, _clock, null, CancellationToken.None);
-        return (report.Result, RunJudge.ByRecord(job, _controller.Record.Snapshot(), 0, 0));
+        return (report.Result, RecordJudgement.Of(job, _controller.Record.Snapshot(), 0, 0));
     }
 
     public async ValueTask DisposeAsync()

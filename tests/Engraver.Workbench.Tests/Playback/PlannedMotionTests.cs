@@ -5,6 +5,7 @@ using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Timing;
 using Engraver.TestKit;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
@@ -22,7 +23,7 @@ public class PlannedMotionTests
     {
         var (job, motion) = Motion(sample);
         var program = job.Motion.Program!;
-        Assert.Equal(MotionTime.Estimate(program), motion.DurationSeconds, precision: 9);
+        Assert.Equal(JobPlan.NetworkTimes(program).Total, motion.DurationSeconds, precision: 9);
         var fastest = Math.Sqrt(2) * program.Profile.RapidMmPerMinute / 60.0;
         var (steps, last) = (2000, motion.At(0.0));
         for (var i = 1; i <= steps; i++)
@@ -93,7 +94,7 @@ public class PlannedMotionTests
     public void A_line_is_run_by_its_trapezoid_and_with_the_tool_settled()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(10, 0, 30, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, [], CancellationToken.None);
         var begins = motion.TimeOfEntity(0)!.Value;
         var ramp = 20_000.0 / 256_000.0;
 
@@ -111,7 +112,7 @@ public class PlannedMotionTests
     public void A_rapid_moves_each_axis_at_its_own_pace()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Line(50, 5, 60, 5).Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, [], CancellationToken.None);
         var rapid = motion.Timeline.Spans.First(span => span.Kind == MotionSpanKind.Rapid);
         var middle = motion.At(rapid.Start + (rapid.Seconds / 2.0));
 
@@ -124,7 +125,7 @@ public class PlannedMotionTests
     public void A_job_with_nothing_to_cut_stands_at_its_start()
     {
         var job = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings { Start = new Point2D(3, 4) }, MotionStyle.Continuous);
-        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, null, CancellationToken.None);
+        var motion = PlannedMotion.Create(job.Motion.Program!, job.Sequence, MachineFamilies.Driver.NetworkTimes, [], CancellationToken.None);
 
         Assert.Equal((0.0, new Point2D(3, 4), -1), (motion.DurationSeconds, motion.At(1.0).Position, motion.At(1.0).Segment));
     }

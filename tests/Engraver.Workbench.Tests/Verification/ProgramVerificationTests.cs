@@ -2,6 +2,7 @@ using System.Text.RegularExpressions;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Posts;
 using Engraver.Galil.Programs.Posting;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -58,14 +59,14 @@ public class ProgramVerificationTests
         foreach (var file in files)
         {
             var drawing = DrawingFile.Open(file, new DrawingSettings(), CancellationToken.None);
-            var posted = PostedProgram.Create(drawing, new DrawingSettings(), PostedProgram.Galil);
+            var posted = PostedProgram.Create(drawing, new DrawingSettings(), PostTable.Find("galil").Post, PostedProgram.NoOptions);
             if (posted.Text is not { } text)
             {
                 Assert.NotEmpty(posted.Diagnostics);
                 continue;
             }
 
-            var report = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), drawing, new DrawingSettings(), progress: null, CancellationToken.None);
+            var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), new DmcReader(), drawing, new DrawingSettings(), progress: null, CancellationToken.None);
             Assert.True(report.Ok || drawing.HasErrors, $"{file}: {string.Join(' ', report.Diagnostics.Select(finding => finding.Sentence))}");
             Assert.InRange(report.MaxDeviationMm ?? 0.0, 0.0, report.ToleranceMm);
         }
@@ -79,7 +80,7 @@ public class ProgramVerificationTests
         var progress = new StopsAtOnce(stop);
 
         await Assert.ThrowsAnyAsync<OperationCanceledException>(() =>
-            ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Post("nameplate", MotionStyle.Continuous)), Open("nameplate"), new DrawingSettings(), progress, stop.Token));
+            ProgramVerification.VerifyAsync(ReadBackFile.FromText(Post("nameplate", MotionStyle.Continuous)), new DmcReader(), Open("nameplate"), new DrawingSettings(), progress, stop.Token));
         Assert.Equal(1, progress.Reports);
     }
 
@@ -97,7 +98,7 @@ public class ProgramVerificationTests
     [Fact]
     public async Task The_start_point_and_the_machine_of_the_post_are_those_of_the_verification()
     {
-        var settings = new DrawingSettings { Start = new Point2D(7.5, -3), Machine = new() { CountsPerMillimetreX = -400, CountsPerMillimetreY = 400, ToolOutput = 3 } };
+        var settings = new DrawingSettings { Start = new Point2D(7.5, -3), Machine = new() { Axes = MachineAxes.FromScale(-400, 400), ToolOutput = 3 } };
         var text = Post("paper-001", MotionStyle.Continuous, settings: settings);
 
         Assert.True((await VerifyAsync("paper-001", text, settings)).Ok);
@@ -210,8 +211,8 @@ public class ProgramVerificationTests
         var drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10.003, aside, 20, aside).Line(0, 5, 10, 5).Build();
         var motion = JobPreparation.Prepare(drawing, slow, style).Motion.Program!;
         var text = style == MotionStyle.Calls ? DmcPost.Calls(motion, DmcPostOptions.Default).Text : DmcPost.Sequences(motion, DmcPostOptions.Default).Text;
-        var good = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), drawing, slow, progress: null, CancellationToken.None);
-        var bad = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Replaced(text, style == MotionStyle.Calls ? "x=10000;y=0" : "VP 10000,0", style == MotionStyle.Calls ? "x=10000;y=6" : "VP 10000,6")), drawing, slow, progress: null, CancellationToken.None);
+        var good = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), new DmcReader(), drawing, slow, progress: null, CancellationToken.None);
+        var bad = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(Replaced(text, style == MotionStyle.Calls ? "x=10000;y=0" : "VP 10000,0", style == MotionStyle.Calls ? "x=10000;y=6" : "VP 10000,6")), new DmcReader(), drawing, slow, progress: null, CancellationToken.None);
 
         Assert.Empty(good.Diagnostics);
         Assert.True(good.Ok);
@@ -241,7 +242,7 @@ public class ProgramVerificationTests
     public async Task A_drawing_that_cannot_be_read_is_never_ok()
     {
         var drawing = DrawingFile.Open("nowhere.dxf", new DrawingSettings(), CancellationToken.None);
-        var report = await ProgramVerification.VerifyAsync(ReadBackProgram.Parse(Post("paper-001", MotionStyle.Calls)), drawing, new DrawingSettings(), progress: null, CancellationToken.None);
+        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(Post("paper-001", MotionStyle.Calls)), new DmcReader(), drawing, new DrawingSettings(), progress: null, CancellationToken.None);
 
         Assert.False(report.Ok);
         Assert.Null(report.MaxDeviationMm);
@@ -254,7 +255,7 @@ public class ProgramVerificationTests
     }
 
     private static Task<VerificationReport> VerifyAsync(string sample, string text, DrawingSettings? settings = null) =>
-        ProgramVerification.VerifyAsync(ReadBackProgram.Parse(text), Open(sample), settings ?? new DrawingSettings(), progress: null, CancellationToken.None);
+        ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), new DmcReader(), Open(sample), settings ?? new DrawingSettings(), progress: null, CancellationToken.None);
 
     private static string Post(string sample, MotionStyle style, int memoryLines = 1000, DrawingSettings? settings = null)
     {

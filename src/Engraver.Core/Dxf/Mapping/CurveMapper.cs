@@ -25,7 +25,7 @@ internal sealed class CurveMapper
         var end = record.Point(11);
         // A line without length is kept too: the drawing's box includes its point, as other DXF readers have it.
         Shape.Add(DrawingPart.Line(0, start.X, start.Y, start.Z, end.X, end.Y, end.Z));
-        if (start.X == end.X && start.Y == end.Y) Note(record, DxfRules.NoLength, start.Z == end.Z ? "" : " as seen from above");
+        if (start.X == end.X && start.Y == end.Y) Note(record, DxfRules.NoLength, start.Z == end.Z ? "" : Wording.Get("CurveMapper.SeenFromAbove"));
         Finish(record);
     }
 
@@ -144,7 +144,7 @@ internal sealed class CurveMapper
         }
 
         if (wide) Note(record, DxfRules.WidthIgnored, "");
-        if (_vertices.Exists(vertex => double.IsNaN(vertex.Y))) record.Refuse(DxfRules.MissingValue, record.Line, "20 for one of its vertices");
+        if (_vertices.Exists(vertex => double.IsNaN(vertex.Y))) record.Refuse(DxfRules.MissingValue, record.Line, Wording.Get("CurveMapper.OneItsVertices"));
     }
 
     /// <summary>Compares group 90 (announced number of vertices) with the vertices read, without relying on it: a damaged file may say anything.</summary>
@@ -153,7 +153,7 @@ internal sealed class CurveMapper
         var declared = record.Number(90, _vertices.Count);
         if (declared == _vertices.Count) return;
         if (atEndOfFile) record.Refuse(DxfRules.CutRecord, record.Line, "");
-        Note(record, DxfRules.VertexCount, string.Create(CultureInfo.InvariantCulture, $"announces {declared} vertices and has {_vertices.Count}"));
+        Note(record, DxfRules.VertexCount, Wording.Get("CurveMapper.AnnouncesVerticesHas", declared, _vertices.Count));
     }
 
     private void Finish(EntityRecord record)

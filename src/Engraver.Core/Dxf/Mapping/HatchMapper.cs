@@ -88,7 +88,7 @@ internal sealed class HatchMapper
                 _splines.MapEdge(record, edge, shape);
                 break;
             default:
-                record.Refuse(Diagnostics.DxfRules.OutlineUnusable, record.Line, $"edge type {(int)edge[0].Value}");
+                record.Refuse(Diagnostics.DxfRules.OutlineUnusable, record.Line, Wording.Get("HatchMapper.EdgeType", (int)edge[0].Value));
                 break;
         }
     }

@@ -39,7 +39,7 @@ internal sealed class OutlineMapper(MultiLineStyles styles)
         }
 
         if (Shapes.Exists(shape => !shape.IsInRange)) record.Refuse(DxfRules.OutOfRange, record.Line, "");
-        if (Shapes.Count == 0) record.Refuse(DxfRules.OutlineUnusable, record.Line, "no edge with a length");
+        if (Shapes.Count == 0) record.Refuse(DxfRules.OutlineUnusable, record.Line, Wording.Get("OutlineMapper.NoEdgeWithLength"));
     }
 
     /// <summary>A leader's vertices are in world coordinates; 72 = 1 draws a spline through them.</summary>

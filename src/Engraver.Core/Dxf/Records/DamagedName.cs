@@ -8,9 +8,9 @@ internal static class DamagedName
     /// <summary>What is wrong with the name of a record of an unknown type; null for a name that another program may have given.</summary>
     public static string? Fault(string type)
     {
-        if (type.Length == 0) return "it is empty";
-        if (type.Any(letter => char.IsControl(letter) || letter == '\uFFFD')) return "it holds bytes that are no text";
-        return s_cutTypes.FirstOrDefault(known => IsNearly(type, known)) is { } meant ? $"it reads almost like {meant}" : null;
+        if (type.Length == 0) return Wording.Get("DamagedName.Empty");
+        if (type.Any(letter => char.IsControl(letter) || letter == '\uFFFD')) return Wording.Get("DamagedName.HoldsBytesNoText");
+        return s_cutTypes.FirstOrDefault(known => IsNearly(type, known)) is { } meant ? Wording.Get("DamagedName.ReadsAlmostLike", meant) : null;
     }
 
     /// <summary>True when one letter differs, or the end of the name is missing.</summary>

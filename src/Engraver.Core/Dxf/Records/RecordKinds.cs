@@ -19,10 +19,10 @@ internal static class RecordKinds
     /// <summary>The known types of ENTITIES and BLOCKS, by what becomes of them; docs/diagnostics.md lists them.</summary>
     public static IEnumerable<(string Fate, IEnumerable<string> Types)> Fates() =>
     [
-        ("cut", TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
-        ("cut where [cut] names it, otherwise construction", TypesOf(IsOutline)),
-        ("text, kept with content and place, construction", TypesOf(kind => kind is RecordKind.Text or RecordKind.Attribute)),
-        ("construction: drawn for the reader of the drawing, not for the tool", TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point)),
+        (Wording.Get("RecordKinds.Cut"), TypesOf(kind => kind is >= RecordKind.Line and <= RecordKind.Polyline or RecordKind.Insert)),
+        (Wording.Get("RecordKinds.CutWhereCutNames"), TypesOf(IsOutline)),
+        (Wording.Get("RecordKinds.TextKeptWithContent"), TypesOf(kind => kind is RecordKind.Text or RecordKind.Attribute)),
+        (Wording.Get("RecordKinds.ConstructionDrawnReaderDrawing"), TypesOf(kind => kind is RecordKind.Construction or RecordKind.Point)),
     ];
 
     public static RecordKind Find(string type) => Known.GetValueOrDefault(type, RecordKind.Unknown);

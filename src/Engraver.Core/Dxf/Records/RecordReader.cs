@@ -93,10 +93,10 @@ internal sealed class RecordReader
         {
             variables |= kind == RecordKind.SectionEnd && _tags.Code == VariableCode; // some programs end the header too early
             if (foreign is not null || variables || RecordKinds.MayHold(kind, type, _tags.Code)) continue;
-            foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.Line, string.Create(CultureInfo.InvariantCulture, $"group {_tags.Code} ('{ShownText()}'), which it cannot have"), Refused: true);
+            foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.Line, Wording.Get("RecordReader.GroupWhichCannotHave", _tags.Code, ShownText()), Refused: true);
         }
 
-        if (_tags.DamageCount != damages && !_tags.IsBinary) foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.DamageLine, $"'{_tags.DamageText}' where a group code is due", Refused: true);
+        if (_tags.DamageCount != damages && !_tags.IsBinary) foreign = new RecordIssue(DxfRules.RecordMayBeLost, type, 0, _tags.DamageLine, Wording.Get("RecordReader.WhereGroupCodeDue", _tags.DamageText), Refused: true);
         if (foreign is { } trouble) _log.Add(trouble);
         Settle();
     }
@@ -211,7 +211,7 @@ internal sealed class RecordReader
     }
 
     private void RefuseValue(EntityRecord record, int code) =>
-        record.Refuse(DxfRules.BadValue, _tags.ValueLine, string.Create(CultureInfo.InvariantCulture, $"group {code} is '{ShownText()}'"));
+        record.Refuse(DxfRules.BadValue, _tags.ValueLine, Wording.Get("RecordReader.Group", code, ShownText()));
 
     private void AcceptNumber(EntityRecord record, int code)
     {
@@ -236,7 +236,7 @@ internal sealed class RecordReader
     {
         value = 0.0;
         if (_tags.IsBinary || !ForeignNumber.TryParse(_tags.Value, out value)) return false;
-        record.Oddity ??= record.Finding(DxfRules.OddNumber, string.Create(CultureInfo.InvariantCulture, $"'{ShownText()}' in group {code}, read as {value}"), refused: false) with { Line = _tags.ValueLine };
+        record.Oddity ??= record.Finding(DxfRules.OddNumber, Wording.Get("RecordReader.GroupRead", ShownText(), code, value), refused: false) with { Line = _tags.ValueLine };
         return true;
     }
 

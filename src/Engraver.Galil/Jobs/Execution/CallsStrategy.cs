@@ -51,7 +51,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         }
 
         var arguments = ResidentServer.Arguments(segment, here, speed);
-        var where = Text($" Drawing entity {segment.EntityIndex}.");
+        var where = Wording.Get("Execution.DrawingEntity", segment.EntityIndex);
         if (await machine.SendAsync(arguments, where).ConfigureAwait(false) is { Ends: true } refused) return refused;
         if (await SettingCheck.ReadBackAsync(machine, ResidentServer.Held(segment, here, speed)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
         if (await machine.Tool.OnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
@@ -76,7 +76,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
     {
         var state = machine.State;
         if (state.StopCode != StopCodes.SequenceEnded)
-            return JobStep.Broken(Text($"The call for drawing entity {segment.EntityIndex} ended at {state.Position.X},{state.Position.Y} ({StopCodes.Text(state.StopCode)}); find out what stopped it."));
+            return JobStep.Broken(Wording.Get("CallsStrategy.CallDrawingEntityEnded", segment.EntityIndex, state.Position.X, state.Position.Y, StopCodes.Text(state.StopCode)));
         if (watch.LookAtEnd(machine.Here) is { Ends: true } elsewhere) return elsewhere;
         ledger.Confirm(segment);
         return JobStep.Done;

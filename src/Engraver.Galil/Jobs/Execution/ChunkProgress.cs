@@ -43,10 +43,10 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
         var lines = chunk.Text.Split('\n');
         if (line < 0 || line >= lines.Length) return "";
         var first = lines.Take(line).Sum(Segments);
-        return Text($" The line is '{lines[line]}'.") + Entity(first);
+        return Wording.Get("ChunkProgress.Line", lines[line]) + Entity(first);
     }
 
-    private string Entity(int segment) => segment < _segments.Length ? Text($" Drawing entity {_segments[segment].EntityIndex}.") : "";
+    private string Entity(int segment) => segment < _segments.Length ? Wording.Get("Execution.DrawingEntity", _segments[segment].EntityIndex) : "";
 
     private static int Segments(string line) => line.Split(';').Count(statement => statement.StartsWith("VP ", StringComparison.Ordinal) || statement.StartsWith("CR ", StringComparison.Ordinal));
 

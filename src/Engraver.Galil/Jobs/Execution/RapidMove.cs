@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Language;
 using Engraver.Galil.Protocol;
 using static Engraver.Galil.Jobs.JobMachine;
 
@@ -17,15 +18,15 @@ internal static class RapidMove
     {
         if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         var from = machine.State.Position;
-        var axes = (goal.X != from.X ? "A" : "") + (goal.Y != from.Y ? "B" : "");
-        if (axes.Length == 0) return JobStep.Done;
-        if (await machine.SendAllAsync(Commands(machine, goal, axes)).ConfigureAwait(false) is { Ends: true } refused) return refused;
-        if (await SettingCheck.ReadBackAsync(machine, [.. axes.Select(axis => ($"_SP{axis}", (double)Speed(machine, axis), SettingCheck.Speed))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
-        if (await GoAsync(machine, from, goal, axes).ConfigureAwait(false) is { Ends: true } broken) return broken;
+        var axes = Moving(machine.Profile.Axes, from, goal);
+        if (axes.Count == 0) return JobStep.Done;
+        if (await machine.SendAllAsync(axes.SelectMany(axis => Commands(machine.Profile, axis.Axis, axis.Goal))).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        if (await SettingCheck.ReadBackAsync(machine, [.. axes.Select(axis => ($"_SP{axis.Axis.Letter}", (double)machine.Profile.RapidSpeed(axis.Axis), SettingCheck.Speed))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        if (await GoAsync(machine, from, goal, string.Concat(axes.Select(axis => axis.Axis.Letter))).ConfigureAwait(false) is { Ends: true } broken) return broken;
         var at = machine.State.Position;
         return at == goal
             ? JobStep.Done
-            : JobStep.Broken(Text($"The rapid to {goal.X},{goal.Y} ended at {at.X},{at.Y} ({StopCodes.Text(machine.State.StopCode)}); find out what stopped the axis."));
+            : JobStep.Broken(Wording.Get("RapidMove.RapidEndedFindOut", goal.X, goal.Y, at.X, at.Y, StopCodes.Text(machine.State.StopCode)));
     }
 
     private static async ValueTask<JobStep> GoAsync(JobMachine machine, CountsPoint from, CountsPoint goal, string axes)
@@ -33,7 +34,7 @@ internal static class RapidMove
         if (await machine.SendAsync("BG" + axes).ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
         machine.Expectation = state => IsBetween(from.X, state.Position.X, goal.X) && IsBetween(from.Y, state.Position.Y, goal.Y)
             ? JobStep.Done
-            : JobStep.Deviated(Text($"The rapid from {from.X},{from.Y} to {goal.X},{goal.Y} went to {state.Position.X},{state.Position.Y} (counts of the controller); what was sent has not arrived as it was sent. Look at the cable and who else uses the controller."));
+            : JobStep.Deviated(Wording.Get("RapidMove.RapidFromWentCounts", from.X, from.Y, goal.X, goal.Y, state.Position.X, state.Position.Y));
         try
         {
             return await machine.PollUntilAsync(state => state.Stands, Seconds(machine, from, goal)).ConfigureAwait(false);
@@ -47,19 +48,23 @@ internal static class RapidMove
     private static double Seconds(JobMachine machine, CountsPoint from, CountsPoint goal)
     {
         double Axis(double counts, int speed) => SpeedTrapezoid.Time(Math.Abs(counts), speed, machine.Profile.AccelerationCounts);
-        return Math.Max(Axis((double)goal.X - from.X, machine.Profile.RapidSpeedX), Axis((double)goal.Y - from.Y, machine.Profile.RapidSpeedY));
+        var (profile, axes) = (machine.Profile, machine.Profile.Axes);
+        return Math.Max(Axis((double)goal.X - from.X, profile.RapidSpeed(axes.X)), Axis((double)goal.Y - from.Y, profile.RapidSpeed(axes.Y)));
     }
 
     private static bool IsBetween(int from, int at, int to) => at >= Math.Min(from, to) && at <= Math.Max(from, to);
 
-    private static List<string> Commands(JobMachine machine, CountsPoint goal, string axes)
-    {
-        var commands = new List<string>();
-        foreach (var axis in axes) commands.AddRange([Text($"SP{axis}={Speed(machine, axis)}"), Text($"PA{axis}={(axis == 'A' ? goal.X : goal.Y)}")]);
-        return commands;
-    }
+    /// <summary>SP and PA of one axis.</summary>
+    public static IReadOnlyList<string> Commands(MachineProfile profile, MachineAxis axis, int goal) => [Text($"SP{axis.Letter}={profile.RapidSpeed(axis)}"), Text($"PA{axis.Letter}={goal}")];
 
-    private static int Speed(JobMachine machine, char axis) => axis == 'A' ? machine.Profile.RapidSpeedX : machine.Profile.RapidSpeedY;
+    /// <summary>The axes with something to do, and where they go.</summary>
+    public static IReadOnlyList<(MachineAxis Axis, int Goal)> Moving(MachineAxes axes, CountsPoint from, CountsPoint goal)
+    {
+        var moving = new List<(MachineAxis Axis, int Goal)>();
+        if (goal.X != from.X) moving.Add((axes.X, goal.X));
+        if (goal.Y != from.Y) moving.Add((axes.Y, goal.Y));
+        return moving;
+    }
 }
 
 /// <summary>A move without cutting: a rapid to one point in the controller's own counts, under the watchdog and the stop of a job. The tool is off throughout.</summary>

@@ -12,6 +12,8 @@ namespace Engraver.Galil.Jobs.Execution;
 /// <remarks>
 /// Over a network nothing repeats what the controller received. A sequence of lines is therefore sent as increments (LM, LI): a damaged one shifts the rest of the path up to its end, where the position shows it.
 /// A VP is absolute in its sequence: after a damaged vertex the next one is right again, and where segments are shorter than the distance between two polls the error would not be seen.
+/// With an arc in it a sequence must go as VP and CR (LM takes no CR, galil-dmc.md B.7). There a vertex moved beside the path by up to about sqrt((L + A/2)^2 - L^2) counts is not noticed, L the length of
+/// its segments and A what the path length may differ by: 62 counts for 100 segments of 60. What is farther off is.
 /// </remarks>
 internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorSequence sequence, int first)
 {
@@ -122,9 +124,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
         if (Remaining == 0) return JobStep.Done;
         var ahead = Ahead;
-        _byIncrements = machine.Line is null && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
+        _byIncrements = machine.Line is null && DmcAxes.AreFirst(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
         var acceleration = machine.Profile.AccelerationCounts;
-        var opened = await machine.SendAllAsync(["CSS", (_byIncrements ? "LM" : "VM") + DmcAxes.Plane, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
+        var opened = await machine.SendAllAsync(["CSS", (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.Letters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
         if (opened.Ends) return opened;
         if (await SettingCheck.ReadBackAsync(
             machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration), ("_VRS", 1.0, SettingCheck.Exact)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
@@ -163,7 +165,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
             var reply = await machine.ReplyAsync(command).ConfigureAwait(false);
             if (reply is Accepted) break;
-            if (reply is Rejected rejected && !(rejected.Code == TcCode.SegmentBufferFull && _begun)) return machine.Refuse(rejected, Text($" Drawing entity {segment.EntityIndex}."));
+            if (reply is Rejected rejected && !(rejected.Code == TcCode.SegmentBufferFull && _begun)) return machine.Refuse(rejected, Wording.Get("Execution.DrawingEntity", segment.EntityIndex));
             if (await WatchAsync().ConfigureAwait(false) is { Ends: true } broken) return broken;
         }
 
@@ -223,7 +225,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         var planned = Ahead.Take(_sent).Sum(segment => segment.Length);
         return Math.Abs(travelled - planned) <= LengthAllowance + (LengthPerSegment * _sent)
             ? JobStep.Done
-            : JobStep.Deviated(Text($"The controller went {travelled:0} counts along its path where {planned:0} were planned, up to drawing entity {Ahead[_sent - 1].EntityIndex}, at {machine.Here.X},{machine.Here.Y} of the drawing (counts); what was sent has not arrived as it was sent. Look at the work piece and the cable."));
+            : JobStep.Deviated(Wording.Get("SequenceFeed.ControllerWentCountsAlong", travelled, planned, Ahead[_sent - 1].EntityIndex, machine.Here.X, machine.Here.Y));
     }
 
     private bool HasEnded(MachineState state)
@@ -247,7 +249,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private JobStep EndedEarly()
     {
         var at = machine.State.Position;
-        return JobStep.Broken(Text($"The vector sequence ended at {at.X},{at.Y} before its last segment ({StopCodes.Text(machine.State.StopCode)}); find out what stopped it."));
+        return JobStep.Broken(Wording.Get("SequenceFeed.VectorSequenceEndedBefore", at.X, at.Y, StopCodes.Text(machine.State.StopCode)));
     }
 }
 

@@ -14,7 +14,7 @@ public static class JobTime
     private static CommandTimes Commands(SerialLine? line, JobMode mode) => (line, mode) switch
     {
         (_, JobMode.Program) => new ProgramTimes(line),
-        (null, _) => CommandTimes.Ethernet,
+        (null, _) => DmcTimes.Ethernet,
         _ => new SerialTimes(line),
     };
 }

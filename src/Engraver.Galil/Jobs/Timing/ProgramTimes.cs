@@ -7,7 +7,7 @@ namespace Engraver.Galil.Jobs.Timing;
 
 /// <summary>A job that runs in the controller: loading takes its bytes, both ways, for what was downloaded is read back; then only the controller's own statements take time.</summary>
 /// <param name="line">Null for a network, on which loading is nothing beside the cutting.</param>
-internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
+internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
 {
     /// <summary>Bytes exchanged around each chunk: both threads halted, DL and UL with their prompts, the variables, XQ, the query for the watchdog; the answer to the poll before it, and about half a poll until
     /// its end is seen by the first part of a poll, whose second part is still to come.</summary>
@@ -22,7 +22,7 @@ internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
     /// <summary>Statements of a sequence: CSS, the mark, VM, VS, VE, BGS, JS#CUT and its five lines.</summary>
     private const int SequenceStatements = 12;
 
-    internal override double Loading(MotionProgram program)
+    public override double Loading(MotionProgram program)
     {
         if (line is null) return 0.0;
         var frame = new ControllerFrame(program.Start, program.Start);
@@ -30,10 +30,10 @@ internal sealed class ProgramTimes(SerialLine? line) : CommandTimes
         return chunks.Sum(chunk => (BytesAroundChunk + (2.0 * chunk.Text.Length) + chunk.Text.AsSpan().Count('\n')) * line.ByteSeconds); // an upload ends each line with two characters
     }
 
-    internal override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program) => RapidStatements * SecondsPerStatement;
+    public override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program) => RapidStatements * SecondsPerStatement;
 
-    internal override double Sequence(VectorSequence sequence, double moving, MotionProgram program) =>
+    public override double Sequence(VectorSequence sequence, double moving, MotionProgram program) =>
         (SequenceStatements + Math.Min(sequence.Segments.Count, SequenceWriter.SentBeforeStart)) * SecondsPerStatement;
 
-    internal override double Tool(CountsPoint at, MotionProgram program) => (program.Profile.ToolSettleMilliseconds / 1000.0) + (ToolStatements * SecondsPerStatement);
+    public override double Tool(CountsPoint at, MotionProgram program) => (program.Profile.SettleMilliseconds() / 1000.0) + (ToolStatements * SecondsPerStatement);
 }

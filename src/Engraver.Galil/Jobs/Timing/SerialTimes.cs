@@ -10,22 +10,22 @@ namespace Engraver.Galil.Jobs.Timing;
 
 /// <summary>A job led over a serial line: every byte of a question, a command and an answer takes its time (galil-dmc.md A.2), and an end is noticed by the next question only.</summary>
 /// <remarks>For one estimate: what a step takes depends on those before it, which are told in the order of cutting.</remarks>
-internal sealed class SerialTimes(SerialLine line) : CommandTimes
+internal sealed class SerialTimes(SerialLine line) : DmcTimes
 {
     private const int CapacityDigits = 3;
 
     private readonly SerialConversation _talk = new(line);
 
-    internal override double Loading(MotionProgram program) => 0.0;
+    public override double Loading(MotionProgram program) => 0.0;
 
-    internal override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program)
+    public override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program)
     {
         var begun = _talk.Now;
         _talk.Poll(from);
         if (from == to) return _talk.Now - begun;
-        if (from.X != to.X) SayAll(Text($"SPA={program.Profile.RapidSpeedX}"), Text($"PAA={to.X}"));
-        if (from.Y != to.Y) SayAll(Text($"SPB={program.Profile.RapidSpeedY}"), Text($"PAB={to.Y}"));
-        _talk.Command(from.X != to.X && from.Y != to.Y ? "BG" + DmcAxes.Plane : "BGA");
+        var axes = RapidMove.Moving(program.Profile.Axes, from, to);
+        foreach (var (axis, goal) in axes) SayAll([.. RapidMove.Commands(program.Profile, axis, goal)]);
+        _talk.Command("BG" + string.Concat(axes.Select(moving => moving.Axis.Letter)));
         var end = _talk.Heard + moving;
         _talk.Moves(end, 0);
         PollUntil(to, end, moving);
@@ -33,17 +33,17 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
         return _talk.Now - begun - moving;
     }
 
-    internal override double Sequence(VectorSequence sequence, double moving, MotionProgram program)
+    public override double Sequence(VectorSequence sequence, double moving, MotionProgram program)
     {
         var begun = _talk.Now;
         _talk.Poll(sequence.Start);
         if (program.Style == MotionStyle.Calls) Call(sequence, moving);
-        else Stream(sequence, moving, program.Profile.AccelerationCounts);
+        else Stream(sequence, moving, program.Profile);
         _talk.StopCode = StopCodes.SequenceEnded;
         return _talk.Now - begun - moving;
     }
 
-    internal override double Tool(CountsPoint at, MotionProgram program)
+    public override double Tool(CountsPoint at, MotionProgram program)
     {
         var begun = _talk.Now;
         _talk.Command("SB 1");
@@ -64,9 +64,10 @@ internal sealed class SerialTimes(SerialLine line) : CommandTimes
     }
 
     /// <summary>The buffer is filled before the machine starts; what does not fit, and then VE, is sent while it moves.</summary>
-    private void Stream(VectorSequence sequence, double moving, int acceleration)
+    private void Stream(VectorSequence sequence, double moving, MachineProfile profile)
     {
-        SayAll("CSS", "VM" + DmcAxes.Plane, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1");
+        var acceleration = profile.AccelerationCounts;
+        SayAll("CSS", "VM" + profile.Axes.Letters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1");
         _talk.Ask("_LMS", CapacityDigits);
         _talk.Counter = 0;
         var fits = sequence.Segments.Count <= LinkFeedLimit.Places;

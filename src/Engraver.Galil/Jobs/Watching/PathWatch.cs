@@ -48,8 +48,7 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
         return off <= Allowance ? JobStep.Done : Left(off, place, last.EntityIndex);
     }
 
-    private static JobStep Left(double off, CountsPoint place, int entity) => JobStep.Deviated(Text(
-        $"The machine stood at {place.X},{place.Y} of the drawing (counts), {off:0} counts beside the planned path, at drawing entity {entity}; what was sent has not arrived as it was sent, or something else moves the axes. Look at the work piece, the cable and who else uses the controller."));
+    private static JobStep Left(double off, CountsPoint place, int entity) => JobStep.Deviated(Wording.Get("PathWatch.MachineStoodDrawingCounts", place.X, place.Y, off, entity));
 
     /// <summary>Distance to the path near where the machine should be, and the part of it that two readings at different times explain.</summary>
     private (double Off, double Explained) Nearest(int at, Point2D place)

@@ -32,6 +32,5 @@ internal static class SettingCheck
     /// <summary>Steps of AC, DC, VA and VD, counts/s2.</summary>
     public const double Acceleration = 1024.0;
 
-    private static JobStep Another(string operand, double sent, double held) => JobStep.LinkLost(Text(
-        $"The controller holds {held:0.####} for {operand} where {sent:0.####} was sent: the link does not carry what is said. Look at the cable, and at who else uses the controller."));
+    private static JobStep Another(string operand, double sent, double held) => JobStep.LinkLost(Wording.Get("SettingCheck.ControllerHoldsWhereSent", held, operand, sent));
 }

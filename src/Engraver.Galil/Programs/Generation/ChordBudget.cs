@@ -32,7 +32,7 @@ internal static class ChordBudget
         }
 
         if (all <= Most) return null;
-        var arcs = scale.KeepsCircles ? $"arcs up to the radius {Text(DmcLimits.LargestRadius / scale.Largest)} mm as arcs" : "no arcs as arcs, because its axes have unequal counts per mm";
+        var arcs = scale.KeepsCircles ? Wording.Get("ChordBudget.ArcsUpRadiusMm", Text(DmcLimits.LargestRadius / scale.Largest)) : Wording.Get("ChordBudget.NoArcsArcsBecause");
         return MotionRules.TooManyChords.At(source(worst.EntityIndex), Text(all), Text(Most), Text(worst.Segment.Arc.Radius), Text(most), arcs);
     }
 

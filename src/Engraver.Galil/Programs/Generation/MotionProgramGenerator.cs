@@ -4,6 +4,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.Core.Verification;
 using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
@@ -36,7 +37,7 @@ public static class MotionProgramGenerator
         if (findings.Count == 0 && ChordBudget.Refusal(toolpath, profile.Scale, maxErrorMm, Source) is { } unbounded) findings.Add(unbounded);
         if (findings.Count > 0) return new MotionGeneration(null, findings);
 
-        if (BridgedGaps.Warning(toolpath, profile, maxErrorMm, Source) is { } beside) findings.Add(beside);
+        if (BridgedGaps.Warning(toolpath, AllowedDeviation(profile, maxErrorMm), Source) is { } beside) findings.Add(beside);
         if (!profile.Scale.KeepsCircles && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
         var strokes = new List<MotionStroke>(toolpath.Strokes.Count);
         foreach (var stroke in toolpath.Strokes)
@@ -62,6 +63,8 @@ public static class MotionProgramGenerator
     private static bool IsCountable(Point2D place, CountsScale scale) => place.IsFinite && scale.Holds(Bounds2D.FromCorners(place, place), default);
 
     private static bool HasArcs(Toolpath toolpath) => toolpath.Strokes.Any(stroke => stroke.Moves.Any(move => move.Segment.Kind != SegmentKind.Line));
+
+    private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) => (TraceTolerances.Default with { Count = 1.0 / profile.Scale.Smallest, MaxError = maxErrorMm }).Deviation;
 
     private static Diagnostic ChordsNote(CountsScale scale, double maxErrorMm) =>
         MotionRules.ArcsBecomeChords.At(default, Text(scale.X), Text(scale.Y), Text(maxErrorMm));

@@ -3,6 +3,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
+using Engraver.Galil.Language;
 
 namespace Engraver.Galil.Programs.Generation;
 
@@ -27,8 +28,8 @@ internal sealed class StrokeGenerator
         _scale = profile.Scale;
         _maxErrorMm = ArcChords.ErrorOf(maxErrorMm, _scale);
         _aim = new ArcAim(new AngleQuantum(profile.AngleQuantumDegrees));
-        _builder = new SequenceBuilder(start, profile.VectorSpeed, style);
-        _corners = new CornerDetector(profile);
+        _builder = new SequenceBuilder(start, profile.VectorSpeed(), style);
+        _corners = new CornerDetector(profile, profile.VectorSpeed());
         _reached = start;
     }
 

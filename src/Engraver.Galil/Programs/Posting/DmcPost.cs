@@ -1,24 +1,24 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Posts;
 using Engraver.Galil.Language;
 using static Engraver.Galil.Programs.Subprograms;
 
 namespace Engraver.Galil.Programs.Posting;
 
 /// <summary>Writes a motion program as self-contained controller programs, started with XQ #JOB.</summary>
-/// <remarks>Where the machine stands when the job starts is the drawing's start point, whatever the controller's position reads there: the first chunk keeps that
+/// <remarks>One or more chunks, each complete with its subprograms, to be downloaded and run (XQ #JOB) in order; with more than one, each begins with a comment line "'CHUNK 2 OF 3".
+/// Where the machine stands when the job starts is the drawing's start point, whatever the controller's position reads there: the first chunk keeps that
 /// position in ox and oy, rapids count from it, and later chunks find it still there, for a download leaves the variables alone.</remarks>
 public static class DmcPost
 {
     private const string CountCall = "seq=seq+1";
-    private const string TakeOrigin = "ox=_RPA;oy=_RPB";
-    private const string TravelFromOrigin = "PAA=ox+x;PAB=oy+y";
 
     /// <summary>The paper's way (section 5.2): variables are assigned and #LINEAR or #CIRC is called, a line for each; seq counts the calls, rapids and tool changes included.</summary>
     /// <param name="program">Generated with <see cref="MotionStyle.Calls"/>: every call ends at rest, so its arcs must be aimed from there.</param>
     /// <param name="options">The controller's memory.</param>
     /// <param name="sourceOf">Where an entity stands in the drawing, for diagnostics.</param>
-    public static DmcPostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
+    public static PostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
         var form = new PostForm(done => CallsOpening(program, done), stroke => CallsStroke(stroke, FromStart(program)), CallsClosing(program));
@@ -26,19 +26,20 @@ public static class DmcPost
     }
 
     /// <summary>Continuous vector sequences (galil-dmc.md F.1 method 2): the machine stops only where the motion program does.</summary>
-    public static DmcPostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
+    public static PostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
+        var axes = program.Profile.Axes;
         var spelling = new SequenceSpelling(
-            string.Empty, "AMS", place => Text($"PAA=ox{place.X:+0;-0};PAB=oy{place.Y:+0;-0};BG{DmcAxes.Plane};AM{DmcAxes.Plane}"), [ToolOn(program.Profile), Settle(program.Profile)]);
+            string.Empty, "AMS", place => $"{TargetLine(program.Profile, Text($"ox{place.X:+0;-0}"), Text($"oy{place.Y:+0;-0}"))};BG{axes.Letters};AM{axes.Letters}", [ToolOn(program.Profile), Settle(program.Profile)]);
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
         var form = new PostForm(done => Opening(program, done, string.Empty), writer.Stroke, SequencesClosing(program));
         return Posted(program, form, options, sourceOf);
     }
 
-    private static DmcPostText Posted(MotionProgram program, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
+    private static PostText Posted(MotionProgram program, PostForm form, DmcPostOptions options, Func<int, SourceRef>? sourceOf)
     {
         var packed = ChunkPacker.Pack(program.Strokes, form, options, sourceOf);
-        return new DmcPostText([.. packed.Chunks.Select(chunk => chunk.Text)], packed.Diagnostics);
+        return new PostText([.. packed.Chunks.Select(chunk => chunk.Text)], packed.Diagnostics);
     }
 
     /// <summary>Places relative to where the machine stands when the job starts.</summary>
@@ -46,12 +47,14 @@ public static class DmcPost
 
     private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables)
     {
-        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SH" + DmcAxes.Plane, done == 0 ? TakeOrigin : string.Empty);
+        var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SH" + program.Profile.Axes.Letters, done == 0 ? TakeOrigin(program.Profile.Axes) : string.Empty);
         foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
         return lines.Line(variables).Lines;
     }
 
-    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done) => Opening(program, done, Text($"f={program.Profile.VectorSpeed};seq={done}"));
+    private static string TakeOrigin(MachineAxes axes) => $"ox=_RP{axes.X.Letter};oy=_RP{axes.Y.Letter}";
+
+    private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done) => Opening(program, done, Text($"f={program.Profile.VectorSpeed()};seq={done}"));
 
     private static IReadOnlyList<string> CallsStroke(MotionStroke stroke, ControllerFrame frame)
     {
@@ -75,9 +78,9 @@ public static class DmcPost
         return
         [
             .. End(program),
-            .. LinearLines(CountCall),
-            .. CircLines(CountCall),
-            .. RapidLines(TravelFromOrigin, CountCall),
+            .. LinearLines(profile, CountCall),
+            .. CircLines(profile, CountCall),
+            .. RapidLines(profile, TargetLine(profile, "ox+x", "oy+y"), CountCall),
             .. new ProgramLines().Line("#TOOLON").Line(ToolOn(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
             .. new ProgramLines().Line("#TOOLOFF").Line(ToolOff(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
             .. CommandErrorEndsTheJob(program),
@@ -100,14 +103,6 @@ public sealed record DmcPostOptions
 
     /// <summary>Lines the controller's program memory holds, subprograms included; a longer job comes in chunks.</summary>
     public int MemoryLines { get; init; } = DmcLimits.ProgramLines;
-}
-
-/// <summary>A job as program text: one or more chunks, each complete with its subprograms, to be downloaded and run (XQ #JOB) one after the other without moving the machine in between.</summary>
-/// <param name="Chunks">Each ends with a line end (LF); with more than one, each begins with a comment line "'CHUNK 2 OF 3".</param>
-/// <param name="Diagnostics">Strokes that had to be cut to fit the memory.</param>
-public sealed record DmcPostText(IReadOnlyList<string> Chunks, IReadOnlyList<Diagnostic> Diagnostics)
-{
-    public string Text => string.Concat(Chunks);
 }
 
 /// <summary>How one way of posting spells its parts; packing them into chunks is the same for all.</summary>

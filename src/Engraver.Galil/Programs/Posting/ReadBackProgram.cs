@@ -49,15 +49,15 @@ public sealed partial record ReadBackProgram(IReadOnlyList<ReadBackChunk> Chunks
         }
 
         if (marks.Count.ToString(CultureInfo.InvariantCulture) != count)
-            findings.Add(VerificationRules.ChunksIncomplete.At(new SourceRef(lines.Length), (marks.Count + 1).ToString(CultureInfo.InvariantCulture), count, "(end of the file)"));
+            findings.Add(VerificationRules.ChunksIncomplete.At(new SourceRef(lines.Length), (marks.Count + 1).ToString(CultureInfo.InvariantCulture), count, Wording.Get("ReadBackProgram.EndFile")));
     }
 
     private static void CheckLines(string[] lines, List<Diagnostic> findings)
     {
         for (var i = 0; i < lines.Length && findings.Count == 0; i++)
         {
-            var reason = lines[i].Length > DmcLimits.LineLength ? string.Create(CultureInfo.InvariantCulture, $"it has {lines[i].Length} characters, and {DmcLimits.LineLength} are allowed")
-                : lines[i].AsSpan().ContainsAny("\\\x04\x11\x1A") ? "it holds a character that ends a download"
+            var reason = lines[i].Length > DmcLimits.LineLength ? Wording.Get("ReadBackProgram.HasCharactersAllowed", lines[i].Length, DmcLimits.LineLength)
+                : lines[i].AsSpan().ContainsAny("\\\x04\x11\x1A") ? Wording.Get("ReadBackProgram.HoldsCharacterEndsDownload")
                 : null;
             if (reason is not null) findings.Add(VerificationRules.LineUnusable.At(new SourceRef(i + 1), reason));
         }

@@ -1,31 +1,40 @@
+using Engraver.Core.Machines;
+
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>Which line of a posted program commands each segment: the VP and CR of the text stand in the order of cutting.</summary>
+/// <summary>Which line of a posted program commands each segment: its VP and CR, or its calls of #LINEAR and #CIRC, stand in the order of cutting.</summary>
 public static class SegmentLines
 {
-    /// <returns>Line numbers from 1, one for each VP and CR of the text.</returns>
-    public static int[] Map(string text)
+    private static readonly SearchStarts s_segments = new("VP ", "CR ");
+    private static readonly SearchStarts s_calls = new("JS" + Subprograms.Linear, "JS" + Subprograms.Circ);
+
+    /// <returns>Line numbers from 1, one for each segment.</returns>
+    public static int[] Map(string text, MotionStyle style)
     {
+        var starts = style == MotionStyle.Calls ? s_calls : s_segments;
         var lines = new List<int>();
         var number = 0;
         foreach (var line in text.AsSpan().EnumerateLines())
         {
             number++;
-            for (var count = Commands(line); count > 0; count--) lines.Add(number);
+            for (var count = Commands(line, starts); count > 0; count--) lines.Add(number);
         }
 
         return [.. lines];
     }
 
-    private static int Commands(ReadOnlySpan<char> line)
+    private static int Commands(ReadOnlySpan<char> line, SearchStarts starts)
     {
         var count = 0;
         foreach (var part in line.Split(';'))
         {
             var command = line[part];
-            if (command.StartsWith("VP ", StringComparison.Ordinal) || command.StartsWith("CR ", StringComparison.Ordinal)) count++;
+            if (command.StartsWith(starts.Line, StringComparison.Ordinal) || command.StartsWith(starts.Arc, StringComparison.Ordinal)) count++;
         }
 
         return count;
     }
+
+    /// <summary>How the commands of the two kinds of segment begin.</summary>
+    private sealed record SearchStarts(string Line, string Arc);
 }

@@ -27,7 +27,7 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
 
     private void Sequence(ProgramLines lines, VectorSequence sequence, IReadOnlyList<string> toolOn)
     {
-        lines.Line(spelling.Open, "VM" + DmcAxes.Plane, Text($"VS {sequence.Speed}"));
+        lines.Line(spelling.Open, "VM" + profile.Axes.Letters, Text($"VS {sequence.Speed}"));
         var (sent, sinceRoom, started) = (0, 0, false);
         foreach (var group in Groups(sequence))
         {

@@ -67,8 +67,8 @@ internal sealed class SupervisedProgram
     [
         CountSequence,
         "JP#HALT",
-        .. new ProgramLines().Line("#CUT").Line("AMS").Line($"JP{Stray},_SCA<>101").Line(CountSequence).Line("EN").Lines,
-        .. RapidLines($"JP{Stray},(_RPA<>x)|(_RPB<>y)"),
+        .. new ProgramLines().Line("#CUT").Line("AMS").Line($"JP{Stray},_SC{profile.Axes.X.Letter}<>101").Line(CountSequence).Line("EN").Lines,
+        .. RapidLines(profile, $"JP{Stray},(_RP{profile.Axes.X.Letter}<>x)|(_RP{profile.Axes.Y.Letter}<>y)"),
         .. SequenceWriter.RoomLines($"JP{Stray},_BGS=0"),
         .. new ProgramLines().Line(Stray).Line(StopEverything(profile)).Line(Text($"{Variables.ErrorCode}={Strayed}")).Line("ZS").Line("JP#HALT").Lines,
         .. Guards(profile),

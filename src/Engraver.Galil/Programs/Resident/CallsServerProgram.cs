@@ -16,10 +16,10 @@ public static class CallsServerProgram
     [
         Entry,
         "op=0;x=0;y=0;r=0;th=0;da=0",
-        Subprograms.Text($"f={profile.VectorSpeed};go=0;done=1;seq=0"),
+        Subprograms.Text($"f={profile.VectorSpeed()};go=0;done=1;seq=0"),
         CommandErrorProgram.ClearStatement,
         WatchdogProgram.StartStatement,
-        "SH" + DmcAxes.Plane,
+        "SH" + profile.Axes.Letters,
         .. Subprograms.SetUpLines(profile),
         "#SLOOP",
         "WT 2",
@@ -32,9 +32,9 @@ public static class CallsServerProgram
         "done=1;seq=seq+1",
         "JP#SLOOP",
         "EN",
-        .. Subprograms.LinearLines(string.Empty),
-        .. Subprograms.CircLines(string.Empty),
-        .. Subprograms.RapidLines(string.Empty),
+        .. Subprograms.LinearLines(profile, string.Empty),
+        .. Subprograms.CircLines(profile, string.Empty),
+        .. Subprograms.RapidLines(profile, string.Empty),
         .. new ProgramLines().Line("#TOOL").Line(Subprograms.Text($"OB {profile.ToolOutput},x"), Subprograms.Settle(profile)).Line("EN").Lines,
     ];
 

@@ -25,16 +25,17 @@ public static class WatchdogProgram
     {
         const string Heartbeat = ResidentProgram.Variables.Heartbeat;
         const string Still = ResidentProgram.Variables.Still;
+        var (x, y) = (profile.Axes.X.Letter, profile.Axes.Y.Letter);
         return new ProgramLines()
             .Line("#WDOG")
             .Line($"{ResidentProgram.Variables.WatchdogTripped}=0")
             .Line("#WLIVE")
-            .Line($"{Still}=0", "wa=_RPA", "wb=_RPB", "wl=_LMS")
+            .Line($"{Still}=0", $"wa=_RP{x}", $"wb=_RP{y}", "wl=_LMS")
             .Line("#WLOOP")
             .Line("WT 50")
             .Line($"{Heartbeat}={Heartbeat}-1", $"{Still}={Still}+1")
             .Line($"JP#WLOST,{Heartbeat}<=0")
-            .Line(Subprograms.Text($"JP#WLIVE,(_RPA<>wa)|(_RPB<>wb)|(_LMS<>wl)|(@OUT[{profile.ToolOutput}]=0)"))
+            .Line(Subprograms.Text($"JP#WLIVE,(_RP{x}<>wa)|(_RP{y}<>wb)|(_LMS<>wl)|(@OUT[{profile.ToolOutput}]=0)"))
             .Line($"JP#WLOOP,{Still}<{ResidentProgram.Variables.StillLimit}")
             .Line(Trip(profile, ToolForgotten))
             .Line("MG \"STANDSTILL\"")
@@ -47,5 +48,5 @@ public static class WatchdogProgram
     }
 
     private static string Trip(MachineProfile profile, int why) =>
-        Subprograms.Text($"{Subprograms.ToolOff(profile)};{ResidentProgram.Variables.WatchdogTripped}={why};HX{ResidentProgram.MainThread};STS;ST{DmcAxes.Plane}");
+        Subprograms.Text($"{Subprograms.ToolOff(profile)};{ResidentProgram.Variables.WatchdogTripped}={why};HX{ResidentProgram.MainThread};STS;ST{profile.Axes.Letters}");
 }

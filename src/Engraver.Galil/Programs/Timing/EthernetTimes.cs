@@ -4,7 +4,7 @@ using Engraver.Galil.Language;
 namespace Engraver.Galil.Programs.Timing;
 
 /// <summary>A job led over the network: every command, whatever its length, takes the same time.</summary>
-internal sealed class EthernetTimes : CommandTimes
+internal sealed class EthernetTimes : DmcTimes
 {
     /// <summary>One command and its reply over Ethernet (galil-dmc.md A.4).</summary>
     private const double SecondsPerCommand = 0.0016;
@@ -28,20 +28,20 @@ internal sealed class EthernetTimes : CommandTimes
     /// <summary>Commands of a call: a poll, the arguments and go.</summary>
     private const int CallCommands = 3;
 
-    internal override double Loading(MotionProgram program) => 0.0;
+    public override double Loading(MotionProgram program) => 0.0;
 
-    internal override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program)
+    public override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program)
     {
         if (from == to) return SecondsPerCommand;
         var commands = RapidCommands + (from.X != to.X ? RapidCommandsOfAxis : 0) + (from.Y != to.Y ? RapidCommandsOfAxis : 0);
         return (commands * SecondsPerCommand) + NoticeSeconds;
     }
 
-    internal override double Sequence(VectorSequence sequence, double moving, MotionProgram program) => NoticeSeconds + (program.Style == MotionStyle.Calls
+    public override double Sequence(VectorSequence sequence, double moving, MotionProgram program) => NoticeSeconds + (program.Style == MotionStyle.Calls
         ? (CallCommands * SecondsPerCommand) + SecondsPerCall
         : (SequenceCommands + SegmentsBeforeStart(sequence)) * SecondsPerCommand);
 
-    internal override double Tool(CountsPoint at, MotionProgram program) => (ToolCommands * SecondsPerCommand) + Settle(program) + NoticeSeconds;
+    public override double Tool(CountsPoint at, MotionProgram program) => (ToolCommands * SecondsPerCommand) + Settle(program) + NoticeSeconds;
 
     private static int SegmentsBeforeStart(VectorSequence sequence)
     {

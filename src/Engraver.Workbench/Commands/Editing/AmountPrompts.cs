@@ -34,7 +34,7 @@ internal static class AmountPrompts
             switch (await context.ValueAsync(prompt).ConfigureAwait(false))
             {
                 case Amount.Number { Of: var value }: return value;
-                case Amount.Beginning { At: var place }: prompt = prompt with { Instruction = "Specify second point", Default = null, From = place }; break;
+                case Amount.Beginning { At: var place }: prompt = prompt with { Instruction = Wording.Get("Common.SpecifySecondPoint"), Default = null, From = place }; break;
             }
         }
     }

@@ -8,13 +8,13 @@ internal static class Displacement
 {
     public static async Task<Vector2D> AskAsync(CommandContext context)
     {
-        var first = await context.AskAsync(new PointPrompt("Specify base point") { Options = Keyword.List("Displacement"), Default = "Displacement" }).ConfigureAwait(false);
-        return first is Answer<Point2D>.Value { Of: var basePoint } ? await WayFromAsync(context, basePoint).ConfigureAwait(false) : await context.ValueAsync(new PointPrompt("Specify displacement")).ConfigureAwait(false) - Point2D.Origin;
+        var first = await context.AskAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint")) { Options = Keyword.List("Displacement"), Default = "Displacement" }).ConfigureAwait(false);
+        return first is Answer<Point2D>.Value { Of: var basePoint } ? await WayFromAsync(context, basePoint).ConfigureAwait(false) : await context.ValueAsync(new PointPrompt(Wording.Get("Displacement.SpecifyDisplacement"))).ConfigureAwait(false) - Point2D.Origin;
     }
 
     private static async Task<Vector2D> WayFromAsync(CommandContext context, Point2D basePoint)
     {
-        var second = await context.AskAsync(new PointPrompt("Specify second point, or Enter to use the first point as displacement") { EnterEnds = true, From = basePoint }).ConfigureAwait(false);
+        var second = await context.AskAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPointOr")) { EnterEnds = true, From = basePoint }).ConfigureAwait(false);
         return second is Answer<Point2D>.Value { Of: var point } ? point - basePoint : basePoint - Point2D.Origin;
     }
 }

@@ -14,7 +14,7 @@ internal static class DrawingChange
     {
         var drawing = context.Drawing;
         var fits = copy ? DrawingEdit.TryCopy(drawing, selected, map, out var edited) : DrawingEdit.TryTransform(drawing, selected, map, out edited);
-        if (!fits) throw new CommandException(CommandFailure.Usage, "That would move objects out of range; nothing was changed.");
+        if (!fits) throw new CommandException(CommandFailure.Usage, Wording.Get("DrawingChange.WouldMoveObjectsOut"));
         var along = TextsAlong(context, selected);
         Take(context, edited with { Texts = copy ? EditedTexts.Copied(drawing, along, [map]) : EditedTexts.Moved(drawing, along, map) }, selected);
     }
@@ -41,7 +41,7 @@ internal static class DrawingChange
     public static IReadOnlyList<PlacedText> TextsAlong(CommandContext context, IReadOnlyList<int> selected)
     {
         var along = EditedTexts.Along(context.Drawing, selected);
-        if (context.Drawing.Texts.Count - along.Count is > 0 and var left) context.Say($"{CountText.Format(left, "text")} left as before: texts go along only with every visible curve of the drawing.");
+        if (context.Drawing.Texts.Count - along.Count is > 0 and var left) context.Say(Wording.Get("DrawingChange.LeftBeforeTextsGo", CountText.Format(left, "Text")));
         return along;
     }
 
@@ -65,11 +65,11 @@ internal static class DrawingChange
         if (place is not EnteringPlace.ByHandle { Handle: var handle } || edited.IndexOfHandle(handle) is not null) return place;
         if (EnteringSubstitute.HandleOf(context.Drawing, handle, edited, standIns) is { } other)
         {
-            context.Say($"The entering entity {handle} is {other} now; cutting begins there.");
+            context.Say(Wording.Get("DrawingChange.EnteringEntityNowCutting", handle, other));
             return new EnteringPlace.ByHandle(other);
         }
 
-        context.Say($"The entering entity {handle} is gone; the order is free again.");
+        context.Say(Wording.Get("DrawingChange.EnteringEntityGoneOrder", handle));
         return null;
     }
 }

@@ -3,7 +3,7 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>ERASE: Removes objects from the drawing.</summary>
 internal sealed class EraseCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("ERASE", CommandGroup.Drawing, "Removes objects from the drawing.");
+    public CommandInfo Info { get; } = new("ERASE", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

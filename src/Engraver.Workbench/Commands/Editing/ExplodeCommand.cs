@@ -6,14 +6,14 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>EXPLODE: Takes polylines apart into lines and arcs.</summary>
 internal sealed class ExplodeCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("EXPLODE", CommandGroup.Drawing, "Takes polylines apart into lines and arcs.");
+    public CommandInfo Info { get; } = new("EXPLODE", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
         var (rebuilt, parts, count) = PolylineEdit.Explode(context.Drawing, selected);
-        if (count == 0) throw new CommandException(CommandFailure.Usage, "There is no polyline among these objects.");
+        if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Explode.ThereNoPolylineAmong"));
         DrawingChange.Take(context, rebuilt, parts);
-        context.Say($"{CountText.Format(count, "polyline")} became {CountText.Format(parts.Count, "object")}.");
+        context.Say(Wording.Get("Editing.Became", CountText.Format(count, "Polyline"), CountText.Format(parts.Count, "Object")));
     }
 }

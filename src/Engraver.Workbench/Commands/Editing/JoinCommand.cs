@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>JOIN: Puts lines, arcs and open polylines whose ends meet (within CNCJOINTOL) together into polylines.</summary>
 internal sealed class JoinCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("JOIN", CommandGroup.Drawing, "Puts lines, arcs and open polylines whose ends meet (within CNCJOINTOL) together into polylines.");
+    public CommandInfo Info { get; } = new("JOIN", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -14,8 +14,8 @@ internal sealed class JoinCommand : ICommand
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
         var tolerance = context.Document.Current.Settings.JoinToleranceMm / drawing.Unit.ToMillimetres;
         var (rebuilt, joined, count) = PolylineEdit.Join(drawing, selected, tolerance);
-        if (count == 0) throw new CommandException(CommandFailure.Usage, "No two of these objects meet end to end.");
+        if (count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Join.NoTwoTheseObjects"));
         DrawingChange.Take(context, rebuilt, joined);
-        context.Say($"{CountText.Format(count, "object")} became {CountText.Format(joined.Count, "polyline")}.");
+        context.Say(Wording.Get("Editing.Became", CountText.Format(count, "Object"), CountText.Format(joined.Count, "Polyline")));
     }
 }

@@ -6,14 +6,14 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>LAYER: Switches layers on, off, frozen, thawed or plotted and colours them; only visible, thawed, plottable layers are cut.</summary>
 internal sealed class LayerCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("LAYER", CommandGroup.Ask, "Switches layers on, off, frozen, thawed or plotted and colours them; only visible, thawed, plottable layers are cut.");
+    public CommandInfo Info { get; } = new("LAYER", CommandGroup.Ask);
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("?", "ON", "OFF", "Freeze", "Thaw", "Plot", "Noplot", "Color");
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var layers = context.Drawing.Layers.ToArray();
-        while (await context.AskAsync(new ChoicePrompt("Enter an option") { Options = s_options, EnterEnds = true }).ConfigureAwait(false) is Answer<string>.Chosen { Option: var option })
+        while (await context.AskAsync(new ChoicePrompt(Wording.Get("Common.EnterOption")) { Options = s_options, EnterEnds = true }).ConfigureAwait(false) is Answer<string>.Chosen { Option: var option })
         {
             if (option == "?") context.SayResult(output => Write(layers, output));
             else await SwitchAsync(context, layers, option).ConfigureAwait(false);
@@ -27,9 +27,9 @@ internal sealed class LayerCommand : ICommand
     private static async Task SwitchAsync(CommandContext context, Layer[] layers, string option)
     {
         DrawingColour? colour = option == "Color" ? await ColourAsync(context).ConfigureAwait(false) : null;
-        var names = (await context.ValueAsync(new TextPrompt("Enter layer names separated by commas, * for all")).ConfigureAwait(false)).Split(',', StringSplitOptions.TrimEntries);
+        var names = (await context.ValueAsync(new TextPrompt(Wording.Get("Layer.EnterLayerNamesSeparated"))).ConfigureAwait(false)).Split(',', StringSplitOptions.TrimEntries);
         var unknown = names.Where(name => name != "*" && !layers.Any(layer => Is(layer, name))).ToList();
-        if (unknown.Count > 0) throw new CommandException(CommandFailure.Usage, $"The drawing has no layer {string.Join(", ", unknown.Select(name => $"'{name}'"))}; LAYER ? lists what it has.");
+        if (unknown.Count > 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.DrawingHasNoLayer", string.Join(", ", unknown.Select(name => $"'{name}'"))));
         for (var index = 0; index < layers.Length; index++)
         {
             if (names.Any(name => name == "*" || Is(layers[index], name))) layers[index] = colour is { } chosen ? layers[index] with { Colour = chosen } : Switched(layers[index], option);
@@ -38,8 +38,8 @@ internal sealed class LayerCommand : ICommand
 
     private static async Task<DrawingColour> ColourAsync(CommandContext context)
     {
-        var typed = await context.ValueAsync(new TextPrompt("New color: name, 1 to 255, or red,green,blue")).ConfigureAwait(false);
-        return ColourName.Parse(typed) ?? throw new CommandException(CommandFailure.Usage, $"'{typed}' is no color; name one ({string.Join(", ", ColourName.Known)}), a number from 1 to 255, or red,green,blue with 0 to 255 each.");
+        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("Layer.NewColorNameOr"))).ConfigureAwait(false);
+        return ColourName.Parse(typed) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Layer.NoColorNameOne", typed, string.Join(", ", ColourName.Known)));
     }
 
     private static bool Is(Layer layer, string name) => layer.Name.Equals(name, StringComparison.OrdinalIgnoreCase);
@@ -56,6 +56,8 @@ internal sealed class LayerCommand : ICommand
 
     private static void Write(IEnumerable<Layer> layers, TextWriter output)
     {
-        foreach (var layer in layers) output.WriteLine($"{(layer.CutByDefault ? "cut    " : "not cut")}  {(layer.On ? "on " : "off")}  {(layer.Frozen ? "frozen" : "thawed")}  {(layer.Plot ? "plotted    " : "not plotted")}  {ColourName.Format(layer.Colour),-11}  {layer.Name}");
+        foreach (var layer in layers) output.WriteLine(Wording.Get("Layer.Row", Word("Cut", layer.CutByDefault), Word("On", layer.On), Word("Frozen", layer.Frozen), Word("Plotted", layer.Plot), ColourName.Format(layer.Colour), layer.Name));
+
+        static string Word(string state, bool holds) => Wording.Get($"LayerState.{state}.{(holds ? "Yes" : "No")}");
     }
 }

@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>MOVE: Moves objects.</summary>
 internal sealed class MoveCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("MOVE", CommandGroup.Drawing, "Moves objects.");
+    public CommandInfo Info { get; } = new("MOVE", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -17,7 +17,7 @@ internal sealed class MoveCommand : ICommand
 /// <summary>COPY: Copies objects to another place.</summary>
 internal sealed class CopyCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("COPY", CommandGroup.Drawing, "Copies objects to another place.");
+    public CommandInfo Info { get; } = new("COPY", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

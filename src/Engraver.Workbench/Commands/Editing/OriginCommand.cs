@@ -6,14 +6,14 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>ORIGIN: Moves the whole drawing so that a place of it becomes 0,0.</summary>
 internal sealed class OriginCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("ORIGIN", CommandGroup.Drawing, "Moves the whole drawing so that a place of it becomes 0,0.");
+    public CommandInfo Info { get; } = new("ORIGIN", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var answer = await context.AskAsync(new PointPrompt("Specify place that becomes 0,0") { Options = Keyword.List("Lowerleft", "Center") }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new PointPrompt(Wording.Get("Origin.SpecifyPlaceBecomes")) { Options = Keyword.List("Lowerleft", "Center") }).ConfigureAwait(false);
         var box = context.View.ExtentsOf(drawing);
-        if (answer is Answer<Point2D>.Chosen && box.IsEmpty) throw new CommandException(CommandFailure.Usage, "Nothing of the drawing is to be seen.");
+        if (answer is Answer<Point2D>.Chosen && box.IsEmpty) throw new CommandException(CommandFailure.Usage, Wording.Get("Origin.NothingDrawingSeen"));
         var place = answer switch
         {
             Answer<Point2D>.Value { Of: var point } => point,

@@ -6,17 +6,17 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>OVERKILL: Erases objects that lie on others, drawn in either direction.</summary>
 internal sealed class OverkillCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("OVERKILL", CommandGroup.Drawing, "Erases objects that lie on others, drawn in either direction.");
+    public CommandInfo Info { get; } = new("OVERKILL", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
         var now = NumberPrompt.Show(context.Document.Current.Settings.MaxErrorMm / drawing.Unit.ToMillimetres);
-        var tolerance = await context.ValueAsync(new NumberPrompt("Specify tolerance") { Default = context.Remembered("OVERKILL", now), Least = 0.0, Most = 1e3 }).ConfigureAwait(false);
+        var tolerance = await context.ValueAsync(new NumberPrompt(Wording.Get("Overkill.SpecifyTolerance")) { Default = context.Remembered("OVERKILL", now), Least = 0.0, Most = 1e3 }).ConfigureAwait(false);
         context.Remember("OVERKILL", NumberPrompt.Show(tolerance));
         var duplicates = Duplicates.Find(drawing, selected, tolerance);
         if (duplicates.Count > 0) DrawingChange.Erase(context, duplicates, asDoubles: true);
-        context.Say($"{CountText.Format(duplicates.Count, "duplicate")} erased.");
+        context.Say(Wording.Get("Overkill.Erased", CountText.Format(duplicates.Count, "Duplicate")));
     }
 }

@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>REVERSE: Turns the direction of objects round.</summary>
 internal sealed class ReverseCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("REVERSE", CommandGroup.Drawing, "Turns the direction of objects round.");
+    public CommandInfo Info { get; } = new("REVERSE", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

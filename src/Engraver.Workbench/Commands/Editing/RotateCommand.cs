@@ -8,13 +8,13 @@ internal sealed class RotateCommand : ICommand
 {
     private const double Largest = 1e6;
 
-    public CommandInfo Info { get; } = new("ROTATE", CommandGroup.Drawing, "Turns objects about a point, counter-clockwise.");
+    public CommandInfo Info { get; } = new("ROTATE", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
-        var basePoint = await context.ValueAsync(new PointPrompt("Specify base point")).ConfigureAwait(false);
-        var amount = await AmountPrompts.AskAsync(context, Degrees("Specify rotation angle", context.Remembered("ROTATE", "0"), basePoint), Degrees("Specify the reference angle", "0", null), Degrees("Specify the new angle", null, basePoint)).ConfigureAwait(false);
+        var basePoint = await context.ValueAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint"))).ConfigureAwait(false);
+        var amount = await AmountPrompts.AskAsync(context, Degrees(Wording.Get("Rotate.SpecifyRotationAngle"), context.Remembered("ROTATE", "0"), basePoint), Degrees(Wording.Get("Rotate.SpecifyReferenceAngle"), "0", null), Degrees(Wording.Get("Rotate.SpecifyNewAngle"), null, basePoint)).ConfigureAwait(false);
         var degrees = amount.Value - (amount.Reference ?? 0.0);
         if (amount.Reference is null) context.Remember("ROTATE", NumberPrompt.Show(degrees));
         DrawingChange.Transform(context, selected, Transform2D.Rotate(basePoint, Angle.FromDegrees(degrees)), amount.Copy);

@@ -9,13 +9,13 @@ internal sealed class ScaleCommand : ICommand
     private const double Smallest = 1e-6;
     private const double Largest = 1e6;
 
-    public CommandInfo Info { get; } = new("SCALE", CommandGroup.Drawing, "Enlarges or shrinks objects from a point.");
+    public CommandInfo Info { get; } = new("SCALE", CommandGroup.Drawing);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
-        var basePoint = await context.ValueAsync(new PointPrompt("Specify base point")).ConfigureAwait(false);
-        var amount = await AmountPrompts.AskAsync(context, Length("Specify scale factor", context.Remembered("SCALE", "1"), basePoint), Length("Specify reference length", "1", null), Length("Specify new length", null, basePoint)).ConfigureAwait(false);
+        var basePoint = await context.ValueAsync(new PointPrompt(Wording.Get("Editing.SpecifyBasePoint"))).ConfigureAwait(false);
+        var amount = await AmountPrompts.AskAsync(context, Length(Wording.Get("Scale.SpecifyScaleFactor"), context.Remembered("SCALE", "1"), basePoint), Length(Wording.Get("Scale.SpecifyReferenceLength"), "1", null), Length(Wording.Get("Scale.SpecifyNewLength"), null, basePoint)).ConfigureAwait(false);
         var factor = amount.Value / (amount.Reference ?? 1.0);
         if (amount.Reference is null) context.Remember("SCALE", NumberPrompt.Show(factor));
         DrawingChange.Transform(context, selected, Transform2D.ScaleFrom(basePoint, factor), amount.Copy);

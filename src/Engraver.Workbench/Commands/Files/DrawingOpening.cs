@@ -16,20 +16,20 @@ internal static class DrawingOpening
         var state = context.Document.Current;
         var drawing = Read(context, path, cancellation);
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
-        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, $"{name} was not opened: {SettingWording.AtCommandLine(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message}");
+        if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, Wording.Get("DrawingOpening.NotOpened", name, SettingWording.AtCommandLine(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message));
         Leave(context);
         context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
         context.Document.MarkKept();
         context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
-        context.Say($"{CountText.Format(drawing.Entities.Count, "curve")} on {CountText.Format(drawing.Layers.Count, "layer")}, unit {drawing.Unit.Name}.");
+        context.Say(Wording.Get("DrawingOpening.OnUnit", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
     }
 
     /// <summary>Keeps the view of the drawing that is left, and says so when its edits are in no file.</summary>
     public static void Leave(CommandContext context)
     {
         if (context.Document.Current.Drawing is not { } drawing) return;
-        if (context.Document.IsEdited) context.Say($"{Path.GetFileName(drawing.FileName)} was edited and is not saved; UNDO brings it back.", MessageKind.Warning);
+        if (context.Document.IsEdited) context.Say(Wording.Get("DrawingOpening.EditedNotSavedUndo", Path.GetFileName(drawing.FileName)), MessageKind.Warning);
         var path = Path.GetFullPath(drawing.FileName);
         if (!context.Settings.Current.RecentFiles.Contains(path)) return;
         var view = context.View.Current;

@@ -1,6 +1,8 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Plots;
+using Engraver.Core.Posts;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
 
@@ -9,17 +11,17 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>EXPORT: Writes what the file's ending says: .svg picture of the path, .csv or .json entity table, .dmc program, .dxf CL data.</summary>
 internal sealed class ExportCommand : ICommand
 {
-    private static readonly IReadOnlyList<string> s_endings = [".svg", ".csv", ".json", ".dmc", ".dxf"];
+    private static readonly IReadOnlyList<string> s_endings = [".svg", ".csv", ".json", .. PostTable.All.Select(entry => entry.Post.Ending).Distinct()];
 
-    public CommandInfo Info { get; } = new("EXPORT", CommandGroup.File, "Writes what the file's ending says: .svg picture of the path, .csv or .json entity table, .dmc program, .dxf CL data.");
+    public CommandInfo Info { get; } = new("EXPORT", CommandGroup.File);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var name = await ReplacePrompt.AskAsync(context, $"Enter file name ({string.Join(' ', s_endings)})").ConfigureAwait(false);
-        var write = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, $"'{name}' has none of the endings {string.Join(", ", s_endings)}.");
+        var name = await ReplacePrompt.AskAsync(context, Wording.Get("Export.EnterFileName", string.Join(' ', s_endings))).ConfigureAwait(false);
+        var write = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.HasNoneEndings", name, string.Join(", ", s_endings)));
         OutputFile.Write(context.FileToWrite(name), write);
-        context.Say($"{name} written from {Path.GetFileName(drawing.FileName)}.");
+        context.Say(Wording.Get("Export.WrittenFrom", name, Path.GetFileName(drawing.FileName)));
     }
 
     /// <exception cref="CommandException">There is nothing to write.</exception>
@@ -34,15 +36,13 @@ internal sealed class ExportCommand : ICommand
             case ".csv" or ".json":
                 var table = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings).Table;
                 return output => EntityTableFormat.Write(ending[1..], table, output);
-            case ".dmc": return Program(context, PostedProgram.Galil);
-            case ".dxf": return Program(context, PostedProgram.CutterLocation);
-            default: return null;
+            default: return PostTable.ForEnding(ending) is { } entry ? Program(context, entry.Post) : null;
         }
     }
 
-    private static Action<TextWriter> Program(CommandContext context, string target)
+    private static Action<TextWriter> Program(CommandContext context, IPost post)
     {
-        var posted = PostedProgram.Create(context.Drawing, context.Document.Current.Settings, target);
+        var posted = PostedProgram.Create(context.Drawing, context.Document.Current.Settings, post, PostedProgram.NoOptions);
         FindingMessages.Say(context, context.Drawing.FileName, posted.Diagnostics, Severity.Warning);
         return posted.Text is { } text ? output => output.Write(text) : throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
     }

@@ -7,12 +7,12 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>PLOT: Draws the drawing, or the path over it, as SVG.</summary>
 internal sealed class PlotCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("PLOT", CommandGroup.Output, "Draws the drawing, or the path over it, as SVG.");
+    public CommandInfo Info { get; } = new("PLOT", CommandGroup.Output);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var what = await context.ChoiceAsync("Enter what to draw", Keyword.List("Drawing", "Path"), context.Remembered("PLOT", "Path")).ConfigureAwait(false);
+        var what = await context.ChoiceAsync(Wording.Get("Plot.EnterWhatDraw"), Keyword.List("Drawing", "Path"), context.Remembered("PLOT", "Path")).ConfigureAwait(false);
         context.Remember("PLOT", what);
         var plot = DrawingPlot.Create(drawing, context.Document.Current.Settings, asDrawn: what == "Drawing");
         await ResultFile.WriteAsync(context, output => SvgPlotWriter.Write(plot, output)).ConfigureAwait(false);

@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Files;
@@ -7,18 +8,19 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>POST: Writes the job as a program for the controller.</summary>
 internal sealed class PostCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("POST", CommandGroup.Output, "Writes the job as a program for the controller.");
+    public CommandInfo Info { get; } = new("POST", CommandGroup.Output);
 
-    private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List("Galil", "galil-Calls");
+    private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List([.. PostTable.All.Select(entry => entry.Keyword)]);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var target = await context.ChoiceAsync("Enter target", s_targets, context.Remembered("POST", "Galil")).ConfigureAwait(false);
+        var target = await context.ChoiceAsync(Wording.Get("Post.EnterTarget"), s_targets, context.Remembered("POST", PostTable.All[0].Keyword)).ConfigureAwait(false);
         context.Remember("POST", target);
-        var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, target.ToLowerInvariant());
+        var (post, _, reader) = PostTable.Find(target);
+        var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, post, PostedProgram.NoOptions);
         FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
-        if (await ResultFile.WriteAsync(context, output => output.Write(text)).ConfigureAwait(false) is { } name) context.Remember(VerifyCommand.Name, name);
+        if (await ResultFile.WriteAsync(context, output => output.Write(text)).ConfigureAwait(false) is { } name && reader is not null) context.Remember(VerifyCommand.Name, name);
     }
 }

@@ -5,19 +5,19 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>RECENT: Lists the drawings that were opened last, and opens one of them.</summary>
 internal sealed class RecentCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("RECENT", CommandGroup.File, "Lists the drawings that were opened last, and opens one of them.");
+    public CommandInfo Info { get; } = new("RECENT", CommandGroup.File);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var files = context.Settings.Current.RecentFiles;
-        if (files.Count == 0) throw new CommandException(CommandFailure.Usage, "No drawing was opened yet.");
+        if (files.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Recent.NoDrawingOpenedYet"));
         context.SayResult(output => Write(files, output));
-        var prompt = new NumberPrompt("Enter number of drawing to open") { EnterEnds = true, Least = 1, Most = files.Count, Whole = true };
+        var prompt = new NumberPrompt(Wording.Get("Recent.EnterNumberDrawingOpen")) { EnterEnds = true, Least = 1, Most = files.Count, Whole = true };
         if (await context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var number }) DrawingOpening.Open(context, files[(int)number - 1], files[(int)number - 1], cancellation);
     }
 
     private static void Write(IReadOnlyList<string> files, TextWriter output)
     {
-        for (var i = 0; i < files.Count; i++) output.WriteLine(FormattableString.Invariant($"{i + 1,2}  {files[i]}"));
+        for (var i = 0; i < files.Count; i++) output.WriteLine(Wording.Get("Recent.Row", i + 1, files[i]));
     }
 }

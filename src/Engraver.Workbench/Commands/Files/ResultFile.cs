@@ -9,11 +9,11 @@ internal static class ResultFile
     /// <returns>The file's name as it was typed; null for the command window.</returns>
     public static async Task<string?> WriteAsync(CommandContext context, Action<TextWriter> write)
     {
-        var answer = await context.AskAsync(new TextPrompt("Enter file name, or Enter for the screen") { EnterEnds = true }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new TextPrompt(Wording.Get("ResultFile.EnterFileNameOr")) { EnterEnds = true }).ConfigureAwait(false);
         if (answer is Answer<string>.Value { Of: var name })
         {
             OutputFile.Write(context.FileToWrite(name), write);
-            context.Say($"{name} written.");
+            context.Say(Wording.Get("ResultFile.Written", name));
             return name;
         }
 
@@ -29,7 +29,7 @@ internal static class ReplacePrompt
     public static async Task<string> AskAsync(CommandContext context, string instruction)
     {
         var name = await context.ValueAsync(new TextPrompt(instruction)).ConfigureAwait(false);
-        if (File.Exists(context.FileToWrite(name)) && !await context.ConfirmAsync($"{name} is there already. Replace it?").ConfigureAwait(false)) throw new CommandException(CommandFailure.Usage, $"{name} was not replaced.");
+        if (File.Exists(context.FileToWrite(name)) && !await context.ConfirmAsync(Wording.Get("ResultFile.ThereAlreadyReplace", name)).ConfigureAwait(false)) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", name));
         return name;
     }
 }

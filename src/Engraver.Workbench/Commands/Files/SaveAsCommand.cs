@@ -11,7 +11,7 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>SAVEAS: Writes the drawing as edited, as DXF: every curve as what it is, with its height, layer and colour, and the texts.</summary>
 internal sealed class SaveAsCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("SAVEAS", CommandGroup.File, "Writes the drawing as edited, as DXF: every curve as what it is, with its height, layer and colour, and the texts.");
+    public CommandInfo Info { get; } = new("SAVEAS", CommandGroup.File);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -23,9 +23,9 @@ internal sealed class SaveAsCommand : ICommand
         }
 
         var sheet = EditedDrawing.SheetOf(drawing, context.Document.Current.HiddenObjects);
-        var name = await ReplacePrompt.AskAsync(context, "Enter name of DXF file").ConfigureAwait(false);
+        var name = await ReplacePrompt.AskAsync(context, Wording.Get("SaveAs.EnterNameDxfFile")).ConfigureAwait(false);
         OutputFile.Write(context.FileToWrite(name), output => DxfWriter.Write(sheet, output));
         context.Document.MarkKept();
-        context.Say(FormattableString.Invariant($"{name} written: {CountText.Format(sheet.Entities.Count, "curve")} and {CountText.Format(sheet.Texts.Count, "text")} on {CountText.Format(sheet.Layers.Count, "layer")}, unit {drawing.Unit.Name}. Blocks are written as their curves and texts."));
+        context.Say(Wording.Get("SaveAs.WrittenOnUnitBlocks", name, CountText.Format(sheet.Entities.Count, "Curve"), CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
     }
 }

@@ -7,7 +7,7 @@ namespace Engraver.Workbench.Commands.Files;
 /// <summary>TABLE: The fixed-slot entity table of 16 columns, in sequence order or as drawn.</summary>
 internal sealed class TableCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("TABLE", CommandGroup.Ask, "The fixed-slot entity table of 16 columns, in sequence order or as drawn.");
+    public CommandInfo Info { get; } = new("TABLE", CommandGroup.Ask);
 
     private static readonly IReadOnlyList<Keyword> s_formats = Keyword.List("Text", "Csv", "Json");
 
@@ -15,8 +15,8 @@ internal sealed class TableCommand : ICommand
     {
         var drawing = context.Drawing;
         var settings = context.Document.Current.Settings;
-        var order = await context.ChoiceAsync("Enter order of rows", Keyword.List("Sequenced", "Drawn"), "Sequenced").ConfigureAwait(false);
-        var format = (await context.ChoiceAsync("Enter format", s_formats, context.Remembered("TABLE", "Text")).ConfigureAwait(false));
+        var order = await context.ChoiceAsync(Wording.Get("Table.EnterOrderRows"), Keyword.List("Sequenced", "Drawn"), "Sequenced").ConfigureAwait(false);
+        var format = (await context.ChoiceAsync(Wording.Get("Table.EnterFormat"), s_formats, context.Remembered("TABLE", "Text")).ConfigureAwait(false));
         context.Remember("TABLE", format);
         var analysed = JobPreparation.Analyse(drawing, settings);
         var table = order == "Drawn" ? analysed : JobPreparation.Sequence(drawing, analysed, settings).Table;

@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
-using Engraver.Workbench.Composition;
+using Engraver.Core.Posts;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Verification;
 
@@ -11,20 +12,21 @@ internal sealed class VerifyCommand : ICommand
 {
     public const string Name = "VERIFY";
 
-    public CommandInfo Info { get; } = new(Name, CommandGroup.Output, "Reads a posted program back, runs it in a simulated controller of its own, and compares what it cuts with the open drawing; no machine moves.");
+    public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
 
     /// <exception cref="CommandException">The program does not cut the drawing, all of it and nothing else.</exception>
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
-        var name = await context.ValueAsync(new TextPrompt("Enter name of program to verify") { Default = context.Remembered(Name) }).ConfigureAwait(false);
+        var name = await context.ValueAsync(new TextPrompt(Wording.Get("Verify.EnterNameProgramVerify")) { Default = context.Remembered(Name) }).ConfigureAwait(false);
         context.Remember(Name, name);
+        var reader = PostTable.ReaderFor(name);
         var program = ReadBackFile.Open(context.FileToRead(name));
-        var report = await VerifyAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, drawing, settings, progress, cancellation), cancellation).ConfigureAwait(false);
+        var report = await VerifyAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, cancellation), cancellation).ConfigureAwait(false);
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
         FindingMessages.Say(context, name, report.Diagnostics, Severity.Warning);
         context.Say(VerificationText.Sentence(report), MessageKind.Result);
-        if (!report.Ok) throw new CommandException(CommandFailure.Drawing, $"{name} does not cut the open drawing with the settings of now.");
+        if (!report.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Verify.DoesNotCutOpen", name));
     }
 
     private static async Task<VerificationReport> VerifyAsync(CommandProgress shown, Func<IProgress<ReplayProgress>, Task<VerificationReport>> verify, CancellationToken cancellation)

@@ -7,11 +7,11 @@ namespace Engraver.Workbench.Commands.Inquiry;
 /// <summary>AREA: Measures area and perimeter of a polygon of points, or of closed objects.</summary>
 internal sealed class AreaCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("AREA", CommandGroup.Ask, "Measures area and perimeter of a polygon of points, or of closed objects.");
+    public CommandInfo Info { get; } = new("AREA", CommandGroup.Ask);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var first = await context.AskAsync(new PointPrompt("Specify first corner point") { Options = Keyword.List("Object"), Default = "Object" }).ConfigureAwait(false);
+        var first = await context.AskAsync(new PointPrompt(Wording.Get("Area.SpecifyFirstCornerPoint")) { Options = Keyword.List("Object"), Default = "Object" }).ConfigureAwait(false);
         if (first is Answer<Point2D>.Value { Of: var corner }) await PolygonAsync(context, corner).ConfigureAwait(false);
         else await ObjectsAsync(context).ConfigureAwait(false);
     }
@@ -19,9 +19,9 @@ internal sealed class AreaCommand : ICommand
     private static async Task PolygonAsync(CommandContext context, Point2D first)
     {
         var corners = new List<Point2D> { first };
-        while (await context.AskAsync(new PointPrompt("Specify next point, or Enter for total") { EnterEnds = true, From = corners[^1] }).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var next }) corners.Add(next);
+        while (await context.AskAsync(new PointPrompt(Wording.Get("Area.SpecifyNextPointOr")) { EnterEnds = true, From = corners[^1] }).ConfigureAwait(false) is Answer<Point2D>.Value { Of: var next }) corners.Add(next);
         var sides = corners.Select((corner, i) => Segment.FromLine(corner, corners[(i + 1) % corners.Count])).ToList();
-        Say(context, ClosedArea.Measure(sides), sides.Sum(side => side.Length), "Perimeter");
+        Say(context, ClosedArea.Measure(sides), sides.Sum(side => side.Length), Wording.Get("Area.Perimeter"));
     }
 
     private static async Task ObjectsAsync(CommandContext context)
@@ -31,7 +31,7 @@ internal sealed class AreaCommand : ICommand
         {
             var segments = Segments(drawing, index);
             var isRound = segments is [{ Kind: SegmentKind.Circle }];
-            Say(context, ClosedArea.Measure(segments), segments.Sum(segment => segment.Length), isRound ? "Circumference" : segments[0].Start == segments[^1].End ? "Perimeter" : "Length");
+            Say(context, ClosedArea.Measure(segments), segments.Sum(segment => segment.Length), isRound ? Wording.Get("Area.Circumference") : segments[0].Start == segments[^1].End ? Wording.Get("Area.Perimeter") : Wording.Get("Area.Length"));
         }
     }
 
@@ -41,5 +41,5 @@ internal sealed class AreaCommand : ICommand
         return [.. Enumerable.Range(entity.FirstPart, entity.PartCount).Select(part => drawing.SegmentOf(drawing.Parts[part]))];
     }
 
-    private static void Say(CommandContext context, double area, double length, string word) => context.Say($"Area = {NumberPrompt.Show(area)}, {word} = {NumberPrompt.Show(length)}", MessageKind.Result);
+    private static void Say(CommandContext context, double area, double length, string word) => context.Say(Wording.Get("Area.Area", NumberPrompt.Show(area), word, NumberPrompt.Show(length)), MessageKind.Result);
 }

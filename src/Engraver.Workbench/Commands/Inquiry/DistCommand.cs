@@ -5,15 +5,15 @@ namespace Engraver.Workbench.Commands.Inquiry;
 /// <summary>DIST: Measures distance and angle between two points.</summary>
 internal sealed class DistCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("DIST", CommandGroup.Ask, "Measures distance and angle between two points.") { Transparent = true };
+    public CommandInfo Info { get; } = new("DIST", CommandGroup.Ask) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var first = await context.ValueAsync(new PointPrompt("Specify first point")).ConfigureAwait(false);
-        var second = await context.ValueAsync(new PointPrompt("Specify second point") { From = first }).ConfigureAwait(false);
+        var first = await context.ValueAsync(new PointPrompt(Wording.Get("Dist.SpecifyFirstPoint"))).ConfigureAwait(false);
+        var second = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPoint")) { From = first }).ConfigureAwait(false);
         var way = second - first;
         context.Say(
-            $"Distance = {NumberPrompt.Show(way.Length)}, Angle in XY Plane = {NumberPrompt.Show(way.Direction.Positive().Degrees)}, Delta X = {NumberPrompt.Show(way.X)}, Delta Y = {NumberPrompt.Show(way.Y)}",
+            Wording.Get("Dist.DistanceAngleXyPlane", NumberPrompt.Show(way.Length), NumberPrompt.Show(way.Direction.Positive().Degrees), NumberPrompt.Show(way.X), NumberPrompt.Show(way.Y)),
             MessageKind.Result);
     }
 }
@@ -21,11 +21,11 @@ internal sealed class DistCommand : ICommand
 /// <summary>ID: Says the coordinates of a point and makes it the last point (@).</summary>
 internal sealed class IdCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("ID", CommandGroup.Ask, "Says the coordinates of a point and makes it the last point (@).") { Transparent = true };
+    public CommandInfo Info { get; } = new("ID", CommandGroup.Ask) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var point = await context.ValueAsync(new PointPrompt("Specify point")).ConfigureAwait(false);
-        context.Say($"X = {NumberPrompt.Show(point.X)}     Y = {NumberPrompt.Show(point.Y)}", MessageKind.Result);
+        var point = await context.ValueAsync(new PointPrompt(Wording.Get("Dist.SpecifyPoint"))).ConfigureAwait(false);
+        context.Say(Wording.Get("Dist.Coordinates", NumberPrompt.Show(point.X), NumberPrompt.Show(point.Y)), MessageKind.Result);
     }
 }

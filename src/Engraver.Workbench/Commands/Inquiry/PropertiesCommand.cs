@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Commands.Inquiry;
 /// <summary>PROPERTIES: Says what the selected objects have in common; with nothing selected, what is in the drawing.</summary>
 internal sealed class PropertiesCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("PROPERTIES", CommandGroup.Ask, "Says what the selected objects have in common; with nothing selected, what is in the drawing.");
+    public CommandInfo Info { get; } = new("PROPERTIES", CommandGroup.Ask);
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -24,7 +24,7 @@ internal sealed class PropertiesCommand : ICommand
 /// <summary>LIST: Says what the selected objects are, with handle, layer, coordinates and length.</summary>
 internal sealed class ListCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("LIST", CommandGroup.Ask, "Says what the selected objects are, with handle, layer, coordinates and length.");
+    public CommandInfo Info { get; } = new("LIST", CommandGroup.Ask);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines.Alarms;
 
@@ -7,19 +6,19 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>ALARMS: Lists the alarms, or acknowledges one or all. Acknowledging resets nothing.</summary>
 internal sealed class AlarmsCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("ALARMS", CommandGroup.Machine, "Lists the alarms, or acknowledges one or all. Acknowledging resets nothing.") { Transparent = true };
+    public CommandInfo Info { get; } = new("ALARMS", CommandGroup.Machine) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var alarms = context.Machine.Alarms;
-        var prompt = new NumberPrompt("Enter number of alarm to acknowledge") { Options = Keyword.List("?", "All", "History"), Default = "?", Least = 1, Most = int.MaxValue, Whole = true };
+        var prompt = new NumberPrompt(Wording.Get("Alarms.EnterNumberAlarmAcknowledge")) { Options = Keyword.List("?", "All", "History"), Default = "?", Least = 1, Most = int.MaxValue, Whole = true };
         switch (await context.AskAsync(prompt).ConfigureAwait(false))
         {
             case Answer<double>.Value { Of: var number }:
-                if (!alarms.Acknowledge((int)number)) throw new CommandException(CommandFailure.Usage, FormattableString.Invariant($"No alarm {number:0} waits to be acknowledged."));
+                if (!alarms.Acknowledge((int)number)) throw new CommandException(CommandFailure.Usage, Wording.Get("Alarms.NoAlarmWaitsAcknowledged", number));
                 break;
             case Answer<double>.Chosen { Option: "All" }:
-                context.Say(FormattableString.Invariant($"{alarms.AcknowledgeAll()} acknowledged."));
+                context.Say(Wording.Get("Alarms.Acknowledged", alarms.AcknowledgeAll()));
                 break;
             case Answer<double>.Chosen { Option: var option }:
                 List(context, option == "History" ? alarms.All : alarms.Open);
@@ -29,7 +28,7 @@ internal sealed class AlarmsCommand : ICommand
 
     private static void List(CommandContext context, IReadOnlyList<Alarm> alarms)
     {
-        if (alarms.Count == 0) context.Say("No alarms.");
+        if (alarms.Count == 0) context.Say(Wording.Get("Alarms.NoAlarms"));
         else context.SayResult(output => Write(alarms, output));
     }
 
@@ -37,9 +36,9 @@ internal sealed class AlarmsCommand : ICommand
     {
         foreach (var alarm in alarms)
         {
-            var first = alarm.IsFirstOut ? ", first" : "";
-            var times = alarm.Count > 1 ? FormattableString.Invariant($", {alarm.Count} times") : "";
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{alarm.Number} {alarm.Time:HH:mm:ss} {alarm.State}{first}{times}: {alarm.What} ({alarm.Where}) {alarm.ToDo}"));
+            var first = alarm.IsFirstOut ? Wording.Get("Alarms.First") : "";
+            var times = alarm.Count > 1 ? Wording.Get("Alarms.Times", alarm.Count) : "";
+            output.WriteLine(Wording.Get("Alarms.Row", alarm.Number, alarm.Time, alarm.State, first, times, alarm.What, alarm.Where, alarm.ToDo));
         }
     }
 }

@@ -11,33 +11,33 @@ internal sealed class CncArmCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List([.. Enum.GetNames<JobMode>(), "Dryrun", "oFf"]);
 
-    public CommandInfo Info { get; } = new("CNCARM", CommandGroup.Machine, "Checks everything that must be so before a start, and lets START work for 60 s or until anything changes.");
+    public CommandInfo Info { get; } = new("CNCARM", CommandGroup.Machine);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
         _ = context.Drawing;
         if (await ModeAsync(context).ConfigureAwait(false) is not { } mode)
         {
-            context.Say(context.Machine.Disarm() ? "Disarmed." : "Nothing was armed.");
+            context.Say(context.Machine.Disarm() ? Wording.Get("CncArm.Disarmed") : Wording.Get("CncArm.NothingArmed"));
             return;
         }
 
         var job = await JobAsync(context, mode.Mode, cancellation).ConfigureAwait(false);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
-        var accepted = hasErrors && await context.ConfirmAsync("The drawing has errors. Go on all the same?").ConfigureAwait(false);
+        var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false);
         var placement = job.Motion.Program is { } program ? await context.Machine.PlaceAsync(program, cancellation).ConfigureAwait(false) : null;
         var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement);
         foreach (var check in checklist.Checks) Say(context, check);
-        if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, "Not armed.");
+        if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
         var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);
-        context.Say(FormattableString.Invariant($"Armed until {TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone):HH:mm:ss}: {mode.Mode}{(mode.DryRun ? ", tool off" : "")}. START or CNCRUN begins."));
+        context.Say(Wording.Get("CncArm.ArmedUntilStartOr", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Mode, mode.DryRun ? Wording.Get("CncArm.ToolOff") : ""));
     }
 
     private static void Say(CommandContext context, ArmingCheck check)
     {
-        if (check.IsWarning) context.Say($"LOOK   {check.Sentence}", MessageKind.Warning);
-        else context.Say($"{(check.Passed ? "ok     " : "NOT OK ")}{check.Sentence}", check.Passed ? MessageKind.Result : MessageKind.Error);
+        if (check.IsWarning) context.Say(Wording.Get("CncArm.Look", check.Sentence), MessageKind.Warning);
+        else context.Say(Wording.Get(check.Passed ? "CncArm.Ok" : "CncArm.NotOk", check.Sentence), check.Passed ? MessageKind.Result : MessageKind.Error);
     }
 
     /// <returns>Null: take START back.</returns>
@@ -46,7 +46,7 @@ internal sealed class CncArmCommand : ICommand
         var dryRun = false;
         while (true)
         {
-            var answer = await context.ChoiceAsync($"Enter mode{(dryRun ? " (tool off)" : "")}", s_answers, context.Remembered("CNCARM", nameof(JobMode.Stream))).ConfigureAwait(false);
+            var answer = await context.ChoiceAsync(Wording.Get("CncArm.EnterMode", dryRun ? Wording.Get("CncArm.ToolOff2") : ""), s_answers, context.Remembered("CNCARM", nameof(JobMode.Stream))).ConfigureAwait(false);
             if (answer == "oFf") return null;
             if (answer == "Dryrun")
             {

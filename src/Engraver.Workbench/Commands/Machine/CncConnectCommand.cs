@@ -6,17 +6,17 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>CNCCONNECT: Connects to a controller: tcp://HOST:PORT, or sim: for the simulated one.</summary>
 internal sealed class CncConnectCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCCONNECT", CommandGroup.Machine, "Connects to a controller: tcp://HOST:PORT, or sim: for the simulated one.");
+    public CommandInfo Info { get; } = new("CNCCONNECT", CommandGroup.Machine);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var typed = await context.ValueAsync(new TextPrompt("Enter address of the controller") { Default = context.Settings.Current.LastAddress ?? "sim:" }).ConfigureAwait(false);
-        if (!ControllerAddress.TryParse(typed, out var address)) throw new CommandException(CommandFailure.Usage, $"'{typed}' is no controller address; write tcp://HOST:PORT or sim:.");
+        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("CncConnect.EnterAddressController")) { Default = context.Settings.Current.LastAddress ?? "sim:" }).ConfigureAwait(false);
+        if (!ControllerAddress.TryParse(typed, out var address)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncConnect.NoControllerAddressWrite", typed));
         try
         {
             var identity = await context.Machine.ConnectAsync(address is SimulatedAddress { SaysSpeed: false } ? new SimulatedAddress(context.SimulatorSpeed) : address, cancellation).ConfigureAwait(false);
             context.Settings.Change(settings => settings with { LastAddress = typed });
-            context.Say($"Connected to {identity.Model} at {context.Machine.Description}.");
+            context.Say(Wording.Get("CncConnect.Connected", identity.Model, context.Machine.Description));
         }
         catch (NotSupportedException unbuilt)
         {
@@ -28,12 +28,12 @@ internal sealed class CncConnectCommand : ICommand
 /// <summary>CNCDISCONNECT: Lets the controller go.</summary>
 internal sealed class CncDisconnectCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCDISCONNECT", CommandGroup.Machine, "Lets the controller go.");
+    public CommandInfo Info { get; } = new("CNCDISCONNECT", CommandGroup.Machine);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, "No controller is connected.");
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Machine.NoControllerConnected"));
         await context.Machine.DisconnectAsync().ConfigureAwait(false);
-        context.Say("Disconnected.");
+        context.Say(Wording.Get("CncConnect.Disconnected"));
     }
 }

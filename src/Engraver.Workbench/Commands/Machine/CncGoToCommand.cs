@@ -10,34 +10,34 @@ internal sealed class CncGoToCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Work", "Start", "Park");
 
-    public CommandInfo Info { get; } = new("CNCGOTO", CommandGroup.Machine, "Moves the machine at rapid speed with the tool off: to a machine position in mm, a place of the drawing (Work), the drawing's start point (Start) or the park position. A script moves a real machine only after CNCARM, and not in the desktop.") { StartsMotion = true };
+    public CommandInfo Info { get; } = new("CNCGOTO", CommandGroup.Machine) { StartsMotion = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
-        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, "A script does not move a real machine from the desktop; CNCGOTO typed by hand does.");
-        if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, $"Nothing is armed for {machine}; in a script CNCARM comes first.");
-        var answer = await context.AskAsync(new MachinePlacePrompt("Specify machine position in mm") { Options = s_options }).ConfigureAwait(false);
+        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptDoesNotMove"));
+        if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NothingArmedScriptCncarm", machine));
+        var answer = await context.AskAsync(new MachinePlacePrompt(Wording.Get("CncGoTo.SpecifyMachinePositionMm")) { Options = s_options }).ConfigureAwait(false);
         var goal = answer switch
         {
             Answer<MachinePlace>.Value { Of: var place } => Counts(context, new Point2D(place.X, place.Y)),
-            Answer<MachinePlace>.Chosen { Option: "Work" } => Counts(context, Machine(context, await context.ValueAsync(new PointPrompt("Specify place of the drawing")).ConfigureAwait(false))),
-            Answer<MachinePlace>.Chosen { Option: "Park" } => Counts(context, context.Machine.Profile.Park ?? throw new CommandException(CommandFailure.Usage, "The machine profile has no park position (parkX, parkY).")),
+            Answer<MachinePlace>.Chosen { Option: "Work" } => Counts(context, Machine(context, await context.ValueAsync(new PointPrompt(Wording.Get("CncGoTo.SpecifyPlaceDrawing"))).ConfigureAwait(false))),
+            Answer<MachinePlace>.Chosen { Option: "Park" } => Counts(context, context.Machine.Profile.Park ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoParkPosition"))),
             _ => Counts(context, Machine(context, context.Document.Current.Settings.Start)),
         };
-        if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, "The motors are off; CNCMOTORS ON.");
+        if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOffCncmotorsOn"));
         var result = await context.Machine.GoToAsync(goal, context.NewRunJournal("goto"), cancellation).ConfigureAwait(false);
-        foreach (var left in result.NotRestored) context.Say($"not restored: {left}", MessageKind.Warning);
+        foreach (var left in result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
         if (result.Outcome != JobOutcome.Complete) throw JobStart.Failure(result);
         var at = result.FinalPosition!.Value;
         var scale = context.Machine.Profile.Scale;
-        context.Say($"The machine stands at {PointPrompt.Show(new Point2D(at.X / scale.X, at.Y / scale.Y))} mm.", MessageKind.Result);
+        context.Say(Wording.Get("CncGoTo.MachineStandsMm", PointPrompt.Show(new Point2D(at.X / scale.X, at.Y / scale.Y))), MessageKind.Result);
     }
 
     private static CountsPoint Counts(CommandContext context, Point2D machine)
     {
         var scale = context.Machine.Profile.Scale;
-        return scale.Holds(Bounds2D.FromCorners(machine, machine), default) ? scale.ToCounts(machine) : throw new CommandException(CommandFailure.Usage, "That place cannot be counted in the controller's 32 bits; give one nearer to its zero.");
+        return scale.Holds(Bounds2D.FromCorners(machine, machine), default) ? scale.ToCounts(machine) : throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
     }
 
     /// <summary>A place of the drawing as machine millimetres, through the active work origin.</summary>
@@ -48,6 +48,6 @@ internal sealed class CncGoToCommand : ICommand
         var scale = context.Machine.Profile.Scale;
         return memory.ActiveOrigin?.Plane is { } zero
             ? new Point2D((zero.X / scale.X) + drawing.X, (zero.Y / scale.Y) + drawing.Y)
-            : throw new CommandException(CommandFailure.Usage, $"The work origin {memory.Active} is not set; CNCZERO sets it where the machine stands.");
+            : throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.OriginNotSet", memory.Active));
     }
 }

@@ -5,13 +5,13 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>CNCMOTORS: Switches the motors of both axes on or off.</summary>
 internal sealed class CncMotorsCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCMOTORS", CommandGroup.Machine, "Switches the motors of both axes on or off.") { StartsMotion = true };
+    public CommandInfo Info { get; } = new("CNCMOTORS", CommandGroup.Machine) { StartsMotion = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
-        var mode = await context.ChoiceAsync("Enter mode", Keyword.List("ON", "OFF"), null).ConfigureAwait(false);
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        var mode = await context.ChoiceAsync(Wording.Get("Common.EnterMode"), Keyword.List("ON", "OFF"), null).ConfigureAwait(false);
         if (await context.Machine.SetMotorsAsync(mode == "ON", cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
-        context.Say($"Motors {mode.ToLowerInvariant()}.");
+        context.Say(Wording.Get("CncMotors.Motors", mode.ToLowerInvariant()));
     }
 }

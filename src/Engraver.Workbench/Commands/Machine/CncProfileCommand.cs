@@ -6,11 +6,11 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>CNCPROFILE: Takes the machine profile of a file.</summary>
 internal sealed class CncProfileCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCPROFILE", CommandGroup.Machine, "Takes the machine profile of a file.");
+    public CommandInfo Info { get; } = new("CNCPROFILE", CommandGroup.Machine);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var name = await context.ValueAsync(new TextPrompt("Enter name of machine profile")).ConfigureAwait(false);
+        var name = await context.ValueAsync(new TextPrompt(Wording.Get("CncProfile.EnterNameMachineProfile"))).ConfigureAwait(false);
         var profile = MachineProfileSource.Load(context.FileToRead(name));
         context.Settings.Change(settings => settings with { LastProfile = Path.GetFullPath(context.FileToRead(name)) });
         var state = context.Document.Current;

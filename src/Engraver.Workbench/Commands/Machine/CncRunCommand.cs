@@ -10,25 +10,25 @@ internal sealed class CncRunCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List(["Yes", "No", "Dryrun", .. Enum.GetNames<JobMode>()]);
 
-    public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine, "Runs the armed job (CNCARM) on the connected controller, in a script too; on a simulated one it also runs unarmed and asks first. In the desktop a script does not start a real machine.") { StartsMotion = true };
+    public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine) { StartsMotion = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
+        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
         _ = context.Drawing;
-        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, "A script does not start a real machine from the desktop; START does, or CNCRUN typed by hand.");
+        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.ScriptDoesNotStart"));
         if (context.Machine.Armed is { } armed)
         {
             await RunAsync(context, armed.Job, armed.Mode, armed.DryRun, cancellation).ConfigureAwait(false);
             return;
         }
 
-        if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, $"Nothing is armed for {machine}; CNCARM first.");
+        if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.NothingArmedCncarmFirst", machine));
         var (mode, dryRun) = (JobMode.Stream, false);
         while (true)
         {
             var job = await JobStart.PrepareAsync(context, mode).ConfigureAwait(false);
-            var answer = await context.ChoiceAsync($"Start {(dryRun ? "with the tool off" : "cutting")} on {machine} in mode {mode}?", s_answers, "No").ConfigureAwait(false);
+            var answer = await context.ChoiceAsync(Wording.Get("CncRun.StartOnMode", dryRun ? Wording.Get("CncRun.WithToolOff") : Wording.Get("CncRun.Cutting"), machine, mode), s_answers, "No").ConfigureAwait(false);
             if (answer == "No") return;
             if (answer == "Dryrun") dryRun = true;
             else if (Enum.TryParse<JobMode>(answer, out var chosen)) mode = chosen;
@@ -52,7 +52,7 @@ internal sealed class CncRunCommand : ICommand
 /// <summary>CNCSIM: Runs the drawing on a simulated controller and says how well it was cut; no machine moves.</summary>
 internal sealed class CncSimCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCSIM", CommandGroup.Machine, "Runs the drawing on a simulated controller and says how well it was cut; no machine moves.");
+    public CommandInfo Info { get; } = new("CNCSIM", CommandGroup.Machine);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

@@ -3,12 +3,12 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>CNCSTOP: Stops the job: the machine brakes, the tool goes off. Never asks.</summary>
 internal sealed class CncStopCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCSTOP", CommandGroup.Machine, "Stops the job: the machine brakes, the tool goes off. Never asks.") { Transparent = true, HeardDuringJob = true };
+    public CommandInfo Info { get; } = new("CNCSTOP", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var connected = context.Machine.Description is not null;
-        context.Say(context.Machine.Stop() ? "Stopping." : connected ? "No job runs; the axes were told to stop all the same." : "No job runs.");
+        context.Say(context.Machine.Stop() ? Wording.Get("CncStop.Stopping") : connected ? Wording.Get("CncStop.NoJobRunsAxes") : Wording.Get("CncStop.NoJobRuns"));
         return Task.CompletedTask;
     }
 }
@@ -16,13 +16,13 @@ internal sealed class CncStopCommand : ICommand
 /// <summary>CNCABORT: Halts every motion at once without braking, then switches the motors off. Never asks. It is no emergency stop.</summary>
 internal sealed class CncAbortCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCABORT", CommandGroup.Machine, "Halts every motion at once without braking, then switches the motors off. Never asks. It is no emergency stop.") { Transparent = true, HeardDuringJob = true };
+    public CommandInfo Info { get; } = new("CNCABORT", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null && !context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, "No controller is connected.");
+        if (context.Machine.Description is null && !context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, Wording.Get("Machine.NoControllerConnected"));
         context.Machine.Abort();
-        context.Say("Aborting; the motors go off.");
+        context.Say(Wording.Get("CncStop.AbortingMotorsGoOff"));
         return Task.CompletedTask;
     }
 }

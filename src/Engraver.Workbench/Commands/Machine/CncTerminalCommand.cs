@@ -6,12 +6,12 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>CNCTERMINAL: Sends one line to the connected controller and shows the answer; dangerous ones need the word confirm before them.</summary>
 internal sealed class CncTerminalCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCTERMINAL", CommandGroup.Machine, "Sends one line to the connected controller and shows the answer; dangerous ones need the word confirm before them.") { StartsMotion = true };
+    public CommandInfo Info { get; } = new("CNCTERMINAL", CommandGroup.Machine) { StartsMotion = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
-        var line = await context.ValueAsync(new TextPrompt("Enter line for the controller")).ConfigureAwait(false);
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        var line = await context.ValueAsync(new TextPrompt(Wording.Get("CncTerminal.EnterLineController"))).ConfigureAwait(false);
         foreach (var answer in await context.Machine.Terminal.TypeAsync(line, cancellation).ConfigureAwait(false))
         {
             if (answer.Kind is TerminalAnswerKind.Refusal or TerminalAnswerKind.Withheld) throw new CommandException(CommandFailure.Refused, answer.Text);

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
@@ -11,15 +10,15 @@ internal sealed class CncZeroCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y", "Point");
 
-    public CommandInfo Info { get; } = new("CNCZERO", CommandGroup.Machine, "The place where the machine stands becomes the drawing's zero in X, in Y or in both, or the place of the drawing that is typed; kept with the machine as its active work origin.");
+    public CommandInfo Info { get; } = new("CNCZERO", CommandGroup.Machine);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
-        if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, "A job runs; the origin cannot change under it.");
-        var axes = await context.ChoiceAsync($"Set {before.Active} where the machine stands: which axes?", s_axes, "All").ConfigureAwait(false);
-        var place = axes == "Point" ? await context.ValueAsync(new PointPrompt("Specify the place of the drawing at which the machine stands")).ConfigureAwait(false) : default;
-        if (IsSet(before, axes) && !await context.ConfirmAsync($"{before.Active} is set already. Set it anew?").ConfigureAwait(false)) return;
+        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
+        var axes = await context.ChoiceAsync(Wording.Get("CncZero.WhichAxes", before.Active), s_axes, "All").ConfigureAwait(false);
+        var place = axes == "Point" ? await context.ValueAsync(new PointPrompt(Wording.Get("CncZero.SpecifyPlace"))).ConfigureAwait(false) : default;
+        if (IsSet(before, axes) && !await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", before.Active)).ConfigureAwait(false)) return;
         var at = context.Machine.Profile.Scale.ToCounts(place);
         var memory = await context.Machine.SetOriginAsync(
             (memory, here) => memory.WithOrigin(memory.Active, axes == "Y" ? null : here.Position.X - at.X, axes == "X" ? null : here.Position.Y - at.Y, null), cancellation).ConfigureAwait(false);
@@ -35,22 +34,22 @@ internal sealed class CncOriginCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_names = Keyword.List([.. WorkOriginNames.All, "List"]);
 
-    public CommandInfo Info { get; } = new("CNCORIGIN", CommandGroup.Machine, "Chooses the work origin that jobs use, G54 to G59, and lists where they lie.");
+    public CommandInfo Info { get; } = new("CNCORIGIN", CommandGroup.Machine);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, "No controller is connected; CNCCONNECT first.");
-        var chosen = await context.ChoiceAsync("Enter work origin", s_names, before.Active).ConfigureAwait(false);
+        if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        var chosen = await context.ChoiceAsync(Wording.Get("CncOrigin.Enter"), s_names, before.Active).ConfigureAwait(false);
         if (chosen != "List" && chosen != before.Active) await ChooseAsync(context, chosen).ConfigureAwait(false);
         var memory = context.Machine.Hold!.Memory;
         foreach (var name in chosen == "List" ? WorkOriginNames.All : [memory.Active])
-            context.Say(OriginText.Sentence(name, memory.Origins.GetValueOrDefault(name), context.Machine.Profile) + (name == memory.Active ? " It is the active one." : ""), MessageKind.Result);
+            context.Say(OriginText.Sentence(name, memory.Origins.GetValueOrDefault(name), context.Machine.Profile) + (name == memory.Active ? Wording.Get("CncOrigin.IsActive") : ""), MessageKind.Result);
     }
 
     private static Task ChooseAsync(CommandContext context, string name)
     {
-        if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, "A job runs; the origin cannot change under it.");
-        return context.Machine.ChooseOrigin(name) is { } failure ? throw new CommandException(CommandFailure.Refused, $"The origin could not be written down: {failure}.") : Task.CompletedTask;
+        if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
+        return context.Machine.ChooseOrigin(name) is { } failure ? throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.NotKept", failure)) : Task.CompletedTask;
     }
 }
 
@@ -60,10 +59,10 @@ internal static class OriginText
     /// <param name="origin">Null for one that was never set.</param>
     public static string Sentence(string name, WorkOrigin? origin, MachineProfile profile)
     {
-        if (origin is null) return $"{name} is not set.";
-        var (x, y) = (Axis(origin.X, profile.CountsPerMillimetreX), Axis(origin.Y, profile.CountsPerMillimetreY));
-        return $"{name}: the drawing's zero lies at X {x}, Y {y} of the machine{(origin.IsAssumed ? ", where the controller counted 0; nobody set it" : "")}.";
+        if (origin is null) return Wording.Get("Origins.NotSet", name);
+        var (x, y) = (Axis(origin.X, profile.Scale.X), Axis(origin.Y, profile.Scale.Y));
+        return Wording.Get(origin.IsAssumed ? "Origins.LiesAssumed" : "Origins.Lies", name, x, y);
     }
 
-    private static string Axis(int? counts, double countsPerMillimetre) => counts is { } set ? string.Create(CultureInfo.InvariantCulture, $"{set / countsPerMillimetre:0.###} mm") : "(not set)";
+    private static string Axis(int? counts, double countsPerMillimetre) => counts is { } set ? Wording.Get("Origins.Millimetres", set / countsPerMillimetre) : Wording.Get("Origins.AxisNotSet");
 }

@@ -17,7 +17,7 @@ internal static class JobStart
         FindingMessages.Say(context, job.Drawing.FileName, job.Diagnostics, Severity.Warning);
         if (job.Motion.Program is not { SegmentCount: > 0 }) throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
-        if (hasErrors && !await context.ConfirmAsync("The drawing has errors. Go on all the same?").ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, "Not started: the drawing has errors.");
+        if (hasErrors && !await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false)) throw new CommandException(CommandFailure.Drawing, Wording.Get("JobStart.NotStartedDrawingHas"));
         return job;
     }
 
@@ -36,11 +36,11 @@ internal static class JobStart
         if (report.Placement?.Refusal is { } unplaced)
         {
             FindingMessages.Say(context, job.Drawing.FileName, [unplaced], Severity.Error);
-            throw new CommandException(CommandFailure.Refused, "Not started: nobody knows where the drawing's zero lies on this machine.");
+            throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.NotPlaced"));
         }
 
         context.Say(RunText.Sentence(job, report), MessageKind.Result);
-        foreach (var left in report.Result.NotRestored) context.Say($"not restored: {left}", MessageKind.Warning);
+        foreach (var left in report.Result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
         if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);
     }
 

@@ -8,7 +8,7 @@ namespace Engraver.Workbench.Commands.Sequencing;
 /// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first, and says what came of it.</summary>
 internal sealed class AutoSequenceCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("AUTOSEQUENCE", CommandGroup.Sequence, "Chains and orders the drawing, nearest stroke first, and says what came of it.");
+    public CommandInfo Info { get; } = new("AUTOSEQUENCE", CommandGroup.Sequence);
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

@@ -8,7 +8,7 @@ namespace Engraver.Workbench.Commands.Sequencing;
 /// <summary>CHECK: The drawing doctor: everything that is wrong or doubtful between the drawing and its motion; fails when something is an error.</summary>
 internal sealed class CheckCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CHECK", CommandGroup.Ask, "The drawing doctor: everything that is wrong or doubtful between the drawing and its motion; fails when something is an error.");
+    public CommandInfo Info { get; } = new("CHECK", CommandGroup.Ask);
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -17,8 +17,8 @@ internal sealed class CheckCommand : ICommand
         FindingMessages.Say(context, drawing.FileName, job.Diagnostics, Severity.Info);
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         var warnings = job.Diagnostics.Count(found => found.Severity == Severity.Warning);
-        context.Say($"{CountText.Format(errors, "error")}, {CountText.Format(warnings, "warning")}.", MessageKind.Result);
-        if (errors > 0) throw new CommandException(CommandFailure.Drawing, $"The drawing has {CountText.Format(errors, "error")}.");
+        context.Say($"{CountText.Format(errors, "Error")}, {CountText.Format(warnings, "Warning")}.", MessageKind.Result);
+        if (errors > 0) throw new CommandException(CommandFailure.Drawing, Wording.Get("Check.DrawingHas", CountText.Format(errors, "Error")));
         return Task.CompletedTask;
     }
 }

@@ -6,12 +6,12 @@ namespace Engraver.Workbench.Commands.Sequencing;
 /// <summary>CNCORDER: Chooses the order of strokes: as drawn or nearest first; an inner one always comes before the one around it.</summary>
 internal sealed class CncOrderCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("CNCORDER", CommandGroup.Sequence, "Chooses the order of strokes: as drawn or nearest first; an inner one always comes before the one around it.");
+    public CommandInfo Info { get; } = new("CNCORDER", CommandGroup.Sequence);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var options = Keyword.List([.. Enum.GetNames<StrokeOrder>()]);
-        var chosen = await context.ChoiceAsync("Enter order of strokes", options, context.Document.Current.Settings.Order.ToString()).ConfigureAwait(false);
+        var chosen = await context.ChoiceAsync(Wording.Get("CncOrder.EnterOrderStrokes"), options, context.Document.Current.Settings.Order.ToString()).ConfigureAwait(false);
         var state = context.Document.Current;
         context.Take(state with { Settings = state.Settings with { Order = Enum.Parse<StrokeOrder>(chosen) } });
     }

@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Commands.Sequencing;
 /// <summary>DISCONTINUITIES: Lists every end of an open contour with the gap to the nearest other one.</summary>
 internal sealed class DiscontinuitiesCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("DISCONTINUITIES", CommandGroup.Sequence, "Lists every end of an open contour with the gap to the nearest other one.");
+    public CommandInfo Info { get; } = new("DISCONTINUITIES", CommandGroup.Sequence);
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

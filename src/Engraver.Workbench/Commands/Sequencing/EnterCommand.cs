@@ -8,17 +8,17 @@ namespace Engraver.Workbench.Commands.Sequencing;
 /// <summary>ENTER: Names the entity where cutting begins.</summary>
 internal sealed class EnterCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("ENTER", CommandGroup.Sequence, "Names the entity where cutting begins.");
+    public CommandInfo Info { get; } = new("ENTER", CommandGroup.Sequence);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var answer = await context.AskAsync(new PointPrompt("Select entering entity") { Options = Keyword.List("Handle", "Point", "None"), Use = PointUse.Object }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new PointPrompt(Wording.Get("Enter.SelectEnteringEntity")) { Options = Keyword.List("Handle", "Point", "None"), Use = PointUse.Object }).ConfigureAwait(false);
         var place = answer switch
         {
-            Answer<Point2D>.Value { Of: var point } => AtEntity(drawing, ObjectSelection.At(context, point) ?? throw new CommandException(CommandFailure.Usage, "No object there.")),
+            Answer<Point2D>.Value { Of: var point } => AtEntity(drawing, ObjectSelection.At(context, point) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.NoObjectThere"))),
             Answer<Point2D>.Chosen { Option: "Handle" } => new EnteringPlace.ByHandle(await HandleAsync(context).ConfigureAwait(false)),
-            Answer<Point2D>.Chosen { Option: "Point" } => new EnteringPlace.ByPoint(DrawingUnits.ToMillimetres(drawing, await context.ValueAsync(new PointPrompt("Specify entering point")).ConfigureAwait(false))),
+            Answer<Point2D>.Chosen { Option: "Point" } => new EnteringPlace.ByPoint(DrawingUnits.ToMillimetres(drawing, await context.ValueAsync(new PointPrompt(Wording.Get("Enter.SpecifyEnteringPoint"))).ConfigureAwait(false))),
             _ => null,
         };
         var state = context.Document.Current;
@@ -33,8 +33,8 @@ internal sealed class EnterCommand : ICommand
 
     private static async Task<string> HandleAsync(CommandContext context)
     {
-        var handle = await context.ValueAsync(new TextPrompt("Enter handle")).ConfigureAwait(false);
-        return context.Drawing.IndexOfHandle(handle) is null ? throw new CommandException(CommandFailure.Usage, $"No object has the handle {handle}.") : handle;
+        var handle = await context.ValueAsync(new TextPrompt(Wording.Get("Common.EnterHandle"))).ConfigureAwait(false);
+        return context.Drawing.IndexOfHandle(handle) is null ? throw new CommandException(CommandFailure.Usage, Wording.Get("Enter.NoObjectHasHandle", handle)) : handle;
     }
 }
 

@@ -5,13 +5,13 @@ namespace Engraver.Workbench.Commands.Sequencing;
 /// <summary>TOOLSTART: Names the drawing point where the tool stands when the job starts.</summary>
 internal sealed class ToolStartCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("TOOLSTART", CommandGroup.Sequence, "Names the drawing point where the tool stands when the job starts.");
+    public CommandInfo Info { get; } = new("TOOLSTART", CommandGroup.Sequence);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
         var now = PointPrompt.Show(DrawingUnits.FromMillimetres(drawing, context.Document.Current.Settings.Start));
-        var point = await context.ValueAsync(new PointPrompt("Specify point where the tool stands") { Default = now }).ConfigureAwait(false);
+        var point = await context.ValueAsync(new PointPrompt(Wording.Get("ToolStart.SpecifyPointWhereTool")) { Default = now }).ConfigureAwait(false);
         var state = context.Document.Current;
         context.Take(state with { Settings = state.Settings with { Start = DrawingUnits.ToMillimetres(drawing, point) } });
     }

@@ -5,30 +5,30 @@ namespace Engraver.Workbench.Commands.Session;
 /// <summary>HELP: Lists the commands, or says what one does.</summary>
 internal sealed class HelpCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("HELP", CommandGroup.File, "Lists the commands, or says what one does.") { Transparent = true };
+    public CommandInfo Info { get; } = new("HELP", CommandGroup.File) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var answer = await context.AskAsync(new TextPrompt("Enter command name, or Enter for all") { EnterEnds = true }).ConfigureAwait(false);
+        var answer = await context.AskAsync(new TextPrompt(Wording.Get("Help.EnterCommandNameOr")) { EnterEnds = true }).ConfigureAwait(false);
         if (answer is not Answer<string>.Value { Of: var name }) context.SayResult(output => WriteAll(context, output));
         else if (context.Catalog.Find(CommandWord.Bare(name)) is { } command) context.SayResult(output => WriteOne(context, command.Info, output));
-        else throw new CommandException(CommandFailure.Usage, $"There is no command '{name}'.");
+        else throw new CommandException(CommandFailure.Usage, Wording.Get("Help.ThereNoCommand", name));
     }
 
     private static void WriteAll(CommandContext context, TextWriter output)
     {
         foreach (var group in context.Catalog.All.GroupBy(info => info.Group))
         {
-            output.WriteLine($"{group.Key}:");
-            foreach (var info in group) output.WriteLine($"  {info.Name,-18}{info.Summary}");
+            output.WriteLine(Wording.Get($"CommandGroup.{group.Key}"));
+            foreach (var info in group) output.WriteLine(Wording.Get("Help.Row", info.Name, info.Summary));
         }
     }
 
     private static void WriteOne(CommandContext context, CommandInfo info, TextWriter output)
     {
-        output.WriteLine($"{info.Name}: {info.Summary}");
+        output.WriteLine(Wording.Get("Help.One", info.Name, info.Summary));
         var aliases = context.Aliases.Commands.Where(pair => pair.Value == info.Name).Select(pair => pair.Key).Order(StringComparer.Ordinal).ToList();
-        if (aliases.Count > 0) output.WriteLine($"Short: {string.Join(", ", aliases)}");
-        if (info.Transparent) output.WriteLine($"Can be used inside another command: '{info.Name}");
+        if (aliases.Count > 0) output.WriteLine(Wording.Get("Help.Short", string.Join(", ", aliases)));
+        if (info.Transparent) output.WriteLine(Wording.Get("Help.CanUsedInsideAnother", info.Name));
     }
 }

@@ -3,13 +3,13 @@ namespace Engraver.Workbench.Commands.Session;
 /// <summary>REINIT: Reads the alias files anew.</summary>
 internal sealed class ReinitCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("REINIT", CommandGroup.File, "Reads the alias files anew.");
+    public CommandInfo Info { get; } = new("REINIT", CommandGroup.File);
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var aliases = context.ReloadAliases();
         foreach (var finding in aliases.Findings) context.Say(finding, MessageKind.Warning);
-        context.Say($"{aliases.Commands.Count.ToString(System.Globalization.CultureInfo.InvariantCulture)} {(aliases.Commands.Count == 1 ? "alias" : "aliases")}.");
+        context.Say(Wording.Count("Reinit.Aliases", aliases.Commands.Count));
         return Task.CompletedTask;
     }
 }

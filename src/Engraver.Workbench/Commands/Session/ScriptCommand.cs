@@ -5,11 +5,11 @@ namespace Engraver.Workbench.Commands.Session;
 /// <summary>SCRIPT: Runs the commands of a script file (.scr).</summary>
 internal sealed class ScriptCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("SCRIPT", CommandGroup.File, "Runs the commands of a script file (.scr).");
+    public CommandInfo Info { get; } = new("SCRIPT", CommandGroup.File);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var name = await context.ValueAsync(new TextPrompt("Enter script file name")).ConfigureAwait(false);
+        var name = await context.ValueAsync(new TextPrompt(Wording.Get("Script.EnterScriptFileName"))).ConfigureAwait(false);
         context.QueueScript(context.FileToRead(name), await File.ReadAllTextAsync(context.FileToRead(name), cancellation).ConfigureAwait(false));
     }
 }

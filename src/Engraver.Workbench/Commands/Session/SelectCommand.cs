@@ -3,7 +3,7 @@ namespace Engraver.Workbench.Commands.Session;
 /// <summary>SELECT: Selects objects for the next command.</summary>
 internal sealed class SelectCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("SELECT", CommandGroup.Ask, "Selects objects for the next command.");
+    public CommandInfo Info { get; } = new("SELECT", CommandGroup.Ask);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

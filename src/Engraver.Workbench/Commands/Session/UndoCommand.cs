@@ -1,3 +1,4 @@
+using Engraver.Core.Languages;
 using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Session;
@@ -5,20 +6,20 @@ namespace Engraver.Workbench.Commands.Session;
 /// <summary>UNDO: Takes back a number of steps.</summary>
 internal sealed class UndoCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("UNDO", CommandGroup.File, "Takes back a number of steps.");
+    public CommandInfo Info { get; } = new("UNDO", CommandGroup.File);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var count = await context.ValueAsync(new NumberPrompt("Enter the number of operations to undo") { Default = "1", Least = 1, Most = 32767, Whole = true }).ConfigureAwait(false);
+        var count = await context.ValueAsync(new NumberPrompt(Wording.Get("Undo.EnterNumberOperationsUndo")) { Default = "1", Least = 1, Most = 32767, Whole = true }).ConfigureAwait(false);
         for (var step = 0; step < count; step++)
         {
             if (context.Document.Undo() is not { } name)
             {
-                context.Say("Everything has been undone.");
+                context.Say(Wording.Get("Undo.EverythingHasBeenUndone"));
                 return;
             }
 
-            context.Say(name);
+            context.Say(TextCatalogue.Fact(name));
         }
     }
 }
@@ -26,11 +27,11 @@ internal sealed class UndoCommand : ICommand
 /// <summary>REDO: Takes the step again that was undone last.</summary>
 internal sealed class RedoCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("REDO", CommandGroup.File, "Takes the step again that was undone last.");
+    public CommandInfo Info { get; } = new("REDO", CommandGroup.File);
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        context.Say(context.Document.Redo() ?? "Everything has been redone.");
+        context.Say(context.Document.Redo() is { } name ? TextCatalogue.Fact(name) : Wording.Get("Undo.EverythingHasBeenRedone"));
         return Task.CompletedTask;
     }
 }
@@ -38,11 +39,11 @@ internal sealed class RedoCommand : ICommand
 /// <summary>U: Takes back the last step.</summary>
 internal sealed class UCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("U", CommandGroup.File, "Takes back the last step.");
+    public CommandInfo Info { get; } = new("U", CommandGroup.File);
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        context.Say(context.Document.Undo() ?? "Everything has been undone.");
+        context.Say(context.Document.Undo() is { } name ? TextCatalogue.Fact(name) : Wording.Get("Undo.EverythingHasBeenUndone"));
         return Task.CompletedTask;
     }
 }

@@ -10,15 +10,14 @@ namespace Engraver.Workbench.Commands.Settings;
 /// <summary>A setting that is typed by its name and asks for a new value, like AutoCAD's system variables. Its default is the value it has.</summary>
 internal sealed class SettingCommand : ISettingCommand
 {
-    private readonly NumberPrompt _limits;
+    private readonly SettingDescription _setting;
     private readonly Func<DrawingSettings, double> _read;
     private readonly Func<DrawingSettings, double, DrawingSettings> _write;
 
     private SettingCommand(SettingDescription setting, Func<DrawingSettings, double> read, Func<DrawingSettings, double, DrawingSettings> write)
     {
-        Info = new CommandInfo(setting.Command!, CommandGroup.Setting, setting.CommandHelp ?? setting.Meaning);
-        _limits = new NumberPrompt($"Enter new value for {setting.Command}") { Least = setting.Least, Most = setting.Most, Whole = setting.Whole };
-        (_read, _write) = (read, write);
+        Info = new CommandInfo(setting.Command!, CommandGroup.Setting);
+        (_setting, _read, _write) = (setting, read, write);
     }
 
     public static IReadOnlyList<ICommand> All { get; } =
@@ -43,10 +42,11 @@ internal sealed class SettingCommand : ISettingCommand
     /// <exception cref="CommandException">The machine cannot work with that value.</exception>
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var value = await context.ValueAsync(_limits with { Default = ValueText(context) }).ConfigureAwait(false);
+        var prompt = new NumberPrompt(Wording.Get("Settings.EnterNewValue", _setting.Command)) { Default = ValueText(context), Least = _setting.Least, Most = _setting.Most, Whole = _setting.Whole };
+        var value = await context.ValueAsync(prompt).ConfigureAwait(false);
         var state = context.Document.Current;
         var settings = _write(state.Settings, value);
-        if (MachineProfileValidation.Check(settings.Machine, MachineFamily.Limits) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);
+        if (MachineProfileValidation.Check(settings.Machine, MachineFamilies.Driver.Limits) is [var wrong, ..]) throw new CommandException(CommandFailure.Usage, wrong.Message);
         context.Take(state with { Settings = settings });
     }
 }

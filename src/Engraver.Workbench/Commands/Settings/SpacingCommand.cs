@@ -10,16 +10,16 @@ internal sealed class SpacingCommand : ICommand
     private readonly string _switch;
     private readonly string _spacing;
 
-    private SpacingCommand(string name, string onOff, string spacing, string summary)
+    private SpacingCommand(string name, string onOff, string spacing)
     {
-        Info = new CommandInfo(name, CommandGroup.View, summary) { Transparent = true };
+        Info = new CommandInfo(name, CommandGroup.View) { Transparent = true };
         (_switch, _spacing) = (onOff, spacing);
     }
 
     public static IReadOnlyList<ICommand> All { get; } =
     [
-        new SpacingCommand("GRID", "GRIDMODE", "GRIDUNIT", "Lines behind the drawing: their distance, on or off."),
-        new SpacingCommand("SNAP", "SNAPMODE", "SNAPUNIT", "The crosshair jumps to places of a raster: their distance, on or off."),
+        new SpacingCommand("GRID", "GRIDMODE", "GRIDUNIT"),
+        new SpacingCommand("SNAP", "SNAPMODE", "SNAPUNIT"),
     ];
 
     public CommandInfo Info { get; }
@@ -27,7 +27,7 @@ internal sealed class SpacingCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var spacing = SystemVariables.Find(_spacing);
-        var prompt = new NumberPrompt($"Specify {Info.Name.ToLowerInvariant()} spacing") { Options = s_modes, Default = NumberPrompt.Show(spacing.Read(context)), Least = 1e-6, Most = 1e6 };
+        var prompt = new NumberPrompt(Wording.Get("Spacing.SpecifySpacing", Info.Name.ToLowerInvariant())) { Options = s_modes, Default = NumberPrompt.Show(spacing.Read(context)), Least = 1e-6, Most = 1e6 };
         var answer = await context.AskAsync(prompt).ConfigureAwait(false);
         if (answer is Answer<double>.Value { Of: var value }) spacing.Write(context, value);
         SystemVariables.Find(_switch).Write(context, answer is Answer<double>.Chosen { Option: "OFF" } ? 0.0 : 1.0);

@@ -9,16 +9,16 @@ internal sealed class SwitchCommand : ICommand
 
     private readonly string _variable;
 
-    private SwitchCommand(string name, string variable, string summary)
+    private SwitchCommand(string name, string variable)
     {
-        Info = new CommandInfo(name, CommandGroup.View, summary) { Transparent = true };
+        Info = new CommandInfo(name, CommandGroup.View) { Transparent = true };
         _variable = variable;
     }
 
     public static IReadOnlyList<ICommand> All { get; } =
     [
-        new SwitchCommand("ORTHO", "ORTHOMODE", "Points go straight across or straight up from the last one: on or off."),
-        new SwitchCommand("DYNAMICINPUT", "DYNMODE", "What is asked and where the crosshair stands, shown beside it: on or off."),
+        new SwitchCommand("ORTHO", "ORTHOMODE"),
+        new SwitchCommand("DYNAMICINPUT", "DYNMODE"),
     ];
 
     public CommandInfo Info { get; }
@@ -27,7 +27,7 @@ internal sealed class SwitchCommand : ICommand
     {
         var variable = SystemVariables.Find(_variable);
         var now = variable.Read(context) != 0.0 ? "ON" : "OFF";
-        var mode = await context.ChoiceAsync("Enter mode", s_modes, now).ConfigureAwait(false);
+        var mode = await context.ChoiceAsync(Wording.Get("Common.EnterMode"), s_modes, now).ConfigureAwait(false);
         variable.Write(context, mode == "ON" ? 1.0 : 0.0);
     }
 }

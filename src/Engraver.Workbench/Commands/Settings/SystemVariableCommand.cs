@@ -10,7 +10,7 @@ internal sealed class SystemVariableCommand : ISettingCommand
     private SystemVariableCommand(SystemVariable variable)
     {
         _variable = variable;
-        Info = new CommandInfo(variable.Name, CommandGroup.Setting, variable.Summary) { Transparent = true };
+        Info = new CommandInfo(variable.Name, CommandGroup.Setting) { Transparent = true };
     }
 
     /// <summary>One for each variable that is not a command of another kind.</summary>
@@ -22,7 +22,7 @@ internal sealed class SystemVariableCommand : ISettingCommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var prompt = new NumberPrompt($"Enter new value for {_variable.Name}")
+        var prompt = new NumberPrompt(Wording.Get("Settings.EnterNewValue", _variable.Name))
         {
             Default = ValueText(context), Least = _variable.Least, Most = _variable.Most, Whole = _variable.Whole,
         };

@@ -6,12 +6,12 @@ namespace Engraver.Workbench.Commands.View;
 /// <summary>PAN: Moves the view by a way.</summary>
 internal sealed class PanCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("PAN", CommandGroup.View, "Moves the view by a way.") { Transparent = true };
+    public CommandInfo Info { get; } = new("PAN", CommandGroup.View) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var first = await context.ValueAsync(new PointPrompt("Specify base point or displacement")).ConfigureAwait(false);
-        var second = await context.AskAsync(new PointPrompt("Specify second point, or Enter to use the first point as displacement") { EnterEnds = true, From = first }).ConfigureAwait(false);
+        var first = await context.ValueAsync(new PointPrompt(Wording.Get("Pan.SpecifyBasePointOr"))).ConfigureAwait(false);
+        var second = await context.AskAsync(new PointPrompt(Wording.Get("Common.SpecifySecondPointOr")) { EnterEnds = true, From = first }).ConfigureAwait(false);
         var way = second is Answer<Point2D>.Value { Of: var point } ? point - first : first - Point2D.Origin;
         var view = context.View.Current;
         context.View.SetCentre(view.Centre - way, view.Height);
@@ -21,7 +21,7 @@ internal sealed class PanCommand : ICommand
 /// <summary>REGEN: Draws the view anew and points at nothing any more.</summary>
 internal sealed class RegenCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("REGEN", CommandGroup.View, "Draws the view anew and points at nothing any more.") { Transparent = true, HeardDuringJob = true };
+    public CommandInfo Info { get; } = new("REGEN", CommandGroup.View) { Transparent = true, HeardDuringJob = true };
 
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {

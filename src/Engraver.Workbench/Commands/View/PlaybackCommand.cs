@@ -7,7 +7,7 @@ internal sealed class PlaybackCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("PLay", "PAuse", "Time", "Speed", "Row", "Handle", "Contour", "Line", "?");
 
-    public CommandInfo Info { get; } = new("PLAYBACK", CommandGroup.View, "Plays the planned motion in time, or goes to a moment, row, entity, contour or program line of it; no machine moves.") { Transparent = true };
+    public CommandInfo Info { get; } = new("PLAYBACK", CommandGroup.View) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
@@ -15,13 +15,13 @@ internal sealed class PlaybackCommand : ICommand
         var derived = await context.Derivation.ForCurrentAsync(cancellation).ConfigureAwait(false);
         if (derived.Motion is not { } motion) throw new CommandException(CommandFailure.Drawing, derived.Problem ?? $"{derived.Job?.WithoutProgram}.");
         if (!ReferenceEquals(context.Playback.Motion, motion)) context.Playback.Load(motion);
-        var option = await context.ChoiceAsync("Enter an option", s_options, context.Playback.IsPlaying ? "PAuse" : "PLay").ConfigureAwait(false);
+        var option = await context.ChoiceAsync(Wording.Get("Common.EnterOption"), s_options, context.Playback.IsPlaying ? "PAuse" : "PLay").ConfigureAwait(false);
         switch (option)
         {
             case "PLay": context.Playback.Play(); break;
             case "PAuse": context.Playback.Pause(); break;
-            case "Time": context.Playback.Scrub(await NumberAsync(context, "Enter time, seconds", context.Playback.Position, 0.0, motion.DurationSeconds).ConfigureAwait(false)); break;
-            case "Speed": context.Playback.Speed = await NumberAsync(context, "Enter speed, 1 is as planned", Math.Min(context.Playback.Speed, 1e6), 1e-3, 1e6).ConfigureAwait(false); break;
+            case "Time": context.Playback.Scrub(await NumberAsync(context, Wording.Get("Playback.EnterTimeSeconds"), context.Playback.Position, 0.0, motion.DurationSeconds).ConfigureAwait(false)); break;
+            case "Speed": context.Playback.Speed = await NumberAsync(context, Wording.Get("Playback.EnterSpeedPlanned"), Math.Min(context.Playback.Speed, 1e6), 1e-3, 1e6).ConfigureAwait(false); break;
             case "?": break;
             default: await GoAsync(context, option).ConfigureAwait(false); break;
         }
@@ -34,12 +34,12 @@ internal sealed class PlaybackCommand : ICommand
         var (drawing, playback) = (context.Drawing, context.Playback);
         var found = option switch
         {
-            "Row" => playback.GoToRow((int)await WholeAsync(context, "Enter row of the table, 1 is cut first").ConfigureAwait(false) - 1),
-            "Contour" => playback.GoToStroke((int)await WholeAsync(context, "Enter contour, 1 is cut first").ConfigureAwait(false) - 1),
-            "Line" => playback.GoToLine((int)await WholeAsync(context, "Enter line of the program").ConfigureAwait(false)),
-            _ => drawing.IndexOfHandle(await context.ValueAsync(new TextPrompt("Enter handle")).ConfigureAwait(false)) is { } entity && playback.GoToEntity(entity),
+            "Row" => playback.GoToRow((int)await WholeAsync(context, Wording.Get("Playback.EnterRowTableCut")).ConfigureAwait(false) - 1),
+            "Contour" => playback.GoToStroke((int)await WholeAsync(context, Wording.Get("Playback.EnterContourCutFirst")).ConfigureAwait(false) - 1),
+            "Line" => playback.GoToLine((int)await WholeAsync(context, Wording.Get("Playback.EnterLineProgram")).ConfigureAwait(false)),
+            _ => drawing.IndexOfHandle(await context.ValueAsync(new TextPrompt(Wording.Get("Common.EnterHandle"))).ConfigureAwait(false)) is { } entity && playback.GoToEntity(entity),
         };
-        if (!found) throw new CommandException(CommandFailure.Usage, "That is not cut.");
+        if (!found) throw new CommandException(CommandFailure.Usage, Wording.Get("Playback.NotCut"));
     }
 
     private static Task<double> WholeAsync(CommandContext context, string instruction) => context.ValueAsync(new NumberPrompt(instruction) { Least = 1, Most = int.MaxValue, Whole = true });
@@ -50,6 +50,6 @@ internal sealed class PlaybackCommand : ICommand
     private static void Say(CommandContext context)
     {
         if (context.Playback.Moment is not { } at) return;
-        context.Say(FormattableString.Invariant($"{at.Seconds:0.000} s of {context.Playback.Motion!.DurationSeconds:0.000} s: {PointPrompt.Show(at.Position)} mm, {at.Speed:0.###} mm/s, tool {(at.ToolOn ? "on" : "off")}, stroke {at.Stroke + 1}, row {at.Row + 1}, program line {at.Line}"), MessageKind.Result);
+        context.Say(Wording.Get("Playback.MmMmToolStroke", at.Seconds, context.Playback.Motion!.DurationSeconds, PointPrompt.Show(at.Position), at.Speed, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Stroke + 1, at.Row + 1, at.Line), MessageKind.Result);
     }
 }

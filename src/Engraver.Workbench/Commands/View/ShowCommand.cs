@@ -12,11 +12,11 @@ internal sealed class ShowCommand : ICommand
     private static readonly IReadOnlyList<Keyword> s_options =
         Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "recordeD", "All", "None");
 
-    public CommandInfo Info { get; } = new("SHOW", CommandGroup.View, "Switches the layers of meaning over the drawing: contours, order, rapids, findings and the others.") { Transparent = true };
+    public CommandInfo Info { get; } = new("SHOW", CommandGroup.View) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var option = await context.ChoiceAsync("Enter what to show or hide", s_options, "?").ConfigureAwait(false);
+        var option = await context.ChoiceAsync(Wording.Get("Show.EnterWhatShowOr"), s_options, "?").ConfigureAwait(false);
         if (option == "?")
         {
             context.SayResult(output => Write(context.View.Current.Shown, output));
@@ -31,7 +31,7 @@ internal sealed class ShowCommand : ICommand
 
         var layer = Enum.Parse<CanvasLayers>(option, ignoreCase: true);
         var shown = context.View.Current.Shown;
-        var mode = await context.ChoiceAsync("Enter mode", Keyword.List("ON", "OFF"), shown.HasFlag(layer) ? "OFF" : "ON").ConfigureAwait(false);
+        var mode = await context.ChoiceAsync(Wording.Get("Common.EnterMode"), Keyword.List("ON", "OFF"), shown.HasFlag(layer) ? "OFF" : "ON").ConfigureAwait(false);
         Change(context, mode == "ON" ? shown | layer : shown & ~layer);
     }
 
@@ -39,6 +39,6 @@ internal sealed class ShowCommand : ICommand
 
     private static void Write(CanvasLayers shown, TextWriter output)
     {
-        foreach (var layer in s_layers) output.WriteLine($"{(shown.HasFlag(layer) ? "on " : "off")}  {layer}");
+        foreach (var layer in s_layers) output.WriteLine(Wording.Get(shown.HasFlag(layer) ? "Show.On" : "Show.Off", layer));
     }
 }

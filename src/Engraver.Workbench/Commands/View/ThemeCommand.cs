@@ -6,12 +6,12 @@ namespace Engraver.Workbench.Commands.View;
 /// <summary>THEME: Chooses the dark or the light desktop.</summary>
 internal sealed class ThemeCommand : ICommand
 {
-    public CommandInfo Info { get; } = new("THEME", CommandGroup.View, "Chooses the dark or the light desktop.") { Transparent = true };
+    public CommandInfo Info { get; } = new("THEME", CommandGroup.View) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var now = context.View.Current.Theme.ToString();
-        var theme = Enum.Parse<DesktopTheme>(await context.ChoiceAsync("Enter theme", Keyword.List([.. Enum.GetNames<DesktopTheme>()]), now).ConfigureAwait(false));
+        var theme = Enum.Parse<DesktopTheme>(await context.ChoiceAsync(Wording.Get("Theme.EnterTheme"), Keyword.List([.. Enum.GetNames<DesktopTheme>()]), now).ConfigureAwait(false));
         context.View.Change(view => view with { Theme = theme });
         context.Settings.Change(settings => settings with { Theme = theme });
     }

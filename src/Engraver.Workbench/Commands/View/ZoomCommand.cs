@@ -9,11 +9,11 @@ internal sealed class ZoomCommand : ICommand
 {
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("All", "Center", "Extents", "Previous", "Scale", "Window", "Object");
 
-    public CommandInfo Info { get; } = new("ZOOM", CommandGroup.View, "Shows more, less or another part of the drawing.") { Transparent = true };
+    public CommandInfo Info { get; } = new("ZOOM", CommandGroup.View) { Transparent = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var prompt = new ZoomPrompt("Specify corner of window, enter a scale factor (nX)") { Options = s_options, Default = "Extents" };
+        var prompt = new ZoomPrompt(Wording.Get("Zoom.SpecifyCornerWindowEnter")) { Options = s_options, Default = "Extents" };
         switch (await context.AskAsync(prompt).ConfigureAwait(false))
         {
             case Answer<ZoomRequest>.Value { Of: ZoomRequest.Corner corner }: await WindowAsync(context, corner.Point).ConfigureAwait(false); break;
@@ -27,9 +27,9 @@ internal sealed class ZoomCommand : ICommand
         switch (option)
         {
             case "Center": await CenterAsync(context).ConfigureAwait(false); break;
-            case "Previous": if (!context.View.ZoomPrevious()) context.Say("No previous view saved."); break;
+            case "Previous": if (!context.View.ZoomPrevious()) context.Say(Wording.Get("Zoom.NoPreviousViewSaved")); break;
             case "Scale": await ScaleAsync(context).ConfigureAwait(false); break;
-            case "Window": await WindowAsync(context, await context.ValueAsync(new PointPrompt("Specify first corner") { Use = PointUse.Corner }).ConfigureAwait(false)).ConfigureAwait(false); break;
+            case "Window": await WindowAsync(context, await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyFirstCorner")) { Use = PointUse.Corner }).ConfigureAwait(false)).ConfigureAwait(false); break;
             case "Object": await ObjectAsync(context).ConfigureAwait(false); break;
             default: Extents(context); break;
         }
@@ -42,8 +42,8 @@ internal sealed class ZoomCommand : ICommand
 
     private static async Task WindowAsync(CommandContext context, Point2D first)
     {
-        var second = await context.ValueAsync(new PointPrompt("Specify opposite corner") { Use = PointUse.Corner, From = first }).ConfigureAwait(false);
-        if (second == first) throw new CommandException(CommandFailure.Usage, "The window has no extent.");
+        var second = await context.ValueAsync(new PointPrompt(Wording.Get("Common.SpecifyOppositeCorner")) { Use = PointUse.Corner, From = first }).ConfigureAwait(false);
+        if (second == first) throw new CommandException(CommandFailure.Usage, Wording.Get("Zoom.WindowHasNoExtent"));
         context.View.SetWindow(Bounds2D.FromCorners(first, second));
     }
 
@@ -56,8 +56,8 @@ internal sealed class ZoomCommand : ICommand
     private static async Task CenterAsync(CommandContext context)
     {
         var view = context.View.Current;
-        var centre = await context.ValueAsync(new PointPrompt("Specify center point") { Default = PointPrompt.Show(view.Centre) }).ConfigureAwait(false);
-        var height = await context.ValueAsync(new NumberPrompt("Enter height") { Default = NumberPrompt.Show(view.Height), Least = 1e-9, Most = 1e12 }).ConfigureAwait(false);
+        var centre = await context.ValueAsync(new PointPrompt(Wording.Get("Zoom.SpecifyCenterPoint")) { Default = PointPrompt.Show(view.Centre) }).ConfigureAwait(false);
+        var height = await context.ValueAsync(new NumberPrompt(Wording.Get("Zoom.EnterHeight")) { Default = NumberPrompt.Show(view.Height), Least = 1e-9, Most = 1e12 }).ConfigureAwait(false);
         context.View.SetCentre(centre, height);
     }
 
@@ -65,7 +65,7 @@ internal sealed class ZoomCommand : ICommand
     {
         while (true)
         {
-            var answer = await context.AskAsync(new ZoomPrompt("Enter a scale factor (nX)") { Default = "1X" }).ConfigureAwait(false);
+            var answer = await context.AskAsync(new ZoomPrompt(Wording.Get("Zoom.EnterScaleFactorNX")) { Default = "1X" }).ConfigureAwait(false);
             if (answer is not Answer<ZoomRequest>.Value { Of: ZoomRequest.Scale scale }) continue;
             Scale(context, scale);
             return;

@@ -7,18 +7,18 @@ namespace Engraver.Workbench.Machines.Alarms;
 internal static class MachineAlarms
 {
     public static void LinkLost(AlarmLog log, string link, string why) =>
-        log.Raise(AlarmCause.LinkLost, why, link, "Look at the cable and the controller's power, then CNCCONNECT again. Where the machine stands must be checked before a job goes on.");
+        log.Raise(AlarmCause.LinkLost, why, link, Wording.Get("MachineAlarms.LookCableControllerPower"));
 
     public static void Refused(AlarmLog log, MachineRefusal refused, string link) =>
-        log.Raise(AlarmCause.Refused, refused.Sentence, link, "The controller said why; mend that and repeat the command.");
+        log.Raise(AlarmCause.Refused, refused.Sentence, link, Wording.Get("MachineAlarms.ControllerSaidWhyMend"));
 
     /// <summary>By what stands in the controller now.</summary>
     public static void Seen(AlarmLog log, MachineReading poll, string link)
     {
         log.Clear(AlarmCause.LinkLost);
-        Standing(log, poll.Limit.Length > 0, AlarmCause.Limit, $"The machine stands on {poll.Limit}.", "Move the axis off the switch; a job that was stopped by it must be looked at.", link);
-        Standing(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, $"Axis {poll.LostPosition} was switched off because it stood too far from its command.", "Find out what held the axis, then CNCMOTORS ON.", link);
-        Standing(log, poll.AbortInput, AlarmCause.AbortInput, "The abort input is active.", "Release the emergency stop; nothing starts by that alone.", link);
+        Standing(log, poll.Limit.Length > 0, AlarmCause.Limit, Wording.Get("MachineAlarms.MachineStandsOn", poll.Limit), Wording.Get("MachineAlarms.MoveAxisOffSwitch"), link);
+        Standing(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, Wording.Get("MachineAlarms.AxisSwitchedOffBecause", poll.LostPosition), Wording.Get("MachineAlarms.FindOutWhatHeld"), link);
+        Standing(log, poll.AbortInput, AlarmCause.AbortInput, Wording.Get("MachineAlarms.AbortInputActive"), Wording.Get("MachineAlarms.ReleaseEmergencyStopNothing"), link);
     }
 
     /// <summary>By how a job ended; a complete one raises nothing.</summary>
@@ -33,7 +33,7 @@ internal static class MachineAlarms
             { Refusal: not null } => AlarmCause.Refused,
             _ => AlarmCause.JobStopped,
         };
-        if (cause is { } raised) log.Raise(raised, result.Sentence, $"{link}, after {CountText.Format(result.SegmentsExecuted, "segment")}", "The journal says what is engraved; look at the work piece before another start.");
+        if (cause is { } raised) log.Raise(raised, result.Sentence, Wording.Get("MachineAlarms.After", link, CountText.Format(result.SegmentsExecuted, "Segment")), Wording.Get("MachineAlarms.JournalSaysWhatEngraved"));
     }
 
     /// <summary>What a new start leaves behind.</summary>

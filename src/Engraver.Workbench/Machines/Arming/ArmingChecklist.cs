@@ -22,12 +22,12 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         return new ArmingChecklist(
         [
-            Check(errors == 0 || errorsAccepted, errors == 0 ? "The drawing has no errors" : $"The drawing has {CountText.Format(errors, "error")}{(errorsAccepted ? ", accepted by the operator" : "; CHECK lists them")}"),
-            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? $"The job has {CountText.Format(program.SegmentCount, "segment")}" : job.WithoutProgram),
-            Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? $"The link to {link} stands" : "No controller is connected; CNCCONNECT"),
-            Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, $"The controller is {Word(status)}"),
-            Check(status.MotorsOn == true, status.MotorsOn == true ? "The motors are on" : "The motors are off; CNCMOTORS ON"),
-            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? "No limit is hit" : $"{status.Limit} is hit; move the machine off it"),
+            Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : Wording.Get("ArmingChecklist.DrawingHas", CountText.Format(errors, "Error"), errorsAccepted ? Wording.Get("ArmingChecklist.AcceptedOperator") : Wording.Get("ArmingChecklist.CheckListsThem"))),
+            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobHas", CountText.Format(program.SegmentCount, "Segment")) : job.WithoutProgram),
+            Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? Wording.Get("ArmingChecklist.LinkStands", link) : Wording.Get("ArmingChecklist.NoControllerConnectedCncconnect")),
+            Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, Wording.Get("ArmingChecklist.Controller", Word(status))),
+            Check(status.MotorsOn == true, status.MotorsOn == true ? Wording.Get("ArmingChecklist.MotorsOn") : Wording.Get("ArmingChecklist.MotorsOffCncmotorsOn")),
+            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? Wording.Get("ArmingChecklist.NoLimitHit") : Wording.Get("ArmingChecklist.HitMoveMachineOff", status.Limit)),
             Origin(job, placement),
             .. job.Findings.Where(found => found.Severity == Severity.Warning).Select(found => Warning(SettingWording.AtCommandLine(found).Message.TrimEnd('.'))),
             .. LastJob(status),
@@ -36,14 +36,15 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 
     private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement)
     {
-        if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message.TrimEnd('.') : "Nobody knows yet where the drawing's zero lies");
+        if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message.TrimEnd('.') : Wording.Get("ArmingChecklist.PlaceNotKnown"));
         var scale = job.Settings.Machine.Scale;
-        return Check(true, $"The drawing's zero lies at {PointPrompt.Show(new Point2D(frame.X / scale.X, frame.Y / scale.Y))} mm of the machine{(placement.IsAssumed ? ", where the controller counts 0: no origin was set" : "")}");
+        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroLies", PointPrompt.Show(new Point2D(frame.X / scale.X, frame.Y / scale.Y))));
     }
 
     private static IEnumerable<ArmingCheck> LastJob(MachineStatus status)
     {
-        if (status.LastOutcome is { } outcome and not JobOutcome.Complete) yield return Warning($"The last job on this machine {(outcome == JobOutcome.Deviated ? "did not cut what was drawn" : "ended early")} ({OutcomeText.Word(outcome)})");
+        if (status.LastOutcome is { } outcome and not JobOutcome.Complete)
+            yield return Warning(Wording.Get("ArmingChecklist.LastJobOnMachine", outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.DidNotCutWhat") : Wording.Get("ArmingChecklist.EndedEarly"), OutcomeText.Word(outcome)));
     }
 
     private static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };
@@ -52,12 +53,12 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 
     private static string Word(MachineStatus status) => status.State switch
     {
-        MachineState.Ready or MachineState.Armed => "ready",
-        MachineState.MotorsOff => "at rest",
-        MachineState.Busy or MachineState.Fault => $"not ready: {status.Reason}",
-        MachineState.EmergencyStopOpen => "held by its abort input; release the emergency stop",
-        MachineState.Running or MachineState.Stopping => "running a job",
-        _ => "not heard yet",
+        MachineState.Ready or MachineState.Armed => Wording.Get("ArmingChecklist.Ready"),
+        MachineState.MotorsOff => Wording.Get("ArmingChecklist.Rest"),
+        MachineState.Busy or MachineState.Fault => Wording.Get("ArmingChecklist.NotReady", status.Reason),
+        MachineState.EmergencyStopOpen => Wording.Get("ArmingChecklist.HeldItsAbortInput"),
+        MachineState.Running or MachineState.Stopping => Wording.Get("ArmingChecklist.RunningJob"),
+        _ => Wording.Get("ArmingChecklist.NotHeardYet"),
     };
 }
 

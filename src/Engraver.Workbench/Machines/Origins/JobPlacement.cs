@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
@@ -28,7 +27,7 @@ public sealed class JobPlacement
         ArgumentNullException.ThrowIfNull(machine);
         ArgumentNullException.ThrowIfNull(hold);
         ArgumentNullException.ThrowIfNull(program);
-        var place = await machine.LocateAsync(cancellation).ConfigureAwait(false);
+        var place = await machine.LocateAsync(program.Profile.Axes, cancellation).ConfigureAwait(false);
         var found = WorkPlacement.Find(hold.Memory, place, origin, program.Profile, program.Start);
         if (found.Frame is not { } frame) return new JobPlacement(hold, place, found, program);
         if (found is { Source: OriginSource.Work, IsAssumed: true }) KeepOrThrow(hold, memory => memory.AssumeZero());
@@ -62,9 +61,9 @@ public sealed class JobPlacement
     /// <summary>Sets an origin at the present place, and vouches for the controller's zero from now on.</summary>
     /// <param name="set">From the machine's position, counts.</param>
     /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
-    internal static async Task<MachineMemory> SetOriginAsync(IMachineConnection machine, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, TimeProvider time, CancellationToken cancellation)
+    internal static async Task<MachineMemory> SetOriginAsync(IMachineConnection machine, MachineAxes axes, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, TimeProvider time, CancellationToken cancellation)
     {
-        var place = await machine.LocateAsync(cancellation).ConfigureAwait(false);
+        var place = await machine.LocateAsync(axes, cancellation).ConfigureAwait(false);
         var knows = WorkPlacement.LossOf(hold.Memory, place) is null;
         KeepOrThrow(hold, memory => set(knows ? memory : memory.Forget(), place) with { Rest = place.Position, IsMoving = false });
         await MarkAsync(machine, hold, place, time, cancellation).ConfigureAwait(false);
@@ -82,7 +81,7 @@ public sealed class JobPlacement
 
     private static void KeepOrThrow(MachineHold hold, Func<MachineMemory, MachineMemory> change)
     {
-        if (hold.Keep(change) is { } failure) throw new MachineMemoryException(string.Create(CultureInfo.InvariantCulture, $"Where the work is cannot be written down: {failure}. Nothing was moved; make room or let the file be written."));
+        if (hold.Keep(change) is { } failure) throw new MachineMemoryException(Wording.Get("Origins.NotWritten", failure));
     }
 }
 

@@ -31,7 +31,7 @@ public sealed class MachineHold : IDisposable
         catch (JsonException torn)
         {
             taken.Dispose();
-            throw new InvalidDataException($"It is no record of a machine: {torn.Message}", torn);
+            throw new InvalidDataException(Wording.Get("Origins.NoRecord", torn.Message), torn);
         }
     }
 

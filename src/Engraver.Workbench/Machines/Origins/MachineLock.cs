@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Origins;
@@ -26,7 +25,7 @@ internal sealed class MachineLock : IDisposable
         }
         catch (IOException taken) when (File.Exists(path + LockSuffix))
         {
-            throw new MachineTakenException($"{machine} is in other hands: {HolderOf(path)} has it. Wait for its end, or disconnect there.", taken);
+            throw new MachineTakenException(Wording.Get("Origins.Taken", machine, HolderOf(path)), taken);
         }
 
         var kept = false;
@@ -48,11 +47,11 @@ internal sealed class MachineLock : IDisposable
     {
         try
         {
-            return File.ReadAllText(path + HolderSuffix) is { Length: > 0 } holder ? holder : "another program";
+            return File.ReadAllText(path + HolderSuffix) is { Length: > 0 } holder ? holder : Wording.Get("Origins.AnotherProgram");
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
-            return "another program";
+            return Wording.Get("Origins.AnotherProgram");
         }
     }
 }
@@ -64,6 +63,6 @@ public static class MachineHolder
     public static string Describe(string program, TimeProvider time)
     {
         ArgumentNullException.ThrowIfNull(time);
-        return string.Create(CultureInfo.InvariantCulture, $"{program} (process {Environment.ProcessId}, since {time.GetLocalNow():HH:mm:ss})");
+        return Wording.Get("Origins.Holder", program, Environment.ProcessId, time.GetLocalNow());
     }
 }

@@ -33,7 +33,7 @@ public sealed class MachineMemories(string? folder)
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or InvalidDataException)
         {
-            throw new MachineMemoryException($"What is kept of {name} cannot be read or written ({path}): {unusable.Message} Mend or remove the file; without it the work origins are set again.", unusable);
+            throw new MachineMemoryException(Wording.Get("Origins.Unreadable", name, path, unusable.Message), unusable);
         }
     }
 

@@ -50,7 +50,7 @@ public static class MachineRun
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, MachineTrace? trace, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         await using var machine = await clock.ShakeHandsAsync(connection, trace, stop).ConfigureAwait(false);
-        using var taken = options.Hold is null ? options.Memories.Take(connection.Description, machine.Identity, await machine.LocateAsync(stop).ConfigureAwait(false), options.Holder) : null;
+        using var taken = options.Hold is null ? options.Memories.Take(connection.Description, machine.Identity, await machine.LocateAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.Holder) : null;
         var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, options.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
         var planned = machine.PlannedSeconds(placement.Program, options.Mode);
         if (placement.Found.Frame is not { } frame) return MachineRunReport.NotPlaced(placement, machine.Identity.Model, planned);

@@ -1,10 +1,8 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Verification;
-using Engraver.Galil.Jobs.Execution;
-using Engraver.Simulator;
-using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -12,17 +10,6 @@ namespace Engraver.Workbench.Machines.Runs;
 /// <summary>Holds what the motors did against the drawing. It never looks at our own plan of the motion, only at what the controller or the simulator's record says.</summary>
 public static class RunJudge
 {
-    /// <summary>Judges by the record of a simulated controller: every motor sample counts.</summary>
-    /// <param name="frameX">Counts of the controller at the drawing's zero, axis A.</param>
-    /// <param name="frameY">The same, axis B.</param>
-    public static RunJudgement ByRecord(PreparedJob job, IReadOnlyList<MotionSample> record, long frameX, long frameY)
-    {
-        var listener = new RecordListener(job.Settings.Machine, JudgeOf(job));
-        listener.Start(frameX, frameY);
-        foreach (var sample in record) listener.Add(sample);
-        return ByRecord(listener.Verdicts()[0]);
-    }
-
     /// <summary>What was found while the controller ran.</summary>
     public static RunJudgement ByRecord(TraceVerdict found) => new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt };
 
@@ -52,8 +39,11 @@ public static class RunJudge
         MaxError = job.Settings.MaxErrorMm,
     };
 
-    private static TraceSample Sample(MachineProfile profile, double seconds, long x, long y, bool cutting) =>
-        new(seconds, x / profile.CountsPerMillimetreX, y / profile.CountsPerMillimetreY, cutting);
+    private static TraceSample Sample(MachineProfile profile, double seconds, long x, long y, bool cutting)
+    {
+        var place = profile.Scale.ToMillimetres(x, y);
+        return new(seconds, place.X, place.Y, cutting);
+    }
 }
 
 /// <summary>What a run is worth, by what the controller or the simulator's record says; null where nothing is known.</summary>

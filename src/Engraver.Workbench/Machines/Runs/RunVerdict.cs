@@ -2,7 +2,6 @@ using System.Globalization;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Verification;
-using Engraver.Galil.Programs.Generation;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
@@ -19,16 +18,16 @@ internal static class RunVerdict
         if (result.Outcome != JobOutcome.Complete) return result;
         var tolerances = RunJudge.Tolerances(job);
         if (judgement.MaxDeviationMm is { } deviation && deviation > AllowedDeviation(job, program, judgement, tolerances))
-            return Deviated(result, $"The run was at worst {Millimetres(deviation)} mm beside the drawing{At(judgement.DeviationAt)}");
+            return Deviated(result, Wording.Get("RunVerdict.RunWorstMmBeside", Millimetres(deviation), At(judgement.DeviationAt)));
         if (judgement.MissingLengthMm is { } missing && missing > AllowedMissing(judgement, tolerances))
-            return Deviated(result, $"{Millimetres(missing)} mm of the drawing were not cut{At(judgement.MissingAt)}");
+            return Deviated(result, Wording.Get("RunVerdict.MmDrawingNotCut", Millimetres(missing), At(judgement.MissingAt)));
         return result;
     }
 
     private static JobResult Deviated(JobResult result, string what) => result with
     {
         Outcome = JobOutcome.Deviated,
-        Sentence = $"{what}, by what the controller itself said; the part is not as it was drawn. Look at the work piece, the cable and who else uses the controller before another start.",
+        Sentence = Wording.Get("RunVerdict.WhatControllerItselfSaid", what),
     };
 
     /// <summary>Where the join tolerance bridges gaps, the middle of a bridge is right though it lies off the drawing.</summary>
@@ -46,7 +45,7 @@ internal static class RunVerdict
     /// <summary>A record is judged place by place; polled, the length is a sum of segments, of which an arc that was aimed anew is a little shorter or longer.</summary>
     private static double AllowedMissing(RunJudgement judgement, TraceTolerances tolerances) => judgement.Source == "record" ? tolerances.Deviation : tolerances.LargestStep;
 
-    private static string At(Point2D? place) => place is { } at ? string.Create(CultureInfo.InvariantCulture, $", at {at.X:0.###},{at.Y:0.###}") : "";
+    private static string At(Point2D? place) => place is { } at ? Wording.Get("RunVerdict.At", at.X, at.Y) : "";
 
     private static string Millimetres(double length) => length.ToString("0.####", CultureInfo.InvariantCulture);
 }

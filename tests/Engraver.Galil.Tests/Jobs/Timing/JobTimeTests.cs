@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Timing;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Timing;
@@ -73,7 +74,7 @@ public class JobTimeTests
     {
         var program = ManyStrokes(MotionStyle.Continuous);
 
-        Assert.Equal(MotionTime.Calculate(program), JobTime.Estimate(program, null, JobMode.Stream));
+        Assert.Equal(MotionTime.Calculate(program, DmcTimes.Ethernet), JobTime.Estimate(program, null, JobMode.Stream));
         foreach (var mode in Enum.GetValues<JobMode>()) Assert.Equal(0.0, JobTime.Estimate(program with { Strokes = [] }, new SerialLine(1200), mode).Total);
     }
 

@@ -94,7 +94,7 @@ public class ArcPredictionTests
         from mirrorX in Gen.Elements(1.0, -1.0)
         from mirrorY in Gen.Elements(1.0, -1.0)
         from quantum in Gen.Elements(65536.0, 65536.0, 256.0)
-        select new MachineProfile { CountsPerMillimetreX = 1000.0 * mirrorX, CountsPerMillimetreY = 1000.0 * mirrorY, AngleQuantumDegrees = 1.0 / quantum };
+        select new MachineProfile { Axes = MachineAxes.FromScale(1000.0 * mirrorX, 1000.0 * mirrorY), AngleQuantumDegrees = 1.0 / quantum };
 
     private static Gen<double> Between(double low, double high) => Gen.Choose(0, 1_000_000).Select(n => low + ((high - low) * n / 1e6));
 

@@ -46,7 +46,7 @@ public class MotionProgramGeneratorTests
     [InlineData(-1, -1, "CR 10000,210,90")]
     public void Mirrored_axes_turn_the_angles_and_the_sense(int x, int y, string command)
     {
-        var profile = MachineProfile.Default with { CountsPerMillimetreX = 1000 * x, CountsPerMillimetreY = 1000 * y };
+        var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(1000 * x, 1000 * y) };
 
         Assert.Equal([command], Commands(Only(Program(Toolpaths.OfStroke(Toolpaths.Arc(0, 0, 10, 30, 90)), profile)).Sequences[0]));
     }
@@ -176,7 +176,7 @@ public class MotionProgramGeneratorTests
     [Fact]
     public void With_unequal_axes_arcs_are_chords_within_the_error_and_a_note_says_so()
     {
-        var profile = MachineProfile.Default with { CountsPerMillimetreX = 1000, CountsPerMillimetreY = -400 };
+        var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(1000, -400) };
         var arc = Toolpaths.Arc(3, 4, 25, 10, 300);
         var generation = MotionProgramGenerator.Generate(Toolpaths.OfStroke(arc), profile, MaxError, null);
 

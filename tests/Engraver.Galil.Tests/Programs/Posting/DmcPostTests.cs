@@ -1,5 +1,6 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Posts;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Posting;
@@ -8,7 +9,7 @@ namespace Engraver.Galil.Tests.Programs.Posting;
 
 public class DmcPostTests
 {
-    private static readonly MachineProfile HundredCounts = MachineProfile.Default with { CountsPerMillimetreX = 100, CountsPerMillimetreY = 100 };
+    private static readonly MachineProfile HundredCounts = MachineProfile.Default with { Axes = MachineAxes.FromScale(100, 100) };
 
     [Fact]
     public void The_papers_part_by_calls()
@@ -127,7 +128,7 @@ public class DmcPostTests
     [InlineData(MotionStyle.Continuous)]
     public void Every_line_is_one_that_the_controller_takes(MotionStyle style)
     {
-        var profile = new MachineProfile { CountsPerMillimetreX = -1999.7, CountsPerMillimetreY = 1999.7 };
+        var profile = new MachineProfile { Axes = MachineAxes.FromScale(-1999.7, 1999.7) };
         var post = Post(Program(Rings(40), profile, style), DmcPostOptions.Default);
 
         foreach (var line in Lines(post.Text))
@@ -229,9 +230,9 @@ public class DmcPostTests
     private static MotionProgram Program(Toolpath toolpath, MachineProfile profile, MotionStyle style) =>
         MotionProgramGenerator.Generate(toolpath, profile, 0.001, null, style).Program ?? throw new InvalidOperationException("The toolpath should be good.");
 
-    private static Func<MotionProgram, DmcPostOptions, Func<int, SourceRef>?, DmcPostText> DmcPostOf(MotionStyle style) => style == MotionStyle.Calls ? DmcPost.Calls : DmcPost.Sequences;
+    private static Func<MotionProgram, DmcPostOptions, Func<int, SourceRef>?, PostText> DmcPostOf(MotionStyle style) => style == MotionStyle.Calls ? DmcPost.Calls : DmcPost.Sequences;
 
-    private static DmcPostText Post(MotionProgram program, DmcPostOptions options) => DmcPostOf(program.Style)(program, options, null);
+    private static PostText Post(MotionProgram program, DmcPostOptions options) => DmcPostOf(program.Style)(program, options, null);
 
     private static List<string> Lines(string text) => [.. text.TrimEnd('\n').Split('\n')];
 

@@ -1,4 +1,6 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Tests.Programs.Timing;
@@ -45,5 +47,5 @@ public class MotionPeaksTests
     private static VectorSegment Line(int x, int y, double length) => new(VectorSegmentKind.Line, new CountsPoint(x, y), 0, 0.0, 0.0, 0, length);
 
     private static MotionProgram Cutting(CountsPoint start, params VectorSegment[] segments) =>
-        new(MachineProfile.Default, start, [new MotionStroke(0, start, [new VectorSequence(start, MachineProfile.Default.VectorSpeed, segments)])]);
+        new(MachineProfile.Default, start, [new MotionStroke(0, start, [new VectorSequence(start, MachineProfile.Default.VectorSpeed(), segments)])]);
 }

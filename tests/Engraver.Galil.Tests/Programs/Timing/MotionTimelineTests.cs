@@ -15,10 +15,10 @@ public class MotionTimelineTests
         foreach (var path in new[] { Toolpaths.Paper, Toolpaths.OfStrokes([Toolpaths.Line(1, 1, 1.2, 1)], [Toolpaths.Arc(30, 5, 4, 0, 360)], [Toolpaths.Line(30, 5, 90, 5), Toolpaths.Line(90, 5, 90, 60)]) })
         {
             var program = MotionProgramGenerator.Generate(path, MachineProfile.Default, 0.001, null, style).Program!;
-            var timeline = MotionTimeline.From(program, CancellationToken.None);
-            var times = MotionTime.Calculate(program);
+            var timeline = MotionTimeline.From(program, DmcTimes.Ethernet, CancellationToken.None);
+            var times = MotionTime.Calculate(program, DmcTimes.Ethernet);
 
-            Assert.Equal(MotionTime.Estimate(program), timeline.Seconds, precision: 9);
+            Assert.Equal(MotionTime.Calculate(program, DmcTimes.Ethernet).Total, timeline.Seconds, precision: 9);
             Assert.Equal(times.Cutting, Sum(timeline, MotionSpanKind.Cut), precision: 9);
             Assert.Equal(times.Rapid, Sum(timeline, MotionSpanKind.Rapid), precision: 9);
             Assert.Equal(times.Dwell, Sum(timeline, MotionSpanKind.Dwell), precision: 9);
@@ -29,7 +29,7 @@ public class MotionTimelineTests
     public void Spans_follow_each_other_without_a_gap_in_time_or_place_and_the_tool_is_on_only_in_a_stroke()
     {
         var program = MotionProgramGenerator.Generate(Toolpaths.OfStrokes([Toolpaths.Line(1, 1, 9, 1)], [Toolpaths.Line(20, 20, 30, 20), Toolpaths.Line(30, 20, 30, 30)]), MachineProfile.Default, 0.001, null).Program!;
-        var spans = MotionTimeline.From(program, CancellationToken.None).Spans;
+        var spans = MotionTimeline.From(program, DmcTimes.Ethernet, CancellationToken.None).Spans;
 
         for (var i = 1; i < spans.Count; i++)
         {
@@ -44,11 +44,11 @@ public class MotionTimelineTests
     [Fact]
     public void A_moment_is_found_in_its_span()
     {
-        var timeline = MotionTimeline.From(MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default, 0.001, null).Program!, CancellationToken.None);
+        var timeline = MotionTimeline.From(MotionProgramGenerator.Generate(Toolpaths.Paper, MachineProfile.Default, 0.001, null).Program!, DmcTimes.Ethernet, CancellationToken.None);
         for (var i = 0; i < timeline.Spans.Count; i++) Assert.Equal(i, timeline.SpanAt(timeline.Spans[i].Start + (timeline.Spans[i].Seconds / 2.0)));
 
         Assert.Equal((0, timeline.Spans.Count - 1), (timeline.SpanAt(-1.0), timeline.SpanAt(1e9)));
-        Assert.Equal(-1, MotionTimeline.From(new MotionProgram(MachineProfile.Default, default, []), CancellationToken.None).SpanAt(0.0));
+        Assert.Equal(-1, MotionTimeline.From(new MotionProgram(MachineProfile.Default, default, []), DmcTimes.Ethernet, CancellationToken.None).SpanAt(0.0));
     }
 
     [Theory]

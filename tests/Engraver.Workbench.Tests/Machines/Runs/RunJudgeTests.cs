@@ -19,7 +19,7 @@ public class RunJudgeTests
     public async Task A_faithful_record_is_within_the_tolerance_and_whole()
     {
         var (job, record) = await RecordedAsync("nameplate");
-        var verdict = RunJudge.ByRecord(job, record, 0, 0);
+        var verdict = RecordJudgement.Of(job, record, 0, 0);
 
         Assert.InRange(verdict.MaxDeviationMm!.Value, 0.0, 0.0035);
         Assert.Equal(0.0, verdict.MissingLengthMm);
@@ -33,7 +33,7 @@ public class RunJudgeTests
         var at = Array.FindIndex(spoiled, row => (row.Outputs & 1) != 0 && row is { B: 50000, A: > 90000 }); // on the lower line, far from its ends
         spoiled[at] = spoiled[at] with { B = spoiled[at].B + 5 };
 
-        Assert.Equal(0.005, RunJudge.ByRecord(job, spoiled, 0, 0).MaxDeviationMm!.Value, precision: 6);
+        Assert.Equal(0.005, RecordJudgement.Of(job, spoiled, 0, 0).MaxDeviationMm!.Value, precision: 6);
     }
 
     [Fact]
@@ -44,7 +44,7 @@ public class RunJudgeTests
         var box = stroke.Moves.Select(move => move.Segment.Bounds).Aggregate((a, b) => a.Union(b)).Grown(0.002);
         var spoiled = record.Select(row => box.Contains(new Engraver.Core.Geometry.Point2D(row.A / 1000.0, row.B / 1000.0)) ? row with { Outputs = 0 } : row).ToArray();
 
-        Assert.InRange(RunJudge.ByRecord(job, spoiled, 0, 0).MissingLengthMm!.Value, 0.95 * stroke.Length, 1.05 * stroke.Length);
+        Assert.InRange(RecordJudgement.Of(job, spoiled, 0, 0).MissingLengthMm!.Value, 0.95 * stroke.Length, 1.05 * stroke.Length);
     }
 
     /// <summary>The controller goes on with what it has until its watchdog trips: what it cuts then is not missing, and nobody knows how much that is.</summary>
@@ -88,7 +88,7 @@ public class RunJudgeTests
         var (job, record) = await RecordedAsync("paper-001");
         var spoiled = record.Select(row => row with { Outputs = 1 }).ToArray();
 
-        Assert.True(RunJudge.ByRecord(job, spoiled, 0, 0).MaxDeviationMm > 1.0);
+        Assert.True(RecordJudgement.Of(job, spoiled, 0, 0).MaxDeviationMm > 1.0);
     }
 
     [Fact]
@@ -96,14 +96,14 @@ public class RunJudgeTests
     {
         var (job, record) = await RecordedAsync("paper-001");
 
-        Assert.InRange(RunJudge.ByRecord(job, record, 7, 0).MaxDeviationMm!.Value, 0.0055, 0.0105);
+        Assert.InRange(RecordJudgement.Of(job, record, 7, 0).MaxDeviationMm!.Value, 0.0055, 0.0105);
     }
 
     [Fact]
     public async Task Without_a_cutting_sample_nothing_is_known_of_the_deviation_and_all_is_missing()
     {
         var (job, _) = await RecordedAsync("paper-001");
-        var verdict = RunJudge.ByRecord(job, [], 0, 0);
+        var verdict = RecordJudgement.Of(job, [], 0, 0);
 
         Assert.Null(verdict.MaxDeviationMm);
         Assert.Equal(job.Sequence.PathLength, verdict.MissingLengthMm!.Value, precision: 9);

@@ -1,7 +1,6 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Motion;
 
-namespace Engraver.Galil.Programs.Timing;
+namespace Engraver.Core.Motion;
 
 /// <summary>A motion program laid out in time, by the same trapezoids, settle times and command times as <see cref="MotionTime"/>.</summary>
 /// <remarks>The tool is on from the settle before the first to the settle after the last sequence of a stroke.</remarks>
@@ -9,9 +8,18 @@ public sealed class MotionTimeline
 {
     private readonly List<MotionSpan> _spans = [];
 
-    private MotionTimeline(MotionProgram program) => Program = program;
+    private readonly CommandTimes _commands;
+
+    private MotionTimeline(MotionProgram program, CommandTimes commands) => (Program, _commands) = (program, commands);
 
     public MotionProgram Program { get; }
+
+    /// <summary>Speed over time of X and of Y in a rapid, counts.</summary>
+    public (SpeedTrapezoid X, SpeedTrapezoid Y) RapidOf(in MotionSpan span)
+    {
+        var (speeds, acceleration) = (_commands.RapidSpeeds(Program.Profile), Program.Profile.AccelerationCounts);
+        return (new SpeedTrapezoid(Math.Abs((double)span.To.X - span.From.X), speeds.X, acceleration), new SpeedTrapezoid(Math.Abs((double)span.To.Y - span.From.Y), speeds.Y, acceleration));
+    }
 
     /// <summary>Without gaps, in the order of time; spans of no time are left out.</summary>
     public IReadOnlyList<MotionSpan> Spans => _spans;
@@ -19,9 +27,10 @@ public sealed class MotionTimeline
     /// <summary>Seconds of the whole job; 0 when there is nothing to cut.</summary>
     public double Seconds => _spans.Count == 0 ? 0.0 : _spans[^1].End;
 
-    public static MotionTimeline From(MotionProgram program, CancellationToken cancellation)
+    /// <param name="commands">How long the machine stands, and how fast it travels.</param>
+    public static MotionTimeline From(MotionProgram program, CommandTimes commands, CancellationToken cancellation)
     {
-        var timeline = new MotionTimeline(program);
+        var timeline = new MotionTimeline(program, commands);
         var at = program.Start;
         for (var stroke = 0; stroke < program.Strokes.Count; stroke++)
         {
@@ -52,14 +61,14 @@ public sealed class MotionTimeline
     private void AddStroke(int index, CountsPoint from)
     {
         var stroke = Program.Strokes[index];
-        var rapid = MotionTime.RapidTo(stroke.Start, from, Program, CommandTimes.Ethernet);
+        var rapid = MotionTime.RapidTo(stroke.Start, from, Program, _commands);
         Add(MotionSpanKind.Dwell, rapid.Dwell, index, 0, from, from, toolOn: false);
         Add(MotionSpanKind.Rapid, rapid.Rapid, index, 0, from, stroke.Start, toolOn: false);
-        var settle = MotionTime.ToolAt(stroke.Start, Program, CommandTimes.Ethernet).Dwell;
+        var settle = MotionTime.ToolAt(stroke.Start, Program, _commands).Dwell;
         for (var i = 0; i < stroke.Sequences.Count; i++)
         {
             var sequence = stroke.Sequences[i];
-            var cut = MotionTime.Cut(sequence, Program, CommandTimes.Ethernet);
+            var cut = MotionTime.Cut(sequence, Program, _commands);
             Add(MotionSpanKind.Dwell, cut.Dwell, index, i, sequence.Start, sequence.Start, toolOn: i > 0);
             if (i == 0) Add(MotionSpanKind.Dwell, settle, index, 0, sequence.Start, sequence.Start, toolOn: true);
             Add(MotionSpanKind.Cut, cut.Cutting, index, i, sequence.Start, sequence.End, toolOn: true);
@@ -73,7 +82,7 @@ public sealed class MotionTimeline
     private void AddFinish(CountsPoint from, CountsPoint finish)
     {
         var (stroke, sequence) = (Program.Strokes.Count - 1, Program.Strokes[^1].Sequences.Count - 1);
-        var rapid = MotionTime.RapidTo(finish, from, Program, CommandTimes.Ethernet);
+        var rapid = MotionTime.RapidTo(finish, from, Program, _commands);
         Add(MotionSpanKind.Dwell, rapid.Dwell, stroke, sequence, from, from, toolOn: false);
         Add(MotionSpanKind.Rapid, rapid.Rapid, stroke, sequence, from, finish, toolOn: false);
     }

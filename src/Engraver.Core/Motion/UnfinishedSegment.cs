@@ -1,7 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 
-namespace Engraver.Galil.Jobs.Execution;
+namespace Engraver.Core.Motion;
 
 /// <summary>The segment that was under way when a job ended: the controller counts whole segments only, but it has also said where it was.</summary>
 public static class UnfinishedSegment

@@ -1,7 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 
-namespace Engraver.Galil.Programs.Timing;
+namespace Engraver.Core.Motion;
 
 /// <summary>The most that a motion program asks of the machine while it cuts.</summary>
 /// <param name="Speed">Fastest along the path, mm/s.</param>
@@ -11,7 +11,7 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
     /// <summary>Places at which an arc is looked at; between them the acceleration of an axis changes by less than its thousandth on arcs of up to a quarter turn.</summary>
     private const int PlacesOfArc = 32;
 
-    /// <summary>The nominal sample (TM 1000), in which a turn of the path happens.</summary>
+    /// <summary>Between two looks of a controller at its motors, in which a turn of the path happens, seconds.</summary>
     private const double Sample = 0.001;
 
     /// <summary>Both are 0 when nothing is cut.</summary>

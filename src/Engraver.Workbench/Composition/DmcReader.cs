@@ -1,5 +1,5 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Posts;
 using Engraver.Galil.Driver;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs.Posting;
@@ -8,8 +8,8 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Runs a posted program in a simulated controller of its own, in virtual time: the interpreter and the motion that judge the program share no code with what wrote it.</summary>
-public static class ProgramReplayer
+/// <summary>Runs a posted DMC program in a simulated controller of its own, in virtual time: the interpreter and the motion that judge the program share no code with what wrote it.</summary>
+public sealed class DmcReader : IProgramReader
 {
     /// <summary>A program in which nothing moves for so long is not coming to its end, seconds of controller time.</summary>
     private const int LongestRest = 60;
@@ -21,24 +21,24 @@ public static class ProgramReplayer
     private static readonly TimeSpan s_replyTimeout = TimeSpan.FromSeconds(60);
 
     /// <summary>Loads each chunk, starts it at #JOB and waits for its end; stops at the first that fails.</summary>
-    /// <param name="program">Without diagnostics.</param>
-    /// <param name="expected">How much controller time it probably takes, for the progress.</param>
-    /// <param name="longest">How much controller time the whole program may take.</param>
-    /// <param name="listener">Told what the motors and outputs do, from 0,0 on; nothing is kept here.</param>
-    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
-    public static async Task<ProgramReplay> RunAsync(ReadBackProgram program, TimeSpan expected, TimeSpan longest, IMotionListener listener, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    public async Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false });
+        ArgumentNullException.ThrowIfNull(request);
+        var program = ReadBackProgram.Parse(text);
+        if (program.Diagnostics.Count > 0) return program.Diagnostics;
+        var listener = new RecordListener(request.Machine, [.. request.Judges]);
+        listener.Start(-(double)request.Start.X, -(double)request.Start.Y);
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false, SerialNumber = MachineConnection.SimulatedSerialNumber });
         using var listening = controller.Record.Subscribe(listener);
-        await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), "the simulated controller"), "A", s_replyTimeout, TimeProvider.System, trace: null);
+        await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), Wording.Get("ProgramReplayer.SimulatedController")), "A", s_replyTimeout, TimeProvider.System, trace: null);
         for (var i = 0; i < program.Chunks.Count; i++)
         {
             var number = i + 1;
-            void Report() => progress?.Report(new ReplayProgress(number, program.Chunks.Count, TimeSpan.FromMilliseconds(controller.Status.Sample), expected));
-            if (await RunAsync(program.Chunks[i], controller, channel, longest, Report, cancellation).ConfigureAwait(false) is { } failure) return new ProgramReplay([failure]);
+            void Report() => progress?.Report(new ReplayProgress(number, program.Chunks.Count, TimeSpan.FromMilliseconds(controller.Status.Sample), request.Expected));
+            if (await RunAsync(program.Chunks[i], controller, channel, request.Longest, Report, cancellation).ConfigureAwait(false) is { } failure) return [failure];
         }
 
-        return new ProgramReplay([]);
+        return [];
     }
 
     private static async Task<Diagnostic?> RunAsync(ReadBackChunk chunk, SimulatedController controller, CommandChannel channel, TimeSpan longest, Action report, CancellationToken cancellation)
@@ -58,8 +58,8 @@ public static class ProgramReplayer
             report();
             var (status, hasRested) = controller.AdvanceToRest(longest, s_longestRest, SliceSteps);
             if (status.IsIdle) return null;
-            if (hasRested) return string.Create(CultureInfo.InvariantCulture, $"nothing has moved for {LongestRest} s of machine time");
-            if (status.Sample > longest.TotalMilliseconds) return string.Create(CultureInfo.InvariantCulture, $"it still moves after {longest.TotalSeconds:0} s of machine time, which is far more than the drawing needs");
+            if (hasRested) return Wording.Get("ProgramReplayer.NothingHasMovedMachine", LongestRest);
+            if (status.Sample > longest.TotalMilliseconds) return Wording.Get("ProgramReplayer.StillMovesAfterMachine", longest.TotalSeconds);
         }
     }
 }

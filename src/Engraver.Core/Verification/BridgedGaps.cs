@@ -1,12 +1,10 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
-using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
-using Engraver.Core.Verification;
 
-namespace Engraver.Galil.Programs.Generation;
+namespace Engraver.Core.Verification;
 
 /// <summary>Gaps that the join tolerance lets a stroke run across, straight from the true end of one move to the true start of the next. In the middle of one the tool is half of it from either end, and nothing is drawn there.</summary>
 public static class BridgedGaps
@@ -28,17 +26,15 @@ public static class BridgedGaps
     }
 
     /// <summary>Null when no gap takes the tool farther from the drawing than rounding and curve error do.</summary>
-    internal static Diagnostic? Warning(Toolpath toolpath, MachineProfile profile, double maxErrorMm, Func<int, SourceRef> sourceOf)
+    /// <param name="deviation">What rounding and curve error may take the tool from the drawing, millimetres.</param>
+    public static Diagnostic? Warning(Toolpath toolpath, double deviation, Func<int, SourceRef> sourceOf)
     {
-        var gaps = Beyond(toolpath, AllowedDeviation(profile, maxErrorMm));
+        var gaps = Beyond(toolpath, deviation);
         if (gaps.Count == 0) return null;
         var widest = gaps.MaxBy(gap => gap.Segment.Length);
         var (length, place) = (widest.Segment.Length, widest.Segment.Start);
         return MotionRules.GapsBridged.At(sourceOf(widest.EntityIndex), gaps.Count.ToString(CultureInfo.InvariantCulture), Text(length / 2.0), Text(length), Text(place.X), Text(place.Y));
     }
-
-    private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) =>
-        (TraceTolerances.Default with { Count = 1.0 / profile.Scale.Smallest, MaxError = maxErrorMm }).Deviation;
 
     private static string Text(double value) => value.ToString("0.#####", CultureInfo.InvariantCulture);
 }

@@ -1,19 +1,11 @@
 using Engraver.Core.Machines;
-using Engraver.Core.Motion;
 
-namespace Engraver.Galil.Programs.Timing;
+namespace Engraver.Core.Motion;
 
-/// <summary>How long a motion program takes by the trapezoids the controller runs (galil-dmc.md I, "Golden numbers for the profile"), each a whole number of samples,
-/// and by the commands that are exchanged while the machine stands.</summary>
-/// <remarks>Command times are those of Ethernet where no others are given. The time counts from the first rapid to the last settle, or to the end of the way to where the program finishes.</remarks>
+/// <summary>How long a motion program takes by the trapezoids that a controller runs, each a whole number of its samples, and by the commands that are exchanged while the machine stands.</summary>
+/// <remarks>The time counts from the first rapid to the last settle, or to the end of the way to where the program finishes.</remarks>
 public static class MotionTime
 {
-    /// <summary>Seconds of all kinds together.</summary>
-    public static double Estimate(MotionProgram program) => Calculate(program).Total;
-
-    /// <summary>The seconds by kind over Ethernet.</summary>
-    public static MotionTimes Calculate(MotionProgram program) => Calculate(program, CommandTimes.Ethernet);
-
     /// <summary>The seconds by kind; nothing to cut takes no time.</summary>
     public static MotionTimes Calculate(MotionProgram program, CommandTimes commands)
     {
@@ -36,19 +28,19 @@ public static class MotionTime
     internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program, CommandTimes commands)
     {
         var (x, y) = (Math.Abs((double)target.X - from.X), Math.Abs((double)target.Y - from.Y));
-        var profile = program.Profile;
-        var moving = Math.Max(Sampled(x, profile.RapidSpeedX, profile.AccelerationCounts), Sampled(y, profile.RapidSpeedY, profile.AccelerationCounts));
+        var (speeds, acceleration) = (commands.RapidSpeeds(program.Profile), program.Profile.AccelerationCounts);
+        var moving = Math.Max(Sampled(x, speeds.X, acceleration, commands), Sampled(y, speeds.Y, acceleration, commands));
         return new MotionTimes(0.0, moving, commands.Rapid(from, target, moving, program));
     }
 
     internal static MotionTimes Cut(VectorSequence sequence, MotionProgram program, CommandTimes commands)
     {
-        var moving = Sampled(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts);
+        var moving = Sampled(sequence.Length, sequence.Speed, program.Profile.AccelerationCounts, commands);
         return new MotionTimes(moving, 0.0, commands.Sequence(sequence, moving, program));
     }
 
     internal static MotionTimes ToolAt(CountsPoint at, MotionProgram program, CommandTimes commands) => new(0.0, 0.0, commands.Tool(at, program));
 
     /// <summary>The trapezoid up to the sample in which it ends.</summary>
-    private static double Sampled(double distance, double speed, double acceleration) => Math.Ceiling(SpeedTrapezoid.Time(distance, speed, acceleration) / CommandTimes.Sample) * CommandTimes.Sample;
+    private static double Sampled(double distance, double speed, double acceleration, CommandTimes commands) => Math.Ceiling(SpeedTrapezoid.Time(distance, speed, acceleration) / commands.Sample) * commands.Sample;
 }

@@ -1,0 +1,25 @@
+using Engraver.Core.Machines;
+
+namespace Engraver.Core.Posts;
+
+/// <summary>The sequenced, oriented drawing as DXF (<see cref="ClData"/>).</summary>
+public sealed class ClDataPost : IPost
+{
+    public string Name => "cldata";
+
+    public string Summary => Wording.Get("ClDataPost.Summary");
+
+    public string Ending => ".dxf";
+
+    public MotionStyle? Motion => null;
+
+    public IReadOnlyList<PostOption> Options => [];
+
+    public PostText Write(PostRequest request)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        using var text = new StringWriter { NewLine = "\n" };
+        ClData.Write(request.Path, text);
+        return new PostText([text.ToString()], []);
+    }
+}

@@ -1,0 +1,33 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Core.Verification;
+
+namespace Engraver.Core.Posts;
+
+/// <summary>Reads a posted text back and does what it says, by an interpreter that shares no code with what wrote it.</summary>
+public interface IProgramReader
+{
+    /// <summary>Tells the judges every motion from the first command to the end of the program.</summary>
+    /// <returns>Why the text is no program or did not run to its end, with its lines; empty when it did.</returns>
+    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
+    Task<IReadOnlyList<Diagnostic>> ReplayAsync(string text, ReplayRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation);
+}
+
+/// <summary>How a program is read back.</summary>
+/// <param name="Machine">By which counts become millimetres and the tool's output is known.</param>
+/// <param name="Start">Where the machine stands when the program starts, counts of the drawing's frame.</param>
+/// <param name="Expected">Machine time that it probably takes, for the progress.</param>
+/// <param name="Longest">Machine time that it may take.</param>
+/// <param name="Judges">Told in millimetres of the drawing.</param>
+public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, TimeSpan Expected, TimeSpan Longest, IReadOnlyList<TraceJudge> Judges);
+
+/// <summary>How far a replay has come.</summary>
+/// <param name="Chunk">From 1.</param>
+/// <param name="Chunks">All of them.</param>
+/// <param name="MachineTime">Controller time so far.</param>
+/// <param name="Expected">Controller time that the whole is expected to take; zero when nothing is expected to move.</param>
+public readonly record struct ReplayProgress(int Chunk, int Chunks, TimeSpan MachineTime, TimeSpan Expected)
+{
+    /// <summary>0 to 1, never less than before: by the programs that are done, and by the time, whichever is more.</summary>
+    public double Fraction => Math.Max((Chunk - 1.0) / Chunks, Expected > TimeSpan.Zero ? Math.Min(1.0, MachineTime / Expected) : 0.0);
+}

@@ -1,0 +1,32 @@
+using Engraver.Core.Machines;
+
+namespace Engraver.Galil.Language;
+
+/// <summary>The settings of a machine as the controller takes them.</summary>
+public static class DmcProfile
+{
+    /// <summary>VS for the feed, even counts/s. 1200 mm/min at 1000 counts/mm is 20000. With unequal axes the finer one only sets the pace of its own direction,
+    /// so the coarser one decides: no direction is cut faster than the feed.</summary>
+    public static int VectorSpeed(this MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return EvenCountsPerSecond(profile.FeedMmPerMinute, profile.Scale.Smallest);
+    }
+
+    /// <summary>SP of one axis, even counts/s.</summary>
+    public static int RapidSpeed(this MachineProfile profile, MachineAxis axis)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return EvenCountsPerSecond(profile.RapidMmPerMinute, Math.Abs(axis.CountsPerMillimetre));
+    }
+
+    /// <summary>The settle time as WT takes it: an even number of milliseconds, 0 for no wait (galil-dmc.md F.5).</summary>
+    public static int SettleMilliseconds(this MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return 2 * (int)Math.Ceiling(Math.Round(profile.ToolSettleSeconds * 1000.0, 6) / 2.0);
+    }
+
+    private static int EvenCountsPerSecond(double mmPerMinute, double countsPerMillimetre) =>
+        Math.Max(DmcLimits.SlowestSpeed, 2 * (int)Math.Round(mmPerMinute / 60.0 * countsPerMillimetre / 2.0, MidpointRounding.AwayFromZero));
+}

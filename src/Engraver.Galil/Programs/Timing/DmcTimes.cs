@@ -1,0 +1,39 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Galil.Language;
+
+namespace Engraver.Galil.Programs.Timing;
+
+/// <summary>What is the same for every way of leading a job on a controller of this family.</summary>
+public abstract class DmcTimes : CommandTimes
+{
+    /// <summary>One statement of a program in the controller (galil-dmc.md A.4).</summary>
+    internal const double SecondsPerStatement = 0.0005;
+
+    /// <summary>Server loop, dispatch and subprogram of one call, its WT 2 included.</summary>
+    internal const double SecondsPerCall = 26 * SecondsPerStatement;
+
+    /// <summary>The nominal sample (TM 1000); every motion ends on one.</summary>
+    internal const double SampleSeconds = 0.001;
+
+    /// <summary>TIME counts 1024 in a second on hardware (galil-dmc.md C), and the settle is waited for by TIME.</summary>
+    private const double SettleSamplesPerSecond = 1024.0;
+
+    private protected DmcTimes()
+    {
+    }
+
+    /// <summary>A job that the host leads over the network: 1.6 ms for each command.</summary>
+    public static CommandTimes Ethernet { get; } = new EthernetTimes();
+
+    public override double Sample => SampleSeconds;
+
+    public override (double X, double Y) RapidSpeeds(MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return (profile.RapidSpeed(profile.Axes.X), profile.RapidSpeed(profile.Axes.Y));
+    }
+
+    /// <summary>The settle as the job waits for it, in whole samples.</summary>
+    private protected static double Settle(MotionProgram program) => Math.Ceiling(program.Profile.ToolSettleSeconds * SettleSamplesPerSecond) * SampleSeconds;
+}

@@ -1,0 +1,62 @@
+using System.Text;
+using Engraver.Core.Machines;
+using Engraver.Core.Posts;
+using Engraver.Galil.Programs.Posting;
+
+namespace Engraver.Workbench.Composition;
+
+/// <summary>Every format in which a job can be written. <c>post</c> and <c>verify</c> of the console, POST, EXPORT and docs/posts.md read it: a new format is its file and one line here.</summary>
+public static class PostTable
+{
+    public static IReadOnlyList<PostEntry> All { get; } =
+    [
+        new(GalilPost.Sequences, "Galil", new DmcReader()),
+        new(GalilPost.Calls, "galil-Calls", new DmcReader()),
+        new(new ClDataPost(), "cLdata"),
+    ];
+
+    /// <summary>Every option of every post, each once.</summary>
+    public static IReadOnlyList<PostOption> Options => [.. All.SelectMany(entry => entry.Post.Options).DistinctBy(option => option.Name)];
+
+    /// <summary>The entry of that name, whatever its case.</summary>
+    /// <exception cref="KeyNotFoundException">There is none.</exception>
+    public static PostEntry Find(string name) =>
+        All.FirstOrDefault(entry => entry.Post.Name.Equals(name, StringComparison.OrdinalIgnoreCase)) ?? throw new KeyNotFoundException($"There is no post '{name}'.");
+
+    /// <summary>The first entry that is written from a motion program of this style: what the machine's own controller runs.</summary>
+    public static PostEntry ForMotion(MotionStyle style) => All.First(entry => entry.Post.Motion == style);
+
+    /// <summary>The first entry whose files end like this; null for none.</summary>
+    public static PostEntry? ForEnding(string ending) => All.FirstOrDefault(entry => entry.Post.Ending == ending);
+
+    /// <summary>Who reads a posted file back: by its ending, and where that says nothing the reader of the first entry.</summary>
+    public static IProgramReader ReaderFor(string fileName)
+    {
+        var readable = All.Where(entry => entry.Reader is not null).ToList();
+        return (readable.FirstOrDefault(entry => fileName.EndsWith(entry.Post.Ending, StringComparison.OrdinalIgnoreCase)) ?? readable[0]).Reader!;
+    }
+
+    /// <summary>docs/posts.md.</summary>
+    public static string ToMarkdown()
+    {
+        var page = new StringBuilder("# Posts\n\nWritten from the program's own table; `./test --update-golden` writes it anew.\n\n");
+        page.Append("| Target | Writes | File | Written from | Options | `verify` |\n|---|---|---|---|---|---|\n");
+        foreach (var (post, _, reader) in All)
+        {
+            var options = string.Join(", ", post.Options.Select(option => $"`--{option.Name} {option.Argument}`"));
+            page.Append("| ").AppendJoin(" | ", $"`{post.Name}`", post.Summary, $"`{post.Ending}`", post.Motion is { } style ? $"motion program, {style}" : "path in mm", options, reader is null ? "no" : "yes").Append(" |\n");
+        }
+
+        page.Append("\n| Option | Meaning | Value | Default | Of |\n|---|---|---|---|---|\n");
+        foreach (var option in Options) page.Append("| ").AppendJoin(" | ", $"`--{option.Name}`", option.Summary, option.Form, option.Default, string.Join(", ", Having(option))).Append(" |\n");
+        return page.ToString();
+    }
+
+    /// <summary>The names of the posts that have an option.</summary>
+    public static IEnumerable<string> Having(PostOption option) => All.Where(entry => entry.Post.Options.Any(one => one.Name == option.Name)).Select(entry => entry.Post.Name);
+}
+
+/// <summary>One format.</summary>
+/// <param name="Keyword">As POST offers it; the capitals are its short form.</param>
+/// <param name="Reader">What <c>verify</c> reads it back with; null when nothing does.</param>
+public sealed record PostEntry(IPost Post, string Keyword, IProgramReader? Reader = null);

@@ -1,0 +1,64 @@
+using System.Net;
+using System.Text.Json;
+using Engraver.Core.Machines;
+using Engraver.Galil.Language;
+using Engraver.Simulator;
+
+namespace Engraver.Workbench.Composition;
+
+/// <summary>A simulated controller that programs of others reach: over the network, by datagram, on a serial line.</summary>
+public sealed class ServedSimulator : IAsyncDisposable
+{
+    private readonly SimulatedController _controller;
+
+    private ServedSimulator(SimulatorOptions options) => (_controller, Speed) = (new SimulatedController(options), options.Speed);
+
+    /// <summary>Controller seconds for each second on the wall.</summary>
+    public double Speed { get; }
+
+    /// <summary>Ends with the bug of the simulator that ended its work; its clients are cut off then.</summary>
+    public Task Broken => _controller.Broken;
+
+    /// <summary>Why the record is incomplete; null while all is well.</summary>
+    public IOException? RecordFailure => _controller.RecordFailure;
+
+    /// <param name="profile">Its speeds, accelerations and angle quantum are taken as its owner burned them, the rest describes the host's work with it; null for a factory state.</param>
+    /// <param name="faults">What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md); null for nothing.</param>
+    /// <param name="signColumn">Only the column of the sign divides a negative number in a message from the one before it.</param>
+    /// <exception cref="JsonException">The text is no plan of faults.</exception>
+    public static ServedSimulator Create(double speed, MachineProfile? profile, string? faults, bool signColumn)
+    {
+        var options = new SimulatorOptions
+        {
+            Speed = speed,
+            KeepsRecord = false,
+            Faults = faults is null ? null : FaultPlan.Parse(faults),
+            NumberSpacing = signColumn ? NumberSpacing.SignColumn : NumberSpacing.Blank,
+        };
+        return new ServedSimulator(profile is null ? options : options with { AngleQuantumDegrees = profile.AngleQuantumDegrees, Burned = Burned(profile) });
+    }
+
+    /// <summary>Every motor sample and output change goes there as CSV.</summary>
+    public void RecordTo(TextWriter csv) => _controller.Record.AttachCsv(csv);
+
+    /// <param name="port">On loopback; 0 lets the system pick.</param>
+    public Task<IPEndPoint> ListenTcpAsync(int port, CancellationToken cancellation) => _controller.ListenTcpAsync(port, cancellation);
+
+    /// <param name="port">On loopback; 0 lets the system pick.</param>
+    public Task<IPEndPoint> ListenUdpAsync(int port, CancellationToken cancellation) => _controller.ListenUdpAsync(port, cancellation);
+
+    /// <summary>Offers its clock to hosts in other processes.</summary>
+    public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation) => _controller.ListenClockAsync(cancellation);
+
+    /// <summary>The path becomes a link to a pseudo-terminal.</summary>
+    public Task ServeSerialAsync(string path, int baud, CancellationToken cancellation) => _controller.ServeSerialAsync(path, baud, cancellation);
+
+    public ValueTask DisposeAsync() => _controller.DisposeAsync();
+
+    private static BurnedMotion Burned(MachineProfile profile)
+    {
+        var speeds = new int?[1 + profile.Axes.All.Max(axis => axis.Letter - 'A')];
+        foreach (var axis in profile.Axes.All) speeds[axis.Letter - 'A'] = profile.RapidSpeed(axis);
+        return new BurnedMotion(profile.VectorSpeed(), profile.AccelerationCounts, speeds);
+    }
+}

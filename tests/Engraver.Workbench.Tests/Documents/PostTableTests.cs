@@ -1,0 +1,71 @@
+using Engraver.Core.Machines;
+using Engraver.TestKit;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Tests.Commands;
+
+namespace Engraver.Workbench.Tests.Documents;
+
+/// <summary>One table of posts, from which console, command window and page are made.</summary>
+public class PostTableTests
+{
+    public static TheoryData<string> Names => [.. PostTable.All.Select(entry => entry.Post.Name)];
+
+    [Fact]
+    public void The_page_is_the_table() => GoldenFile.Check(Path.Combine(RepositoryFolder.Root, "docs", "posts.md"), PostTable.ToMarkdown());
+
+    [Fact]
+    public void Names_and_short_forms_are_each_once_and_a_keyword_is_its_posts_name()
+    {
+        Assert.All(PostTable.All, entry => Assert.Equal(entry.Post.Name, entry.Keyword, ignoreCase: true));
+        Assert.Equal(PostTable.All.Count, PostTable.All.Select(entry => entry.Post.Name).Distinct().Count());
+        Assert.Equal(PostTable.All.Count, PostTable.All.Select(entry => new Keyword(entry.Keyword).Short).Distinct().Count());
+        Assert.All(PostTable.All, entry => Assert.Matches(@"^\.[a-z]+$", entry.Post.Ending));
+        Assert.All(PostTable.All, entry => Assert.DoesNotMatch(@"[.|]$", entry.Post.Summary));
+    }
+
+    [Fact]
+    public void Two_posts_with_an_option_of_one_name_mean_the_same_by_it() => Assert.All(PostTable.All.SelectMany(entry => entry.Post.Options), option =>
+    {
+        Assert.Equal(PostTable.Options.Single(one => one.Name == option.Name), option);
+        Assert.True(option.Takes(option.Default));
+        Assert.False(option.Takes("") || option.Takes("nonsense"));
+    });
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public async Task POST_writes_every_entry_as_the_console_does(string name)
+    {
+        await using var talk = new CommandTalk();
+        var file = talk.PathOf("out.txt");
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("gasket.dxf"), "POST", name, file);
+
+        Assert.Equal(PostedProgram.Create(Open("gasket"), new DrawingSettings(), PostTable.Find(name).Post, PostedProgram.NoOptions).Text, await File.ReadAllTextAsync(file));
+    }
+
+    [Theory]
+    [InlineData("galil")]
+    [InlineData("galil-calls")]
+    public void A_smaller_memory_gives_more_chunks_and_none_is_longer(string name)
+    {
+        var options = new Dictionary<string, string> { ["memory"] = "100" };
+        var chunks = PostedProgram.Create(Open("nameplate"), new DrawingSettings(), PostTable.Find(name).Post, options).Text!.Split("'CHUNK ", StringSplitOptions.RemoveEmptyEntries);
+
+        Assert.True(chunks.Length > 1);
+        Assert.All(chunks, chunk => Assert.InRange(chunk.Count(c => c == '\n'), 10, 100));
+    }
+
+    [Fact]
+    public void A_posted_file_is_read_back_by_its_ending()
+    {
+        Assert.Same(PostTable.Find("galil").Reader, PostTable.ReaderFor("PLATE.DMC"));
+        Assert.Same(PostTable.Find("galil").Reader, PostTable.ReaderFor("plate.txt"));
+        Assert.Null(PostTable.Find("cldata").Reader);
+        Assert.Throws<KeyNotFoundException>(() => PostTable.Find("punched-tape"));
+        Assert.Equal(MotionStyle.Calls, PostTable.ForMotion(MotionStyle.Calls).Post.Motion);
+    }
+
+    private static Core.Drawings.Drawing Open(string sample) => DrawingFile.Open(CommandTalk.Sample(sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
+}

@@ -1,0 +1,89 @@
+using System.Globalization;
+using Engraver.Core.Languages;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Tests.Commands;
+
+namespace Engraver.Workbench.Tests.Languages;
+
+/// <summary>Every command is talked to in the pseudo-language. A plain letter outside of marks is a text that no language could translate.</summary>
+public class PseudoLanguageTests
+{
+    /// <summary>Words that stay as they are in every language: what is typed back, and what a machine wrote.</summary>
+    private static readonly string[] s_stays = ["mm", "s", "in", "x", "TC"];
+
+    /// <summary>Commands that write a file of a machine's language; Enter alone would show it on the screen.</summary>
+    private static readonly string[] s_machineText = ["POST", "PLOT", "TABLE"];
+
+    /// <summary>Conversations beyond "every default" and "nonsense", which each command gets.</summary>
+    private static readonly string[][] s_talks =
+    [
+        ["LINE?", "'PAN", "MOVE", "'MOVE", "'ZOOM", "E", "ALL", "", "0,0", "5,5"],
+        ["MOVE", "W", "0,0", "@1,1", "R", "5,0", "", "", "SELECT", "5,0", "5,0", "LA", "0", "H", "A1", "H", "ZZ", "U", ""],
+        ["COPY", "ALL", "", "D", "3,4", "U", "U", "UNDO", "99", "REDO", "REDO"],
+        ["ARRAY", "5,0", "", "R", "2", "2", "5", "5", "ARRAY", "5,0", "", "PO", "0,0", "3", "360", "ARRAY", "5,0", "", "R", "9999", "9999"],
+        ["ROTATE", "ALL", "", "0,0", "R", "10", "20", "SCALE", "ALL", "", "0,0", "R", "1", "2", "SCALE", "ALL", "", "0,0", "0"],
+        ["MIRROR", "ALL", "", "0,0", "0,0", "MIRROR", "ALL", "", "0,0", "0,1", "Y"],
+        ["EXPLODE", "ALL", "", "JOIN", "ALL", "", "JOIN", "A3", "OVERKILL", "", "ORIGIN", "C", "HIDEOBJECTS", "5,0", "", "UNISOLATEOBJECTS", "EXPLODE", "5,0", ""],
+        ["LAYER", "?", "C", "red", "*", "OFF", "*", "", "LAYER", "F", "nowhere", "LAYER", "C", "mauve", "CHECK", "CNCARM"],
+        ["AREA", "0,0", "10,0", "10,10", "", "AREA", "O", "20,5", "", "AREA", "O", "5,0", "DIST", "0,0", "3,4", "ID", "1,2", "LIST", "ALL", "", "PROPERTIES"],
+        ["ENTER", "H", "ZZ", "ENTER", "H", "A1", "ERASE", "H", "A1", "", "ENTER", "P", "1,1", "ENTER", "N", "TOOLSTART", "1,1"],
+        ["SEQUENCE", "AUTOSEQUENCE", "DISCONTINUITIES", "CNCORDER", "D", "CHECK", "OPTIONS", "CNCFEED", "1e99", "CNCFEED", "1e9", "500", "OPTIONS", "nothing"],
+        ["CNCCONNECT", "nowhere", "CNCCONNECT", "sim:", "CNCSTATUS", "CNCMOTORS", "OFF", "CNCARM", "", "CNCMOTORS", "ON", "CNCARM", "", "CNCSTATUS", "CNCRUN", "Yes", "CNCSTATUS", "CNCTERMINAL", "help", "CNCTERMINAL", "XX", "CNCTERMINAL", "RS", "CNCGOTO", "1,1", "CNCGOTO", "S", "CNCGOTO", "1e99,0", "ALARMS", "ALARMS", "A", "ALARMS", "H", "ALARMS", "7", "CNCSTOP", "CNCABORT", "ALARMS", "CNCDISCONNECT", "CNCDISCONNECT"],
+        ["CNCCONNECT", "tcp://127.0.0.1:1", "CNCCONNECT", "serial:///dev/null/none", "CNCSTATUS"],
+        ["CNCSIM", "PLAYBACK", "T", "1", "PLAYBACK", "R", "1", "PLAYBACK", "R", "999", "PLAYBACK", "PA", "PLAYBACK", "C", "1", "PLAYBACK", "L", "1", "PLAYBACK", "?", "SHOW", "?", "SHOW", "R", "OFF", "THEME", ""],
+        ["POST", "Galil", "a.dmc", "VERIFY", "a.dmc", "MOVE", "5,0", "", "0,0", "1,1", "VERIFY", "a.dmc", "POST", "Galil", "a.dmc", "N", "PLOT", "P", "a.svg", "EXPORT", "a.svg", "N", "EXPORT", "a.txt", "EXPORT", "b.csv", "TABLE", "S", "C", "a.csv", "POST", "Galil", "no/folder/a.dmc"],
+        ["SAVEAS", "a.dxf", "OPEN", "a.dxf", "OPEN", "none.dxf", "OPEN", ".", "CLOSE", "MOVE", "CHECK", "RECENT", "RECENT", "1", "SCRIPT", "none.scr", "REINIT", "HELP", "", "HELP", "MOVE", "HELP", "nothing", "ZOOM", "P", "ZOOM", "W", "0,0", "0,0", "ZOOM", "C", "0,0", "", "ZOOM", "S", "0X", "ZOOM", "5"],
+        ["OSNAP", "END,MID", "OSNAP", "XYZ", "GRID", "5", "SNAP", "ON", "ORTHO", "ON", "DYNAMICINPUT", "OFF", "CURSORSIZE", "500", "CURSORSIZE", "1.5", "CURSORSIZE", "50", "CNCPROFILE", "none.json", "REGEN", "PAN", "0,0", "1,1"],
+    ];
+
+    public static TheoryData<string> Commands => [.. CommandCatalog.Built().All.Select(info => info.Name)];
+
+    public static TheoryData<int> Talks => [.. Enumerable.Range(0, s_talks.Length)];
+
+    [Theory]
+    [MemberData(nameof(Commands))]
+    public async Task Every_command_speaks_the_language_with_defaults_and_with_nonsense(string command)
+    {
+        string[] defaults = s_machineText.Contains(command) ? [command] : [command, "", "", "", "", ""];
+        await AssertSpokenAsync(defaults);
+        await AssertSpokenAsync([command, "?", "%", "0", "-1", "1e99,1e99"]);
+        await AssertSpokenAsync(["HELP", command, "'" + command]);
+    }
+
+    [Theory]
+    [MemberData(nameof(Talks))]
+    public Task Every_conversation_is_in_the_language(int talk) => AssertSpokenAsync(s_talks[talk]);
+
+    [Fact]
+    public void Every_setting_is_described_in_the_language()
+    {
+        CultureInfo.CurrentUICulture = new CultureInfo(PseudoLanguage.CultureName);
+        try
+        {
+            Assert.All(SettingTable.All, setting => Assert.Empty(PseudoLanguage.Unspoken(setting.Name + SettingWording.OnConsole(setting.Meaning) + SettingWording.AtCommandLine(setting.Meaning))));
+        }
+        finally
+        {
+            CultureInfo.CurrentUICulture = CultureInfo.InvariantCulture;
+        }
+    }
+
+    private static async Task AssertSpokenAsync(string[] inputs)
+    {
+        CultureInfo.CurrentUICulture = new CultureInfo(PseudoLanguage.CultureName); // flows with this task alone
+        await using var talk = CommandTalk.WithDrawing();
+        var shown = new List<string>();
+        foreach (var input in inputs)
+        {
+            shown.Add(talk.Session.Prompt.Text);
+            await talk.TypeAsync(input);
+        }
+
+        await talk.Session.CancelAsync();
+        shown.AddRange(talk.Said.Split('\n'));
+        var wrong = shown.Where(line => PseudoLanguage.Unspoken(line).Except(s_stays).Any()).Distinct().ToList();
+        Assert.True(wrong.Count == 0, string.Join('\n', wrong));
+        Assert.Contains(shown, line => line.Contains('⟦', StringComparison.Ordinal));
+    }
+}
