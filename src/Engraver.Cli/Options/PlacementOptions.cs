@@ -50,7 +50,7 @@ internal sealed class PlacementOptions
     {
         var word = result.Tokens[0].Value;
         if (word == "work") return new OriginRequest.Work();
-        if (word == "here") return new OriginRequest.Here();
+        if (word == "here") return new OriginRequest.PresentPlace();
         if (TryPlace(word) is { } place) return new OriginRequest.Given(place);
         result.AddError(Wording.Get("Placement.NoOrigin", word));
         return new OriginRequest.Work();

@@ -45,7 +45,7 @@ public sealed class GalilConnection : IMachineConnection
 
     public ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation) => StatusPoll.ReadAsync(_session.StopHandle, axes, cancellation);
 
-    public ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation) => PlaceQuestions.AskAsync(_session.Commands, axes, cancellation);
+    public ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation) => PlaceQuestions.AskAsync(_session.Commands, _session.Identity.Letters, axes, cancellation);
 
     public ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation) => PlaceQuestions.MarkAsync(_session.Commands, mark, cancellation);
 

@@ -13,9 +13,11 @@ internal static class PlaceQuestions
     private const string MarkVariable = "cncmark";
 
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
+    /// <param name="letters">The axes of the controller.</param>
     /// <param name="axes">The axes that move the drawing's X and Y.</param>
-    public static async ValueTask<ControllerPlace> AskAsync(CommandChannel channel, MachineAxes axes, CancellationToken cancellation)
+    public static async ValueTask<ControllerPlace> AskAsync(CommandChannel channel, string letters, MachineAxes axes, CancellationToken cancellation)
     {
+        if (axes.Letters.Except(letters).ToList() is { Count: > 0 } missing) return new ControllerPlace(default, Doubt: Wording.Get("PlaceQuestions.NoSuchAxis", string.Join(Wording.Get("Common.And"), missing), letters));
         var position = await channel.ReadAsync(string.Join(',', axes.Letters.Select(letter => $"_RP{letter}")), cancellation).ConfigureAwait(false);
         if (position.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
         async ValueTask<double?> Ask(string operand) => (await channel.ReadAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
@@ -28,7 +30,7 @@ internal static class PlaceQuestions
             serial is > 0 ? (long)serial : null,
             mark is > 0 ? (int)mark : null,
             clock,
-            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("PlaceQuestions.And"), steppersOff.AsEnumerable())));
+            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), steppersOff.AsEnumerable())));
     }
 
     /// <summary>The variable is made by the assignment.</summary>

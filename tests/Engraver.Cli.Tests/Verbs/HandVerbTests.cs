@@ -1,5 +1,6 @@
-using System.Runtime.InteropServices;
+using System.Globalization;
 using System.Text.Json;
+using Engraver.Simulator;
 
 namespace Engraver.Cli.Tests.Verbs;
 
@@ -13,9 +14,10 @@ public class HandVerbTests
     {
         using var patience = new CancellationTokenSource(s_patience);
         using var folder = new TemporaryFolder();
-        using var simulate = EngraverProcess.Start("simulate", "--tcp", "0", "--speed", "20");
-        var clock = (await simulate.LineAsync("clock 127.0.0.1:", patience.Token))["clock 127.0.0.1:".Length..];
-        var address = (await simulate.LineAsync("listening ", patience.Token))["listening ".Length..] + "?clock=" + clock;
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 20 });
+        var clock = (await controller.ListenClockAsync(patience.Token)).Port;
+        var port = (await controller.ListenTcpAsync(0, patience.Token)).Port;
+        var address = string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}");
 
         Assert.Equal((0.0, 0.0, null), Places(await SeenAsync("status", "--connect", address, "--json")));
         Assert.Equal((12.0, -7.5, null), Places(await SeenAsync("goto", "12,-7.5", "--machine-position", "--connect", address, "--json")));
@@ -28,16 +30,14 @@ public class HandVerbTests
         Assert.Equal((15.0, -7.5, 3.0), Places(await SeenAsync("goto", "3,0", "--connect", address, "--json")));
         using (var host = EngraverProcess.Start("run", SampleDrawing.PathOf("gasket"), "--connect", address, "--journal", folder.PathOf("killed.jsonl")))
         {
-            await MovingAsync(folder.PathOf("killed.jsonl"), patience.Token);
+            await controller.WaitUntilAsync(status => status.IsMoving && status.Outputs != 0, patience.Token);
             host.Kill();
             await host.WaitAsync(patience.Token);
         }
 
-        while (Places(await SeenAsync("status", "--connect", address, "--json")).State is not "READY") patience.Token.ThrowIfCancellationRequested();
+        await controller.WaitUntilAsync(status => !status.IsMoving && status.Outputs == 0, patience.Token); // the watchdog
         var run = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--json", "--journal", folder.PathOf("b.jsonl")));
         Assert.Equal(("complete", 12000, -7500), (run.GetProperty("outcome").GetString(), run.GetProperty("finalX").GetInt32(), run.GetProperty("finalY").GetInt32()));
-        simulate.Signal(PosixSignal.SIGINT);
-        await simulate.WaitAsync(patience.Token);
     }
 
     private static async Task<JsonElement> SeenAsync(params string[] words)

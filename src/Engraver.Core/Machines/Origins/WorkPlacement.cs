@@ -16,7 +16,7 @@ public static class WorkPlacement
         ArgumentNullException.ThrowIfNull(place);
         return request switch
         {
-            OriginRequest.Here => Placed(new CountsPoint(place.Position.X - start.X, place.Position.Y - start.Y), OriginSource.Here),
+            OriginRequest.PresentPlace => Placed(new CountsPoint(place.Position.X - start.X, place.Position.Y - start.Y), OriginSource.Here),
             OriginRequest.Given { Machine: var at } => Given(place, at, profile),
             OriginRequest.Work => Work(memory, place, profile),
             _ => throw new ArgumentOutOfRangeException(nameof(request)),
@@ -93,7 +93,7 @@ public abstract record OriginRequest
     public sealed record Work : OriginRequest;
 
     /// <summary>The machine stands at the drawing's start point.</summary>
-    public sealed record Here : OriginRequest;
+    public sealed record PresentPlace : OriginRequest;
 
     /// <summary>A machine position.</summary>
     /// <param name="Machine">Millimetres by the controller's own zero.</param>

@@ -26,7 +26,7 @@ public sealed class MachineHold : IDisposable
         (_path, _name, _lock) = (path, name, taken);
         try
         {
-            if (File.Exists(path)) _memory = (JsonSerializer.Deserialize(File.ReadAllText(path), MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException("It holds null.")).ToMemory();
+            if (File.Exists(path)) _memory = (JsonSerializer.Deserialize(File.ReadAllText(path), MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException(Wording.Get("Origins.HoldsNull"))).ToMemory();
         }
         catch (JsonException torn)
         {
@@ -106,9 +106,9 @@ internal sealed record MachineMemoryDocument
 
     public MachineMemory ToMemory() => new()
     {
-        Active = WorkOriginNames.Find(Active) ?? throw new JsonException($"'{Active}' is no work origin."),
+        Active = WorkOriginNames.Find(Active) ?? throw new JsonException(Wording.Get("Origins.NoOrigin", Active)),
         Origins = Origins.ToDictionary(
-            entry => WorkOriginNames.Find(entry.Key) ?? throw new JsonException($"'{entry.Key}' is no work origin."),
+            entry => WorkOriginNames.Find(entry.Key) ?? throw new JsonException(Wording.Get("Origins.NoOrigin", entry.Key)),
             entry => new WorkOrigin(entry.Value.X, entry.Value.Y, entry.Value.Z) { IsAssumed = entry.Value.Assumed }),
         Mark = Mark,
         Clock = Clock,

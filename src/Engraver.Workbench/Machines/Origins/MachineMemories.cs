@@ -24,8 +24,8 @@ public sealed class MachineMemories(string? folder)
         ArgumentNullException.ThrowIfNull(identity);
         ArgumentNullException.ThrowIfNull(place);
         if (folder is null) return new MachineHold();
-        var name = NameOf(address, identity, place);
-        var path = Path.Combine(folder, KeyOf(name) + ".json");
+        var name = place.Serial is { } serial ? Wording.Get("Origins.SerialNumber", identity.Model, serial) : Wording.Get("Origins.At", identity.Model, address);
+        var path = Path.Combine(folder, KeyOf(address, identity, place) + ".json");
         try
         {
             Directory.CreateDirectory(folder);
@@ -37,12 +37,9 @@ public sealed class MachineMemories(string? folder)
         }
     }
 
-    /// <summary>A controller is known by its own number where it has one, else by where it is reached; beside either stands its model.</summary>
-    private static string NameOf(string address, MachineIdentity identity, ControllerPlace place) => place.Serial is { } serial
-        ? string.Create(CultureInfo.InvariantCulture, $"{identity.Model}, serial number {serial}")
-        : $"{identity.Model} at {address}";
-
-    private static string KeyOf(string name) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(name)))[..24];
+    /// <summary>A controller is known by its own number where it has one, else by where it is reached; with either goes its model.</summary>
+    private static string KeyOf(string address, MachineIdentity identity, ControllerPlace place) =>
+        Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes($"{identity.Model}\n{place.Serial?.ToString(CultureInfo.InvariantCulture) ?? address}")))[..24];
 }
 
 /// <summary>The machine is in the hands of another host.</summary>

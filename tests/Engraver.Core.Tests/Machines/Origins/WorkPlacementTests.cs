@@ -74,7 +74,7 @@ public class WorkPlacementTests
     [Fact]
     public void Here_takes_the_machines_place_for_the_drawings_start_and_a_given_place_is_machine_millimetres()
     {
-        var here = WorkPlacement.Find(s_set, At(10000, 500), new OriginRequest.Here(), MachineProfile.Default, new CountsPoint(3000, -1000));
+        var here = WorkPlacement.Find(s_set, At(10000, 500), new OriginRequest.PresentPlace(), MachineProfile.Default, new CountsPoint(3000, -1000));
         Assert.Equal((new CountsPoint(7000, 1500), OriginSource.Here), (here.Frame!.Value, here.Source));
         var given = WorkPlacement.Find(s_set, At(1, 1), new OriginRequest.Given(new Point2D(2.5, -1)), MachineProfile.Default, default);
         Assert.Equal((new CountsPoint(2500, -1000), OriginSource.Given), (given.Frame!.Value, given.Source));

@@ -111,7 +111,7 @@ public sealed class WorkOriginTests : IAsyncDisposable
         foreach (var file in Directory.GetFiles(_folder.FullName, "*.json")) File.Delete(file);
 
         Assert.Equal("JOB0008", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
-        var here = await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.Here() });
+        var here = await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.PresentPlace() });
 
         Assert.Contains((9000L, 5000L), here);
         Assert.Equal((9000L, 0L), Position);
