@@ -124,8 +124,9 @@ public sealed class WorkOriginTests : IAsyncDisposable
         await using (var first = new Workbench.Machines.MachineSession(_clock) { OriginsFolder = _folder.FullName })
         {
             await first.ConnectAsync(await AddressAsync(), _limit.Token);
-            var taken = await Assert.ThrowsAsync<MachineTakenException>(() => RunAsync(JobMode.Stream));
-            Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"CncEngraver (process {Environment.ProcessId}, since "), taken.Message, StringComparison.Ordinal);
+            var taken = await RunAsync(JobMode.Stream);
+            Assert.Equal((JobOutcome.Refused, 0), (taken.Result.Outcome, taken.Result.SegmentsSent));
+            Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"CncEngraver (process {Environment.ProcessId}, since "), taken.Result.Sentence, StringComparison.Ordinal);
         }
 
         Assert.Equal(JobOutcome.Complete, (await RunAsync(JobMode.Stream)).Result.Outcome);
@@ -139,9 +140,10 @@ public sealed class WorkOriginTests : IAsyncDisposable
         await File.WriteAllTextAsync(file, "{ \"active\": \"G54\", \"origins\"");
         var rows = _controller.Record.Snapshot().Count;
 
-        var torn = await Assert.ThrowsAsync<MachineMemoryException>(() => RunAsync(JobMode.Stream));
+        var torn = await RunAsync(JobMode.Stream);
 
-        Assert.Contains(file, torn.Message, StringComparison.Ordinal);
+        Assert.Equal(JobOutcome.Refused, torn.Result.Outcome);
+        Assert.Contains(file, torn.Result.Sentence, StringComparison.Ordinal);
         Assert.Equal(rows, _controller.Record.Snapshot().Count);
         Assert.Equal("{ \"active\": \"G54\", \"origins\"", await File.ReadAllTextAsync(file));
     }
