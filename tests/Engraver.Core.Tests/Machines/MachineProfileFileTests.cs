@@ -5,7 +5,7 @@ namespace Engraver.Core.Tests.Machines;
 public class MachineProfileFileTests
 {
     /// <summary>As of the DMC-21x3.</summary>
-    private static readonly MachineLimits s_limits = new(SlowestSpeed: 2, FastestSpeed: 12_000_000, AccelerationStep: 1024, LargestAcceleration: 67_107_840, Outputs: 8, Axes: "ABCDEFGH");
+    private static readonly MachineLimits s_limits = new(SlowestSpeed: 2, FastestSpeed: 12_000_000, AccelerationStep: 1024, LargestAcceleration: 67_107_840, Outputs: 8, "ABCDEFGH");
 
     [Fact]
     public void An_empty_object_is_the_default_machine_profile() => Assert.Equal(MachineProfile.Default, MachineProfileFile.Read("{}", s_limits).Profile);
