@@ -21,6 +21,9 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(PostVerb.Build(host));
         root.Subcommands.Add(VerifyVerb.Build(host));
         root.Subcommands.Add(RunVerb.Build(host));
+        root.Subcommands.Add(HandVerbs.Status(host));
+        root.Subcommands.Add(HandVerbs.GoTo(host));
+        root.Subcommands.Add(HandVerbs.Zero(host));
         root.Subcommands.Add(TerminalVerb.Build(host));
         root.Subcommands.Add(SimulateVerb.Build(host));
         root.Subcommands.Add(BenchVerb.Build(host));

@@ -35,6 +35,9 @@ public sealed record SimulatorOptions
     /// <summary>What ^R^V answers (galil-dmc.md I.6).</summary>
     public string Model { get; init; } = "DMC2143 Rev 1.0o";
 
+    /// <summary>Answer to _BN: the serial number of the processor board (galil-dmc.md 0.3). By default each simulated controller has its own.</summary>
+    public int SerialNumber { get; init; } = Random.Shared.Next(1, int.MaxValue);
+
     /// <summary>Whether automatic subroutines need a running thread 0 (galil-dmc.md C.3, [U]).</summary>
     public bool HandlersNeedThreadZero { get; init; } = true;
 

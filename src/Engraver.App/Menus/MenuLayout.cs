@@ -14,7 +14,7 @@ public static class MenuLayout
         new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "OSNAP", "DYNAMICINPUT", Separator, "SHOW", "THEME", Separator, "Window.Palettes", "Window.Pages", "Window.Clean", "Window.History"]),
         new("Drawing", ["LAYER", "PROPERTIES", "LIST", Separator, "DIST", "ID", "AREA", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", Separator, "CNCUNITS", "CNCCUT"]),
         new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "ENTER", "TOOLSTART", "STARTPOINT", "PIN", "LEADIN", "LINK", Separator, "OFFSET", "POCKET", Separator, "PLAYBACK", Separator, "CNCMAXERR", "CNCJOINTOL", "CNCDUPLICATES", "CNCRECOVER"]),
-        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCARM", "CNCRUN", "CNCGOTO", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "ALARMS", "CNCTERMINAL", Separator, "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA"]),
+        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCARM", "CNCRUN", "CNCGOTO", "CNCZERO", "CNCORIGIN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "ALARMS", "CNCTERMINAL", Separator, "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA"]),
         new("Plot", ["PLOT", "POST", "AGIEPOST", "VERIFY", Separator, "TABLE"]),
         new("Help", ["HELP"]),
     ];

@@ -11,6 +11,7 @@ namespace Engraver.Cli.Output;
 [JsonSerializable(typeof(PlanJson))]
 [JsonSerializable(typeof(RunJson))]
 [JsonSerializable(typeof(VerifyJson))]
+[JsonSerializable(typeof(StatusJson))]
 internal sealed partial class ContractJson : JsonSerializerContext
 {
     public static void Write<T>(TextWriter output, T value, JsonTypeInfo<T> type) => output.WriteLine(JsonSerializer.Serialize(value, type));

@@ -18,9 +18,14 @@ internal sealed record RunJson(
     string DeviationSource,
     string? Journal,
     RunJson.LeftOutJson? LeftOut,
-    IReadOnlyDictionary<string, int>? NotCut)
+    IReadOnlyDictionary<string, int>? NotCut,
+    RunJson.OriginJson? Origin)
 {
     internal sealed record ScaleJson(double X, double Y);
+
+    /// <summary>Where the drawing's zero lay, millimetres by the controller's own zero.</summary>
+    /// <param name="Source">work, here or given.</param>
+    internal sealed record OriginJson(double X, double Y, string Source);
 
     /// <param name="Count">Entities of the drawing that gave no curve though they should have.</param>
     /// <param name="Length">Their length; null where nobody can know it.</param>

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
@@ -25,12 +26,17 @@ internal static class RunReport
         report.Judgement.Source,
         journal,
         LeftOut(job),
-        job.NotCut.Counts);
+        job.NotCut.Counts,
+        Origin(job.Settings, report.Placement));
 
     /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
     /// <param name="job">Null when it was stopped before it was prepared.</param>
     public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome) =>
-        new(OutcomeText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts);
+        new(OutcomeText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts, null);
+
+    private static RunJson.OriginJson? Origin(DrawingSettings settings, PlacementResult? placement) => placement is { Frame: { } frame }
+        ? new(frame.X / settings.Machine.Scale.X, frame.Y / settings.Machine.Scale.Y, placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })
+        : null;
 
     /// <summary>An entity that cannot be read has no length that anybody knows.</summary>
     private static RunJson.LeftOutJson LeftOut(PreparedJob job) => RunText.LeftOut(job) is var count and > 0 ? new(count, null) : new(0, 0.0);

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
@@ -20,6 +21,7 @@ internal sealed class RunVerb
     private readonly Option<bool> _json = JsonOption.New();
     private readonly Option<string?> _journal = new("--journal") { HelpName = "FILE", Description = Wording.Get("Run.WhereProgressJournalledDefault") };
     private readonly Option<bool> _dryRun = new("--dry-run") { Description = Wording.Get("Run.EveryMotionButTool") };
+    private readonly PlacementOptions _placement = new();
     private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = Wording.Get("Run.WriteEveryLineOn") };
     private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = Wording.Get("Run.StartAlthoughDrawingHas") };
 
@@ -31,6 +33,7 @@ internal sealed class RunVerb
         var command = new MachineCommand("run", Wording.Get("Run.RunsDrawingOnController"));
         verb._drawing.AddTo(command);
         foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors]) command.Options.Add(option);
+        verb._placement.AddTo(command);
         command.SetAction(verb.RunAsync);
         return command;
     }
@@ -39,6 +42,7 @@ internal sealed class RunVerb
     {
         var settings = _drawing.Settings(parsed);
         var mode = ModeOption.Mode(parsed.GetValue(_mode));
+        _ = _placement.Finish(parsed, settings.Machine);
         var (job, fit) = await PrepareAsync(parsed, settings, mode, stop).ConfigureAwait(false);
         var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
@@ -88,7 +92,10 @@ internal sealed class RunVerb
             JournalPath = parsed.GetValue(_journal) ?? JournalFolder.NewJournal(job.Drawing.FileName, TimeProvider.System),
             TracePath = parsed.GetValue(_trace),
             DryRun = parsed.GetValue(_dryRun),
-            Starts = parsed.GetRequiredValue(_connect) is SimulatedAddress ? null : new StartMemory(StartMemory.FolderIn(null)),
+            Origin = _placement.Origin(parsed),
+            Finish = _placement.Finish(parsed, job.Settings.Machine),
+            Memories = PlacementOptions.Memories(parsed.GetRequiredValue(_connect)!),
+            Holder = PlacementOptions.Holder,
             Told = finding => _host.Report(parsed, job.Drawing.FileName, [finding]),
         };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
@@ -113,6 +120,7 @@ internal sealed class RunVerb
     private int Finish(ParseResult parsed, PreparedJob job, MachineRunReport report, string journal)
     {
         _host.Report(parsed, job.Drawing.FileName, report.Result.Diagnostics);
+        if (report.Placement?.Refusal is { } unplaced) return NotPlaced(parsed, job, unplaced);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal), ContractJson.Default.RunJson);
         else _host.Out.WriteLine(RunText.Sentence(job, report));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
@@ -126,6 +134,14 @@ internal sealed class RunVerb
             JobOutcome.Deviated => ExitCode.DrawingError,
             _ => ExitCode.LinkLost,
         };
+    }
+
+    /// <summary>Nobody can say where the work is: nothing was moved.</summary>
+    private int NotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal)
+    {
+        _host.Report(parsed, job.Drawing.FileName, [refusal]);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job.Settings, job, JobOutcome.Refused), ContractJson.Default.RunJson);
+        return ExitCode.Usage;
     }
 
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)

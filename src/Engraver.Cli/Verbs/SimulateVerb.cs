@@ -27,7 +27,8 @@ internal static class SimulateVerb
         var machine = new Option<string?>("--machine") { HelpName = "PROFILE.json", Description = Wording.Get("Simulate.StartWithSpeedsAccelerations") };
         var faults = new Option<string?>("--faults") { HelpName = "FILE", Description = Wording.Get("Simulate.WhatShallGoWrong") };
         var numbers = new Option<string>("--numbers") { HelpName = "blank|column", Description = Wording.Get("Simulate.WhatDividesNegativeNumber"), DefaultValueFactory = _ => Blank, CustomParser = ParseSpacing };
-        var command = new MachineCommand("simulate", Wording.Get("Simulate.ServesSimulatedDmcController")) { port, datagrams, serial, baud, speed, record, machine, faults, numbers };
+        var number = new Option<int?>("--serial-number") { HelpName = "N", Description = Wording.Get("Simulate.SerialNumber") };
+        var command = new MachineCommand("simulate", Wording.Get("Simulate.ServesSimulatedDmcController")) { port, datagrams, serial, baud, speed, record, machine, faults, numbers, number };
         command.Validators.Add(result =>
         {
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError(Wording.Get("Simulate.BaudRateSerialPort"));

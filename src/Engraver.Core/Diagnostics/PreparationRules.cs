@@ -13,10 +13,18 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule TooLarge = new("JOB0005", Severity.Warning, "width", "height", "distance", "size", "far", "guess");
 
-    public static readonly DiagnosticRule StartsElsewhere = new("JOB0006", Severity.Warning, "here", "start", "when", "there", "dx", "dy");
+    public static readonly DiagnosticRule NoOrigin = new("JOB0008", Severity.Error, "name", "x", "y");
 
-    public static readonly DiagnosticRule StartNotKept = new("JOB0007", Severity.Warning, "reason");
+    public static readonly DiagnosticRule ZeroLost = new("JOB0009", Severity.Error, "name");
+
+    public static readonly DiagnosticRule PositionDoubted = new("JOB0010", Severity.Error, "reason");
+
+    public static readonly DiagnosticRule OriginHalfSet = new("JOB0011", Severity.Error, "name", "axis");
+
+    public static readonly DiagnosticRule OriginTooFar = new("JOB0012", Severity.Error, "x", "y");
+
+    public static readonly DiagnosticRule StateNotKept = new("JOB0013", Severity.Warning, "reason");
 
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, StartsElsewhere, StartNotKept];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept];
 }

@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using Engraver.Core.Machines.Origins;
 
 namespace Engraver.Core.Machines;
 
@@ -17,6 +18,16 @@ public interface IMachineConnection : IAsyncDisposable
     /// <param name="axes">Those that a job moves.</param>
     /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
     ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation);
+
+    /// <summary>Where the machine stands, and what tells whether the controller still counts from the same zero.</summary>
+    /// <param name="axes">The axes that move the drawing's X and Y.</param>
+    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
+    ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation);
+
+    /// <summary>Leaves a number in the controller that is gone once it is switched off or reset.</summary>
+    /// <returns>False when the controller does not take it.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation);
 
     /// <summary>Switches the tool off and brakes the path and every axis. Returns when the controller has accepted it, not at rest.</summary>
     /// <param name="toolOutput">The digital output of the tool, from 1.</param>

@@ -39,6 +39,9 @@ public sealed record JobResult
     /// <summary>False when the link was lost before the controller reported where it came to rest: it continued with its stored segments until the watchdog tripped, and may have cut more than is counted here.</summary>
     public bool IsEndKnown { get; init; } = true;
 
+    /// <summary>Why the machine's position is not to be trusted from here on ("an axis could not follow"); empty while it is.</summary>
+    public string PositionDoubt { get; init; } = "";
+
     /// <summary>The refused command that ended the job, when one did.</summary>
     public MachineRefusal? Refusal { get; init; }
 

@@ -1,3 +1,5 @@
+using Engraver.Core.Geometry;
+
 namespace Engraver.Core.Machines;
 
 /// <summary>The machine as its owner describes it. The defaults are the default machine profile of the runner's contract.</summary>
@@ -28,6 +30,15 @@ public sealed record MachineProfile
 
     /// <summary>Steps in which the controller holds the angles of CR, degrees (galil-dmc.md B.3: 1/65536; older manuals 1/256).</summary>
     public double AngleQuantumDegrees { get; init; } = 1.0 / 65536.0;
+
+    /// <summary>Machine X at which the machine is parked, mm by the controller's own zero; null where the machine has no such place.</summary>
+    public double? ParkX { get; init; }
+
+    /// <summary>Machine Y at which the machine is parked, mm by the controller's own zero; null where the machine has no such place.</summary>
+    public double? ParkY { get; init; }
+
+    /// <summary>The place where the machine is parked, mm by the controller's own zero; null where it has none.</summary>
+    public Point2D? Park => ParkX is { } x && ParkY is { } y ? new Point2D(x, y) : null;
 
     public CountsScale Scale => Axes.Scale;
 }

@@ -25,6 +25,10 @@ internal sealed class MachineProfileDocument
 
     public double? AngleQuantumDegrees { get; set; }
 
+    public double? ParkX { get; set; }
+
+    public double? ParkY { get; set; }
+
     public static MachineProfileDocument From(MachineProfile profile) => new()
     {
         AxisX = profile.Axes.X.Letter.ToString(),
@@ -38,6 +42,8 @@ internal sealed class MachineProfileDocument
         ToolOutput = profile.ToolOutput,
         ToolSettleSeconds = profile.ToolSettleSeconds,
         AngleQuantumDegrees = profile.AngleQuantumDegrees,
+        ParkX = profile.ParkX,
+        ParkY = profile.ParkY,
     };
 
     public MachineProfile Over(MachineProfile profile) => new()
@@ -50,6 +56,8 @@ internal sealed class MachineProfileDocument
         ToolOutput = ToolOutput ?? profile.ToolOutput,
         ToolSettleSeconds = ToolSettleSeconds ?? profile.ToolSettleSeconds,
         AngleQuantumDegrees = AngleQuantumDegrees ?? profile.AngleQuantumDegrees,
+        ParkX = ParkX ?? profile.ParkX,
+        ParkY = ParkY ?? profile.ParkY,
     };
 
     /// <summary>What is no single letter becomes none that a controller has, for the check of the profile to refuse.</summary>

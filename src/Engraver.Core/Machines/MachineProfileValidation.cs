@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Machines;
 
@@ -35,8 +36,12 @@ public static class MachineProfileValidation
         if (p.SharpCornerDegrees is not (>= 0.0 and <= 180.0)) yield return Finding("sharpCornerDegrees", p.SharpCornerDegrees, Wording.Get("MachineProfileValidation.Degrees"));
         if (p.ToolOutput < 1 || p.ToolOutput > limits.Outputs) yield return Finding("toolOutput", p.ToolOutput, Wording.Get("MachineProfileValidation.OutputFrom", limits.Outputs));
         if (p.ToolSettleSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("toolSettleSeconds", p.ToolSettleSeconds, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
+        if (p.ParkX is null != p.ParkY is null) yield return Finding(p.ParkX is null ? "parkY" : "parkX", p.ParkX ?? p.ParkY ?? 0.0, Wording.Get("MachineProfileValidation.ParkHasTwo"));
+        if (p.Park is { } park && !IsCountable(park, p)) yield return Finding("parkX", park.X, Wording.Get("MachineProfileValidation.ParkCountable"));
         if (p.AngleQuantumDegrees is not (> 0.0 and <= 1.0)) yield return Finding("angleQuantumDegrees", p.AngleQuantumDegrees, Wording.Get("MachineProfileValidation.AboveMostDegree"));
     }
+
+    private static bool IsCountable(Point2D place, MachineProfile profile) => !IsScale(profile.Scale.X) || !IsScale(profile.Scale.Y) || profile.Scale.Holds(Bounds2D.FromCorners(place, place), default);
 
     private static bool IsScale(double countsPerMillimetre) => double.IsFinite(countsPerMillimetre) && countsPerMillimetre != 0.0;
 

@@ -11,6 +11,9 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
     /// <summary>How the segments were grouped into sequences; job mode Calls needs <see cref="MotionStyle.Calls"/>.</summary>
     public MotionStyle Style { get; init; }
 
+    /// <summary>Where the machine goes behind the last stroke, tool off, job frame; null: it stays where it is. Posted programs end where their last stroke does.</summary>
+    public CountsPoint? Finish { get; init; }
+
     public int SegmentCount => Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Segments.Count));
 
     /// <summary>The segment after so many in the order of cutting, with its start and stroke; null after the last.</summary>

@@ -3,7 +3,7 @@ using Engraver.Core.Machines;
 namespace Engraver.Core.Motion;
 
 /// <summary>How long a motion program takes by the trapezoids that a controller runs, each a whole number of its samples, and by the commands that are exchanged while the machine stands.</summary>
-/// <remarks>The time counts from the first rapid to the last settle.</remarks>
+/// <remarks>The time counts from the first rapid to the last settle, or to the end of the way to where the program finishes.</remarks>
 public static class MotionTime
 {
     /// <summary>The seconds by kind; nothing to cut takes no time.</summary>
@@ -22,7 +22,7 @@ public static class MotionTime
             times += ToolAt(at, program, commands);
         }
 
-        return times;
+        return program.Finish is { } finish ? times + RapidTo(finish, at, program, commands) : times;
     }
 
     internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program, CommandTimes commands)

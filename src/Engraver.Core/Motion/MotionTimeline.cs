@@ -39,6 +39,7 @@ public sealed class MotionTimeline
             at = program.Strokes[stroke].Sequences[^1].End;
         }
 
+        if (program is { Finish: { } finish, Strokes.Count: > 0 }) timeline.AddFinish(at, finish);
         return timeline;
     }
 
@@ -75,6 +76,15 @@ public sealed class MotionTimeline
 
         var last = stroke.Sequences.Count - 1;
         Add(MotionSpanKind.Dwell, settle, index, last, stroke.Sequences[last].End, stroke.Sequences[last].End, toolOn: false);
+    }
+
+    /// <summary>The way to where the program finishes belongs to its last sequence.</summary>
+    private void AddFinish(CountsPoint from, CountsPoint finish)
+    {
+        var (stroke, sequence) = (Program.Strokes.Count - 1, Program.Strokes[^1].Sequences.Count - 1);
+        var rapid = MotionTime.RapidTo(finish, from, Program, _commands);
+        Add(MotionSpanKind.Dwell, rapid.Dwell, stroke, sequence, from, from, toolOn: false);
+        Add(MotionSpanKind.Rapid, rapid.Rapid, stroke, sequence, from, finish, toolOn: false);
     }
 
     private void Add(MotionSpanKind kind, double seconds, int stroke, int sequence, CountsPoint from, CountsPoint to, bool toolOn)

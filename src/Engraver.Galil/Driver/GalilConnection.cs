@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Timing;
 using Engraver.Galil.Links;
@@ -43,6 +44,10 @@ public sealed class GalilConnection : IMachineConnection
     }
 
     public ValueTask<MachineReading> LookAsync(MachineAxes axes, CancellationToken cancellation) => StatusPoll.ReadAsync(_session.StopHandle, axes, cancellation);
+
+    public ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation) => PlaceQuestions.AskAsync(_session.Commands, _session.Identity.Letters, axes, cancellation);
+
+    public ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation) => PlaceQuestions.MarkAsync(_session.Commands, mark, cancellation);
 
     public Task StopAsync(int toolOutput) => new OperatorStop(_session, toolOutput, [], _session.Identity.Letters).BrakeAtOnceAsync();
 

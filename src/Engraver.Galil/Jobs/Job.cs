@@ -137,9 +137,17 @@ internal sealed class Job
         return JobStep.Done;
     }
 
-    private async Task<JobStep> CutAsync() => await _way.CutAsync().ConfigureAwait(false) is { Ends: true } end
-        ? end
-        : new JobStep(JobOutcome.Complete, Wording.Get("Job.DoneSegments", _ledger.Executed), null);
+    private async Task<JobStep> CutAsync()
+    {
+        if (IsTooFar) return JobStep.Broken(Wording.Get("Job.CannotCountToAll", _machine.Frame.X, _machine.Frame.Y));
+        if (_options.Frame is not null && _program.Strokes.Count > 0 && await RapidMove.ToAsync(_machine, _program.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
+        if (await _way.CutAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (_program.Finish is { } finish && await RapidMove.ToAsync(_machine, finish).ConfigureAwait(false) is { Ends: true } unfinished) return unfinished;
+        return new JobStep(JobOutcome.Complete, Wording.Get("Job.DoneSegments", _ledger.Executed), null);
+    }
+
+    /// <summary>Whether a rapid would leave the controller's 32 bits.</summary>
+    private bool IsTooFar => !_program.Strokes.All(stroke => _machine.ControllerFrame.Holds(stroke.Start)) || !_machine.ControllerFrame.Holds(_program.Start) || !_machine.ControllerFrame.Holds(_program.Finish ?? _program.Start);
 
     /// <summary>Tool off, stop, our threads halted, at rest; after a complete job only the threads are left to stop. Tried over a lost link too, because the other handle may still work.</summary>
     private async Task<(JobStep Step, StandstillReport? Standstill)> BringToRestAsync(JobStep step)
@@ -204,6 +212,7 @@ internal sealed class Job
         FinalPosition = standstill is { } rest ? new CountsPoint(rest.X, rest.Y) : _machine.Known?.Position,
         FrameOrigin = _machine.FrameTaken,
         IsEndKnown = standstill is not null || !_touched,
+        PositionDoubt = step.Doubt,
         Refusal = step.Refusal?.ToRefusal(),
         PolledTrace = _ledger.Trace,
         ExecutedEntityIndices = _ledger.Entities,

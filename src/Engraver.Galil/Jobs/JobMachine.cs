@@ -20,6 +20,7 @@ internal sealed class JobMachine
     private readonly TimeSpan _pollInterval;
     private readonly JobLedger _ledger;
     private readonly Action _polled;
+    private readonly CountsPoint? _frameGiven;
     private readonly Action<CountsPoint>? _frameTaken;
     private readonly CancellationToken _stop;
     private readonly Heartbeat _heartbeat;
@@ -42,6 +43,7 @@ internal sealed class JobMachine
         Tool = new JobTool(this, options.DryRun);
         _ledger = ledger;
         _polled = polled;
+        _frameGiven = options.Frame;
         _frameTaken = options.FrameTaken;
         _stop = stop;
         _heartbeat = new Heartbeat(session.Time);
@@ -68,6 +70,9 @@ internal sealed class JobMachine
 
     /// <summary>As <see cref="Frame"/>; null before <see cref="TakeFrameAsync"/>.</summary>
     public CountsPoint? FrameTaken { get; private set; }
+
+    /// <summary>From the job frame to the controller's own counts.</summary>
+    public ControllerFrame ControllerFrame => new(default, Frame);
 
     /// <summary>Present position, job frame.</summary>
     public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
@@ -258,11 +263,11 @@ internal sealed class JobMachine
         }
     }
 
-    /// <summary>Defines the job frame: the position at the start of the job becomes the drawing's start point.</summary>
+    /// <summary>Defines the job frame: the one that is given, or the position at the start of the job becomes the drawing's start point.</summary>
     public async ValueTask<JobStep> TakeFrameAsync()
     {
         if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        FrameTaken = new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
+        FrameTaken = _frameGiven ?? new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
         _frameTaken?.Invoke(Frame);
         return JobStep.Done;
     }
@@ -293,7 +298,7 @@ internal sealed class JobMachine
         var (x, y) = (Profile.Axes.X.Letter, Profile.Axes.Y.Letter);
         var (errorX, errorY) = (await AskAtRestAsync($"_TE{x}").ConfigureAwait(false), await AskAtRestAsync($"_TE{y}").ConfigureAwait(false));
         var far = errorX is { } first && errorY is { } second ? Wording.Get("JobMachine.CountsOff", x, first, y, second) : "";
-        return JobStep.Broken(Wording.Get("JobMachine.PositionErrorBecameLarger", State.Position.X, State.Position.Y, far));
+        return JobStep.Broken(Wording.Get("JobMachine.PositionErrorBecameLarger", State.Position.X, State.Position.Y, far)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
     }
 
     /// <summary>Reports a halt from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is active, by AB, or by HX.</summary>

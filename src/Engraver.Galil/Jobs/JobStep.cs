@@ -11,6 +11,9 @@ internal sealed record JobStep(JobOutcome Outcome, string Sentence, Rejected? Re
     /// <summary>The cause, for a step that ended with <see cref="JobOutcome.LinkLost"/>; otherwise null.</summary>
     public LinkLoss? Loss { get; private init; }
 
+    /// <summary>Why the machine's position is not to be trusted from here on; empty while it is.</summary>
+    public string Doubt { get; init; } = "";
+
     public bool Ends => Outcome != JobOutcome.Complete;
 
     public static JobStep Refused(Rejected rejected, string where) => new(JobOutcome.Refused, rejected.Explain() + where, rejected);

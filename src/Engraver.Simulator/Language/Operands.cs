@@ -71,7 +71,7 @@ internal static class Operands
         ["IA"] = Address,
         ["IH"] = HandleState,
         ["WH"] = r => Whole(r.Context.Handle?.Index ?? throw new CommandRefusedException(Tc.NotInProgram)),
-        ["BN"] = _ => Whole(2143),
+        ["BN"] = r => Whole(r.Machine.Options.SerialNumber),
         ["BV"] = _ => Whole(Axis.Real),
         ["QZ"] = r => Whole(r.Number(3) switch { 0 => Axis.Real, 1 => 24, 2 => 16, _ => 28 }),
         ["AB"] = r => FixedPoint.FromBoolean(!r.Machine.IsAbortInputActive),

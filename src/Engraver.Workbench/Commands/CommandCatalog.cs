@@ -32,7 +32,7 @@ public sealed class CommandCatalog
         new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
         new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new PostCommand(), new VerifyCommand(), new PlotCommand(),
-        new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncArmCommand(), new CncRunCommand(), new CncGoToCommand(), new CncSimCommand(), new CncStopCommand(), new CncAbortCommand(), new AlarmsCommand(), new CncTerminalCommand(), new CncStatusCommand(), new CncProfileCommand(),
+        new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncArmCommand(), new CncRunCommand(), new CncGoToCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncSimCommand(), new CncStopCommand(), new CncAbortCommand(), new AlarmsCommand(), new CncTerminalCommand(), new CncStatusCommand(), new CncProfileCommand(),
         .. SettingCommand.All, .. SystemVariableCommand.All,
     ]);
 }

@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
-using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Playback;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
@@ -23,7 +23,7 @@ public sealed class CommandSession : IAsyncDisposable
     {
         Environment = environment;
         Catalog = catalog;
-        Machine = new MachineSession(environment.Time) { StartsFolder = StartMemory.FolderIn(environment.RunJournalFolder) };
+        Machine = new MachineSession(environment.Time) { OriginsFolder = MachineMemories.FolderIn(environment.RunJournalFolder) };
         Derivation = new DerivationSession(Document);
         Playback = new PlaybackSession(environment.Time);
         Settings = new SettingsSession(environment.SettingsFile, environment.Time);

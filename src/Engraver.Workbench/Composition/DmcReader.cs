@@ -28,7 +28,7 @@ public sealed class DmcReader : IProgramReader
         if (program.Diagnostics.Count > 0) return program.Diagnostics;
         var listener = new RecordListener(request.Machine, [.. request.Judges]);
         listener.Start(-(double)request.Start.X, -(double)request.Start.Y);
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false });
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false, SerialNumber = MachineConnection.SimulatedSerialNumber });
         using var listening = controller.Record.Subscribe(listener);
         await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), Wording.Get("ProgramReplayer.SimulatedController")), "A", s_replyTimeout, TimeProvider.System, trace: null);
         for (var i = 0; i < program.Chunks.Count; i++)

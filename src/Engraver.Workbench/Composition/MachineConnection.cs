@@ -11,6 +11,9 @@ namespace Engraver.Workbench.Composition;
 /// <summary>How links to one machine are opened: over the network, over a serial line, or to a simulated controller that lives in this process and is owned here.</summary>
 public sealed class MachineConnection : IAsyncDisposable
 {
+    /// <summary>The same for every controller in this process, so that the same run is written down the same way.</summary>
+    internal const int SimulatedSerialNumber = 2143;
+
     private static readonly TimeSpan s_connectTimeout = TimeSpan.FromSeconds(5);
     private static readonly TimeSpan s_writeTimeout = TimeSpan.FromSeconds(2);
     private readonly Func<CancellationToken, Task<IControllerLink>> _open;
@@ -74,7 +77,7 @@ public sealed class MachineConnection : IAsyncDisposable
 
     private static MachineConnection Simulate(SimulatedAddress address, TimeProvider time, bool keepsRecord)
     {
-        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord });
+        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord, SerialNumber = SimulatedSerialNumber });
         return new MachineConnection(
             double.IsPositiveInfinity(address.Speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={address.Speed}"),
             controller,

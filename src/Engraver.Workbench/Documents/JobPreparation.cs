@@ -82,7 +82,8 @@ public static class JobPreparation
     {
         var motion = MachineFamilies.Driver.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
         var faults = motion.Program is null ? [] : FaultsOf(drawing, settings, analysed, toolpath);
-        return new PreparedJob(drawing, settings, analysed, sequence, toolpath, faults.Count > 0 ? motion with { Program = null } : motion) { Faults = faults, Findings = Findings(drawing, settings) };
+        var program = faults.Count > 0 || motion.Program is not { } made ? null : made with { Finish = made.Start };
+        return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion with { Program = program }) { Faults = faults, Findings = Findings(drawing, settings) };
     }
 
     /// <summary>Where the toolpath, whose coordinates are finite, is not what is drawn.</summary>

@@ -71,6 +71,7 @@ internal sealed record MachineFacts
             Outputs = JobRuns ? Told?.Outputs : Now?.Outputs,
             ToolCommanded = JobRuns ? Told?.ToolOn : Now?.Outputs is { } outputs ? (outputs & (1 << (profile.ToolOutput - 1))) != 0 : null,
             MotorsOn = JobRuns ? true : Now is { } poll ? poll.MotorsOff.Length == 0 : null,
+            MotorsOff = Now?.MotorsOff,
             Limit = Now?.Limit ?? "",
             LastRefusal = LastRefusal,
             LastOutcome = LastOutcome,

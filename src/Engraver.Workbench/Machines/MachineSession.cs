@@ -1,9 +1,11 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Machines.Arming;
+using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Machines.Terminals;
 
@@ -17,6 +19,7 @@ public sealed class MachineSession : IAsyncDisposable
     private readonly MachineStatusModel _board;
     private readonly ActiveJob _work;
     private readonly WatchedConnection _watched;
+    private ControllerPlace? _place;
 
     public MachineSession(TimeProvider time)
     {
@@ -59,11 +62,11 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>True for a controller that lives in this process.</summary>
     public bool IsSimulation => _watched.Connection?.Simulator is not null;
 
-    /// <summary>Where the starts of runs are kept between two sessions; null: nowhere. A simulated machine ends with its connection, and so does what is known of it.</summary>
-    public string? StartsFolder { get; init; }
+    /// <summary>Where the work origins of machines are kept between two sessions; null: nowhere. A simulated machine ends with its connection, and so does what is known of it.</summary>
+    public string? OriginsFolder { get; init; }
 
-    /// <summary>Where the runs on the connected controller started.</summary>
-    public StartMemory Starts { get; private set; } = new(null);
+    /// <summary>The connected machine in this host's hands, with its work origins; null while none is connected.</summary>
+    public MachineHold? Hold { get; private set; }
 
     public bool IsRunning => _work.Stop is not null;
 
@@ -82,16 +85,34 @@ public sealed class MachineSession : IAsyncDisposable
         await DisconnectAsync().ConfigureAwait(false);
         var poll = await _watched.OpenAsync(address, cancellation).ConfigureAwait(false);
         var identity = _watched.Identity!;
-        Starts = new StartMemory(IsSimulation ? null : StartsFolder);
+        await TakeAsync(identity, cancellation).ConfigureAwait(false);
         _board.Connected(_watched.Connection!.Description, IsSimulation, identity);
+        _board.Placed(Hold?.Memory.ActiveOrigin?.Plane);
         _board.Seen(poll);
         _watched.Resume();
         return identity;
     }
 
+    /// <summary>The machine is taken before anybody is told that it is connected; when another host has it, the connection is let go.</summary>
+    private async Task TakeAsync(MachineIdentity identity, CancellationToken cancellation)
+    {
+        try
+        {
+            var place = _place = await _watched.Watch!.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
+            Hold = new MachineMemories(IsSimulation ? null : OriginsFolder).Take(_watched.Connection!.Description, identity, place, MachineHolder.Describe("CncEngraver", _time));
+        }
+        catch (ControllerException)
+        {
+            await DisconnectAsync().ConfigureAwait(false);
+            throw;
+        }
+    }
+
     /// <summary>Lets the controller go; nothing when none is connected.</summary>
     public async Task DisconnectAsync()
     {
+        Hold?.Dispose();
+        (Hold, _place) = (null, null);
         if (_watched.Take() is not var (connection, watch)) return;
         _board.Disconnected();
         if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
@@ -129,8 +150,52 @@ public sealed class MachineSession : IAsyncDisposable
         return await WithStopAsync(stop => RunWatchedAsync(connection, job, program, options(address), stop), cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Where the last run of a drawing on the connected controller had the drawing's zero; null when none is known.</summary>
-    public RunStart? LastStart(Drawing drawing) => Description is { } controller ? Starts.Last(controller, StartPlace.FileOf(drawing)) : null;
+    /// <summary>Where the active work origin puts a job on the connected machine, asked of the controller now.</summary>
+    /// <returns>Null while none is connected, or while a job has the wire.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async Task<PlacementResult?> PlaceAsync(MotionProgram program, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        if (_watched.Watch is not { } watch || Hold is not { } hold) return null;
+        var place = _place = await watch.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
+        return WorkPlacement.Find(hold.Memory, place, new OriginRequest.Work(), program.Profile, program.Start);
+    }
+
+    /// <summary>The same by what the watch saw last, for a list that is shown all the time; nothing is asked.</summary>
+    /// <returns>Null while no controller is connected, or before it was looked at.</returns>
+    public PlacementResult? LastPlacement(MotionProgram program)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        if (_place is not { } place || Hold is not { } hold || Status.MachinePosition is not { } at) return null;
+        return WorkPlacement.Find(hold.Memory, place with { Mark = hold.Memory.Mark ?? place.Mark, Position = program.Profile.Scale.ToCounts(at) }, new OriginRequest.Work(), program.Profile, program.Start);
+    }
+
+    /// <summary>Changes the work origins, with the machine's position as the controller tells it now. Disarms.</summary>
+    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
+    /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
+    public async Task<MachineMemory> SetOriginAsync(Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation)
+    {
+        if (_watched.Watch is not { } watch || Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
+        Disarm();
+        var memory = await watch.SetOriginAsync(Profile.Axes, hold, set, cancellation).ConfigureAwait(false);
+        _board.Placed(memory.ActiveOrigin?.Plane);
+        RaiseChanged();
+        return memory;
+    }
+
+    /// <summary>Jobs use another work origin from now on. Disarms.</summary>
+    /// <param name="name">One of <see cref="WorkOriginNames"/>.</param>
+    /// <returns>Why it could not be kept; null when it was.</returns>
+    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
+    public string? ChooseOrigin(string name)
+    {
+        if (Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
+        Disarm();
+        var failure = hold.Keep(memory => memory with { Active = name });
+        _board.Placed(hold.Memory.ActiveOrigin?.Plane);
+        RaiseChanged();
+        return failure;
+    }
 
     /// <summary>Moves the connected machine with the tool off, at the profile's rapid speed, and disarms. It is stopped as a job is.</summary>
     /// <param name="goal">The controller's own counts.</param>
@@ -213,10 +278,9 @@ public sealed class MachineSession : IAsyncDisposable
     {
         _board.JobBegins();
         await _watched.GiveWayAsync().ConfigureAwait(false);
-        _board.JobStartsFrom(program.Start);
         try
         {
-            var report = await MachineRun.RunAsync(job, program, connection, options, _time, Listener(_board), stop).ConfigureAwait(false);
+            var report = await MachineRun.RunAsync(job, program, connection, options with { Hold = Hold, Placed = frame => _board.Placed(frame) }, _time, Listener(_board), stop).ConfigureAwait(false);
             _board.JobEnds(report.Result);
             return report;
         }
@@ -232,7 +296,7 @@ public sealed class MachineSession : IAsyncDisposable
         await _watched.GiveWayAsync().ConfigureAwait(false);
         try
         {
-            var result = await MachineMove.ToAsync(connection, Profile, _board.Here, goal, journal, new JobListener(TellMove), stop).ConfigureAwait(false);
+            var result = await MachineMove.ToAsync(connection, Hold!, Profile, _board.Here, goal, journal, new JobListener(TellMove), stop).ConfigureAwait(false);
             _board.MoveEnds(result);
             return result;
         }

@@ -46,6 +46,9 @@ public sealed record MachineStatus
     /// <summary>Motors of both axes are on.</summary>
     public bool? MotorsOn { get; init; }
 
+    /// <summary>The controller's letters of the axes whose motor is off; null while nobody knows.</summary>
+    public string? MotorsOff { get; init; }
+
     /// <summary>The limit that is hit, for example "forward limit of axis A"; empty when none is.</summary>
     public string Limit { get; init; } = "";
 

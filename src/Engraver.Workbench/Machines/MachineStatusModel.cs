@@ -128,10 +128,9 @@ internal sealed class MachineStatusModel : IDisposable
         DisarmOrTell();
     }
 
-    /// <summary>The machine stands where the job starts, as the watch saw it last.</summary>
-    /// <param name="start">The same place in the job's frame.</param>
-    public void JobStartsFrom(CountsPoint start) =>
-        Change(facts => facts.Poll is { } at ? facts with { Frame = new CountsPoint(at.X - start.X, at.Y - start.Y) } : facts);
+    /// <summary>The drawing's zero lies here.</summary>
+    /// <param name="frame">Controller counts; null while nobody knows.</param>
+    public void Placed(CountsPoint? frame) => Change(facts => facts with { Frame = frame });
 
     public void JobTells(JobProgress progress) => Change(facts => facts with { Progress = progress, Told = progress, SeenAt = _time.GetUtcNow() });
 

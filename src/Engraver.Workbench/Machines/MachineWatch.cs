@@ -1,6 +1,8 @@
 using System.Diagnostics.CodeAnalysis;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Composition;
+using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines;
 
@@ -34,6 +36,14 @@ internal sealed class MachineWatch : IAsyncDisposable
     /// <summary>One look, now.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public ValueTask<MachineReading> LookAsync(CancellationToken cancellation) => _machine.LookAsync(_axes(), cancellation);
+
+    /// <summary>Where the machine stands and whether it still counts from the same zero.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public ValueTask<ControllerPlace> LocateAsync(MachineAxes axes, CancellationToken cancellation) => _machine.LocateAsync(axes, cancellation);
+
+    /// <summary>Sets a work origin by where the machine stands.</summary>
+    /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
+    public Task<MachineMemory> SetOriginAsync(MachineAxes axes, MachineHold hold, Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation) => JobPlacement.SetOriginAsync(_machine, axes, hold, set, _time, cancellation);
 
     /// <summary>Looks ten times a second until <see cref="PauseAsync"/>, or until the link fails.</summary>
     public void Resume(Action<MachineReading> seen, Action<ControllerException> lost)

@@ -186,14 +186,16 @@ public sealed class PlannedMotion
             span.From.X + (Math.Sign((long)span.To.X - span.From.X) * x.DistanceAt(since)),
             span.From.Y + (Math.Sign((long)span.To.Y - span.From.Y) * y.DistanceAt(since)));
         var speed = Millimetres(x.SpeedAt(since), y.SpeedAt(since)).DistanceTo(default);
-        return Moment(span, since, _firstSegments[span.Stroke][0], place, speed);
+        return Moment(span, since, _firstSegments[span.Stroke][0] + StandsBehind(span), place, speed);
     }
 
-    /// <summary>The settle at the end of a stroke belongs to its last segment, every other standstill to the segment that comes.</summary>
+    /// <summary>The settle at the end of a stroke and the way to the finish belong to its last segment, every other standstill and rapid to the segment that comes.</summary>
     private int StandsBehind(in MotionSpan span)
     {
         var sequence = _program.Strokes[span.Stroke].Sequences[span.Sequence];
-        return !span.ToolOn && span.Start >= _timeline.Spans[_cutSpans[span.Stroke][span.Sequence]].End - 1e-12 ? sequence.Segments.Count - 1 : 0;
+        if (span.ToolOn || span.Start < _timeline.Spans[_cutSpans[span.Stroke][span.Sequence]].End - 1e-12) return 0;
+        var first = span.Kind == MotionSpanKind.Rapid ? _firstSegments[span.Stroke][span.Sequence] - _firstSegments[span.Stroke][0] : 0;
+        return first + sequence.Segments.Count - 1;
     }
 
     private PlaybackMoment Moment(in MotionSpan span, double since, int segment, Point2D place, double speed) => new(

@@ -14,7 +14,8 @@ public static partial class SettingWording
         ["units-inch"] = ("--units inch", "CNCUNITS 1"),
         ["look"] = ("engraver info", "CHECK"),
         ["cut"] = ("--cut", "CNCCUT"),
-        ["goto-start"] = ("CNCGOTO Start", "CNCGOTO Start"),
+        ["zero"] = ("engraver zero", "CNCZERO"),
+        ["origin-here"] = ("--origin here", "CNCZERO Point"),
     };
 
     /// <summary>For the console: <c>--max-error</c>.</summary>

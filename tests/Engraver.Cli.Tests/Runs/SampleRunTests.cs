@@ -76,21 +76,39 @@ public class SampleRunTests
         var report = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
 
         Assert.Equal(
-            ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "missingLength", "deviationSource", "journal", "leftOut", "notCut"],
+            ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "missingLength", "deviationSource", "journal", "leftOut", "notCut", "origin"],
             report.EnumerateObject().Select(field => field.Name));
-        Assert.Equal((50000, 50000), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
+        Assert.Equal((0, 0), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32())); // behind the way back to the drawing's start
+        Assert.Equal("""{"x":0,"y":0,"source":"work"}""", System.Text.Json.JsonSerializer.Serialize(report.GetProperty("origin")));
         Assert.True(File.Exists(folder.PathOf("run.jsonl")));
     }
 
     [Fact]
-    public async Task The_drawing_point_of_the_start_option_is_where_the_controller_stands()
+    public async Task The_start_option_is_where_the_job_begins_and_ends_and_with_origin_here_where_the_machine_stands()
     {
         using var folder = new TemporaryFolder();
         var report = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--start", "50,50", "--journal", folder.PathOf("run.jsonl")));
 
-        Assert.Equal((0, 0), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
+        Assert.Equal((50000, 50000), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
         Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
+        var here = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--start", "50,50", "--origin", "here", "--journal", folder.PathOf("here.jsonl")));
+        Assert.Equal((0, 0), (here.GetProperty("finalX").GetInt32(), here.GetProperty("finalY").GetInt32()));
+        Assert.Equal("""{"x":-50,"y":-50,"source":"here"}""", System.Text.Json.JsonSerializer.Serialize(here.GetProperty("origin")));
+        Assert.Equal(0.0, here.GetProperty("missingLength").GetDouble());
+    }
+
+    [Theory]
+    [InlineData("--origin", "there")]
+    [InlineData("--origin", "1,x")]
+    [InlineData("--finish", "home")]
+    [InlineData("--finish", "park")] // the default profile has no such place
+    public async Task A_place_that_is_none_is_a_usage_error(string option, string value)
+    {
+        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", option, value);
+
+        Assert.Equal((ExitCode.Usage, ""), (run.ExitCode, run.Out));
+        Assert.Contains(option, run.Error, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -8,7 +8,7 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Commands;
 
-/// <summary>A run that does not start where the last one of its drawing did says so before it moves, and CNCGOTO brings the machine back. The simulated controller is behind a socket, as a real one would be.</summary>
+/// <summary>CNCGOTO moves the machine by hand, under the watchdog and the stop of a job. The simulated controller is behind a socket, as a real one would be.</summary>
 public sealed class GoToCommandTests : IAsyncDisposable
 {
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-goto-");
@@ -18,64 +18,17 @@ public sealed class GoToCommandTests : IAsyncDisposable
     private int _port;
 
     [Fact]
-    public async Task A_run_from_another_place_than_the_last_says_both_places_before_it_moves()
+    public async Task CNCGOTO_Start_goes_to_the_drawings_start_and_Work_to_a_place_of_the_drawing()
     {
         await using var session = await ConnectedAsync();
-        await RunAsync(session);
-        Assert.DoesNotContain(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
-        var rowsBefore = _controller.Record.Snapshot().Count;
-        var rowsWhenSaid = -1;
-        session.Said += (_, message) => { if (message.Text.Contains("JOB0006", StringComparison.Ordinal)) rowsWhenSaid = Moves(_controller.Record.Snapshot().Skip(rowsBefore)); };
+        await TypeAsync(session, "CNCGOTO", "12,-4");
+        await TypeAsync(session, "CNCZERO", "All");
 
-        await RunAsync(session);
-
-        Assert.Equal(0, rowsWhenSaid);
-        var said = Assert.Single(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
-        Assert.Contains("The machine stands at 5, 0 mm", said, StringComparison.Ordinal);
-        Assert.Contains("had the start at 0, 0 mm, so this one is cut 5, 0 mm beside it", said, StringComparison.Ordinal);
-        Assert.Contains("CNCGOTO Start", said, StringComparison.Ordinal);
-    }
-
-    [Fact]
-    public async Task CNCGOTO_Start_brings_the_next_run_to_the_same_place_without_a_word()
-    {
-        await using var session = await ConnectedAsync();
-        await RunAsync(session);
-        var first = Cut(_controller.Record.Snapshot());
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "Work", "3,5"));
+        Assert.Equal((15.0, 1.0), At(session));
+        Assert.Equal(new Core.Geometry.Point2D(3, 5), session.Machine.Status.WorkPosition);
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "Start"));
-        Assert.Equal((0.0, 0.0), At(session));
-        var rows = _controller.Record.Snapshot().Count;
-
-        await RunAsync(session);
-
-        Assert.DoesNotContain(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
-        Assert.Equal(first, Cut(_controller.Record.Snapshot().Skip(rows)));
-    }
-
-    [Fact]
-    public async Task Another_program_run_remembers_where_the_controllers_last_one_started()
-    {
-        await using (var session = await ConnectedAsync()) await RunAsync(session);
-        await using var later = await ConnectedAsync();
-
-        await TypeAsync(later, "CNCARM", "Stream");
-        Assert.Contains(_said, text => text.StartsWith("LOOK", StringComparison.Ordinal) && text.Contains("the last run of this drawing on this controller", StringComparison.Ordinal));
-        await TypeAsync(later, "CNCRUN");
-        Assert.Contains(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
-    }
-
-    [Fact]
-    public async Task A_simulated_machine_is_remembered_as_long_as_it_is_the_same()
-    {
-        await using var session = NewSession();
-        await TypeAsync(session, "CNCCONNECT", "sim:");
-        await RunAsync(session);
-        await TypeAsync(session, "CNCCONNECT", "sim:");
-        await RunAsync(session);
-        Assert.DoesNotContain(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
-
-        await RunAsync(session);
-        Assert.Contains(_said, text => text.Contains("JOB0006", StringComparison.Ordinal));
+        Assert.Equal((12.0, -4.0), At(session));
     }
 
     [Fact]
@@ -102,7 +55,8 @@ public sealed class GoToCommandTests : IAsyncDisposable
         await using var session = NewSession();
         Assert.Contains("CNCCONNECT", await FailedAsync(session, "CNCGOTO"), StringComparison.Ordinal);
         await ConnectAsync(session);
-        Assert.Contains("has not been run", await FailedAsync(session, "CNCGOTO", "Start"), StringComparison.Ordinal);
+        Assert.Contains("G54 is not set; CNCZERO", await FailedAsync(session, "CNCGOTO", "Start"), StringComparison.Ordinal);
+        Assert.Contains("no park position", await FailedAsync(session, "CNCGOTO", "Park"), StringComparison.Ordinal);
         Assert.Contains("32 bits", await FailedAsync(session, "CNCGOTO", "3000000,0"), StringComparison.Ordinal);
         await TypeAsync(session, "CNCMOTORS", "OFF");
         Assert.Contains("CNCMOTORS ON", await FailedAsync(session, "CNCGOTO", "1,1"), StringComparison.Ordinal);
@@ -154,9 +108,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
 
         Assert.Equal(CommandFailure.LinkLost, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
         await SeenAsync(session.Machine, status => status.State == MachineState.Ready); // the watch, whose links were cut too, is opened anew
-        await using var later = await ConnectedAsync();
-        await SeenAsync(later.Machine, status => status.State == MachineState.Ready);
-        Assert.InRange(At(later).X, 5.0, 499.0);
+        Assert.InRange(At(session).X, 5.0, 499.0);
         Assert.Equal(0, (int)_controller.Status.Outputs);
     }
 

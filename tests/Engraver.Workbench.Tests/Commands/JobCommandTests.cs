@@ -1,3 +1,4 @@
+using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 
@@ -39,7 +40,7 @@ public class JobCommandTests
         var run = talk.Session.Machine.LastRun!;
 
         Assert.Equal(0.0, run.Judgement.MissingLengthMm);
-        Assert.Equal(100_000, run.Result.FinalPosition!.Value.X);
+        Assert.Equal(new CountsPoint(0, 0), run.Result.FinalPosition); // back at the drawing's start, both times
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCDISCONNECT"));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCDISCONNECT"));
         Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN"));

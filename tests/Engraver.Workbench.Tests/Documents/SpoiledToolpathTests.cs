@@ -42,14 +42,14 @@ public class SpoiledToolpathTests
         var job = Spoiled(how, 0);
         var posted = PostedProgram.OfJob(job, PostTable.Find("galil").Post, PostedProgram.NoOptions);
         var ready = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true };
-        var checklist = ArmingChecklist.Create(job, ready, errorsAccepted: true);
+        var checklist = ArmingChecklist.Create(job, ready, errorsAccepted: true, MachineBench.Placed);
 
         Assert.Null(posted.Text);
         Assert.Contains(job.Faults[0].Id, posted.WithoutProgram, StringComparison.Ordinal);
         Assert.Contains(job.Faults[0], posted.Diagnostics);
         Assert.False(checklist.Passed);
         Assert.Contains(checklist.Checks, check => !check.Passed && check.Sentence.Contains(job.Faults[0].Id, StringComparison.Ordinal));
-        Assert.True(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false).Passed);
+        Assert.True(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, MachineBench.Placed).Passed);
     }
 
     [Fact]

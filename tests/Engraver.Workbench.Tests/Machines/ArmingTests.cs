@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
@@ -67,17 +68,17 @@ public class ArmingTests
     public void The_checklist_names_what_is_missing()
     {
         var nothing = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var offline = ArmingChecklist.Create(nothing, MachineStatus.Offline, errorsAccepted: false);
-        var limit = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit of axis A" }, errorsAccepted: false);
-        var ready = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true }, errorsAccepted: false);
+        var offline = ArmingChecklist.Create(nothing, MachineStatus.Offline, errorsAccepted: false, MachineBench.Placed);
+        var limit = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit of axis A" }, errorsAccepted: false, MachineBench.Placed);
+        var ready = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true }, errorsAccepted: false, MachineBench.Placed);
 
-        Assert.Equal([true, false, false, false, false, true], offline.Checks.Select(check => check.Passed));
-        Assert.Equal([true, true, true, false, true, false], limit.Checks.Select(check => check.Passed));
+        Assert.Equal([true, false, false, false, false, true, true], offline.Checks.Select(check => check.Passed));
+        Assert.Equal([true, true, true, false, true, false, true], limit.Checks.Select(check => check.Passed));
         Assert.True(ready.Passed);
     }
 
     [Fact]
-    public async Task After_a_job_that_was_stopped_the_list_says_from_where_the_next_one_starts_and_how_far_that_is_from_the_drawings_start()
+    public async Task After_a_job_that_was_stopped_the_list_says_so_and_the_next_one_goes_to_the_same_place()
     {
         await using var talk = new Commands.CommandTalk();
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
@@ -91,26 +92,27 @@ public class ArmingTests
         await job.WaitAsync(limit.Token);
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
-        var at = talk.Session.Machine.Status.WorkPosition!.Value;
         var said = talk.Said.Split('\n').Last(line => line.StartsWith("LOOK", StringComparison.Ordinal));
         Assert.Contains("The last job on this machine ended early (stopped).", said, StringComparison.Ordinal);
-        Assert.Contains(FormattableString.Invariant($"is taken for the drawing's start 0,0; by the last job it stands at {at.X:0.###},{at.Y:0.###}, {Math.Sqrt((at.X * at.X) + (at.Y * at.Y)):0.###} mm from there."), said, StringComparison.Ordinal);
+        Assert.Contains("The drawing's zero lies at 0,0 mm of the machine.", talk.Said, StringComparison.Ordinal); // set by the first job, wherever the stop left the machine
         Assert.True(Assert.Single(talk.Session.Machine.Armed!.Checklist.Checks, check => check.IsWarning).Passed);
     }
 
     [Fact]
-    public void The_warning_is_about_the_place_and_not_about_the_stop_alone()
+    public void A_job_without_a_place_is_not_armed_and_the_list_says_why_and_what_to_do()
     {
-        var there = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true, LastOutcome = JobOutcome.Stopped, WorkPosition = new(7, 24) };
+        var stands = new ControllerPlace(new CountsPoint(5000, 0));
+        var nowhere = WorkPlacement.Find(MachineMemory.Empty, stands, new OriginRequest.Work(), MachineProfile.Default, default);
+        var ready = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true };
 
-        Assert.Contains("25 mm from there", Warning(there), StringComparison.Ordinal);
-        Assert.Null(Warning(there with { WorkPosition = default(Core.Geometry.Point2D) })); // it was driven back
-        Assert.Null(Warning(there with { WorkPosition = new(0.0005, 0) })); // half a count
-        Assert.StartsWith("The place where the machine stands now", Warning(there with { LastOutcome = JobOutcome.Complete }), StringComparison.Ordinal);
-        Assert.Contains("is not known any more", Warning(there with { WorkPosition = null }), StringComparison.Ordinal);
-        Assert.Null(Warning(there with { WorkPosition = null, LastOutcome = null }));
-
-        static string? Warning(MachineStatus status) => ArmingChecklist.Create(MachineBench.Job(), status, errorsAccepted: false).Checks.SingleOrDefault(check => check.IsWarning)?.Sentence;
+        var refused = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, nowhere);
+        Assert.False(refused.Passed);
+        Assert.Contains("G54 is not set on this machine, and the machine stands at 5, 0 mm", Assert.Single(refused.Checks, check => !check.Passed).Sentence, StringComparison.Ordinal);
+        Assert.Contains("CNCZERO", Assert.Single(refused.Checks, check => !check.Passed).Sentence, StringComparison.Ordinal);
+        Assert.False(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, placement: null).Passed);
+        var placed = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, new PlacementResult(new CountsPoint(12500, -3000), OriginSource.Work, null));
+        Assert.True(placed.Passed);
+        Assert.Contains(placed.Checks, check => check.Sentence.Contains("zero lies at 12.5,-3 mm of the machine", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -169,7 +171,7 @@ public class ArmingTests
     private static void Arm(MachineBench bench)
     {
         var job = MachineBench.Job();
-        bench.Machine.Arm(job, JobMode.Stream, dryRun: false, ArmingChecklist.Create(job, bench.Machine.Status, errorsAccepted: false));
+        bench.Machine.Arm(job, JobMode.Stream, dryRun: false, ArmingChecklist.Create(job, bench.Machine.Status, errorsAccepted: false, MachineBench.Placed));
         Assert.Equal(MachineState.Armed, bench.Machine.Status.State);
     }
 }

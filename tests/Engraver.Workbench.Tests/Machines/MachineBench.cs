@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Documents;
@@ -11,6 +12,9 @@ namespace Engraver.Workbench.Tests.Machines;
 internal sealed class MachineBench : IAsyncDisposable
 {
     private readonly CancellationTokenSource _limit = new(TimeSpan.FromSeconds(60));
+
+    /// <summary>A drawing whose zero lies where the controller counts 0.</summary>
+    public static PlacementResult Placed { get; } = new(default(CountsPoint), OriginSource.Work, null);
 
     private MachineBench(SimulatorOptions options)
     {

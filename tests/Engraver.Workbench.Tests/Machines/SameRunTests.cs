@@ -61,7 +61,7 @@ public sealed class SameRunTests : IDisposable
 
     private async Task<(RunFiles Files, int Stalls)> StalledRunAsync(JobMode mode, Random? random)
     {
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider() });
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new ManualTimeProvider(), SerialNumber = 1 });
         var stalls = new Stalls(random);
         var connection = MachineConnection.Through("sim:", _ => Task.FromResult<IControllerLink>(stalls.Over(new StreamLink(controller.OpenConnection(), "sim:"))), () => MachineClock.FromSimulator(controller.JoinClock()));
         return (await RunAsync(mode, connection, controller), stalls.Count);

@@ -25,10 +25,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
     public async ValueTask<JobStep> CutAsync()
     {
         if (program.Strokes.Count == 0) return JobStep.Done;
-        var frame = new ControllerFrame(program.Start, machine.State.Position);
-        if (!program.Strokes.All(stroke => frame.Holds(stroke.Start)))
-            return JobStep.Broken(Wording.Get("ProgramStrategy.FromWhereMachineStands", frame.ControllerAtStart.X, frame.ControllerAtStart.Y));
-        var job = new SupervisedProgram(program, frame, options.DryRun);
+        var job = new SupervisedProgram(program, machine.ControllerFrame, options.DryRun);
         var waiting = Packed(job, program.Strokes);
         while (waiting.TryPeek(out var chunk))
         {

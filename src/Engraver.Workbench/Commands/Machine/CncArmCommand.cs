@@ -26,7 +26,8 @@ internal sealed class CncArmCommand : ICommand
         var job = await JobAsync(context, mode.Mode, cancellation).ConfigureAwait(false);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false);
-        var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, context.Machine.LastStart(job.Drawing));
+        var placement = job.Motion.Program is { } program ? await context.Machine.PlaceAsync(program, cancellation).ConfigureAwait(false) : null;
+        var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement);
         foreach (var check in checklist.Checks) Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
         var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);

@@ -57,7 +57,7 @@ internal sealed class CncSimCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
-        var report = await context.Machine.SimulateAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Starts = null }, cancellation).ConfigureAwait(false);
+        var report = await context.Machine.SimulateAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, JobMode.Stream, dryRun: false), cancellation).ConfigureAwait(false);
         JobStart.Conclude(context, job, report);
     }
 }

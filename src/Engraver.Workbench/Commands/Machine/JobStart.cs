@@ -26,7 +26,6 @@ internal static class JobStart
         {
             JournalPath = context.NewRunJournal(job.Drawing.FileName),
             DryRun = dryRun,
-            Starts = context.Machine.Starts,
             Told = finding => FindingMessages.Say(context, job.Drawing.FileName, [finding], Severity.Warning),
         };
 
@@ -34,6 +33,12 @@ internal static class JobStart
     /// <exception cref="CommandException">It did not go to the end.</exception>
     public static void Conclude(CommandContext context, PreparedJob job, MachineRunReport report)
     {
+        if (report.Placement?.Refusal is { } unplaced)
+        {
+            FindingMessages.Say(context, job.Drawing.FileName, [unplaced], Severity.Error);
+            throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.NotPlaced"));
+        }
+
         context.Say(RunText.Sentence(job, report), MessageKind.Result);
         foreach (var left in report.Result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
         if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);

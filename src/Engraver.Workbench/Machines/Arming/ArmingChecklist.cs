@@ -1,5 +1,7 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
@@ -14,8 +16,8 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     public bool Passed => Checks.All(check => check.Passed);
 
     /// <param name="errorsAccepted">The operator has said that the drawing's errors do not matter.</param>
-    /// <param name="lastStart">The last run of the drawing on this controller; null when none is known.</param>
-    public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, RunStart? lastStart = null)
+    /// <param name="placement">Where the job would go on this machine; null while nobody has asked it.</param>
+    public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement)
     {
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
         return new ArmingChecklist(
@@ -26,27 +28,23 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
             Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, Wording.Get("ArmingChecklist.Controller", Word(status))),
             Check(status.MotorsOn == true, status.MotorsOn == true ? Wording.Get("ArmingChecklist.MotorsOn") : Wording.Get("ArmingChecklist.MotorsOffCncmotorsOn")),
             Check(status.Limit.Length == 0, status.Limit.Length == 0 ? Wording.Get("ArmingChecklist.NoLimitHit") : Wording.Get("ArmingChecklist.HitMoveMachineOff", status.Limit)),
+            Origin(job, placement),
             .. job.Findings.Where(found => found.Severity == Severity.Warning).Select(found => Warning(SettingWording.AtCommandLine(found).Message.TrimEnd('.'))),
-            .. StartWarning(job, status, lastStart),
+            .. LastJob(status),
         ]);
     }
 
-    /// <summary>A job takes the place where the machine stands for the drawing's start, wherever the last one left it.</summary>
-    private static IEnumerable<ArmingCheck> StartWarning(PreparedJob job, MachineStatus status, RunStart? lastStart)
+    private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement)
     {
-        var last = status.LastOutcome is { } outcome and not JobOutcome.Complete ? Wording.Get("ArmingChecklist.LastJobOnMachine", outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.DidNotCutWhat") : Wording.Get("ArmingChecklist.EndedEarly"), OutcomeText.Word(outcome)) : "";
-        var start = PointPrompt.Show(job.Settings.Start);
-        if (status.WorkPosition is not { } at)
-        {
-            var elsewhere = status.MachinePosition is { } here ? StartPlace.Compare(lastStart, job, job.Settings.Machine.Scale.ToCounts(here)) : null;
-            if (elsewhere is not null) yield return Warning($"{last}{SettingWording.AtCommandLine(elsewhere).Message.TrimEnd('.')}");
-            else if (last.Length > 0) yield return Warning(Wording.Get("ArmingChecklist.WhereLeftMachineNot", last, start));
-            yield break;
-        }
+        if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message.TrimEnd('.') : Wording.Get("ArmingChecklist.PlaceNotKnown"));
+        var scale = job.Settings.Machine.Scale;
+        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroLies", PointPrompt.Show(new Point2D(frame.X / scale.X, frame.Y / scale.Y))));
+    }
 
-        var away = at.DistanceTo(job.Settings.Start);
-        if (away * job.Settings.Machine.Scale.Largest < 1.0) yield break;
-        yield return Warning(Wording.Get("ArmingChecklist.PlaceWhereMachineStands", last, start, at.X, at.Y, away));
+    private static IEnumerable<ArmingCheck> LastJob(MachineStatus status)
+    {
+        if (status.LastOutcome is { } outcome and not JobOutcome.Complete)
+            yield return Warning(Wording.Get("ArmingChecklist.LastJobOnMachine", outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.DidNotCutWhat") : Wording.Get("ArmingChecklist.EndedEarly"), OutcomeText.Word(outcome)));
     }
 
     private static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };

@@ -1,6 +1,8 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines.Runs;
 
@@ -47,31 +49,40 @@ public static class MachineRun
     private static async Task<MachineRunReport> InSessionAsync(
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, MachineTrace? trace, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
+        await using var machine = await clock.ShakeHandsAsync(connection, trace, stop).ConfigureAwait(false);
+        using var taken = options.Hold is null ? options.Memories.Take(connection.Description, machine.Identity, await machine.LocateAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.Holder) : null;
+        var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, options.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
+        var planned = machine.PlannedSeconds(placement.Program, options.Mode);
+        if (placement.Found.Frame is not { } frame) return MachineRunReport.NotPlaced(placement, machine.Identity.Model, planned);
+        var judged = await RunPlacedAsync(job, placement, frame, machine, connection, options, progress, stop).ConfigureAwait(false);
+        return new MachineRunReport(judged.Result, judged.Judgement, machine.Identity.Model, planned) { Placement = placement.Found };
+    }
+
+    /// <param name="frame">Controller counts at the drawing's zero: where the work is, and where the judge looks for it.</param>
+    private static async Task<(JobResult Result, RunJudgement Judgement)> RunPlacedAsync(
+        PreparedJob job, JobPlacement placement, CountsPoint frame, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
+    {
         var listener = options.DryRun || connection.Simulator is null ? null : new RecordListener(job.Settings.Machine, RunJudge.JudgeOf(job));
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // what earlier jobs on the same simulated controller cut does not count for this one
+        listener?.Start(frame.X, frame.Y);
         var judgement = RunJudgement.Unknown;
         var jobOptions = new JobOptions
         {
-            Judge = ended => RunVerdict.Judge(job, program, ended, judgement = Judge(job, program, ended, listener, options.DryRun)),
+            Judge = ended => RunVerdict.Judge(job, placement.Program, ended, judgement = Judge(job, placement.Program, ended, listener, options.DryRun)),
             Mode = options.Mode,
             JournalPath = options.JournalPath,
             Address = connection.Description,
             DrawingName = job.Drawing.FileName,
             DryRun = options.DryRun,
             SourceOf = job.Drawing.SourceOf,
-            Begins = header => Begin(job, connection.Description, options, header),
-            FrameTaken = frame => listener?.Start(frame.X, frame.Y),
+            Frame = frame,
             KeepsPolledTrace = connection.Simulator is null,
         };
-        await using var machine = await clock.ShakeHandsAsync(connection, trace, stop).ConfigureAwait(false);
-        var result = await machine.RunAsync(program, jobOptions, progress, stop).ConfigureAwait(false);
-        return new MachineRunReport(result, judgement, machine.Identity.Model, machine.PlannedSeconds(program, options.Mode));
-    }
-
-    private static void Begin(PreparedJob job, string controller, MachineRunOptions options, JournalHeader header)
-    {
-        if (options.Starts is not { } starts) return;
-        foreach (var finding in StartPlace.Begin(starts, controller, job, header)) options.Told?.Invoke(finding);
+        options.Placed?.Invoke(frame);
+        placement.Begin();
+        var result = await machine.RunAsync(placement.Program, jobOptions, progress, stop).ConfigureAwait(false);
+        if (placement.End(result) is { } unkept) options.Told?.Invoke(unkept);
+        return (result, judgement);
     }
 
     private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, RecordListener? listener, bool dryRun)
@@ -86,6 +97,13 @@ public static class MachineRun
 /// <param name="PlannedSeconds">By the trapezoids the controller runs and the commands exchanged at standstills over this link.</param>
 public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, string Controller, double PlannedSeconds)
 {
+    /// <summary>Where the drawing's zero lay; null while that is not known.</summary>
+    public PlacementResult? Placement { get; init; }
+
+    /// <summary>A job that was refused because nobody can say where it belongs.</summary>
+    internal static MachineRunReport NotPlaced(JobPlacement placement, string controller, double plannedSeconds) =>
+        new(JobResult.NotStarted(placement.Program.Strokes.Count, placement.Found.Refusal!.Message), RunJudgement.Unknown, controller, plannedSeconds) { Placement = placement.Found };
+
     /// <summary>Why the trace of the wire ended before the job did; null when it is whole, or none was wanted.</summary>
     public string? TraceFailure { get; init; }
 }

@@ -1,5 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines.Runs;
 
@@ -15,8 +17,23 @@ public sealed record MachineRunOptions(ControllerAddress Address, JobMode Mode)
     /// <summary>Every motion, but the tool stays off.</summary>
     public bool DryRun { get; init; }
 
-    /// <summary>Where the starts of earlier runs are kept; null where nobody remembers.</summary>
-    public StartMemory? Starts { get; init; }
+    /// <summary>Where the drawing's zero lies.</summary>
+    public OriginRequest Origin { get; init; } = new OriginRequest.Work();
+
+    /// <summary>Where the machine goes behind the last stroke.</summary>
+    public FinishPlace Finish { get; init; }
+
+    /// <summary>The machine in this host's hands; null: it is taken from <see cref="Memories"/> for the time of the run.</summary>
+    public MachineHold? Hold { get; init; }
+
+    /// <summary>Where the origins of machines are kept.</summary>
+    public MachineMemories Memories { get; init; } = new(null);
+
+    /// <summary>Who runs the job, for another host that comes meanwhile.</summary>
+    public string Holder { get; init; } = "";
+
+    /// <summary>Told where the drawing's zero lies, counts of the controller, before anything moves; null for nobody.</summary>
+    public Action<CountsPoint>? Placed { get; init; }
 
     /// <summary>Told what is found out before the first motion; on the thread of the job.</summary>
     public Action<Diagnostic>? Told { get; init; }

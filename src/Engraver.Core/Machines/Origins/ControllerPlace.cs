@@ -1,0 +1,9 @@
+namespace Engraver.Core.Machines.Origins;
+
+/// <summary>Where a controller says that the machine stands, and what tells whether it still counts from the same zero as before.</summary>
+/// <param name="Position">By the controller's own zero.</param>
+/// <param name="Serial">The controller's own serial number; null where it has none.</param>
+/// <param name="Mark">The number that an earlier session left in a variable of the controller, which forgets it at power-off; null when there is none.</param>
+/// <param name="Clock">The controller's own clock since power-on, in its ticks; null where it has none. A smaller number than before means that it was switched off or reset.</param>
+/// <param name="Doubt">Why the position may be wrong although the controller was not switched off ("the stepper motor of axis A is off"); empty for no doubt.</param>
+public sealed record ControllerPlace(CountsPoint Position, long? Serial = null, int? Mark = null, double? Clock = null, string Doubt = "");

@@ -1,0 +1,52 @@
+using System.Globalization;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Galil.Language;
+using Engraver.Galil.Protocol;
+
+namespace Engraver.Galil.Sessions;
+
+/// <summary>Where a controller stands and whether it still counts from the same zero: its position, serial number, clock and the mark that a session left in a variable , which is lost at power-off unless somebody burns it with BV (galil-dmc.md A.6); a clock that runs backwards tells of that.</summary>
+internal static class PlaceQuestions
+{
+    /// <summary>No program and no other host uses this name; at most eight characters (galil-dmc.md E).</summary>
+    private const string MarkVariable = "cncmark";
+
+    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
+    /// <param name="letters">The axes of the controller.</param>
+    /// <param name="axes">The axes that move the drawing's X and Y.</param>
+    public static async ValueTask<ControllerPlace> AskAsync(CommandChannel channel, string letters, MachineAxes axes, CancellationToken cancellation)
+    {
+        if (axes.Letters.Except(letters).ToList() is { Count: > 0 } missing) return new ControllerPlace(default, Doubt: Wording.Get("PlaceQuestions.NoSuchAxis", string.Join(Wording.Get("Common.And"), missing), letters));
+        var position = await channel.ReadAsync(string.Join(',', axes.Letters.Select(letter => $"_RP{letter}")), cancellation).ConfigureAwait(false);
+        if (position.Refusal is { } refused) throw new ProtocolViolationException(refused.Explain());
+        async ValueTask<double?> Ask(string operand) => (await channel.ReadAsync(operand, cancellation).ConfigureAwait(false)).OrNothing;
+        var serial = await Ask("_BN").ConfigureAwait(false);
+        var mark = await Ask(MarkVariable).ConfigureAwait(false);
+        var clock = await Ask("TIME").ConfigureAwait(false);
+        var steppersOff = await SteppersOffAsync(axes.Letters, Ask).ConfigureAwait(false);
+        return new ControllerPlace(
+            new CountsPoint((int)position.Values[0], (int)position.Values[1]),
+            serial is > 0 ? (long)serial : null,
+            mark is > 0 ? (int)mark : null,
+            clock,
+            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), steppersOff.AsEnumerable())));
+    }
+
+    /// <summary>The variable is made by the assignment.</summary>
+    /// <returns>False when the controller has no room for another variable.</returns>
+    public static async ValueTask<bool> MarkAsync(CommandChannel channel, int mark, CancellationToken cancellation) =>
+        await channel.SendAsync(string.Create(CultureInfo.InvariantCulture, $"{MarkVariable}={mark}"), cancellation).ConfigureAwait(false) is Accepted;
+
+    /// <summary>A servo without current is still counted by its encoder. _MT is 2, -2, 2.5 or -2.5 for a stepper (galil-dmc.md C).</summary>
+    private static async ValueTask<string> SteppersOffAsync(string axes, Func<string, ValueTask<double?>> ask)
+    {
+        var off = "";
+        foreach (var axis in axes)
+        {
+            if (await ask($"_MO{axis}").ConfigureAwait(false) is 1.0 && await ask($"_MT{axis}").ConfigureAwait(false) is { } type && Math.Abs(type) >= 2.0) off += axis;
+        }
+
+        return off;
+    }
+}

@@ -1,0 +1,68 @@
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Machines.Origins;
+
+/// <summary>One host at a time on a machine: a file that is open for nobody else, and beside it who has it. The system gives it back when a process dies.</summary>
+internal sealed class MachineLock : IDisposable
+{
+    private const string LockSuffix = ".lock";
+    private const string HolderSuffix = ".holder";
+    private readonly FileStream _file;
+
+    private MachineLock(FileStream file) => _file = file;
+
+    /// <param name="path">The file that is guarded.</param>
+    /// <param name="machine">Its name, for the sentence.</param>
+    /// <param name="holder">Who takes it.</param>
+    /// <exception cref="MachineTakenException">Another host has it.</exception>
+    /// <exception cref="IOException">The folder cannot be written.</exception>
+    public static MachineLock Take(string path, string machine, string holder)
+    {
+        FileStream file;
+        try
+        {
+            file = new FileStream(path + LockSuffix, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
+        }
+        catch (IOException taken) when (File.Exists(path + LockSuffix))
+        {
+            throw new MachineTakenException(Wording.Get("Origins.Taken", machine, HolderOf(path)), taken);
+        }
+
+        var kept = false;
+        try
+        {
+            OutputFile.Write(path + HolderSuffix, text => text.Write(holder));
+            kept = true;
+            return new MachineLock(file);
+        }
+        finally
+        {
+            if (!kept) file.Dispose();
+        }
+    }
+
+    public void Dispose() => _file.Dispose();
+
+    private static string HolderOf(string path)
+    {
+        try
+        {
+            return File.ReadAllText(path + HolderSuffix) is { Length: > 0 } holder ? holder : Wording.Get("Origins.AnotherProgram");
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            return Wording.Get("Origins.AnotherProgram");
+        }
+    }
+}
+
+/// <summary>Who has a machine.</summary>
+public static class MachineHolder
+{
+    /// <summary>This process, in words for another host that comes meanwhile.</summary>
+    public static string Describe(string program, TimeProvider time)
+    {
+        ArgumentNullException.ThrowIfNull(time);
+        return Wording.Get("Origins.Holder", program, Environment.ProcessId, time.GetLocalNow());
+    }
+}

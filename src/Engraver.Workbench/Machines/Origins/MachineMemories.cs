@@ -1,0 +1,79 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Machines.Origins;
+
+/// <summary>Where the work origins of machines are kept: one file for each, and one host at a time.</summary>
+/// <param name="folder">Null: nothing is kept, as for a simulated machine, which ends with its connection.</param>
+public sealed class MachineMemories(string? folder)
+{
+    /// <summary>The folder beside the journals of a folder; null for the operator's data folder.</summary>
+    public static string FolderIn(string? journals) => Path.Combine(journals ?? UserFiles.Folder, "machines");
+
+    /// <summary>Takes a machine for as long as the hold lives: no other host that goes by these files moves it meanwhile.</summary>
+    /// <param name="address">Where the controller is reached.</param>
+    /// <param name="holder">Who takes it, for the one who comes second.</param>
+    /// <exception cref="MachineTakenException">Another host has it.</exception>
+    /// <exception cref="MachineMemoryException">What is kept cannot be read, or the folder cannot be written.</exception>
+    public MachineHold Take(string address, MachineIdentity identity, ControllerPlace place, string holder)
+    {
+        ArgumentNullException.ThrowIfNull(identity);
+        ArgumentNullException.ThrowIfNull(place);
+        if (folder is null) return new MachineHold();
+        var name = place.Serial is { } serial ? Wording.Get("Origins.SerialNumber", identity.Model, serial) : Wording.Get("Origins.At", identity.Model, address);
+        var path = Path.Combine(folder, KeyOf(address, identity, place) + ".json");
+        try
+        {
+            Directory.CreateDirectory(folder);
+            return new MachineHold(path, name, MachineLock.Take(path, name, holder));
+        }
+        catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or InvalidDataException)
+        {
+            throw new MachineMemoryException(Wording.Get("Origins.Unreadable", name, path, unusable.Message), unusable);
+        }
+    }
+
+    /// <summary>A controller is known by its own number where it has one, else by where it is reached; with either goes its model.</summary>
+    private static string KeyOf(string address, MachineIdentity identity, ControllerPlace place) =>
+        Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes($"{identity.Model}\n{place.Serial?.ToString(CultureInfo.InvariantCulture) ?? address}")))[..24];
+}
+
+/// <summary>The machine is in the hands of another host.</summary>
+public sealed class MachineTakenException : ControllerException
+{
+    public MachineTakenException()
+    {
+    }
+
+    public MachineTakenException(string message)
+        : base(message)
+    {
+    }
+
+    public MachineTakenException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+}
+
+/// <summary>What is kept of a machine cannot be used. Without it nobody knows where the work is, so nothing is moved.</summary>
+public sealed class MachineMemoryException : ControllerException
+{
+    public MachineMemoryException()
+    {
+    }
+
+    public MachineMemoryException(string message)
+        : base(message)
+    {
+    }
+
+    public MachineMemoryException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+}

@@ -1,0 +1,88 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+
+namespace Engraver.Core.Tests.Machines.Origins;
+
+/// <summary>Where a drawing's zero lies on a machine: taken from what is kept, refused where nobody knows, never guessed.</summary>
+public class WorkPlacementTests
+{
+    private static readonly MachineMemory s_set = MachineMemory.Empty.WithOrigin("G54", 12500, -3000, null) with { Mark = 77, Clock = 1000, Rest = new CountsPoint(40000, 0) };
+
+    [Fact]
+    public void The_active_origin_is_where_the_work_is_wherever_the_machine_stands()
+    {
+        Assert.Equal(new CountsPoint(12500, -3000), Work(s_set, At(40000, 0) with { Mark = 77, Clock = 1000 }).Frame);
+        Assert.Equal(new CountsPoint(12500, -3000), Work(s_set, At(-7, 99) with { Mark = 77, Clock = 9999 }).Frame);
+        var second = s_set.WithOrigin("G55", 1, 2, null) with { Active = "G55" };
+        Assert.Equal(new CountsPoint(1, 2), Work(second, At(0, 0) with { Mark = 77 }).Frame);
+    }
+
+    [Theory]
+    [InlineData(null, 5000.0)] // the variable is gone: switched off
+    [InlineData(78, 5000.0)] // another host's or another session's mark
+    [InlineData(77, 999.0)] // burned with BV, but the clock began anew
+    public void After_a_power_cycle_an_origin_that_was_set_is_nowhere_also_where_the_controller_counts_0(int? mark, double clock)
+    {
+        foreach (var place in new[] { At(0, 0), At(40000, 0) })
+        {
+            var found = Work(s_set, place with { Mark = mark, Clock = clock });
+            Assert.Null(found.Frame);
+            Assert.Equal("JOB0009", found.Refusal!.Id);
+        }
+    }
+
+    [Fact]
+    public void A_machine_that_nobody_zeroed_has_its_origin_where_it_counts_0_and_only_there()
+    {
+        var first = Work(MachineMemory.Empty, At(0, 0));
+        Assert.Equal((default(CountsPoint), true), (first.Frame!.Value, first.IsAssumed));
+        Assert.Equal("JOB0008", Work(MachineMemory.Empty, At(1, 0)).Refusal!.Id);
+
+        var kept = MachineMemory.Empty.AssumeZero() with { Mark = 5 };
+        Assert.Equal(default(CountsPoint), Work(kept with { Rest = new CountsPoint(75000, 0) }, At(75000, 0) with { Mark = 5 }).Frame); // stopped in the middle: the same place again
+    }
+
+    [Fact]
+    public void After_a_power_cycle_a_machine_that_rested_at_0_is_where_it_was_and_one_that_rested_elsewhere_or_moved_is_refused()
+    {
+        var kept = MachineMemory.Empty.AssumeZero() with { Mark = 5, Rest = default(CountsPoint) };
+        Assert.Equal(default(CountsPoint), Work(kept, At(0, 0)).Frame);
+        Assert.Equal("JOB0009", Work(kept with { Rest = new CountsPoint(75000, 0) }, At(0, 0)).Refusal!.Id);
+        Assert.Equal("JOB0009", Work(kept with { Rest = null, IsMoving = true }, At(0, 0)).Refusal!.Id);
+        Assert.Equal("JOB0009", Work(kept, At(10, 0)).Refusal!.Id);
+    }
+
+    [Fact]
+    public void A_position_that_is_in_doubt_is_refused_until_an_origin_is_set_again()
+    {
+        var marked = At(40000, 0) with { Mark = 77, Clock = 1000 };
+        Assert.Contains("stepper", Work(s_set, marked with { Doubt = "the stepper motor of axis A is off" }).Refusal!.Message, StringComparison.Ordinal);
+        var lost = s_set with { Lost = "an axis could not follow" };
+        Assert.Equal("JOB0010", Work(lost, marked).Refusal!.Id);
+        Assert.Null(Work(lost.Forget().WithOrigin("G54", 0, 0, null), marked).Refusal);
+    }
+
+    [Fact]
+    public void An_origin_with_one_axis_is_none_yet_and_the_sentence_names_the_other()
+    {
+        var half = MachineMemory.Empty.WithOrigin("G54", 5, null, null);
+        Assert.Contains("no place for Y", Work(half, At(0, 0)).Refusal!.Message, StringComparison.Ordinal);
+        Assert.Equal(new CountsPoint(5, 6), Work(half.WithOrigin("G54", null, 6, null), At(0, 0)).Frame);
+    }
+
+    [Fact]
+    public void Here_takes_the_machines_place_for_the_drawings_start_and_a_given_place_is_machine_millimetres()
+    {
+        var here = WorkPlacement.Find(s_set, At(10000, 500), new OriginRequest.PresentPlace(), MachineProfile.Default, new CountsPoint(3000, -1000));
+        Assert.Equal((new CountsPoint(7000, 1500), OriginSource.Here), (here.Frame!.Value, here.Source));
+        var given = WorkPlacement.Find(s_set, At(1, 1), new OriginRequest.Given(new Point2D(2.5, -1)), MachineProfile.Default, default);
+        Assert.Equal((new CountsPoint(2500, -1000), OriginSource.Given), (given.Frame!.Value, given.Source));
+        Assert.Equal("JOB0012", WorkPlacement.Find(s_set, At(1, 1), new OriginRequest.Given(new Point2D(9e9, 0)), MachineProfile.Default, default).Refusal!.Id);
+        Assert.Equal("JOB0010", WorkPlacement.Find(s_set, At(1, 1) with { Doubt = "x" }, new OriginRequest.Given(default), MachineProfile.Default, default).Refusal!.Id);
+    }
+
+    private static ControllerPlace At(int x, int y) => new(new CountsPoint(x, y));
+
+    private static PlacementResult Work(MachineMemory memory, ControllerPlace place) => WorkPlacement.Find(memory, place, new OriginRequest.Work(), MachineProfile.Default, default);
+}
