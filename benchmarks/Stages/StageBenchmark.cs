@@ -91,7 +91,7 @@ public static class StageBenchmark
     private static async Task<StageFigure> VerifyAsync(int entities, Drawing drawing, PreparedJob job, CancellationToken stop)
     {
         var entry = PostTable.ForMotion(MotionStyle.Continuous);
-        var program = ReadBackFile.FromText(PostedProgram.OfJob(job, entry.Post, PostedProgram.NoOptions).Text!);
+        var program = ReadBackFile.FromText(PostedProgram.FromJob(job, entry.Post, PostedProgram.NoOptions).Text!);
         var replay = new LastReport();
         var (figure, report) = await StageClock.MeasureAsync(
             entities, "verify", 1, () => ProgramVerification.VerifyAsync(program, entry.Reader!, drawing, s_settings, replay, stop), (VerificationReport _) => "").ConfigureAwait(false);
