@@ -73,7 +73,7 @@ internal sealed class Operator
     {
         Until(() => !Desk.IsBusy && Desk.Idle.IsCompleted);
         var settled = Desk.SettleAsync();
-        Until(() => settled.IsCompleted && Window.CanvasFeed.Shown.IsCompleted);
+        Until(() => settled.IsCompleted && Window.CanvasSource.Shown.IsCompleted);
         Step();
     }
 

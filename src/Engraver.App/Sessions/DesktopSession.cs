@@ -39,10 +39,10 @@ public sealed class DesktopSession : IAsyncDisposable
     public WorkDesk Desk => _desk ??= new WorkDesk(_session, Time);
 
     /// <summary>The operator's own files.</summary>
-    public static CommandEnvironment OfUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettingsFile, RunNeedsArming = true, SimulatorSpeed = 1.0 };
+    public static CommandEnvironment ForUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettingsFile, RunNeedsArming = true, SimulatorSpeed = 1.0 };
 
     /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
-    public static CommandEnvironment OfNobody() => OfUser() with { SettingsFile = null };
+    public static CommandEnvironment WithoutFiles() => ForUser() with { SettingsFile = null };
 
     public ValueTask DisposeAsync() => _desk?.DisposeAsync() ?? _session.DisposeAsync();
 }

@@ -33,7 +33,7 @@ public partial class ShellWindow : Window
         Pages.SetPages(Model.Pages(), "Command");
         CanvasPlace.Child = Canvas;
         Canvas.Commands = new CanvasDesk(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
-        CanvasFeed = new CanvasSource(desk, Canvas);
+        CanvasSource = new CanvasSource(desk, Canvas);
         _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
         (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
         if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
@@ -46,7 +46,7 @@ public partial class ShellWindow : Window
 
     public DrawingCanvas Canvas { get; } = new();
 
-    public CanvasSource CanvasFeed { get; }
+    public CanvasSource CanvasSource { get; }
 
     /// <summary>Where STOP stands in the window.</summary>
     public Rect StopArea => MachineStrip.StopAreaIn(this);
