@@ -32,7 +32,7 @@ internal sealed class Operator
 
     public DesktopSession Session { get; }
 
-    public WorkDesk Desk => Session.Desk;
+    public DesktopModel Desk => Session.Desk;
 
     public CommandSession Commands => Desk.Session;
 

@@ -14,13 +14,13 @@ namespace Engraver.App.Shell;
 /// <summary>The one window. Whatever is typed in it belongs to the command line, unless a text box has the keyboard.</summary>
 public partial class ShellWindow : Window
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private readonly StopKeys _stopKeys;
     private readonly FileQuestions _files;
     private readonly PanelSizes _panels;
     private readonly ClosingGuard _guard;
 
-    public ShellWindow(WorkDesk desk, StopKeys stopKeys)
+    public ShellWindow(DesktopModel desk, StopKeys stopKeys)
     {
         (_desk, _stopKeys) = (desk, stopKeys);
         InitializeComponent();

@@ -11,7 +11,7 @@ namespace Engraver.App.Desk;
 
 /// <summary>Between the windows and the one command session: inputs go to it one after the other on a thread of their own, what it tells comes back on the UI thread. Decides nothing.</summary>
 /// <remarks>All members are for the UI thread, <see cref="StopNow"/> for any.</remarks>
-public sealed class WorkDesk : IAsyncDisposable
+public sealed class DesktopModel : IAsyncDisposable
 {
     /// <summary>A finding is shown with this many times its size around it.</summary>
     private const double RoomAround = 4.0;
@@ -25,7 +25,7 @@ public sealed class WorkDesk : IAsyncDisposable
     private Task _working = Task.CompletedTask;
     private int _posted;
 
-    public WorkDesk(CommandSession session, TimeProvider time)
+    public DesktopModel(CommandSession session, TimeProvider time)
     {
         (Session, Time) = (session, time);
         Prompt = session.Prompt;
