@@ -32,7 +32,7 @@ public partial class ShellWindow : Window
         Palettes.SetPages(Model.Palettes(), "Layers");
         Pages.SetPages(Model.Pages(), "Command");
         CanvasPlace.Child = Canvas;
-        Canvas.Commands = new CanvasDesk(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
+        Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
         CanvasSource = new CanvasSource(desk, Canvas);
         _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
         (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
