@@ -29,7 +29,7 @@ public sealed class DesktopModel : IAsyncDisposable
     {
         (Session, Time) = (session, time);
         Prompt = session.Prompt;
-        Derived = new DerivedDesk(session);
+        Derived = new DerivedModel(session);
         session.Said += OnSaid;
         session.Document.Changed += (_, _) => Post();
         session.Machine.Changed += (_, _) => Post();
@@ -56,7 +56,7 @@ public sealed class DesktopModel : IAsyncDisposable
     public TimeProvider Time { get; }
 
     /// <summary>What follows from the document.</summary>
-    public DerivedDesk Derived { get; }
+    public DerivedModel Derived { get; }
 
     /// <summary>What is waited for, as of the last change.</summary>
     public PromptView Prompt { get; private set; }
