@@ -10,7 +10,7 @@ using Engraver.Workbench.Machines;
 namespace Engraver.Benchmarks.Desktop;
 
 /// <summary>From the sending of a Pause key to an X server, over a second connection, to the bytes of the stop at the other end of a TCP wire. The window must be in front.</summary>
-internal sealed class DisplayStopBenchmark(WorkDesk desk, ShellWindow window, TextWriter output)
+internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window, TextWriter output)
 {
     private const nuint PauseKey = 0xFF13;
 

@@ -44,7 +44,7 @@ internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window
         var settling = session.Desk.SettleAsync();
         desktop.StepUntil(() => settling.IsCompleted, s_patience);
         Tell("order, plan and program", watch);
-        desktop.StepUntil(() => window.CanvasFeed.IsCurrent && window.Canvas.IsFresh, s_patience);
+        desktop.StepUntil(() => window.CanvasSource.IsCurrent && window.Canvas.IsFresh, s_patience);
         Tell("picture with its job", watch);
     }
 

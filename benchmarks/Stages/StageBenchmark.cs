@@ -1,15 +1,19 @@
 using System.Globalization;
 using System.Text;
+using Engraver.Core.Drawings;
 using Engraver.Core.Dxf;
 using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Posts;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Galil.Programs.Generation;
+using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Verification;
 
 namespace Engraver.Benchmarks.Stages;
 
@@ -62,7 +66,8 @@ public static class StageBenchmark
             entities, "toolpath check", Repetitions, () => JobPreparation.FaultsOf(drawing, s_settings, analysed, toolpath), found => $"{found.Count} faults").ConfigureAwait(false);
         var job = new PreparedJob(drawing, s_settings, analysed, sequence, toolpath, motion);
         var simulate = await SimulateAsync(entities, job, motion.Program!, stop).ConfigureAwait(false);
-        return [read, table, chain, order, generate, check, simulate];
+        var verify = await VerifyAsync(entities, drawing, job, stop).ConfigureAwait(false);
+        return [read, table, chain, order, generate, check, simulate, verify];
     }
 
     /// <summary>Once: it is the longest stage by far and its result is a judgement, not only a time.</summary>
@@ -72,9 +77,9 @@ public static class StageBenchmark
         var options = new MachineRunOptions(new SimulatedAddress(double.PositiveInfinity), JobMode.Stream) { JournalPath = journal };
         try
         {
-            var (figure, _) = await StageClock.MeasureAsync(
-                entities, "simulate and judge", 1, () => MachineRun.RunAsync(job, program, options, TimeProvider.System, progress: null, stop), Note).ConfigureAwait(false);
-            return figure;
+            var (figure, report) = await StageClock.MeasureAsync(
+                entities, "simulate and judge", 1, () => MachineRun.RunAsync(job, program, options, TimeProvider.System, progress: null, stop), (MachineRunReport _) => "").ConfigureAwait(false);
+            return Judged(figure, report.Result.Seconds, report.Judgement.MaxDeviationMm, report.Judgement.MissingLengthMm);
         }
         finally
         {
@@ -82,9 +87,31 @@ public static class StageBenchmark
         }
     }
 
-    private static string Note(MachineRunReport report) => string.Create(
-        CultureInfo.InvariantCulture,
-        $"{report.Result.Seconds:0} s of machine time, worst {report.Judgement.MaxDeviationMm:0.0000} mm, missing {report.Judgement.MissingLengthMm:0.###} mm");
+    /// <summary>The simulator without a host: the posted program is read back and every sample of it is judged. Once, as the run.</summary>
+    private static async Task<StageFigure> VerifyAsync(int entities, Drawing drawing, PreparedJob job, CancellationToken stop)
+    {
+        var entry = PostTable.ForMotion(MotionStyle.Continuous);
+        var program = ReadBackFile.FromText(PostedProgram.FromJob(job, entry.Post, PostedProgram.NoOptions).Text!);
+        var replay = new LastReport();
+        var (figure, report) = await StageClock.MeasureAsync(
+            entities, "verify", 1, () => ProgramVerification.VerifyAsync(program, entry.Reader!, drawing, s_settings, replay, stop), (VerificationReport _) => "").ConfigureAwait(false);
+        return Judged(figure, replay.Value.MachineTime.TotalSeconds, report.MaxDeviationMm, report.MissingLengthMm);
+    }
+
+    /// <param name="seconds">Machine time; divided by the processor's time it is how many times faster than the machine this was.</param>
+    private static StageFigure Judged(StageFigure figure, double seconds, double? worst, double? missing) => figure with
+    {
+        Note = string.Create(
+            CultureInfo.InvariantCulture, $"{seconds:0} s of machine time, {seconds / figure.CpuSeconds:0} times real time, worst {worst:0.0000} mm, missing {missing:0.###} mm"),
+    };
+
+    /// <summary>Keeps where the replay stands; told on the replay's own thread, so that the last report is there when it has ended.</summary>
+    private sealed class LastReport : IProgress<ReplayProgress>
+    {
+        public ReplayProgress Value { get; private set; }
+
+        public void Report(ReplayProgress value) => Value = value;
+    }
 }
 
 /// <summary>One row of the table in docs/benchmarks.md.</summary>

@@ -32,7 +32,7 @@ internal sealed class Operator
 
     public DesktopSession Session { get; }
 
-    public WorkDesk Desk => Session.Desk;
+    public DesktopModel Desk => Session.Desk;
 
     public CommandSession Commands => Desk.Session;
 
@@ -73,7 +73,7 @@ internal sealed class Operator
     {
         Until(() => !Desk.IsBusy && Desk.Idle.IsCompleted);
         var settled = Desk.SettleAsync();
-        Until(() => settled.IsCompleted && Window.CanvasFeed.Shown.IsCompleted);
+        Until(() => settled.IsCompleted && Window.CanvasSource.Shown.IsCompleted);
         Step();
     }
 

@@ -5,11 +5,11 @@ namespace Engraver.Cli.Tests;
 /// <summary>One run of the program inside the test process: arguments in, exit code and both outputs back.</summary>
 internal sealed record CliRun(int ExitCode, string Out, string Error)
 {
-    public static Task<CliRun> Of(params string[] args) => Of(CancellationToken.None, args);
+    public static Task<CliRun> RunAsync(params string[] args) => RunAsync(CancellationToken.None, args);
 
     /// <param name="stop">Cancelling it is the operator's Ctrl-C.</param>
     /// <param name="args">The words after <c>engraver</c>.</param>
-    public static Task<CliRun> Of(CancellationToken stop, params string[] args) => Typing(TextReader.Null, stop, args);
+    public static Task<CliRun> RunAsync(CancellationToken stop, params string[] args) => Typing(TextReader.Null, stop, args);
 
     /// <summary>A run with a pipe for standard input.</summary>
     public static Task<CliRun> Typing(string input, params string[] args) => Typing(new StringReader(input), CancellationToken.None, args);

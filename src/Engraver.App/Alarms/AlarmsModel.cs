@@ -7,10 +7,10 @@ namespace Engraver.App.Alarms;
 /// <summary>The alarms, newest first. Acknowledging says "seen" and resets nothing.</summary>
 public sealed class AlarmsModel : Observable
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private IReadOnlyList<Alarm> _shown = [];
 
-    public AlarmsModel(WorkDesk desk)
+    public AlarmsModel(DesktopModel desk)
     {
         _desk = desk;
         AcknowledgeAll = new Act(() => desk.Session.Machine.Alarms.AcknowledgeAll());

@@ -11,14 +11,14 @@ public sealed class CommandWindowModel : Observable
 {
     private const int MostLines = 5000;
     private const int MostSuggestions = 10;
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private readonly InputHistory _inputs = new();
     private PromptView _shown = PromptView.Idle;
     private string _line = "";
     private IReadOnlyList<CommandSuggestion> _suggestions = [];
     private int _suggested = -1;
 
-    public CommandWindowModel(WorkDesk desk)
+    public CommandWindowModel(DesktopModel desk)
     {
         _desk = desk;
         Choose = new Act(option => _ = desk.EnterAsync(((Keyword)option!).Name));

@@ -10,7 +10,7 @@ namespace Engraver.App.Connections;
 public sealed class ConnectModel : Observable
 {
     private const double PlainSpeed = 1.0;
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private LinkKind _kind;
     private bool _isOpen;
     private string _host = "";
@@ -20,7 +20,7 @@ public sealed class ConnectModel : Observable
     private FlowChoice _flow;
     private bool _atOnce;
 
-    public ConnectModel(WorkDesk desk)
+    public ConnectModel(DesktopModel desk)
     {
         _desk = desk;
         Flows = [new(SerialFlow.RtsCts, "rtscts"), new(SerialFlow.XonXoff, "xonxoff"), new(SerialFlow.None, "none")];

@@ -9,7 +9,7 @@ public sealed class ContoursModel : FollowedRows<ContourRow>
 {
     private SequencingResult? _shown;
 
-    public ContoursModel(WorkDesk desk)
+    public ContoursModel(DesktopModel desk)
         : base(desk, () => desk.Derived.StrokeUnderTool, desk.Derived.MoveToStroke, row => row.Index) => Follow();
 
     public string Summary { get; private set; } = "";

@@ -13,13 +13,13 @@ namespace Engraver.App.Desk;
 /// <summary>Gives the canvas what it shows: the drawing and the job made ready in the background, selection, tool and progress as they change. UI thread only.</summary>
 public sealed class CanvasSource
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private readonly DrawingCanvas _canvas;
     private Drawing? _drawing;
     private PreparedJob? _job;
     private bool _machineLeads;
 
-    public CanvasSource(WorkDesk desk, DrawingCanvas canvas)
+    public CanvasSource(DesktopModel desk, DrawingCanvas canvas)
     {
         (_desk, _canvas) = (desk, canvas);
         canvas.View = desk.Session.View;

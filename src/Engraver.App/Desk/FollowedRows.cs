@@ -7,7 +7,7 @@ namespace Engraver.App.Desk;
 /// <param name="underTool">Place of the row under the tool; -1 for none.</param>
 /// <param name="moveTo">Moves the tool to a row.</param>
 /// <param name="placeOf">Place of a row.</param>
-public abstract class FollowedRows<T>(WorkDesk desk, Func<int> underTool, Action<int> moveTo, Func<T, int> placeOf) : Observable
+public abstract class FollowedRows<T>(DesktopModel desk, Func<int> underTool, Action<int> moveTo, Func<T, int> placeOf) : Observable
     where T : class
 {
     private int _current = -1;
@@ -26,7 +26,7 @@ public abstract class FollowedRows<T>(WorkDesk desk, Func<int> underTool, Action
         }
     }
 
-    protected WorkDesk Desk => desk;
+    protected DesktopModel Desk => desk;
 
     /// <summary>Begins to follow the desk; the last act of a constructor.</summary>
     protected void Follow()

@@ -8,11 +8,11 @@ namespace Engraver.App.Findings;
 /// <summary>Everything doubtful between the drawing and its motion, worst first; a click shows the place.</summary>
 public sealed class FindingsModel : Observable
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private IReadOnlyList<Diagnostic>? _shown;
     private FindingRow? _chosen;
 
-    public FindingsModel(WorkDesk desk)
+    public FindingsModel(DesktopModel desk)
     {
         _desk = desk;
         desk.Changed += Look;

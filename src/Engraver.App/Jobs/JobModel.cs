@@ -10,9 +10,9 @@ namespace Engraver.App.Jobs;
 /// <summary>The job before it starts: what was checked, how long it takes, where it begins.</summary>
 public sealed class JobModel : Observable
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
 
-    public JobModel(WorkDesk desk)
+    public JobModel(DesktopModel desk)
     {
         _desk = desk;
         Check = new Act(() => _ = desk.RunAsync("CHECK"));

@@ -7,7 +7,7 @@ using Engraver.Workbench.Commands.Editing;
 namespace Engraver.App.Layers;
 
 /// <summary>A layer with its switches and its colour; each runs the LAYER command.</summary>
-public sealed class LayerRow(Layer layer, int curves, WorkDesk desk)
+public sealed class LayerRow(Layer layer, int curves, DesktopModel desk)
 {
     /// <summary>Red to white, dark and light grey.</summary>
     private const int StandardColours = 9;
@@ -38,5 +38,5 @@ public sealed class LayerRow(Layer layer, int curves, WorkDesk desk)
     public IReadOnlyList<ColourChoice> Choices { get; } =
         [.. Enumerable.Range(1, StandardColours).Select(index => new ColourChoice(DrawingColour.FromCode62(index), name => _ = desk.RunAsync("LAYER", "Color", name, layer.Name, "")))];
 
-    private static Act Switch(string option, Layer layer, WorkDesk desk) => new(() => _ = desk.RunAsync("LAYER", option, layer.Name, ""));
+    private static Act Switch(string option, Layer layer, DesktopModel desk) => new(() => _ = desk.RunAsync("LAYER", option, layer.Name, ""));
 }

@@ -7,10 +7,10 @@ namespace Engraver.App.Layers;
 /// <summary>The layers of the drawing.</summary>
 public sealed class LayersModel : Observable
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private Drawing? _shown;
 
-    public LayersModel(WorkDesk desk)
+    public LayersModel(DesktopModel desk)
     {
         _desk = desk;
         desk.Changed += Look;

@@ -10,11 +10,11 @@ namespace Engraver.App.MachineStrip;
 public sealed class MachineStripModel : Observable
 {
     private const string Unknown = "–";
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private readonly ToldSpeed _told = new();
     private MachineStatus _status = MachineStatus.Offline;
 
-    public MachineStripModel(WorkDesk desk)
+    public MachineStripModel(DesktopModel desk)
     {
         _desk = desk;
         Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => _status.State is MachineState.Ready);

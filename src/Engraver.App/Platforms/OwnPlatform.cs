@@ -45,7 +45,7 @@ internal static class DesktopPlatform
         }
 
         var opening = DesktopStart.OpenAsync(session.Desk, options);
-        desktop.StepUntil(() => opening.IsCompleted && window.CanvasFeed.IsCurrent, s_longestScript);
+        desktop.StepUntil(() => opening.IsCompleted && window.CanvasSource.IsCurrent, s_longestScript);
         desktop.Step(); // what the script changed in the layout comes first
         window.Canvas.RefineNow();
         desktop.Step();

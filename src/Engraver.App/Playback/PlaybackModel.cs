@@ -10,10 +10,10 @@ public sealed class PlaybackModel : Observable
 {
     private const double FramesASecond = 60.0;
     private const double PagesOfTheWhole = 20.0;
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private readonly DispatcherTimer _timer;
 
-    public PlaybackModel(WorkDesk desk)
+    public PlaybackModel(DesktopModel desk)
     {
         _desk = desk;
         _timer = new DispatcherTimer(TimeSpan.FromSeconds(1.0 / FramesASecond), DispatcherPriority.Render, (_, _) => Tick());

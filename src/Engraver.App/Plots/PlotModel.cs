@@ -7,10 +7,10 @@ namespace Engraver.App.Plots;
 /// <summary>Planned speed over time, with the tool's place in it.</summary>
 public sealed class PlotModel : Observable
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private PlannedMotion? _shown;
 
-    public PlotModel(WorkDesk desk)
+    public PlotModel(DesktopModel desk)
     {
         _desk = desk;
         desk.Changed += Look;

@@ -7,7 +7,7 @@ public sealed class ProgramModel : FollowedRows<ProgramLine>
 {
     private IReadOnlyList<string> _shown = [];
 
-    public ProgramModel(WorkDesk desk)
+    public ProgramModel(DesktopModel desk)
         : base(desk, () => desk.Derived.LineUnderTool, desk.Derived.MoveToLine, line => line.Index) => Follow();
 
     protected override void Look()

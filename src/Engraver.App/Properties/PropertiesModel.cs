@@ -13,10 +13,10 @@ public sealed class PropertiesModel : Observable
 {
     /// <summary>More rows than this are counted, not listed.</summary>
     private const int MostRows = 20;
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private (IReadOnlyList<int>? Selection, EntityTable? Table) _shown;
 
-    public PropertiesModel(WorkDesk desk)
+    public PropertiesModel(DesktopModel desk)
     {
         _desk = desk;
         desk.Changed += Look;

@@ -10,7 +10,7 @@ namespace Engraver.App.Sessions;
 public sealed class DesktopSession : IAsyncDisposable
 {
     private readonly CommandSession _session;
-    private WorkDesk? _desk;
+    private DesktopModel? _desk;
 
     public DesktopSession(CommandEnvironment environment)
     {
@@ -18,7 +18,7 @@ public sealed class DesktopSession : IAsyncDisposable
         Time = environment.Time;
         FailureReports = new FailureReports(Path.GetDirectoryName(environment.SettingsFile) ?? UserFiles.Folder, environment.Time);
         _session = new CommandSession(environment with { Failures = FailureReports }, CommandCatalog.Built());
-        StopKeys = new StopKeys(() => WorkDesk.Moves(_session.Machine), () => _session.Machine.Stop());
+        StopKeys = new StopKeys(() => DesktopModel.Moves(_session.Machine), () => _session.Machine.Stop());
     }
 
     public TimeProvider Time { get; }
@@ -36,13 +36,13 @@ public sealed class DesktopSession : IAsyncDisposable
     internal object? PlatformState { get; set; }
 
     /// <summary>Made on the UI thread, when it is first asked for.</summary>
-    public WorkDesk Desk => _desk ??= new WorkDesk(_session, Time);
+    public DesktopModel Desk => _desk ??= new DesktopModel(_session, Time);
 
     /// <summary>The operator's own files.</summary>
-    public static CommandEnvironment OfUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettingsFile, RunNeedsArming = true, SimulatorSpeed = 1.0 };
+    public static CommandEnvironment ForUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettingsFile, RunNeedsArming = true, SimulatorSpeed = 1.0 };
 
     /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
-    public static CommandEnvironment OfNobody() => OfUser() with { SettingsFile = null };
+    public static CommandEnvironment WithoutFiles() => ForUser() with { SettingsFile = null };
 
     public ValueTask DisposeAsync() => _desk?.DisposeAsync() ?? _session.DisposeAsync();
 }

@@ -10,7 +10,7 @@ public static class DesktopStart
 {
     /// <summary>Opens the drawing and runs the script of the options.</summary>
     /// <returns>The sentence of what failed; null when all went well.</returns>
-    public static async Task<string?> OpenAsync(WorkDesk desk, DesktopOptions options)
+    public static async Task<string?> OpenAsync(DesktopModel desk, DesktopOptions options)
     {
         if (desk.Session.Settings.Current.LastProfile is { } profile && File.Exists(profile)) await desk.RunAsync("CNCPROFILE", profile);
         if (options.File is { } file && await desk.RunAsync("OPEN", file) is InputResult.Failed unopened) return unopened.Sentence;

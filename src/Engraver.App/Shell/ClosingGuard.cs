@@ -9,11 +9,11 @@ namespace Engraver.App.Shell;
 /// <summary>Closing the window ends a job and loses what is in no file: the first wish to close is answered with a warning, the second one is meant.</summary>
 internal sealed class ClosingGuard
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private bool _warnedOfJob;
     private Drawing? _warnedOf;
 
-    public ClosingGuard(WorkDesk desk)
+    public ClosingGuard(DesktopModel desk)
     {
         _desk = desk;
         desk.Changed += () => _warnedOfJob &= desk.IsMoving;

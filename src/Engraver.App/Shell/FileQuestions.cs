@@ -6,7 +6,7 @@ namespace Engraver.App.Shell;
 
 /// <summary>A command that was clicked and asks for a file at once gets a file dialog; typed, it takes the name from the command line.</summary>
 /// <param name="dialogs">Where dialogs come from.</param>
-public sealed class FileQuestions(WorkDesk desk, Func<IStorageProvider> dialogs)
+public sealed class FileQuestions(DesktopModel desk, Func<IStorageProvider> dialogs)
 {
     private static readonly Dictionary<string, string[]> s_toRead = new Dictionary<string, string[]>(StringComparer.Ordinal)
     {

@@ -20,7 +20,7 @@ public sealed class PanelSizes
     private const double LeastCanvasHeight = 140;
     private const double LeastCanvasWidth = 340;
     private const double SplitterSize = 4;
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private readonly RowDefinition _pagesRow;
     private readonly ColumnDefinition _palettesColumn;
     private readonly PageTabs _pages;
@@ -29,7 +29,7 @@ public sealed class PanelSizes
 
     /// <param name="rows">Of canvas, splitter and pages.</param>
     /// <param name="columns">Of tools, canvas, splitter and palettes.</param>
-    public PanelSizes(WorkDesk desk, Grid rows, Grid columns, PageTabs pages, PageTabs palettes)
+    public PanelSizes(DesktopModel desk, Grid rows, Grid columns, PageTabs pages, PageTabs palettes)
     {
         (_desk, _pagesRow, _palettesColumn, _pages, _palettes) = (desk, rows.RowDefinitions[^1], columns.ColumnDefinitions[^1], pages, palettes);
         rows.SizeChanged += (_, e) => _pagesRow.MaxHeight = Math.Max(LeastPagesHeight, e.NewSize.Height - SplitterSize - LeastCanvasHeight);

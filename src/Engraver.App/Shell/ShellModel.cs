@@ -28,7 +28,7 @@ public sealed class ShellModel : Observable
     private readonly PageTab _alarms;
 
     /// <param name="act">What a menu entry or a tool does; the window adds what only a window can (a file dialog).</param>
-    public ShellModel(WorkDesk desk, Func<string, ICommand> act)
+    public ShellModel(DesktopModel desk, Func<string, ICommand> act)
     {
         Desk = desk;
         Machine = new MachineStripModel(desk);
@@ -41,7 +41,7 @@ public sealed class ShellModel : Observable
         desk.Changed += Look;
     }
 
-    public WorkDesk Desk { get; }
+    public DesktopModel Desk { get; }
 
     public MachineStripModel Machine { get; }
 

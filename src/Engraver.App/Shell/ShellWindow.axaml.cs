@@ -14,13 +14,13 @@ namespace Engraver.App.Shell;
 /// <summary>The one window. Whatever is typed in it belongs to the command line, unless a text box has the keyboard.</summary>
 public partial class ShellWindow : Window
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private readonly StopKeys _stopKeys;
     private readonly FileQuestions _files;
     private readonly PanelSizes _panels;
     private readonly ClosingGuard _guard;
 
-    public ShellWindow(WorkDesk desk, StopKeys stopKeys)
+    public ShellWindow(DesktopModel desk, StopKeys stopKeys)
     {
         (_desk, _stopKeys) = (desk, stopKeys);
         InitializeComponent();
@@ -32,8 +32,8 @@ public partial class ShellWindow : Window
         Palettes.SetPages(Model.Palettes(), "Layers");
         Pages.SetPages(Model.Pages(), "Command");
         CanvasPlace.Child = Canvas;
-        Canvas.Commands = new CanvasDesk(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
-        CanvasFeed = new CanvasSource(desk, Canvas);
+        Canvas.Commands = new CanvasCommands(desk, Model.Command.Cancel, Model.Status.Point, () => new ContextMenu { ItemsSource = menus.Entries(MenuLayout.OnCanvas) }.Open(Canvas));
+        CanvasSource = new CanvasSource(desk, Canvas);
         _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
         (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
         if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
@@ -46,7 +46,7 @@ public partial class ShellWindow : Window
 
     public DrawingCanvas Canvas { get; } = new();
 
-    public CanvasSource CanvasFeed { get; }
+    public CanvasSource CanvasSource { get; }
 
     /// <summary>Where STOP stands in the window.</summary>
     public Rect StopArea => MachineStrip.StopAreaIn(this);

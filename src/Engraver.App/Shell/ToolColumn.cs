@@ -28,10 +28,10 @@ public static class ToolColumn
         ("CNCCONNECT", [], "ConnectIcon", false),
     ];
 
-    public static IReadOnlyList<ToolButton> For(WorkDesk desk, Func<string, System.Windows.Input.ICommand> act) =>
+    public static IReadOnlyList<ToolButton> For(DesktopModel desk, Func<string, System.Windows.Input.ICommand> act) =>
         [.. s_tools.Where(tool => desk.Session.Catalog.Find(tool.Command) is not null).Select(tool => Make(tool.Command, tool.Answers, tool.Icon, tool.EndsGroup, desk, act))];
 
-    private static ToolButton Make(string command, string[] answers, string icon, bool endsGroup, WorkDesk desk, Func<string, System.Windows.Input.ICommand> act)
+    private static ToolButton Make(string command, string[] answers, string icon, bool endsGroup, DesktopModel desk, Func<string, System.Windows.Input.ICommand> act)
     {
         var name = answers.Length == 0 ? command : $"{command}.{answers[0]}";
         var tip = Text.Get("Tool.Tip", MenuTitle.Find(name), MenuTitle.Typed(desk.Session, command));

@@ -25,7 +25,7 @@ public static class DesktopProgram
     public static int Run(DesktopOptions options, TextWriter error)
     {
         if (options.Benchmark is not (null or BenchmarkName.Start or BenchmarkName.Idle or BenchmarkName.StopOnDisplay)) return Said(DesktopBenchmark.Run(options, Console.Out), error);
-        var session = new DesktopSession(options.Headless ? DesktopSession.OfNobody() : DesktopSession.OfUser());
+        var session = new DesktopSession(options.Headless ? DesktopSession.WithoutFiles() : DesktopSession.ForUser());
         AppDomain.CurrentDomain.UnhandledException += EndWithMachineStopped;
         try
         {
@@ -80,7 +80,7 @@ public static class DesktopProgram
         window.Opened += async (_, _) =>
         {
             if (await DesktopStart.OpenAsync(session.Desk, options) is { } failed) await error.WriteLineAsync(Text.Get("Start.Failed", failed));
-            while (!window.CanvasFeed.IsCurrent) await Dispatcher.UIThread.InvokeAsync(() => window.CanvasFeed.Shown, DispatcherPriority.Background);
+            while (!window.CanvasSource.IsCurrent) await Dispatcher.UIThread.InvokeAsync(() => window.CanvasSource.Shown, DispatcherPriority.Background);
             window.Canvas.RefineNow();
             if (options.Benchmark == BenchmarkName.StopOnDisplay)
             {

@@ -9,10 +9,10 @@ namespace Engraver.App.StatusBar;
 /// <summary>The line at the bottom: coordinates, drafting switches, the settings that decide accuracy, profile and link.</summary>
 public sealed class StatusBarModel : Observable
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private string _coordinates = "";
 
-    public StatusBarModel(WorkDesk desk)
+    public StatusBarModel(DesktopModel desk)
     {
         _desk = desk;
         Switches = StatusSwitch.All(desk);

@@ -8,7 +8,7 @@ namespace Engraver.App.StatusBar;
 /// <summary>One drafting switch; a click runs its command.</summary>
 /// <param name="name">As it is shown.</param>
 /// <param name="command">The command that switches it.</param>
-public sealed class StatusSwitch(string name, string command, Func<ViewState, bool> isOn, WorkDesk desk) : Observable
+public sealed class StatusSwitch(string name, string command, Func<ViewState, bool> isOn, DesktopModel desk) : Observable
 {
     public string Name => name;
 
@@ -22,7 +22,7 @@ public sealed class StatusSwitch(string name, string command, Func<ViewState, bo
     public Act Switch { get; } = new(() => _ = desk.RunAsync(command, isOn(desk.Session.View.Current) ? "OFF" : "ON"));
 
     /// <summary>The switches of the status bar, as AutoCAD names them.</summary>
-    public static IReadOnlyList<StatusSwitch> All(WorkDesk desk) =>
+    public static IReadOnlyList<StatusSwitch> All(DesktopModel desk) =>
     [
         new("SNAP", "SNAP", view => view.Snap, desk),
         new("GRID", "GRID", view => view.Grid, desk),

@@ -8,7 +8,7 @@ public sealed class TableModel : FollowedRows<TableRow>
 {
     private EntityTable? _table;
 
-    public TableModel(WorkDesk desk)
+    public TableModel(DesktopModel desk)
         : base(desk, () => desk.Derived.RowUnderTool, desk.Derived.MoveToRow, row => row.Index) => Follow();
 
     /// <summary>Shows a table, however long.</summary>

@@ -10,11 +10,11 @@ namespace Engraver.App.Terminals;
 /// <summary>The conversation with the controller, line by line.</summary>
 public sealed class TerminalModel : Observable
 {
-    private readonly WorkDesk _desk;
+    private readonly DesktopModel _desk;
     private string _line = "";
     private int _waiting;
 
-    public TerminalModel(WorkDesk desk)
+    public TerminalModel(DesktopModel desk)
     {
         _desk = desk;
         Terminal.Changed += (_, _) => Post();

@@ -155,7 +155,7 @@ internal sealed class RunVerb
     /// <exception cref="UsageException">The file cannot be written.</exception>
     private static void CheckWritable(string path)
     {
-        if (FileKind.IsWay(path)) return;
+        if (FileKind.IsStream(path)) return;
         try
         {
             using var file = File.Open(path, FileMode.OpenOrCreate, FileAccess.Write);

@@ -28,7 +28,7 @@ internal static class SequenceVerb
             var options = JobPreparation.SequencingFor(read, settings);
             var (chained, chainSeconds) = Timed(() => Sequencer.Chain(JobPreparation.Analyse(read, settings), read, options));
             var (result, orderSeconds) = Timed(() => Sequencer.Order(chained, options));
-            var posted = parsed.GetValue(output) is null ? null : PostedProgram.OfSequence(read, chained.Analysed, result, settings, PostTable.ForEnding(".dxf")!.Post, PostedProgram.NoOptions);
+            var posted = parsed.GetValue(output) is null ? null : PostedProgram.FromSequence(read, chained.Analysed, result, settings, PostTable.ForEnding(".dxf")!.Post, PostedProgram.NoOptions);
             if (posted?.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
             var seconds = new SequenceJson.SecondsJson(readSeconds, chainSeconds, orderSeconds);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, SequenceReport.Json(result, seconds), ContractJson.Default.SequenceJson);

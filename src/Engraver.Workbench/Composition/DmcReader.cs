@@ -52,11 +52,12 @@ public sealed class DmcReader : IProgramReader
     /// <returns>Null at the end of the program, otherwise why it is not expected any more.</returns>
     private static string? AdvanceToEnd(SimulatedController controller, TimeSpan longest, Action report, CancellationToken cancellation)
     {
+        report();
         while (true)
         {
             cancellation.ThrowIfCancellationRequested();
-            report();
             var (status, hasRested) = controller.AdvanceToRest(longest, s_longestRest, SliceSteps);
+            report();
             if (status.IsIdle) return null;
             if (hasRested) return Wording.Get("ProgramReplayer.NothingHasMovedMachine", LongestRest);
             if (status.Sample > longest.TotalMilliseconds) return Wording.Get("ProgramReplayer.StillMovesAfterMachine", longest.TotalSeconds);

@@ -74,11 +74,11 @@ public static class JobPreparation
         cancellation.ThrowIfCancellationRequested();
         var toolpath = PathOf(sequence, settings);
         cancellation.ThrowIfCancellationRequested();
-        return OfPath(drawing, settings, analysed, sequence, toolpath, style);
+        return FromPath(drawing, settings, analysed, sequence, toolpath, style);
     }
 
     /// <summary>The last stages: the motion of a toolpath, when the toolpath is what is drawn. Otherwise there is no program, and the faults say where.</summary>
-    public static PreparedJob OfPath(Drawing drawing, DrawingSettings settings, EntityTable analysed, SequencingResult sequence, Toolpath toolpath, MotionStyle style)
+    public static PreparedJob FromPath(Drawing drawing, DrawingSettings settings, EntityTable analysed, SequencingResult sequence, Toolpath toolpath, MotionStyle style)
     {
         var motion = MachineFamilies.Driver.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
         var faults = motion.Program is null ? [] : FaultsOf(drawing, settings, analysed, toolpath);

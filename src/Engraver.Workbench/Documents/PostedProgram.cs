@@ -26,13 +26,13 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     {
         ArgumentNullException.ThrowIfNull(post);
         if (drawing.Entities.Count == 0) return NothingCut(drawing, settings, drawing.Diagnostics);
-        if (post.Motion is { } style) return OfJob(JobPreparation.Prepare(drawing, settings, style), post, options);
+        if (post.Motion is { } style) return FromJob(JobPreparation.Prepare(drawing, settings, style), post, options);
         var analysed = JobPreparation.Analyse(drawing, settings);
-        return OfSequence(drawing, analysed, JobPreparation.Sequence(drawing, analysed, settings), settings, post, options);
+        return FromSequence(drawing, analysed, JobPreparation.Sequence(drawing, analysed, settings), settings, post, options);
     }
 
     /// <summary>The program of a job, which was prepared in the style of the post.</summary>
-    public static PostedProgram OfJob(PreparedJob job, IPost post, IReadOnlyDictionary<string, string> options)
+    public static PostedProgram FromJob(PreparedJob job, IPost post, IReadOnlyDictionary<string, string> options)
     {
         ArgumentNullException.ThrowIfNull(job);
         ArgumentNullException.ThrowIfNull(post);
@@ -45,7 +45,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     /// <summary>What is written from the path in millimetres.</summary>
     /// <param name="analysed">The table that was sequenced.</param>
     /// <param name="sequence">Of <paramref name="drawing"/>, with <paramref name="settings"/>.</param>
-    public static PostedProgram OfSequence(Drawing drawing, EntityTable analysed, SequencingResult sequence, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options)
+    public static PostedProgram FromSequence(Drawing drawing, EntityTable analysed, SequencingResult sequence, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options)
     {
         ArgumentNullException.ThrowIfNull(sequence);
         ArgumentNullException.ThrowIfNull(post);

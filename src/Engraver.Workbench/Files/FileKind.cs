@@ -3,15 +3,15 @@ using System.Text;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>What stands at a path: a file, which may be replaced, or a way to somebody else (a named pipe, a device, an open file of a process), into which is written.</summary>
+/// <summary>What stands at a path: a file, which may be replaced, or a stream (a named pipe, a device, an open file of a process), whose bytes go to somebody else as they are written and which is never replaced.</summary>
 public static class FileKind
 {
     /// <summary>S_IFMT and S_IFREG of stat(2).</summary>
     private const int KindMask = 0xF000;
     private const int RegularFile = 0x8000;
 
-    /// <summary>True when something stands there, also behind a link, that must be written into as it stands. Nothing is opened: opening a pipe already tells its other end something.</summary>
-    public static bool IsWay(string path)
+    /// <summary>True when a stream stands there, also behind a link: it is opened and written into, not replaced by a new file. False for an ordinary file and where nothing stands yet. Nothing is opened: opening a pipe already tells its other end something.</summary>
+    public static bool IsStream(string path)
     {
         var full = Path.GetFullPath(path);
         if (OperatingSystem.IsWindows() || !File.Exists(full)) return false;

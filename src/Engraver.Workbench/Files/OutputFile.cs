@@ -13,7 +13,7 @@ public static class OutputFile
         if (Path.GetDirectoryName(Path.GetFullPath(path)) is { } folder && !Directory.Exists(folder)) throw new DirectoryNotFoundException(Wording.Get("OutputFile.ThereNoFolder", folder));
         if (Directory.Exists(path)) throw new IOException(Wording.Get("OutputFile.Folder"));
         var target = new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
-        if (FileKind.IsWay(path) || FileKind.IsWay(target)) WriteInPlace(path, write);
+        if (FileKind.IsStream(path) || FileKind.IsStream(target)) WriteInPlace(path, write);
         else Replace(target, write);
     }
 

@@ -16,7 +16,7 @@ namespace Engraver.Workbench.Machines;
 public sealed class MachineSession : IAsyncDisposable
 {
     private readonly TimeProvider _time;
-    private readonly MachineStatusModel _board;
+    private readonly MachineStatusModel _status;
     private readonly ActiveJob _work;
     private readonly WatchedConnection _watched;
     private ControllerPlace? _place;
@@ -24,9 +24,9 @@ public sealed class MachineSession : IAsyncDisposable
     public MachineSession(TimeProvider time)
     {
         _time = time;
-        _board = new MachineStatusModel(time, RaiseChanged);
-        _watched = new WatchedConnection(time, () => Profile.Axes, Seen, _board.Lost);
-        _work = new ActiveJob(_board.JobIsOver, RaiseChanged);
+        _status = new MachineStatusModel(time, RaiseChanged);
+        _watched = new WatchedConnection(time, () => Profile.Axes, Seen, _status.Lost);
+        _work = new ActiveJob(_status.JobIsOver, RaiseChanged);
         Terminal = new LiveTerminal(time, AnswerAsync);
     }
 
@@ -34,9 +34,9 @@ public sealed class MachineSession : IAsyncDisposable
     public event EventHandler? Changed;
 
     /// <summary>What is known now.</summary>
-    public MachineStatus Status => _board.Status;
+    public MachineStatus Status => _status.Status;
 
-    public AlarmLog Alarms => _board.Alarms;
+    public AlarmLog Alarms => _status.Alarms;
 
     /// <summary>The terminal's page.</summary>
     public LiveTerminal Terminal { get; }
@@ -44,12 +44,12 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>The machine by which counts become millimetres and the tool's output is known. Another one disarms.</summary>
     public MachineProfile Profile
     {
-        get => _board.Profile;
-        set => _board.Profile = value;
+        get => _status.Profile;
+        set => _status.Profile = value;
     }
 
     /// <summary>What START would run; null while nothing is armed.</summary>
-    public ArmedJob? Armed => _board.Arming.Armed;
+    public ArmedJob? Armed => _status.Arming.Armed;
 
     /// <summary>Where the controller is; null while none is connected.</summary>
     public string? Description => _watched.Connection?.Description;
@@ -86,9 +86,9 @@ public sealed class MachineSession : IAsyncDisposable
         var poll = await _watched.OpenAsync(address, cancellation).ConfigureAwait(false);
         var identity = _watched.Identity!;
         await TakeAsync(identity, cancellation).ConfigureAwait(false);
-        _board.Connected(_watched.Connection!.Description, IsSimulation, identity);
-        _board.Placed(Hold?.Memory.ActiveOrigin?.Plane);
-        _board.Seen(poll);
+        _status.Connected(_watched.Connection!.Description, IsSimulation, identity);
+        _status.Placed(Hold?.Memory.ActiveOrigin?.Plane);
+        _status.Seen(poll);
         _watched.Resume();
         return identity;
     }
@@ -114,7 +114,7 @@ public sealed class MachineSession : IAsyncDisposable
         Hold?.Dispose();
         (Hold, _place) = (null, null);
         if (_watched.Take() is not var (connection, watch)) return;
-        _board.Disconnected();
+        _status.Disconnected();
         if (watch is not null) await watch.DisposeAsync().ConfigureAwait(false);
         await connection.DisposeAsync().ConfigureAwait(false);
         RaiseChanged();
@@ -126,13 +126,13 @@ public sealed class MachineSession : IAsyncDisposable
     {
         ArgumentNullException.ThrowIfNull(checklist);
         return checklist.Passed && Status.State is MachineState.Ready or MachineState.Armed
-            ? _board.Arming.Arm(job, mode, dryRun, checklist)
+            ? _status.Arming.Arm(job, mode, dryRun, checklist)
             : throw new InvalidOperationException("What was not checked cannot be armed.");
     }
 
     /// <summary>Takes START back.</summary>
     /// <returns>False when nothing was armed.</returns>
-    public bool Disarm() => _board.Arming.Disarm();
+    public bool Disarm() => _status.Arming.Disarm();
 
     /// <summary>A program as it can be run over the link that stands.</summary>
     public LinkFeedFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => JobPlan.FitToLink(program, _watched.Address, mode, drawing);
@@ -178,7 +178,7 @@ public sealed class MachineSession : IAsyncDisposable
         if (_watched.Watch is not { } watch || Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
         var memory = await watch.SetOriginAsync(Profile.Axes, hold, set, cancellation).ConfigureAwait(false);
-        _board.Placed(memory.ActiveOrigin?.Plane);
+        _status.Placed(memory.ActiveOrigin?.Plane);
         RaiseChanged();
         return memory;
     }
@@ -192,7 +192,7 @@ public sealed class MachineSession : IAsyncDisposable
         if (Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
         var failure = hold.Keep(memory => memory with { Active = name });
-        _board.Placed(hold.Memory.ActiveOrigin?.Plane);
+        _status.Placed(hold.Memory.ActiveOrigin?.Plane);
         RaiseChanged();
         return failure;
     }
@@ -225,7 +225,7 @@ public sealed class MachineSession : IAsyncDisposable
         var (job, watch) = AtWork();
         if (job is not null) UrgentThread.Run(job.Cancel);
         else if (watch is not null) _watched.ActUrgently(watch, one => one.StopAsync(Profile.ToolOutput));
-        _board.StopSent();
+        _status.StopSent();
         return job is not null;
     }
 
@@ -236,7 +236,7 @@ public sealed class MachineSession : IAsyncDisposable
         var (job, watch) = AtWork();
         if (watch is not null) _watched.ActUrgently(watch, one => one.AbortAsync(Profile.ToolOutput));
         if (job is not null) UrgentThread.Run(job.Cancel);
-        _board.StopSent();
+        _status.StopSent();
     }
 
     /// <summary>Switches the motors of both axes on or off.</summary>
@@ -248,7 +248,7 @@ public sealed class MachineSession : IAsyncDisposable
         if (_watched.Watch is not { } watch || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
         var refused = await watch.SetMotorsAsync(on, cancellation).ConfigureAwait(false);
-        if (refused is not null) _board.Refused(refused);
+        if (refused is not null) _status.Refused(refused);
         Seen(await watch.LookAsync(cancellation).ConfigureAwait(false));
         return refused;
     }
@@ -257,12 +257,12 @@ public sealed class MachineSession : IAsyncDisposable
     {
         await _work.EndAsync().ConfigureAwait(false);
         await DisconnectAsync().ConfigureAwait(false);
-        _board.Dispose();
+        _status.Dispose();
     }
 
     private (CancellationTokenSource? Job, MachineWatch? Watch) AtWork()
     {
-        _board.StopAsked();
+        _status.StopAsked();
         var watch = _watched.Watch;
         return (_work.Stop, watch); // in this order: a job that begins meanwhile is stopped as well
     }
@@ -277,12 +277,12 @@ public sealed class MachineSession : IAsyncDisposable
 
     private async Task<MachineRunReport> RunWatchedAsync(MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, CancellationToken stop)
     {
-        _board.JobBegins();
+        _status.JobBegins();
         await _watched.GiveWayAsync().ConfigureAwait(false);
         try
         {
-            var report = await MachineRun.RunAsync(job, program, connection, options with { Hold = Hold, Placed = frame => _board.Placed(frame) }, _time, Listener(_board), stop).ConfigureAwait(false);
-            _board.JobEnds(report.Result);
+            var report = await MachineRun.RunAsync(job, program, connection, options with { Hold = Hold, Placed = frame => _status.Placed(frame) }, _time, Listener(_status), stop).ConfigureAwait(false);
+            _status.JobEnds(report.Result);
             return report;
         }
         finally
@@ -293,12 +293,12 @@ public sealed class MachineSession : IAsyncDisposable
 
     private async Task<JobResult> GoToWatchedAsync(MachineConnection connection, MachineProfile profile, CountsPoint goal, string journal, CancellationToken stop)
     {
-        _board.MoveBegins();
+        _status.MoveBegins();
         await _watched.GiveWayAsync().ConfigureAwait(false);
         try
         {
-            var result = await MachineMove.ToAsync(connection, Hold!, profile, _board.Here, goal, journal, new JobListener(TellMove), stop).ConfigureAwait(false);
-            _board.MoveEnds(result);
+            var result = await MachineMove.ToAsync(connection, Hold!, profile, _status.Here, goal, journal, new JobListener(TellMove), stop).ConfigureAwait(false);
+            _status.MoveEnds(result);
             return result;
         }
         finally
@@ -311,7 +311,7 @@ public sealed class MachineSession : IAsyncDisposable
     {
         while (_watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message);
         KeepRest(poll);
-        _board.Seen(poll);
+        _status.Seen(poll);
     }
 
     /// <summary>Whoever moves the machine, a typed line or another host: where it rests is kept, for by that it is known after a power cycle whether its zero can be the same.</summary>
@@ -329,21 +329,21 @@ public sealed class MachineSession : IAsyncDisposable
         if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("MachineSession.JobRunsNothingSent"))];
         Disarm();
         var answers = await watch.AnswerAsync(line, cancellation).ConfigureAwait(false);
-        if (answers.LastOrDefault(answer => answer.Kind == TerminalAnswerKind.Refusal) is { Text: { } refusal }) _board.NoteRefusal(refusal);
+        if (answers.LastOrDefault(answer => answer.Kind == TerminalAnswerKind.Refusal) is { Text: { } refusal }) _status.NoteRefusal(refusal);
         return answers;
     }
 
-    /// <param name="board">Null for a job that does not run on the connected machine.</param>
-    private JobListener Listener(MachineStatusModel? board) => new(value =>
+    /// <param name="status">Null for a job that does not run on the connected machine.</param>
+    private JobListener Listener(MachineStatusModel? status) => new(value =>
     {
         Progress = value;
-        board?.JobTells(value);
+        status?.JobTells(value);
         RaiseChanged();
     });
 
     private void TellMove(JobProgress value)
     {
-        _board.MoveTells(value);
+        _status.MoveTells(value);
         RaiseChanged();
     }
 

@@ -53,7 +53,7 @@ public class PseudoLanguageTests
         folder.WithFile("b.dmc", "#JOB\nSOUP\nEN\n");
         folder.WithFile("a.scr", "LINE\nMOVE\n");
         string[] args = [.. words.Split(' ').Select(word => word.Replace("{folder}", folder.PathOf(""), StringComparison.Ordinal).Replace("{empty}", folder.PathOf("empty.dxf"), StringComparison.Ordinal)).Select(word => word.StartsWith('{') ? SampleDrawing.PathOf(word.Trim('{', '}')) : word)];
-        var run = await CliRun.Of([.. args, "--culture", PseudoLanguage.CultureName]);
+        var run = await CliRun.RunAsync([.. args, "--culture", PseudoLanguage.CultureName]);
 
         var shown = run.Error.Split('\n').Concat(words.StartsWith("table", StringComparison.Ordinal) ? [] : run.Out.Split('\n')).ToList();
         Assert.DoesNotContain(shown, IsForeign);

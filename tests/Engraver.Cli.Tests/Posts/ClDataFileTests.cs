@@ -31,7 +31,7 @@ public class ClDataFileTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.PathOf("cl.dxf");
-        var sequence = JsonText.Of(await CliRun.Of("sequence", SampleDrawing.PathOf(name), "--json", "-o", file));
+        var sequence = JsonText.Of(await CliRun.RunAsync("sequence", SampleDrawing.PathOf(name), "--json", "-o", file));
         var audit = await AuditAsync(file, folder);
 
         Assert.Equal((0, 0), (audit.GetProperty("errors").GetInt32(), audit.GetProperty("fixes").GetInt32()));
@@ -46,8 +46,8 @@ public class ClDataFileTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.PathOf("cl.dxf");
-        var before = JsonText.Of(await CliRun.Of("sequence", SampleDrawing.PathOf(name), "--json", "-o", file));
-        var after = JsonText.Of(await CliRun.Of("sequence", file, "--json", "--order", "drawn"));
+        var before = JsonText.Of(await CliRun.RunAsync("sequence", SampleDrawing.PathOf(name), "--json", "-o", file));
+        var after = JsonText.Of(await CliRun.RunAsync("sequence", file, "--json", "--order", "drawn"));
 
         foreach (var count in new[] { "contours", "closed", "open", "segments" }) Assert.Equal(before.GetProperty(count).GetInt32(), after.GetProperty(count).GetInt32());
         Assert.Equal(before.GetProperty("pathLength").GetDouble(), after.GetProperty("pathLength").GetDouble(), 1e-6);
@@ -59,8 +59,8 @@ public class ClDataFileTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.PathOf("cl.dxf");
-        await CliRun.Of("sequence", SampleDrawing.PathOf("gasket"), "--json", "-o", file);
-        var posted = await CliRun.Of("post", SampleDrawing.PathOf("gasket"), "--target", "cldata");
+        await CliRun.RunAsync("sequence", SampleDrawing.PathOf("gasket"), "--json", "-o", file);
+        var posted = await CliRun.RunAsync("post", SampleDrawing.PathOf("gasket"), "--target", "cldata");
 
         Assert.Equal(ExitCode.Done, posted.ExitCode);
         Assert.Equal(await File.ReadAllTextAsync(file), posted.Out);
@@ -70,7 +70,7 @@ public class ClDataFileTests
     public async Task A_place_that_cannot_be_written_is_a_usage_error()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("sequence", SampleDrawing.PathOf("paper-001"), "-o", folder.PathOf("missing/cl.dxf"));
+        var run = await CliRun.RunAsync("sequence", SampleDrawing.PathOf("paper-001"), "-o", folder.PathOf("missing/cl.dxf"));
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
     }

@@ -21,7 +21,7 @@ public class EarlierResultTests
             using var folder = new TemporaryFolder();
             var drawing = content == "missing" ? folder.PathOf("missing.dxf") : folder.WithFile("drawing.dxf", content);
             var earlier = folder.WithFile("result", "earlier");
-            var run = await CliRun.Of([way[0], drawing, .. way[1..], earlier]);
+            var run = await CliRun.RunAsync([way[0], drawing, .. way[1..], earlier]);
 
             Assert.Equal((way[0], ExitCode.DrawingError, "earlier"), (way[0], run.ExitCode, await File.ReadAllTextAsync(earlier)));
             Assert.DoesNotContain("DOC0002", run.Error, StringComparison.Ordinal); // why is said once
@@ -35,7 +35,7 @@ public class EarlierResultTests
         {
             using var folder = new TemporaryFolder();
             var earlier = folder.WithFile("result", "earlier");
-            var run = await CliRun.Of([way[0], folder.WithFile("text.dxf", NoCurve), .. way[1..], earlier]);
+            var run = await CliRun.RunAsync([way[0], folder.WithFile("text.dxf", NoCurve), .. way[1..], earlier]);
 
             Assert.Equal((ExitCode.DrawingError, "earlier"), (run.ExitCode, await File.ReadAllTextAsync(earlier)));
             Assert.Contains("error DOC0002", run.Error, StringComparison.Ordinal);

@@ -52,7 +52,7 @@ public class SavedFileTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.PathOf("cl.dxf");
-        await CliRun.Of("sequence", Drawing(folder, 4), "--json", "-o", file);
+        await CliRun.RunAsync("sequence", Drawing(folder, 4), "--json", "-o", file);
         var audit = await AuditAsync(file, folder);
 
         Assert.Equal((0, 0), (audit.GetProperty("errors").GetInt32(), audit.GetProperty("fixes").GetInt32()));
@@ -69,7 +69,7 @@ public class SavedFileTests
     private static async Task<string> SavedAsync(TemporaryFolder folder, int units)
     {
         var file = folder.PathOf("out.dxf");
-        var run = await CliRun.Of("script", folder.WithFile("save.scr", $"OPEN \"{Drawing(folder, units)}\"\nSAVEAS \"{file}\"\n"));
+        var run = await CliRun.RunAsync("script", folder.WithFile("save.scr", $"OPEN \"{Drawing(folder, units)}\"\nSAVEAS \"{file}\"\n"));
         Assert.Equal(ExitCode.Done, run.ExitCode);
         return file;
     }

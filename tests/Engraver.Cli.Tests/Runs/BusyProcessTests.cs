@@ -17,7 +17,7 @@ public class BusyProcessTests
         var drawing = folder.WithFile("line.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n60\n21\n0\n0\nENDSEC\n0\nEOF\n"); // three seconds: the dead man waits one
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
         var others = Enumerable.Range(0, Environment.ProcessorCount * 4).Select(_ => Task.Run(() => WorkUntil(over.Token))).ToArray();
-        var run = await CliRun.Of("run", drawing, "--connect", "tcp://" + place, "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", drawing, "--connect", "tcp://" + place, "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
         await over.CancelAsync();
         var work = await Task.WhenAll(others);
 

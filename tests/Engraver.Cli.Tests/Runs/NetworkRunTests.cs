@@ -54,7 +54,7 @@ public class NetworkRunTests
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         var place = await controller.ListenTcpAsync(0, CancellationToken.None);
         await using var proxy = new HarmingProxy(place.Port, line => line == "LI 100000,0" ? "LI 1000000,0" : line);
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", proxy.Address + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", proxy.Address + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal((ExitCode.DrawingError, "deviated"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));
         Assert.Matches("The machine stood at 15[0-9]{4},50000 of the drawing .counts., [0-9]+ counts beside the planned path", run.Error);
@@ -91,7 +91,7 @@ public class NetworkRunTests
     {
         using var folder = new TemporaryFolder();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = speed });
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
         Assert.Equal(0.0, JsonText.Of(run).GetProperty("missingLength").GetDouble());
@@ -118,7 +118,7 @@ public class NetworkRunTests
         }
 
         Assert.NotEqual(before, await AskAsync(controller, Questions, patience.Token));
-        var run = await CliRun.Of(words);
+        var run = await CliRun.RunAsync(words);
 
         Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
         Assert.Equal(before, await AskAsync(controller, Questions, patience.Token));
@@ -127,7 +127,7 @@ public class NetworkRunTests
     [Fact]
     public async Task A_closed_port_is_exit_4_with_one_sentence()
     {
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", $"tcp://127.0.0.1:{await UnusedPortAsync()}");
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", $"tcp://127.0.0.1:{await UnusedPortAsync()}");
 
         Assert.Equal(ExitCode.LinkLost, run.ExitCode);
         Assert.Single(run.Error.TrimEnd().Split('\n'));
@@ -140,7 +140,7 @@ public class NetworkRunTests
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         controller.SetLimitSwitch(axis: 0, forward: true, active: true);
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal(ExitCode.Refused, run.ExitCode);
         Assert.Equal("refused", JsonText.Of(run).GetProperty("outcome").GetString());
@@ -160,7 +160,7 @@ public class NetworkRunTests
         }
 
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal(ExitCode.Refused, run.ExitCode);
         Assert.Contains("Thread 3", run.Error, StringComparison.Ordinal);
@@ -176,7 +176,7 @@ public class NetworkRunTests
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
         await using var controller = new SimulatedController(new SimulatorOptions());
-        var running = CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        var running = CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller), "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
         var cutting = controller.WaitUntilAsync(status => status.IsMoving && (status.Outputs & Tool) != 0, patience.Token);
         Assert.True(await Task.WhenAny(running, cutting) == cutting, running.IsCompleted ? (await running).Error + (await running).Out : "");
         await cutting;
@@ -240,7 +240,7 @@ public class NetworkRunTests
         using var folder = new TemporaryFolder();
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
         await using (var other = controller.OpenConnection()) await other.WriteAsync("SB1\r"u8.ToArray());
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--mode", mode, "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.DoesNotContain(controller.Record.Snapshot(), row => (row.Outputs & Tool) != 0 && row.A is > 100 and < 49900);
@@ -249,7 +249,7 @@ public class NetworkRunTests
     [Fact]
     public async Task A_link_that_never_came_up_is_one_JSON_object_all_the_same()
     {
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", $"tcp://127.0.0.1:{await UnusedPortAsync()}", "--json");
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", $"tcp://127.0.0.1:{await UnusedPortAsync()}", "--json");
 
         Assert.Equal((ExitCode.LinkLost, "linkLost"), (run.ExitCode, JsonText.Of(run).GetProperty("outcome").GetString()));
     }

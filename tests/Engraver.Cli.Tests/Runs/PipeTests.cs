@@ -14,7 +14,7 @@ public class PipeTests
         using var folder = new TemporaryFolder();
         var (trace, journal) = (NamedPipe.Make(folder.PathOf("trace")), NamedPipe.Make(folder.PathOf("journal")));
         var (traced, journalled) = (NamedPipe.ReadAsync(trace), NamedPipe.ReadAsync(journal));
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--trace", trace, "--journal", journal).WaitAsync(s_patience);
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--trace", trace, "--journal", journal).WaitAsync(s_patience);
 
         Assert.True(run.ExitCode == ExitCode.Done, run.Out + run.Error);
         Assert.Contains(" A > BGS\n", await traced.WaitAsync(s_patience), StringComparison.Ordinal);
@@ -27,11 +27,11 @@ public class PipeTests
         if (OperatingSystem.IsWindows()) return; // a pipe there has no place among the files
         using var folder = new TemporaryFolder();
         var pipe = NamedPipe.Make(folder.PathOf("program.dmc"));
-        var said = await CliRun.Of("post", SampleDrawing.PathOf("paper-001"), "--target", "galil");
+        var said = await CliRun.RunAsync("post", SampleDrawing.PathOf("paper-001"), "--target", "galil");
         foreach (var time in (string[])["first", "second"])
         {
             var read = NamedPipe.ReadAsync(pipe);
-            var run = await CliRun.Of("post", SampleDrawing.PathOf("paper-001"), "--target", "galil", "-o", pipe);
+            var run = await CliRun.RunAsync("post", SampleDrawing.PathOf("paper-001"), "--target", "galil", "-o", pipe);
 
             Assert.Equal((time, ExitCode.Done, said.Out), (time, run.ExitCode, await read.WaitAsync(s_patience)));
         }

@@ -33,7 +33,7 @@ public class SampleRunTests
     public async Task Every_cutting_sample_is_on_the_drawing_and_nothing_of_it_is_missing(string name, string mode)
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("run", SampleDrawing.PathOf(name), "--connect", "sim:", "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf(name), "--connect", "sim:", "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl"));
         var report = JsonText.Of(run);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
@@ -52,7 +52,7 @@ public class SampleRunTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.WithFile("curves.dxf", CurvesDrawing);
-        var report = JsonText.Of(await CliRun.Of("run", file, "--connect", "sim:", "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl")));
+        var report = JsonText.Of(await CliRun.RunAsync("run", file, "--connect", "sim:", "--mode", mode, "--json", "--journal", folder.PathOf("run.jsonl")));
 
         Assert.Equal("complete", report.GetProperty("outcome").GetString());
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
@@ -64,7 +64,7 @@ public class SampleRunTests
     public async Task The_last_line_says_how_far_the_motors_were_off_and_that_nothing_is_missing()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--journal", folder.PathOf("run.jsonl"));
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--journal", folder.PathOf("run.jsonl"));
 
         Assert.Matches(@"^complete: 4 of 4 segments cut in [0-9.]+ s of machine time; the simulated motors were at worst 0\.00[0-9]+ mm from the drawing and nothing of it is missing\.\n$", run.Out);
     }
@@ -73,7 +73,7 @@ public class SampleRunTests
     public async Task The_object_has_every_field_of_the_contract()
     {
         using var folder = new TemporaryFolder();
-        var report = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
+        var report = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
 
         Assert.Equal(
             ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "missingLength", "deviationSource", "journal", "leftOut", "notCut", "origin"],
@@ -87,12 +87,12 @@ public class SampleRunTests
     public async Task The_start_option_is_where_the_job_begins_and_ends_and_with_origin_here_where_the_machine_stands()
     {
         using var folder = new TemporaryFolder();
-        var report = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--start", "50,50", "--journal", folder.PathOf("run.jsonl")));
+        var report = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--start", "50,50", "--journal", folder.PathOf("run.jsonl")));
 
         Assert.Equal((50000, 50000), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
         Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, AllowedDeviation);
         Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
-        var here = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--start", "50,50", "--origin", "here", "--journal", folder.PathOf("here.jsonl")));
+        var here = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--start", "50,50", "--origin", "here", "--journal", folder.PathOf("here.jsonl")));
         Assert.Equal((0, 0), (here.GetProperty("finalX").GetInt32(), here.GetProperty("finalY").GetInt32()));
         Assert.Equal("""{"x":-50,"y":-50,"source":"here"}""", System.Text.Json.JsonSerializer.Serialize(here.GetProperty("origin")));
         Assert.Equal(0.0, here.GetProperty("missingLength").GetDouble());
@@ -105,7 +105,7 @@ public class SampleRunTests
     [InlineData("--finish", "park")] // the default profile has no such place
     public async Task A_place_that_is_none_is_a_usage_error(string option, string value)
     {
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", option, value);
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", option, value);
 
         Assert.Equal((ExitCode.Usage, ""), (run.ExitCode, run.Out));
         Assert.Contains(option, run.Error, StringComparison.Ordinal);
@@ -116,8 +116,8 @@ public class SampleRunTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.WithFile("cut.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n4\n0\nLINE\n8\n0\n10\n0\n");
-        var refused = await CliRun.Of("run", file, "--connect", "sim:", "--json", "--journal", folder.PathOf("a.jsonl"));
-        var accepted = await CliRun.Of("run", file, "--connect", "sim:", "--json", "--accept-errors", "--journal", folder.PathOf("b.jsonl"));
+        var refused = await CliRun.RunAsync("run", file, "--connect", "sim:", "--json", "--journal", folder.PathOf("a.jsonl"));
+        var accepted = await CliRun.RunAsync("run", file, "--connect", "sim:", "--json", "--accept-errors", "--journal", folder.PathOf("b.jsonl"));
 
         Assert.Equal((ExitCode.DrawingError, "refused", 0), (refused.ExitCode, JsonText.Of(refused).GetProperty("outcome").GetString(), JsonText.Of(refused).GetProperty("segmentsSent").GetInt32()));
         Assert.Equal((ExitCode.DrawingError, "complete", 1), (accepted.ExitCode, JsonText.Of(accepted).GetProperty("outcome").GetString(), JsonText.Of(accepted).GetProperty("segmentsExecuted").GetInt32()));
@@ -128,8 +128,8 @@ public class SampleRunTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.WithFile("odd.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n4\n0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\nx\n0\nENDSEC\n0\nEOF\n");
-        var json = await CliRun.Of("run", file, "--connect", "sim:", "--json", "--accept-errors", "--journal", folder.PathOf("a.jsonl"));
-        var told = await CliRun.Of("run", file, "--connect", "sim:", "--accept-errors", "--journal", folder.PathOf("b.jsonl"));
+        var json = await CliRun.RunAsync("run", file, "--connect", "sim:", "--json", "--accept-errors", "--journal", folder.PathOf("a.jsonl"));
+        var told = await CliRun.RunAsync("run", file, "--connect", "sim:", "--accept-errors", "--journal", folder.PathOf("b.jsonl"));
         var leftOut = JsonText.Of(json).GetProperty("leftOut");
 
         Assert.Equal((1, System.Text.Json.JsonValueKind.Null), (leftOut.GetProperty("count").GetInt32(), leftOut.GetProperty("length").ValueKind));
@@ -142,7 +142,7 @@ public class SampleRunTests
     public async Task A_dry_run_moves_with_the_tool_off()
     {
         using var folder = new TemporaryFolder();
-        var report = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--dry-run", "--json", "--journal", folder.PathOf("a.jsonl")));
+        var report = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--dry-run", "--json", "--journal", folder.PathOf("a.jsonl")));
 
         Assert.Equal("complete", report.GetProperty("outcome").GetString());
         Assert.Equal("none", report.GetProperty("deviationSource").GetString());

@@ -36,7 +36,7 @@ public class SerialRunTests
         Assert.Equal((0, 0), (report.GetProperty("underruns").GetInt32(), report.GetProperty("rejected").GetInt32()));
         Assert.Equal(report.GetProperty("segmentsSent").GetInt32(), report.GetProperty("segmentsExecuted").GetInt32());
         Assert.Equal(0, controller.Status.Outputs & Tool);
-        var plan = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf(name), "--mode", mode, "--connect", "serial:///dev/ttyS0?baud=19200", "--json"));
+        var plan = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf(name), "--mode", mode, "--connect", "serial:///dev/ttyS0?baud=19200", "--json"));
         var (planned, took) = (report.GetProperty("plannedSeconds").GetDouble(), report.GetProperty("seconds").GetDouble());
         Assert.InRange(planned, 0.95 * took, 1.05 * took);
         Assert.Equal(planned, plan.GetProperty("seconds").GetProperty("total").GetDouble(), precision: 9);
@@ -129,7 +129,7 @@ public class SerialRunTests
     [InlineData(ExitCode.Usage, "simulate", "--tcp", "0", "--baud", "9600")]
     public async Task What_cannot_be_a_serial_line_is_one_sentence_and_its_exit_code(int code, params string[] args)
     {
-        var run = await CliRun.Of([.. args.Select(arg => arg == "DRAWING" ? SampleDrawing.PathOf("paper-001") : arg)]);
+        var run = await CliRun.RunAsync([.. args.Select(arg => arg == "DRAWING" ? SampleDrawing.PathOf("paper-001") : arg)]);
 
         Assert.Equal(code, run.ExitCode);
         Assert.Single(run.Error.TrimEnd().Split('\n'));
@@ -158,7 +158,7 @@ public class SerialRunTests
     {
         var clock = await controller.ListenClockAsync(CancellationToken.None);
         var address = string.Create(CultureInfo.InvariantCulture, $"serial://{folder.PathOf("tty")}?baud=19200&clock={clock.Port}");
-        return await CliRun.Of(stop, ["run", .. args, "--connect", address, "--json", "--journal", folder.PathOf("run.jsonl")]);
+        return await CliRun.RunAsync(stop, ["run", .. args, "--connect", address, "--json", "--journal", folder.PathOf("run.jsonl")]);
     }
 
     /// <summary>An open polyline of many short segments without a sharp corner.</summary>

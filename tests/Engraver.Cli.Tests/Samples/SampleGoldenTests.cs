@@ -62,7 +62,7 @@ public class SampleGoldenTests
 
     private static async Task<CliRun> RunAsync(string verb, string name, params string[] options)
     {
-        var run = await CliRun.Of([verb, SampleDrawing.PathOf(name), .. options]);
+        var run = await CliRun.RunAsync([verb, SampleDrawing.PathOf(name), .. options]);
         Assert.Equal(ExitCode.Done, run.ExitCode);
         return run;
     }

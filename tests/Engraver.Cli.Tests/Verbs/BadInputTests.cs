@@ -14,7 +14,7 @@ public class BadInputTests
     public async Task A_missing_file_is_one_error_and_exit_1(string verb)
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of(verb, folder.PathOf("nowhere.dxf"));
+        var run = await CliRun.RunAsync(verb, folder.PathOf("nowhere.dxf"));
 
         AssertOneError(run, "DOC0001");
     }
@@ -24,7 +24,7 @@ public class BadInputTests
     public async Task An_empty_file_is_one_error_and_exit_1(string verb)
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of(verb, folder.WithFile("empty.dxf", ""));
+        var run = await CliRun.RunAsync(verb, folder.WithFile("empty.dxf", ""));
 
         AssertOneError(run, "DXF");
     }
@@ -34,7 +34,7 @@ public class BadInputTests
     public async Task A_file_that_is_no_DXF_is_one_error_and_exit_1(string verb)
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of(verb, folder.WithFile("letter.dxf", "Dear Sir or Madam,\nthis is a letter.\n"));
+        var run = await CliRun.RunAsync(verb, folder.WithFile("letter.dxf", "Dear Sir or Madam,\nthis is a letter.\n"));
 
         AssertOneError(run, "DXF");
     }
@@ -42,7 +42,7 @@ public class BadInputTests
     [Fact]
     public async Task An_impossible_feed_is_the_fault_of_the_feed_and_not_of_the_profile()
     {
-        var run = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--feed", "1e9");
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--feed", "1e9");
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("--feed 1000000000: the machine cuts 0.12 to 720000 mm/min", run.Error, StringComparison.Ordinal);
@@ -54,7 +54,7 @@ public class BadInputTests
     {
         using var folder = new TemporaryFolder();
         var whole = await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001"));
-        var run = await CliRun.Of("info", folder.WithFile("cut.dxf", whole[..whole.IndexOf("ARC\n", StringComparison.Ordinal)]), "--json");
+        var run = await CliRun.RunAsync("info", folder.WithFile("cut.dxf", whole[..whole.IndexOf("ARC\n", StringComparison.Ordinal)]), "--json");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.Equal(1, JsonText.Of(run).GetProperty("leaf").GetProperty("LINE").GetInt32());
@@ -64,7 +64,7 @@ public class BadInputTests
     [Fact]
     public async Task A_folder_instead_of_a_file_is_exit_1()
     {
-        var run = await CliRun.Of("info", RepositoryFolder.Samples);
+        var run = await CliRun.RunAsync("info", RepositoryFolder.Samples);
 
         AssertOneError(run, "DOC0001");
     }
@@ -72,7 +72,7 @@ public class BadInputTests
     [Fact]
     public async Task An_unknown_layer_is_a_usage_error_that_names_the_layers_there_are()
     {
-        var run = await CliRun.Of("table", SampleDrawing.PathOf("nameplate"), "--layers", "Frame");
+        var run = await CliRun.RunAsync("table", SampleDrawing.PathOf("nameplate"), "--layers", "Frame");
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("'Frame'", run.Error, StringComparison.Ordinal);
@@ -110,7 +110,7 @@ public class BadInputTests
     [InlineData("minimise", "FILE", "--keep", "DXF9999")]
     public async Task What_cannot_be_understood_is_exit_2_with_a_sentence(params string[] words)
     {
-        var run = await CliRun.Of([.. words.Select(word => word == "FILE" ? SampleDrawing.PathOf("paper-001") : word)]);
+        var run = await CliRun.RunAsync([.. words.Select(word => word == "FILE" ? SampleDrawing.PathOf("paper-001") : word)]);
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.StartsWith("engraver: ", run.Error, StringComparison.Ordinal);
@@ -122,7 +122,7 @@ public class BadInputTests
     public async Task A_place_that_cannot_be_written_is_exit_2_and_leaves_nothing_behind()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("post", SampleDrawing.PathOf("paper-001"), "--target", "galil", "-o", folder.PathOf("no/such/folder.dmc"));
+        var run = await CliRun.RunAsync("post", SampleDrawing.PathOf("paper-001"), "--target", "galil", "-o", folder.PathOf("no/such/folder.dmc"));
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("cannot be written", run.Error, StringComparison.Ordinal);
@@ -134,7 +134,7 @@ public class BadInputTests
     {
         using var folder = new TemporaryFolder();
         var profile = folder.WithFile("machine.json", "{\n  \"feedMmPerMinute\": 600,\n  \"feeed\": 3\n}\n");
-        var run = await CliRun.Of("post", SampleDrawing.PathOf("paper-001"), "--target", "galil", "--machine", profile);
+        var run = await CliRun.RunAsync("post", SampleDrawing.PathOf("paper-001"), "--target", "galil", "--machine", profile);
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("feeed", run.Error, StringComparison.Ordinal);
@@ -148,7 +148,7 @@ public class BadInputTests
     [InlineData("xyzzyx", "there are info, ")]
     public async Task A_word_that_is_no_verb_is_answered_with_the_nearest_one(string word, string answer)
     {
-        var run = await CliRun.Of(word, "drawing.dxf");
+        var run = await CliRun.RunAsync(word, "drawing.dxf");
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains(answer, Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
@@ -164,8 +164,8 @@ public class BadInputTests
         var points = folder.WithFile("points.dxf", "0\nSECTION\n2\nENTITIES\n0\nPOINT\n8\n0\n10\n0\n20\n0\n0\nENDSEC\n0\nEOF\n");
         var earlier = folder.WithFile("job.out", "earlier");
 
-        var nothing = await CliRun.Of("post", points, "--target", target, "-o", earlier);
-        var missing = await CliRun.Of("post", folder.PathOf("nowhere.dxf"), "--target", target, "-o", earlier);
+        var nothing = await CliRun.RunAsync("post", points, "--target", target, "-o", earlier);
+        var missing = await CliRun.RunAsync("post", folder.PathOf("nowhere.dxf"), "--target", target, "-o", earlier);
 
         Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError), (nothing.ExitCode, missing.ExitCode));
         Assert.Contains("error DOC0002", nothing.Error, StringComparison.Ordinal);

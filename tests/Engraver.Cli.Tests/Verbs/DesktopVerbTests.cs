@@ -19,7 +19,7 @@ public sealed class DesktopVerbTests
     [Fact]
     public async Task An_option_that_is_not_there_is_a_usage_error()
     {
-        var run = await CliRun.Of("desktop", "--fullscreen");
+        var run = await CliRun.RunAsync("desktop", "--fullscreen");
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("--fullscreen", run.Error, StringComparison.Ordinal);

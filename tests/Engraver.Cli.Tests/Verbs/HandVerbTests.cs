@@ -21,7 +21,7 @@ public class HandVerbTests
 
         Assert.Equal((0.0, 0.0, null), Places(await SeenAsync("status", "--connect", address, "--json")));
         Assert.Equal((12.0, -7.5, null), Places(await SeenAsync("goto", "12,-7.5", "--machine-position", "--connect", address, "--json")));
-        var nowhere = await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--json", "--journal", folder.PathOf("a.jsonl"));
+        var nowhere = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--json", "--journal", folder.PathOf("a.jsonl"));
         Assert.Equal((ExitCode.Usage, "refused"), (nowhere.ExitCode, JsonText.Of(nowhere).GetProperty("outcome").GetString()));
         Assert.Contains("JOB0008", nowhere.Error, StringComparison.Ordinal);
         Assert.Contains("engraver zero", nowhere.Error, StringComparison.Ordinal);
@@ -38,7 +38,7 @@ public class HandVerbTests
         }
 
         await controller.WaitUntilAsync(status => !status.IsMoving && status.Outputs == 0, patience.Token); // the watchdog
-        var run = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--json", "--journal", folder.PathOf("b.jsonl")));
+        var run = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--json", "--journal", folder.PathOf("b.jsonl")));
         Assert.Equal(("complete", 12000, -7500), (run.GetProperty("outcome").GetString(), run.GetProperty("finalX").GetInt32(), run.GetProperty("finalY").GetInt32()));
     }
 
@@ -58,7 +58,7 @@ public class HandVerbTests
 
     private static async Task<JsonElement> SeenAsync(params string[] words)
     {
-        var run = await CliRun.Of(words);
+        var run = await CliRun.RunAsync(words);
         Assert.True(run.ExitCode == ExitCode.Done, run.Error);
         return JsonText.Of(run);
     }

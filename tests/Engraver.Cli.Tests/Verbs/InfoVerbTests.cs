@@ -5,7 +5,7 @@ public class InfoVerbTests
     [Fact]
     public async Task The_object_has_every_field_of_the_contract()
     {
-        var info = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("nameplate"), "--json"));
+        var info = JsonText.Of(await CliRun.RunAsync("info", SampleDrawing.PathOf("nameplate"), "--json"));
 
         Assert.Equal(
             ["file", "bytes", "dxfVersion", "encoding", "units", "entities", "balance", "primitives", "leaf", "text", "length", "bounds", "layers", "diagnostics", "texts"],
@@ -20,7 +20,7 @@ public class InfoVerbTests
     {
         foreach (var name in SampleDrawing.Names)
         {
-            var info = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf(name), "--json"));
+            var info = JsonText.Of(await CliRun.RunAsync("info", SampleDrawing.PathOf(name), "--json"));
             var balance = info.GetProperty("balance");
 
             Assert.Equal(
@@ -33,8 +33,8 @@ public class InfoVerbTests
     [Fact]
     public async Task Binary_and_inches_are_recognised()
     {
-        var dial = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("clock-dial"), "--json"));
-        var gasket = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("gasket"), "--json"));
+        var dial = JsonText.Of(await CliRun.RunAsync("info", SampleDrawing.PathOf("clock-dial"), "--json"));
+        var gasket = JsonText.Of(await CliRun.RunAsync("info", SampleDrawing.PathOf("gasket"), "--json"));
 
         Assert.Equal("binary", dial.GetProperty("encoding").GetString());
         Assert.Equal(25.4, gasket.GetProperty("units").GetProperty("toMillimetres").GetDouble());
@@ -45,7 +45,7 @@ public class InfoVerbTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.WithFile("body.dxf", "0\nSECTION\n2\nENTITIES\n0\nSPLINE\n5\n2F\n8\n0\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n4\n0\nENDSEC\n0\nEOF\n");
-        var run = await CliRun.Of("info", file, "--json");
+        var run = await CliRun.RunAsync("info", file, "--json");
         var refused = JsonText.Of(run).GetProperty("balance").GetProperty("refused")[0];
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
@@ -58,7 +58,7 @@ public class InfoVerbTests
     [Fact]
     public async Task Texts_are_told_with_content_and_place()
     {
-        var text = JsonText.Of(await CliRun.Of("info", SampleDrawing.PathOf("nameplate"), "--json")).GetProperty("texts")[0];
+        var text = JsonText.Of(await CliRun.RunAsync("info", SampleDrawing.PathOf("nameplate"), "--json")).GetProperty("texts")[0];
 
         Assert.Equal("TEXT", text.GetProperty("type").GetString());
         Assert.NotEmpty(text.GetProperty("content").GetString()!);
@@ -70,13 +70,13 @@ public class InfoVerbTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.WithFile("solid.dxf", "0\nSECTION\n2\nENTITIES\n0\nSOLID\n10\n0\n20\n0\n11\n3\n21\n0\n12\n0\n22\n4\n0\nENDSEC\n0\nEOF\n");
-        var without = JsonText.Of(await CliRun.Of("info", file, "--json", "--units", "mm"));
-        var with = JsonText.Of(await CliRun.Of("info", file, "--json", "--units", "mm", "--cut", "hatch,solid"));
+        var without = JsonText.Of(await CliRun.RunAsync("info", file, "--json", "--units", "mm"));
+        var with = JsonText.Of(await CliRun.RunAsync("info", file, "--json", "--units", "mm", "--cut", "hatch,solid"));
 
         Assert.Equal((0, 1), (without.GetProperty("balance").GetProperty("cut").GetInt32(), without.GetProperty("balance").GetProperty("construction").GetInt32()));
         Assert.Equal((1, 0), (with.GetProperty("balance").GetProperty("cut").GetInt32(), with.GetProperty("balance").GetProperty("construction").GetInt32()));
         Assert.Equal(12.0, with.GetProperty("length").GetProperty("total").GetDouble(), 12);
-        Assert.Equal(3, JsonText.Of(await CliRun.Of("sequence", file, "--json", "--cut", "solid")).GetProperty("segments").GetInt32());
+        Assert.Equal(3, JsonText.Of(await CliRun.RunAsync("sequence", file, "--json", "--cut", "solid")).GetProperty("segments").GetInt32());
     }
 
     [Fact]
@@ -84,7 +84,7 @@ public class InfoVerbTests
     {
         foreach (var name in SampleDrawing.Names)
         {
-            var run = await CliRun.Of("info", SampleDrawing.PathOf(name), "--twice", "--json");
+            var run = await CliRun.RunAsync("info", SampleDrawing.PathOf(name), "--twice", "--json");
 
             Assert.Contains("the second reading agrees", run.Error, StringComparison.Ordinal);
             Assert.Equal(ExitCode.Done, run.ExitCode);
@@ -96,7 +96,7 @@ public class InfoVerbTests
     {
         using var folder = new TemporaryFolder();
         var comma = folder.WithFile("comma.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n1,5\n20\n0\n11\n3\n21\n0\n0\nENDSEC\n0\nEOF\n");
-        var run = await CliRun.Of("info", comma, "--twice", "--units", "mm");
+        var run = await CliRun.RunAsync("info", comma, "--twice", "--units", "mm");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.Contains("second reading differs: LINE: 1 curves, the second reading has 0", run.Error, StringComparison.Ordinal);
@@ -105,8 +105,8 @@ public class InfoVerbTests
     [Fact]
     public async Task Quiet_says_nothing_about_warnings_and_the_culture_changes_no_number()
     {
-        var loud = await CliRun.Of("info", SampleDrawing.PathOf("pcb-outline"), "--json");
-        var quiet = await CliRun.Of("info", SampleDrawing.PathOf("pcb-outline"), "--json", "--quiet", "--culture", "de-DE");
+        var loud = await CliRun.RunAsync("info", SampleDrawing.PathOf("pcb-outline"), "--json");
+        var quiet = await CliRun.RunAsync("info", SampleDrawing.PathOf("pcb-outline"), "--json", "--quiet", "--culture", "de-DE");
 
         Assert.Contains("warning", loud.Error, StringComparison.Ordinal);
         Assert.Empty(quiet.Error);

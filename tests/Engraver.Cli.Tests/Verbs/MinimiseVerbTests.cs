@@ -10,8 +10,8 @@ public class MinimiseVerbTests
         var faulty = folder.WithFile("faulty.dxf", whole.Replace("ENTITIES\n", "ENTITIES\n0\nCIRCLE\n5\nFFF\n8\n0\n10\n3.5\n20\n0\n40\n-2\n", StringComparison.Ordinal));
         var small = folder.PathOf("small.dxf");
 
-        var run = await CliRun.Of("minimise", faulty, "--keep", "DXF0011", "-o", small);
-        var info = await CliRun.Of("info", small);
+        var run = await CliRun.RunAsync("minimise", faulty, "--keep", "DXF0011", "-o", small);
+        var info = await CliRun.RunAsync("info", small);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Contains("DXF0011", info.Error, StringComparison.Ordinal);
@@ -22,7 +22,7 @@ public class MinimiseVerbTests
     public async Task Without_the_fault_nothing_is_written_and_it_is_exit_1()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("minimise", SampleDrawing.PathOf("paper-001"), "--keep", "crash", "-o", folder.PathOf("none.dxf"));
+        var run = await CliRun.RunAsync("minimise", SampleDrawing.PathOf("paper-001"), "--keep", "crash", "-o", folder.PathOf("none.dxf"));
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.Contains("does not show crash", run.Error, StringComparison.Ordinal);
@@ -33,7 +33,7 @@ public class MinimiseVerbTests
     public async Task A_missing_file_is_exit_1()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("minimise", folder.PathOf("nowhere.dxf"), "--keep", "DXF0011");
+        var run = await CliRun.RunAsync("minimise", folder.PathOf("nowhere.dxf"), "--keep", "DXF0011");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.Single(run.Error.TrimEnd().Split('\n'));

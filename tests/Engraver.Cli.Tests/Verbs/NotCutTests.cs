@@ -18,8 +18,8 @@ public sealed class NotCutTests
         using var folder = new TemporaryFolder();
         var file = Written(folder, [.. s_line, .. s_text]);
 
-        var json = await CliRun.Of("run", file, "--connect", "sim:", "--json", "--journal", folder.PathOf("j"));
-        var said = await CliRun.Of("run", file, "--connect", "sim:", "--quiet", "--journal", folder.PathOf("k"));
+        var json = await CliRun.RunAsync("run", file, "--connect", "sim:", "--json", "--journal", folder.PathOf("j"));
+        var said = await CliRun.RunAsync("run", file, "--connect", "sim:", "--quiet", "--journal", folder.PathOf("k"));
 
         Assert.Equal(0, json.ExitCode);
         Assert.Equal("""{"TEXT":1}""", Compact(JsonText.Of(json).GetProperty("notCut")));
@@ -35,7 +35,7 @@ public sealed class NotCutTests
         using var folder = new TemporaryFolder();
         var file = Written(folder, [.. s_line, .. s_text, .. s_text]);
 
-        var run = await CliRun.Of(verb, file);
+        var run = await CliRun.RunAsync(verb, file);
 
         Assert.Equal(0, run.ExitCode);
         Assert.Contains($"{file}(31): warning JOB0001: 2 TEXT are visible and are not cut.", run.Error, StringComparison.Ordinal);
@@ -91,7 +91,7 @@ public sealed class NotCutTests
         using var folder = new TemporaryFolder();
         var file = Written(folder, [.. Line(0, 0, 0, 10, 0, -2), .. Line(10, 0, 0, 10, 10, 0), .. Line(0, 0, 0, 0, 10, 0)]);
 
-        var run = await CliRun.Of("sequence", file, "--json");
+        var run = await CliRun.RunAsync("sequence", file, "--json");
 
         Assert.Equal(0, run.ExitCode);
         Assert.Equal(2, JsonText.Of(run).GetProperty("contours").GetInt32());
@@ -108,7 +108,7 @@ public sealed class NotCutTests
         using var folder = new TemporaryFolder();
         var file = Written(folder, [.. Line(0, 0, z, 10, 0, z + noise), .. Line(10, 0, z - noise, 10, 10, z), .. Line(10, 10, z + noise, 0, 0, z)]);
 
-        var run = await CliRun.Of("sequence", file, "--json", "--verbose");
+        var run = await CliRun.RunAsync("sequence", file, "--json", "--verbose");
 
         Assert.Equal(1, JsonText.Of(run).GetProperty("closed").GetInt32());
         Assert.Equal(findings, run.Error.Split('\n').Count(line => line.Contains(": info JOB0004: ", StringComparison.Ordinal)));
@@ -128,7 +128,7 @@ public sealed class NotCutTests
 
         foreach (var verb in new[] { "info", "plan" })
         {
-            var run = await CliRun.Of(verb, file);
+            var run = await CliRun.RunAsync(verb, file);
             Assert.Equal(0, run.ExitCode);
             if (says is null) Assert.DoesNotContain("JOB000", run.Error, StringComparison.Ordinal);
             else Assert.Contains("warning JOB0005: ", run.Error, StringComparison.Ordinal);
@@ -140,7 +140,7 @@ public sealed class NotCutTests
         [(0, "LINE"), (8, "0"), (10, x1), (20, y1), (30, z1), (11, x2), (21, y2), (31, z2)];
 
     private static async Task<string> NotCutAsync(TemporaryFolder folder, string file, params string[] options) =>
-        Compact(JsonText.Of(await CliRun.Of(["run", file, "--connect", "sim:", "--json", "--dry-run", "--journal", folder.PathOf("j"), .. options])).GetProperty("notCut"));
+        Compact(JsonText.Of(await CliRun.RunAsync(["run", file, "--connect", "sim:", "--json", "--dry-run", "--journal", folder.PathOf("j"), .. options])).GetProperty("notCut"));
 
     private static string Compact(JsonElement element) => JsonSerializer.Serialize(element);
 

@@ -9,8 +9,8 @@ public class PlanVerbTests
     public async Task The_planned_time_is_within_two_percent_of_the_simulated_run(string name)
     {
         using var folder = new TemporaryFolder();
-        var plan = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf(name), "--json"));
-        var run = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf(name), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
+        var plan = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf(name), "--json"));
+        var run = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf(name), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
         var (planned, simulated) = (plan.GetProperty("seconds").GetProperty("total").GetDouble(), run.GetProperty("seconds").GetDouble());
 
         Assert.InRange(planned, 0.98 * simulated, 1.02 * simulated);
@@ -22,7 +22,7 @@ public class PlanVerbTests
     public async Task So_is_the_time_planned_for_the_papers_calls(string name)
     {
         using var folder = new TemporaryFolder();
-        var run = JsonText.Of(await CliRun.Of("run", SampleDrawing.PathOf(name), "--connect", "sim:", "--mode", "calls", "--json", "--journal", folder.PathOf("run.jsonl")));
+        var run = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf(name), "--connect", "sim:", "--mode", "calls", "--json", "--journal", folder.PathOf("run.jsonl")));
         var simulated = run.GetProperty("seconds").GetDouble();
 
         Assert.InRange(run.GetProperty("plannedSeconds").GetDouble(), 0.98 * simulated, 1.02 * simulated);
@@ -31,7 +31,7 @@ public class PlanVerbTests
     [Fact]
     public async Task The_object_has_every_field_of_the_contract_and_its_seconds_add_up()
     {
-        var plan = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf("paper-001"), "--json"));
+        var plan = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("paper-001"), "--json"));
         var seconds = plan.GetProperty("seconds");
 
         Assert.Equal(["seconds", "cutLength", "travel", "peakSpeed", "peakAxisAcceleration", "cost"], plan.EnumerateObject().Select(field => field.Name));
@@ -45,8 +45,8 @@ public class PlanVerbTests
     public async Task The_machine_profile_decides_how_long_it_takes()
     {
         using var folder = new TemporaryFolder();
-        var slow = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf("paper-001"), "--json", "--machine", folder.WithFile("slow.json", """{ "feedMmPerMinute": 600 }""")));
-        var usual = JsonText.Of(await CliRun.Of("plan", SampleDrawing.PathOf("paper-001"), "--json"));
+        var slow = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("paper-001"), "--json", "--machine", folder.WithFile("slow.json", """{ "feedMmPerMinute": 600 }""")));
+        var usual = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("paper-001"), "--json"));
 
         Assert.Equal(10.0, slow.GetProperty("peakSpeed").GetDouble(), precision: 6);
         Assert.InRange(Cutting(slow), 1.9 * Cutting(usual), 2.0 * Cutting(usual));
@@ -57,7 +57,7 @@ public class PlanVerbTests
     [Fact]
     public async Task A_drawing_that_cannot_be_read_is_told_and_takes_no_time()
     {
-        var run = await CliRun.Of("plan", "missing.dxf", "--json");
+        var run = await CliRun.RunAsync("plan", "missing.dxf", "--json");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.Equal(0.0, JsonText.Of(run).GetProperty("seconds").GetProperty("total").GetDouble());

@@ -12,8 +12,8 @@ public class RecoverArcsTests
         var path = folder.PathOf("flattened.dxf");
         await File.WriteAllBytesAsync(path, Quarter());
 
-        var asDrawn = JsonText.Of(await CliRun.Of("sequence", path, "--json", "--max-error", "0.01"));
-        var run = await CliRun.Of("sequence", path, "--json", "--max-error", "0.01", "--recover-arcs", "--verbose");
+        var asDrawn = JsonText.Of(await CliRun.RunAsync("sequence", path, "--json", "--max-error", "0.01"));
+        var run = await CliRun.RunAsync("sequence", path, "--json", "--max-error", "0.01", "--recover-arcs", "--verbose");
 
         Assert.Equal(40, asDrawn.GetProperty("segments").GetInt32());
         Assert.Equal(1, JsonText.Of(run).GetProperty("segments").GetInt32());
@@ -27,8 +27,8 @@ public class RecoverArcsTests
         var (path, program) = (folder.PathOf("flattened.dxf"), folder.PathOf("out.dmc"));
         await File.WriteAllBytesAsync(path, Quarter());
 
-        await CliRun.Of("post", path, "--target", "galil", "-o", program, "--max-error", "0.01", "--recover-arcs");
-        var verified = await CliRun.Of("verify", program, "--against", path, "--json", "--max-error", "0.01");
+        await CliRun.RunAsync("post", path, "--target", "galil", "-o", program, "--max-error", "0.01", "--recover-arcs");
+        var verified = await CliRun.RunAsync("verify", program, "--against", path, "--json", "--max-error", "0.01");
 
         var lines = await File.ReadAllTextAsync(program);
         Assert.Equal(1, lines.Split("CR").Length - 1);

@@ -10,7 +10,7 @@ public class ScriptVerbTests
     [MemberData(nameof(Samples))]
     public async Task The_samples_open_check_sequence_post_and_run_a_drawing(string name)
     {
-        var run = await CliRun.Of("script", Path.Combine(RepositoryFolder.Samples, name));
+        var run = await CliRun.RunAsync("script", Path.Combine(RepositoryFolder.Samples, name));
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Contains("0 errors, ", run.Out, StringComparison.Ordinal);
@@ -30,7 +30,7 @@ public class ScriptVerbTests
     public async Task A_failing_command_ends_the_script_with_file_and_line(string script, int code, string sentence)
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("script", folder.WithFile("a.scr", script));
+        var run = await CliRun.RunAsync("script", folder.WithFile("a.scr", script));
 
         Assert.Equal(code, run.ExitCode);
         Assert.Contains(sentence, run.Error, StringComparison.Ordinal);
@@ -46,8 +46,8 @@ public class ScriptVerbTests
         var port = ((System.Net.IPEndPoint)listener.LocalEndpoint).Port;
         listener.Stop();
 
-        Assert.Equal(ExitCode.LinkLost, (await CliRun.Of("script", folder.WithFile("a.scr", FormattableString.Invariant($"CNCCONNECT tcp://127.0.0.1:{port}\n")))).ExitCode);
-        Assert.Equal(ExitCode.DrawingError, (await CliRun.Of("script", folder.WithFile("b.scr", "OPEN cut.dxf\nCNCORDER D\n"))).ExitCode);
+        Assert.Equal(ExitCode.LinkLost, (await CliRun.RunAsync("script", folder.WithFile("a.scr", FormattableString.Invariant($"CNCCONNECT tcp://127.0.0.1:{port}\n")))).ExitCode);
+        Assert.Equal(ExitCode.DrawingError, (await CliRun.RunAsync("script", folder.WithFile("b.scr", "OPEN cut.dxf\nCNCORDER D\n"))).ExitCode);
     }
 
     [Fact]
@@ -56,7 +56,7 @@ public class ScriptVerbTests
         using var folder = new TemporaryFolder();
         using var stop = new CancellationTokenSource();
         await stop.CancelAsync();
-        var run = await CliRun.Of(stop.Token, "script", folder.WithFile("a.scr", "HELP\n\n"));
+        var run = await CliRun.RunAsync(stop.Token, "script", folder.WithFile("a.scr", "HELP\n\n"));
 
         Assert.Equal(ExitCode.StoppedByOperator, run.ExitCode);
     }
@@ -66,8 +66,8 @@ public class ScriptVerbTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.WithFile("a.scr", "DIST 0,0 3,4\n");
-        var usual = await CliRun.Of("script", file);
-        var verbose = await CliRun.Of("script", file, "--verbose");
+        var usual = await CliRun.RunAsync("script", file);
+        var verbose = await CliRun.RunAsync("script", file, "--verbose");
 
         Assert.StartsWith("Distance = 5, ", usual.Out, StringComparison.Ordinal);
         Assert.DoesNotContain("Command:", usual.Error, StringComparison.Ordinal);

@@ -56,7 +56,7 @@ public class SimulateVerbTests
     {
         using var early = new CancellationTokenSource();
         await early.CancelAsync();
-        var run = await CliRun.Of(early.Token, "simulate");
+        var run = await CliRun.RunAsync(early.Token, "simulate");
 
         Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
     }
@@ -106,7 +106,7 @@ public class SimulateVerbTests
     public async Task A_faults_file_that_is_none_is_exit_2_with_one_sentence(string? content)
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("simulate", "--faults", content is null ? folder.PathOf("missing.json") : folder.WithFile("faults.json", content));
+        var run = await CliRun.RunAsync("simulate", "--faults", content is null ? folder.PathOf("missing.json") : folder.WithFile("faults.json", content));
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("--faults", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
@@ -129,7 +129,7 @@ public class SimulateVerbTests
     public async Task A_machine_profile_that_cannot_be_used_is_exit_2_with_one_sentence()
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("simulate", "--machine", folder.WithFile("machine.json", """{"toolOutput":9}"""));
+        var run = await CliRun.RunAsync("simulate", "--machine", folder.WithFile("machine.json", """{"toolOutput":9}"""));
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("toolOutput", Assert.Single(run.Error.TrimEnd().Split('\n')), StringComparison.Ordinal);
@@ -138,7 +138,7 @@ public class SimulateVerbTests
     [Fact]
     public async Task A_port_that_is_none_is_told_by_the_name_of_its_option()
     {
-        var run = await CliRun.Of("simulate", "--udp", "65536");
+        var run = await CliRun.RunAsync("simulate", "--udp", "65536");
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains("--udp: '65536' is not a port", run.Error, StringComparison.Ordinal);
@@ -150,7 +150,7 @@ public class SimulateVerbTests
         using var patience = new CancellationTokenSource(TimeSpan.FromSeconds(60));
         using var first = EngraverProcess.Start("simulate");
         var port = (await first.LineAsync("listening ", patience.Token)).Split(':')[^1];
-        var second = await CliRun.Of("simulate", "--tcp", port);
+        var second = await CliRun.RunAsync("simulate", "--tcp", port);
 
         Assert.Equal(ExitCode.LinkLost, second.ExitCode);
         Assert.Single(second.Error.TrimEnd().Split('\n'));

@@ -5,7 +5,7 @@ public class TableVerbTests
     [Fact]
     public async Task The_papers_table_comes_out_as_analysed_and_sequenced()
     {
-        var run = await CliRun.Of("table", SampleDrawing.PathOf("paper-001"), "--format", "csv");
+        var run = await CliRun.RunAsync("table", SampleDrawing.PathOf("paper-001"), "--format", "csv");
 
         Assert.Equal(
             """
@@ -22,7 +22,7 @@ public class TableVerbTests
     [Fact]
     public async Task As_drawn_is_not_sequenced()
     {
-        var rows = JsonText.Of(await CliRun.Of("table", SampleDrawing.PathOf("paper-001"), "--format", "json", "--as-drawn")).GetProperty("rows");
+        var rows = JsonText.Of(await CliRun.RunAsync("table", SampleDrawing.PathOf("paper-001"), "--format", "json", "--as-drawn")).GetProperty("rows");
 
         Assert.Equal(4, rows.GetArrayLength());
         Assert.All(rows.EnumerateArray(), row => Assert.Equal(0, row[13].GetInt32()));
@@ -33,7 +33,7 @@ public class TableVerbTests
     {
         using var folder = new TemporaryFolder();
         var file = folder.WithFile("inch.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n2\n21\n0\n0\nENDSEC\n0\nEOF\n");
-        var run = await CliRun.Of("table", file, "--format", "csv", "--units", "inch");
+        var run = await CliRun.RunAsync("table", file, "--format", "csv", "--units", "inch");
 
         Assert.Contains("\n1,0,0,0,50.8,0,0,", run.Out, StringComparison.Ordinal);
     }

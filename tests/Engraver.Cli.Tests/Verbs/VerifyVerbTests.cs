@@ -8,8 +8,8 @@ public class VerifyVerbTests
     public async Task What_post_writes_verify_finds_ok(string target)
     {
         using var folder = new TemporaryFolder();
-        await CliRun.Of("post", SampleDrawing.PathOf("nameplate"), "--target", target, "--start", "5,5", "-o", folder.PathOf("job.dmc"));
-        var run = await CliRun.Of("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--start", "5,5", "--json");
+        await CliRun.RunAsync("post", SampleDrawing.PathOf("nameplate"), "--target", target, "--start", "5,5", "-o", folder.PathOf("job.dmc"));
+        var run = await CliRun.RunAsync("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--start", "5,5", "--json");
         var report = JsonText.Of(run);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
@@ -22,8 +22,8 @@ public class VerifyVerbTests
     public async Task Another_layer_selection_than_that_of_the_post_is_exit_1_and_says_what_is_missing()
     {
         using var folder = new TemporaryFolder();
-        await CliRun.Of("post", SampleDrawing.PathOf("nameplate"), "--target", "galil", "--skip-layers", "Rahmen", "-o", folder.PathOf("job.dmc"));
-        var run = await CliRun.Of("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--target", "galil");
+        await CliRun.RunAsync("post", SampleDrawing.PathOf("nameplate"), "--target", "galil", "--skip-layers", "Rahmen", "-o", folder.PathOf("job.dmc"));
+        var run = await CliRun.RunAsync("verify", folder.PathOf("job.dmc"), "--against", SampleDrawing.PathOf("nameplate"), "--target", "galil");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.StartsWith("NOT OK: ", run.Out, StringComparison.Ordinal);
@@ -37,7 +37,7 @@ public class VerifyVerbTests
     public async Task A_file_that_is_no_program_is_exit_1_with_one_sentence_and_the_object(string text, string id)
     {
         using var folder = new TemporaryFolder();
-        var run = await CliRun.Of("verify", folder.WithFile("job.dmc", text), "--against", SampleDrawing.PathOf("paper-001"), "--json");
+        var run = await CliRun.RunAsync("verify", folder.WithFile("job.dmc", text), "--against", SampleDrawing.PathOf("paper-001"), "--json");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
         Assert.False(JsonText.Of(run).GetProperty("ok").GetBoolean());
@@ -48,8 +48,8 @@ public class VerifyVerbTests
     public async Task A_missing_program_and_a_missing_drawing_are_each_named()
     {
         using var folder = new TemporaryFolder();
-        var program = await CliRun.Of("verify", folder.PathOf("nowhere.dmc"), "--against", SampleDrawing.PathOf("paper-001"));
-        var drawing = await CliRun.Of("verify", folder.WithFile("job.dmc", "#JOB\nEN\n"), "--against", folder.PathOf("nowhere.dxf"), "--json");
+        var program = await CliRun.RunAsync("verify", folder.PathOf("nowhere.dmc"), "--against", SampleDrawing.PathOf("paper-001"));
+        var drawing = await CliRun.RunAsync("verify", folder.WithFile("job.dmc", "#JOB\nEN\n"), "--against", folder.PathOf("nowhere.dxf"), "--json");
 
         Assert.Equal((ExitCode.DrawingError, ExitCode.DrawingError), (program.ExitCode, drawing.ExitCode));
         Assert.Contains("nowhere.dmc: error DOC0001", program.Error, StringComparison.Ordinal);
@@ -61,5 +61,5 @@ public class VerifyVerbTests
     [InlineData("verify")]
     [InlineData("verify", "job.dmc")]
     [InlineData("verify", "job.dmc", "--against", "drawing.dxf", "--target", "agie")]
-    public async Task What_is_not_built_or_not_given_is_a_usage_error(params string[] words) => Assert.Equal(ExitCode.Usage, (await CliRun.Of(words)).ExitCode);
+    public async Task What_is_not_built_or_not_given_is_a_usage_error(params string[] words) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync(words)).ExitCode);
 }

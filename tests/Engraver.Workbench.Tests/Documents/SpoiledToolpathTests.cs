@@ -40,7 +40,7 @@ public class SpoiledToolpathTests
     public void It_is_not_posted_and_not_armed_even_when_errors_are_accepted(string how)
     {
         var job = Spoiled(how, 0);
-        var posted = PostedProgram.OfJob(job, PostTable.Find("galil").Post, PostedProgram.NoOptions);
+        var posted = PostedProgram.FromJob(job, PostTable.Find("galil").Post, PostedProgram.NoOptions);
         var ready = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true };
         var checklist = ArmingChecklist.Create(job, ready, errorsAccepted: true, MachineBench.Placed);
 
@@ -59,8 +59,8 @@ public class SpoiledToolpathTests
         var analysed = JobPreparation.Analyse(drawing, s_settings);
         var sequence = JobPreparation.Sequence(drawing, analysed, s_settings);
 
-        Assert.NotNull(PostedProgram.OfSequence(drawing, analysed, sequence, s_settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions).Text);
-        var lost = PostedProgram.OfSequence(drawing, analysed, sequence with { Strokes = [.. sequence.Strokes.Skip(1)] }, s_settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions);
+        Assert.NotNull(PostedProgram.FromSequence(drawing, analysed, sequence, s_settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions).Text);
+        var lost = PostedProgram.FromSequence(drawing, analysed, sequence with { Strokes = [.. sequence.Strokes.Skip(1)] }, s_settings, PostTable.Find("cldata").Post, PostedProgram.NoOptions);
         Assert.Null(lost.Text);
         Assert.Contains(lost.Diagnostics, finding => finding.Id == "VER0021");
         Assert.Equal("The toolpath is not what is drawn (VER0021)", lost.WithoutProgram);
@@ -94,7 +94,7 @@ public class SpoiledToolpathTests
         var drawing = Drawing();
         var analysed = JobPreparation.Analyse(drawing, s_settings);
         var sequence = JobPreparation.Sequence(drawing, analysed, s_settings);
-        return JobPreparation.OfPath(drawing, s_settings, analysed, sequence, Spoil(JobPreparation.PathOf(sequence, s_settings), how, entity), MotionStyle.Continuous);
+        return JobPreparation.FromPath(drawing, s_settings, analysed, sequence, Spoil(JobPreparation.PathOf(sequence, s_settings), how, entity), MotionStyle.Continuous);
     }
 
     private static Toolpath Spoil(Toolpath path, string how, int entity)

@@ -84,6 +84,18 @@ public class ProgramVerificationTests
         Assert.Equal(1, progress.Reports);
     }
 
+    /// <summary>paper-001 takes about ten seconds of machine time, which the simulator does in one slice.</summary>
+    [Fact]
+    public async Task The_last_report_is_the_end_of_the_program()
+    {
+        var progress = new KeepsTheLast();
+
+        await ProgramVerification.VerifyAsync(ReadBackFile.FromText(Post("paper-001", MotionStyle.Continuous)), new DmcReader(), Open("paper-001"), new DrawingSettings(), progress, CancellationToken.None);
+
+        Assert.InRange(progress.Value.MachineTime / progress.Value.Expected, 0.9, 1.2);
+        Assert.True(progress.Value.Expected > TimeSpan.FromSeconds(1));
+    }
+
     [Theory]
     [MemberData(nameof(Styles))]
     public async Task All_chunks_are_run_one_after_the_other(MotionStyle style)
@@ -267,6 +279,13 @@ public class ProgramVerificationTests
     private static PreparedJob Prepare(string sample, MotionStyle style, DrawingSettings settings) => JobPreparation.Prepare(Open(sample), settings, style);
 
     private static Drawing Open(string sample) => DrawingFile.Open(Path.Combine(RepositoryFolder.Samples, sample + ".dxf"), new DrawingSettings(), CancellationToken.None);
+
+    private sealed class KeepsTheLast : IProgress<ReplayProgress>
+    {
+        public ReplayProgress Value { get; private set; }
+
+        public void Report(ReplayProgress value) => Value = value;
+    }
 
     private sealed class StopsAtOnce(CancellationTokenSource stop) : IProgress<ReplayProgress>
     {

@@ -10,7 +10,7 @@ namespace Engraver.App.Desk;
 /// <param name="cancel">Esc, once no box is being drawn.</param>
 /// <param name="pointed">The cursor stands at a place of the drawing.</param>
 /// <param name="menu">The right button while nothing is asked.</param>
-public sealed class CanvasDesk(WorkDesk desk, Action cancel, Action<Point2D> pointed, Action menu) : ICanvasCommands
+public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Point2D> pointed, Action menu) : ICanvasCommands
 {
     public PointAim? Aim => desk.Prompt.Aim;
 

@@ -9,7 +9,7 @@ using Engraver.Workbench.Playback;
 namespace Engraver.App.Desk;
 
 /// <summary>What follows from the document, and where the tool of the playback stands in it, as the palettes want it. UI thread only.</summary>
-public sealed class DerivedDesk(CommandSession session)
+public sealed class DerivedModel(CommandSession session)
 {
     private PostedLines _lines = PostedLines.None;
     private int? _segmentsDone;

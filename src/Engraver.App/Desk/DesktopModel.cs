@@ -11,7 +11,7 @@ namespace Engraver.App.Desk;
 
 /// <summary>Between the windows and the one command session: inputs go to it one after the other on a thread of their own, what it tells comes back on the UI thread. Decides nothing.</summary>
 /// <remarks>All members are for the UI thread, <see cref="StopNow"/> for any.</remarks>
-public sealed class WorkDesk : IAsyncDisposable
+public sealed class DesktopModel : IAsyncDisposable
 {
     /// <summary>A finding is shown with this many times its size around it.</summary>
     private const double RoomAround = 4.0;
@@ -25,11 +25,11 @@ public sealed class WorkDesk : IAsyncDisposable
     private Task _working = Task.CompletedTask;
     private int _posted;
 
-    public WorkDesk(CommandSession session, TimeProvider time)
+    public DesktopModel(CommandSession session, TimeProvider time)
     {
         (Session, Time) = (session, time);
         Prompt = session.Prompt;
-        Derived = new DerivedDesk(session);
+        Derived = new DerivedModel(session);
         session.Said += OnSaid;
         session.Document.Changed += (_, _) => Post();
         session.Machine.Changed += (_, _) => Post();
@@ -56,7 +56,7 @@ public sealed class WorkDesk : IAsyncDisposable
     public TimeProvider Time { get; }
 
     /// <summary>What follows from the document.</summary>
-    public DerivedDesk Derived { get; }
+    public DerivedModel Derived { get; }
 
     /// <summary>What is waited for, as of the last change.</summary>
     public PromptView Prompt { get; private set; }
