@@ -50,7 +50,7 @@ public class HandVerbTests
     [InlineData("zero", "--origin", "G60")]
     public async Task What_is_no_move_is_a_usage_error_before_anybody_is_asked(params string[] words)
     {
-        var run = await CliRun.Of([.. words, "--connect", "tcp://127.0.0.1:1"]);
+        var run = await CliRun.RunAsync([.. words, "--connect", "tcp://127.0.0.1:1"]);
 
         Assert.Equal((ExitCode.Usage, ""), (run.ExitCode, run.Out));
         Assert.NotEqual("", run.Error);
