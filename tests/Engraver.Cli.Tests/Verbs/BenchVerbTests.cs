@@ -10,7 +10,7 @@ public class BenchVerbTests
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.StartsWith("| Entities | Stage |", lines[0], StringComparison.Ordinal);
-        Assert.Equal((2 + 7 + 7, 7, 7), (lines.Length, lines.Count(line => line.StartsWith("| 20 |", StringComparison.Ordinal)), lines.Count(line => line.StartsWith("| 30 |", StringComparison.Ordinal))));
+        Assert.Equal((2 + 8 + 8, 8, 8), (lines.Length, lines.Count(line => line.StartsWith("| 20 |", StringComparison.Ordinal)), lines.Count(line => line.StartsWith("| 30 |", StringComparison.Ordinal))));
     }
 
     [Theory]
