@@ -1,4 +1,5 @@
 using System.Collections.Immutable;
+using System.Globalization;
 using System.Text;
 using Engraver.Core.Languages;
 
@@ -39,12 +40,16 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
             }
 
             var place = Rule.FactNames.IndexOf(sentence[(i + 1)..close]);
-            text.Append(place >= 0 && place < Facts.Count ? TextCatalogue.Fact(Facts[place]) : "?");
+            text.Append(place >= 0 && place < Facts.Count ? TextCatalogue.Fact(Visible(Facts[place])) : "?");
             i = close;
         }
 
         return text.ToString();
     }
+
+    /// <summary>The fact with each control character as \x and its number: it may come from a damaged file, and a terminal would obey it.</summary>
+    private static string Visible(string fact) =>
+        fact.Any(char.IsControl) ? string.Concat(fact.Select(letter => char.IsControl(letter) ? string.Create(CultureInfo.InvariantCulture, $"\\x{(int)letter:X2}") : letter.ToString())) : fact;
 }
 
 /// <summary>One row of the table that code, documentation and tests share. Its sentence and its advice are texts of the resources by the id, so that a language may name the facts in another order.</summary>

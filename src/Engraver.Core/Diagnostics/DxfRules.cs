@@ -41,7 +41,7 @@ public static class DxfRules
 
     public static readonly DiagnosticRule PolylineWithoutEnd = new("DXF0022", Severity.Warning, "type", "place");
 
-    public static readonly DiagnosticRule PartAlone = new("DXF0023", Severity.Warning, "type", "place");
+    public static readonly DiagnosticRule PartAlone = new("DXF0023", Severity.Error, "type", "place");
 
     public static readonly DiagnosticRule WidthIgnored = new("DXF0024", Severity.Info, "type", "place");
 

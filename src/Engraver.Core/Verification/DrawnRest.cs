@@ -4,67 +4,71 @@ using Engraver.Core.Sequencing;
 namespace Engraver.Core.Verification;
 
 /// <summary>Answers how far a move lies from the rows that it may stand for: those of its entity, and, when arcs were recovered, an arc for any line.</summary>
+/// <remarks>Each entity is asked by itself, so that thousands that cross it cost nothing.</remarks>
 internal sealed class DrawnRest
 {
     /// <summary>Places of a move that are looked at, both ends among them.</summary>
     private const int Places = 9;
 
-    private readonly List<StrokeMove> _pieces = [];
-    private readonly List<double> _allowed = [];
-    private readonly HashSet<int> _entities;
-    private readonly bool _arcsRecovered;
-    private readonly SegmentIndex _index;
-    private readonly BoxTree.Measure _measure;
-    private StrokeMove _move;
-    private int _last;
+    private readonly Dictionary<int, DrawnRows> _byEntity;
+    private readonly DrawnRows? _lines;
 
     /// <param name="rows">Not paired with a move.</param>
     public DrawnRest(IReadOnlyList<StrokeMove> rows, ToolpathTolerances tolerances)
     {
-        foreach (var row in rows)
-        {
-            var allowed = tolerances.For(row.Segment);
-            foreach (var piece in CurvePieces.Split([row.Segment]))
-            {
-                _pieces.Add(new StrokeMove(piece, row.EntityIndex));
-                _allowed.Add(allowed);
-            }
-        }
-
-        _entities = [.. rows.Select(row => row.EntityIndex)];
-        _arcsRecovered = tolerances.ArcsRecovered;
-        _index = new SegmentIndex([.. _pieces.Select(piece => piece.Segment)]);
-        _measure = (piece, place) => MayStandFor(_pieces[piece]) ? _pieces[piece].Segment.DistanceTo(place) : double.PositiveInfinity;
+        _byEntity = rows.GroupBy(row => row.EntityIndex).ToDictionary(group => group.Key, group => new DrawnRows([.. group], tolerances));
+        if (tolerances.ArcsRecovered) _lines = new DrawnRows([.. rows.Where(row => row.Segment.Kind == SegmentKind.Line)], tolerances);
     }
+
+    /// <summary>Distances that were computed and boxes that were looked at so far.</summary>
+    public long Steps => _byEntity.Values.Sum(rows => rows.Steps) + (_lines?.Steps ?? 0);
 
     /// <summary>The largest distance of the move from what it stands for, where, and how large it may be; infinite when it stands for nothing.</summary>
     public (double Distance, Point2D At, double Allowed) Stray(in StrokeMove move)
     {
-        _move = move;
-        if (!_entities.Contains(move.EntityIndex)) return (double.PositiveInfinity, move.Segment.Start, 0.0); // a recovered arc has the entity of one of its lines
-        var rounding = ToolpathTolerances.RoundingOf(move.Segment);
-        var worst = (Distance: double.NegativeInfinity, At: move.Segment.Start, Allowed: 0.0);
+        var segment = move.Segment;
+        if (!_byEntity.TryGetValue(move.EntityIndex, out var own)) return (double.PositiveInfinity, segment.Start, 0.0); // a recovered arc has the entity of one of its lines
+        var lines = segment.Kind is SegmentKind.Arc or SegmentKind.Circle ? _lines : null;
+        var rounding = ToolpathTolerances.RoundingOf(segment);
+        var worst = (Distance: double.NegativeInfinity, At: segment.Start, Allowed: 0.0);
         for (var i = 0; i < Places; i++)
         {
-            var place = i == 0 ? move.Segment.Start : i == Places - 1 ? move.Segment.End : move.Segment.PointAt(i / (Places - 1.0));
-            var (distance, piece) = From(place);
-            if (piece < 0) return (double.PositiveInfinity, move.Segment.Start, 0.0);
-            var allowed = _allowed[piece] + rounding;
-            if (distance - allowed > worst.Distance - worst.Allowed) worst = (distance, place, allowed);
+            var place = i == 0 ? segment.Start : i == Places - 1 ? segment.End : segment.PointAt(i / (Places - 1.0));
+            var nearest = own.NearestTo(place);
+            if (lines?.NearestTo(place) is { } line && line.Distance < nearest.Distance) nearest = line;
+            if (!double.IsFinite(nearest.Distance)) return (double.PositiveInfinity, segment.Start, 0.0);
+            var allowed = nearest.Allowed + rounding;
+            if (nearest.Distance - allowed > worst.Distance - worst.Allowed) worst = (nearest.Distance, place, allowed);
         }
 
         return worst;
     }
 
-    /// <summary>Quick when questions follow a path: the last answer bounds the search.</summary>
-    private (double Distance, int Piece) From(Point2D place)
+    /// <summary>Rows as pieces. The index is built at the first question: duplicates have no move and are never asked.</summary>
+    private sealed class DrawnRows(IReadOnlyList<StrokeMove> rows, ToolpathTolerances tolerances)
     {
-        var bound = _last < _pieces.Count ? _measure(_last, place) : double.PositiveInfinity;
-        var piece = _index.NearestBy(_measure, place, bound, 0.0, out var distance);
-        if (piece >= 0 && double.IsFinite(distance)) _last = piece;
-        return double.IsFinite(distance) ? (distance, _last) : (distance, -1);
-    }
+        private readonly List<double> _allowed = [];
+        private SegmentIndex? _index;
 
-    private bool MayStandFor(in StrokeMove row) =>
-        row.EntityIndex == _move.EntityIndex || (_arcsRecovered && row.Segment.Kind == SegmentKind.Line && _move.Segment.Kind is SegmentKind.Arc or SegmentKind.Circle);
+        public long Steps => _index?.Steps ?? 0;
+
+        /// <summary>Distance of the nearest row, and how large it may be; infinite when there is no row.</summary>
+        public (double Distance, double Allowed) NearestTo(Point2D place)
+        {
+            var piece = (_index ??= Index()).NearestTo(place, out var distance);
+            return piece < 0 ? (double.PositiveInfinity, 0.0) : (distance, _allowed[piece]);
+        }
+
+        private SegmentIndex Index()
+        {
+            var pieces = new List<Segment>();
+            foreach (var row in rows)
+            {
+                pieces.AddRange(CurvePieces.Split([row.Segment]));
+                while (_allowed.Count < pieces.Count) _allowed.Add(tolerances.For(row.Segment));
+            }
+
+            return new SegmentIndex([.. pieces]);
+        }
+    }
 }

@@ -18,6 +18,15 @@ public class DiagnosticTests
     public void A_missing_fact_shows() =>
         Assert.Equal("The program cuts 0.5 mm beside the drawing at ?, ?; ? mm are allowed.", VerificationRules.CutBesideDrawing.At(default, "0.5").Sentence);
 
+    /// <summary>A fact may come from a damaged file: its control characters are seen by the reader and not obeyed by the terminal.</summary>
+    [Theory]
+    [InlineData("\u0003 30", @"'\x03 30'")]
+    [InlineData("\u001B[2J", @"'\x1B[2J'")]
+    [InlineData("1\0\u009A0", @"'1\x00\x9A0'")]
+    [InlineData(" 2\u00D7", "' 2\u00D7'")]
+    public void Control_characters_of_a_fact_are_shown_by_their_number(string found, string shown) =>
+        Assert.Contains(shown, DxfRules.DamagedRecord.At(default, "LINE", "line 5", found).Message, StringComparison.Ordinal);
+
     [Fact]
     public void Every_rule_names_the_facts_that_its_sentence_shows_in_the_order_of_English()
     {

@@ -61,6 +61,35 @@ public class SilentLossTests
         Assert.Empty(silent);
     }
 
+    /// <summary>Both lines of a record's head lost, the 0 and the name: its values run into the record before it.</summary>
+    [Fact]
+    public void A_record_whose_head_is_lost_whole_is_never_lost_without_an_error()
+    {
+        var lines = Lines(Sample);
+        var silent = new List<string>();
+        for (var code = 0; code < lines.Length; code += 2)
+        {
+            if (lines[code].Trim() != "0" || lines[code + 1] is not ("LINE" or "CIRCLE" or "POLYLINE" or "VERTEX" or "INSERT" or "TEXT" or "LAYER")) continue;
+            List<string> damaged = [.. lines];
+            damaged.RemoveRange(code, 2);
+            if (!Read(damaged).HasErrors) silent.Add($"line {code + 1}, {lines[code + 1]}: {string.Join(' ', Reading.Ids(Read(damaged)))}");
+        }
+
+        Assert.Empty(silent);
+    }
+
+    /// <summary>The values of a second record follow in a polyline or a spline as if they were more of its own.</summary>
+    [Theory]
+    [InlineData("0 LWPOLYLINE|8 CUT|90 2|70 0|10 0|20 0|10 9|20 0")]
+    [InlineData("0 SPLINE|8 CUT|70 8|71 1|72 4|73 2|40 0|40 0|40 1|40 1|10 0|20 0|10 9|20 0")]
+    public void A_line_that_ran_into_a_curve_of_many_points_is_an_error(string curve)
+    {
+        (int, object)[] pairs = [.. curve.Split('|').Select(pair => pair.Split(' ')).Select(pair => (int.Parse(pair[0], CultureInfo.InvariantCulture), (object)pair[1]))];
+
+        Assert.False(Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", pairs).End().ToAscii()).HasErrors);
+        Assert.True(Reading.Of(new DxfText().Header("AC1015", 4).Section("ENTITIES", [.. pairs, .. Line[1..]]).End().ToAscii()).HasErrors);
+    }
+
     /// <summary>A name that is empty, cut short or one letter off is a lost curve, not a type of another program.</summary>
     [Theory]
     [InlineData("")]

@@ -111,6 +111,24 @@ public class ToolpathCheckTests
     }
 
     /// <summary>The spoiled piece moved along itself, or another part of the curve lies where it was put.</summary>
+    /// <summary>Splines that cross one another everywhere: an arc is held against its own spline and no other, in steps that do not grow with their number.</summary>
+    [Fact]
+    public void An_arc_is_held_against_its_own_curve_however_many_cross_it()
+    {
+        const int Curves = 150;
+        const int FewSteps = 40;
+        var random = new Random(11);
+        var builder = new DrawingBuilder();
+        for (var i = 0; i < Curves; i++) builder.Free(FreeCurves.Spline(3, [.. Enumerable.Range(0, 8).Select(_ => new Point2D(300 * random.NextDouble(), 300 * random.NextDouble()))], [1, 1, 1, 1, 1, 1, 1, 1]));
+        var planned = Planned(builder.Build());
+        var match = DrawnMatch.From(planned.Drawn, planned.Path);
+        var drawing = new DrawnRest(match.Rows, new ToolpathTolerances(MaxError, 0.01, ArcsRecovered: false));
+
+        Assert.All(match.Moves, move => Assert.True(drawing.Stray(move) is var stray && stray.Distance <= stray.Allowed));
+
+        Assert.InRange(drawing.Steps / (double)match.Moves.Count, 9.0, 9.0 * FewSteps);
+    }
+
     private static bool IsCoveredTwice(DrawnCurve drawn, Segment segment)
     {
         var moved = Moved(segment, new Vector2D(0.0035, 0.0035));

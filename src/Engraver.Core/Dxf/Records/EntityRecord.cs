@@ -27,6 +27,8 @@ internal sealed class EntityRecord
     private ulong _seen;
     private bool _embedded;
     private uint _counted;
+    private bool _placed;
+    private bool _placedAgain;
 
     public RecordKind Kind { get; private set; }
 
@@ -49,6 +51,9 @@ internal sealed class EntityRecord
 
     /// <summary>Group code of a name or layer that is in the record more than once; 0 when none is.</summary>
     public int DoubledCode { get; private set; }
+
+    /// <summary>True when two records have run together, the head of the second lost: behind a doubled code a value comes again, or another place.</summary>
+    public bool HoldsTwo => DoubledCode != 0 && (_placedAgain || RepeatedCode != 0);
 
     /// <summary>The first value that could not be read: the record must then be refused.</summary>
     public RecordIssue? Fault { get; private set; }
@@ -83,6 +88,7 @@ internal sealed class EntityRecord
         RepeatedCode = 0;
         DoubledCode = 0;
         _counted = 0;
+        (_placed, _placedAgain) = (kind == RecordKind.Polyline, false); // its places are those of its vertices
         Fault = null;
         Oddity = null;
         _embedded = false;
@@ -96,6 +102,13 @@ internal sealed class EntityRecord
     {
         if ((_counted & (1u << code)) != 0) DoubledCode = code;
         _counted |= 1u << code;
+    }
+
+    /// <summary>Notes that a place begins (code 10), of which a record may have many, but none behind a doubled code.</summary>
+    public void CountPlace()
+    {
+        if (DoubledCode == 0) _placed = true;
+        else if (_placed) _placedAgain = true;
     }
 
     /// <summary>Keeps the value of a code for which <see cref="Keeps"/> holds. The first one counts: a repetition is part of the damage.</summary>

@@ -71,7 +71,7 @@ internal sealed class RecordReader
         record.Begin(Next, _types[_nextType], _nextType, NextLine, _layerZero);
         var (damages, start) = (_tags.DamageCount, _tags.Bookmark());
         while (_tags.Read() && _tags.Code != 0) Accept(record);
-        if (record.DoubledCode != 0 && NamesRecord(start)) record.Refuse(DxfRules.TwoRecords, record.Line, record.DoubledCode.ToString(CultureInfo.InvariantCulture));
+        if (record.HoldsTwo || (record.DoubledCode != 0 && NamesRecord(start))) record.Refuse(DxfRules.TwoRecords, record.Line, record.DoubledCode.ToString(CultureInfo.InvariantCulture));
         Settle();
         if (_tags.DamageCount != damages) record.Refuse(DxfRules.DamagedRecord, _tags.DamageLine, _tags.DamageText);
         if (Truncated && _tags.CutInsidePair) record.Refuse(DxfRules.CutRecord, record.Line, "");
@@ -178,6 +178,7 @@ internal sealed class RecordReader
 
     private void Accept(EntityRecord record)
     {
+        if (_tags.Code == 10) record.CountPlace();
         switch (_tags.Code)
         {
             case 5 when record.Handle == 0:
