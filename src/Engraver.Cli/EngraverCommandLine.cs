@@ -23,6 +23,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(RunVerb.Build(host));
         root.Subcommands.Add(HandVerbs.Status(host));
         root.Subcommands.Add(HandVerbs.GoTo(host));
+        root.Subcommands.Add(HandVerbs.Jog(host));
         root.Subcommands.Add(HandVerbs.Zero(host));
         root.Subcommands.Add(TerminalVerb.Build(host));
         root.Subcommands.Add(SimulateVerb.Build(host));

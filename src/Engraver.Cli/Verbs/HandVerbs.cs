@@ -73,6 +73,25 @@ internal sealed class HandVerbs
         return command;
     }
 
+    public static Command Jog(VerbHost host)
+    {
+        var verb = new HandVerbs(host);
+        var x = new Option<double>("--x") { HelpName = "MM", Description = Wording.Get("Hand.JogX") };
+        var y = new Option<double>("--y") { HelpName = "MM", Description = Wording.Get("Hand.JogY") };
+        var feed = new Option<double?>("--feed") { HelpName = "MM/MIN", Description = Wording.Get("Hand.JogFeed") };
+        var command = verb.Command("jog", Wording.Get("Hand.Jog"));
+        foreach (var option in (Option[])[x, y, feed]) command.Options.Add(option);
+        command.Validators.Add(result =>
+        {
+            if (result.GetValue(x) == 0.0 && result.GetValue(y) == 0.0) result.AddError(Wording.Get("Hand.JogNowhere"));
+            if (!double.IsFinite(result.GetValue(x)) || !double.IsFinite(result.GetValue(y))) result.AddError(Wording.Get("Hand.JogNowhere"));
+            if (result.GetValue(feed) is { } speed && speed is not (> 0.0 and < 1e6)) result.AddError(Wording.Get("Hand.JogNoFeed", speed));
+        });
+        command.SetAction((parsed, stop) => verb.WithMachineAsync(
+            parsed, (machine, cancellation) => verb.JogAsync(machine, new Vector2D(parsed.GetValue(x), parsed.GetValue(y)), parsed.GetValue(feed), cancellation), stop));
+        return command;
+    }
+
     private MachineCommand Command(string name, string description) => new(name, description) { _connect, _json, _profile };
 
     /// <summary>Connects, acts, looks once more and says what it sees.</summary>
@@ -102,7 +121,20 @@ internal sealed class HandVerbs
 
         if (!scale.Holds(Bounds2D.FromCorners(place, place), new CountsPoint(-zero.X, -zero.Y))) return NotMoved(Wording.Get("Hand.NotCountable"));
         var at = scale.ToCounts(place);
-        var result = await machine.GoToAsync(new CountsPoint(at.X + zero.X, at.Y + zero.Y), JournalFolder.NewJournal("goto", TimeProvider.System), stop).ConfigureAwait(false);
+        return await MoveAsync(machine, new CountsPoint(at.X + zero.X, at.Y + zero.Y), feed: null, stop).ConfigureAwait(false);
+    }
+
+    /// <summary>A bounded step from where the machine stands.</summary>
+    private async Task<int> JogAsync(MachineSession machine, Vector2D step, double? feed, CancellationToken stop)
+    {
+        if (machine.Status.MachinePosition is not { } here) return NotMoved(Wording.Get("Hand.PlaceNotKnown"));
+        var goal = here + step;
+        return machine.Profile.Scale.Holds(Bounds2D.FromCorners(goal, goal), default) ? await MoveAsync(machine, machine.Profile.Scale.ToCounts(goal), feed, stop).ConfigureAwait(false) : NotMoved(Wording.Get("Hand.NotCountable"));
+    }
+
+    private async Task<int> MoveAsync(MachineSession machine, CountsPoint goal, double? feed, CancellationToken stop)
+    {
+        var result = await machine.GoToAsync(goal, JournalFolder.NewJournal("goto", TimeProvider.System), feed, stop).ConfigureAwait(false);
         if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Sentence}");
         return result.Outcome switch { JobOutcome.Complete => ExitCode.Done, JobOutcome.Stopped => ExitCode.StoppedByOperator, JobOutcome.Refused => ExitCode.Refused, JobOutcome.Deviated => ExitCode.DrawingError, _ => ExitCode.LinkLost };
     }

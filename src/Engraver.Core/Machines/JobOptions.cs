@@ -25,14 +25,8 @@ public sealed record JobOptions
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }
 
-    /// <summary>Called once when the job is ready, after it is in the journal and before anything moves; must be quick, for the watchdog runs. Null for none.</summary>
-    public Action<JournalHeader>? Begins { get; init; }
-
     /// <summary>Controller counts at the drawing's zero; null: the machine stands at the drawing's start point.</summary>
     public CountsPoint? Frame { get; init; }
-
-    /// <summary>Called with the controller's counts at the drawing's zero before anything moves; null for none.</summary>
-    public Action<CountsPoint>? FrameTaken { get; init; }
 
     /// <summary>Whether every polled position is kept for a later comparison. If not, only the last ones are, and memory does not grow with the time of the run.</summary>
     public bool KeepsPolledTrace { get; init; } = true;

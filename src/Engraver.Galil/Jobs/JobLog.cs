@@ -18,10 +18,8 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     public void Begin(JobOptions options, string controller)
     {
         var at = machine.State.Position;
-        var header = new JournalHeader(
-            options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow());
-        journal.Write(header);
-        options.Begins?.Invoke(header);
+        journal.Write(new JournalHeader(
+            options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow()));
     }
 
     /// <summary>Written before anything in the controller is changed.</summary>

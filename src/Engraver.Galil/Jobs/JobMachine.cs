@@ -21,7 +21,6 @@ internal sealed class JobMachine
     private readonly JobLedger _ledger;
     private readonly Action _polled;
     private readonly CountsPoint? _frameGiven;
-    private readonly Action<CountsPoint>? _frameTaken;
     private readonly CancellationToken _stop;
     private readonly Heartbeat _heartbeat;
     private readonly StopHandleWatch _stopHandle;
@@ -44,7 +43,6 @@ internal sealed class JobMachine
         _ledger = ledger;
         _polled = polled;
         _frameGiven = options.Frame;
-        _frameTaken = options.FrameTaken;
         _stop = stop;
         _heartbeat = new Heartbeat(session.Time);
         _stopHandle = new StopHandleWatch(session, ledger);
@@ -268,7 +266,6 @@ internal sealed class JobMachine
     {
         if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         FrameTaken = _frameGiven ?? new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
-        _frameTaken?.Invoke(Frame);
         return JobStep.Done;
     }
 

@@ -200,12 +200,13 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>Moves the connected machine with the tool off, at the profile's rapid speed, and disarms. It is stopped as a job is.</summary>
     /// <param name="goal">The controller's own counts.</param>
     /// <param name="journal">Where what is found in the controller is written down.</param>
+    /// <param name="feed">Speed of each axis, mm/min; null for the profile's rapid speed.</param>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
     /// <exception cref="ControllerException">The link never came up.</exception>
-    public async Task<JobResult> GoToAsync(CountsPoint goal, string journal, CancellationToken cancellation)
+    public async Task<JobResult> GoToAsync(CountsPoint goal, string journal, double? feed, CancellationToken cancellation)
     {
         if (_watched.Connection is not { } connection) throw new InvalidOperationException("No controller is connected.");
-        return await _work.RunAsync(stop => GoToWatchedAsync(connection, goal, journal, stop), cancellation).ConfigureAwait(false);
+        return await _work.RunAsync(stop => GoToWatchedAsync(connection, feed is { } speed ? Profile with { RapidMmPerMinute = speed } : Profile, goal, journal, stop), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Runs a job on a simulated controller of its own, at full speed; what is connected is left alone.</summary>
@@ -290,13 +291,13 @@ public sealed class MachineSession : IAsyncDisposable
         }
     }
 
-    private async Task<JobResult> GoToWatchedAsync(MachineConnection connection, CountsPoint goal, string journal, CancellationToken stop)
+    private async Task<JobResult> GoToWatchedAsync(MachineConnection connection, MachineProfile profile, CountsPoint goal, string journal, CancellationToken stop)
     {
         _status.MoveBegins();
         await _watched.GiveWayAsync().ConfigureAwait(false);
         try
         {
-            var result = await MachineMove.ToAsync(connection, Hold!, Profile, _status.Here, goal, journal, new JobListener(TellMove), stop).ConfigureAwait(false);
+            var result = await MachineMove.ToAsync(connection, Hold!, profile, _status.Here, goal, journal, new JobListener(TellMove), stop).ConfigureAwait(false);
             _status.MoveEnds(result);
             return result;
         }
@@ -309,7 +310,17 @@ public sealed class MachineSession : IAsyncDisposable
     private void Seen(MachineReading poll)
     {
         while (_watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message);
+        KeepRest(poll);
         _status.Seen(poll);
+    }
+
+    /// <summary>Whoever moves the machine, a typed line or another host: where it rests is kept, for by that it is known after a power cycle whether its zero can be the same.</summary>
+    private void KeepRest(MachineReading poll)
+    {
+        if (Hold is not { Memory: { Mark: not null } memory } hold || IsRunning) return;
+        var at = new CountsPoint(poll.X, poll.Y);
+        if (poll.Moves ? memory.IsMoving : !memory.IsMoving && memory.Rest == at) return;
+        hold.Keep(before => before with { IsMoving = poll.Moves, Rest = poll.Moves ? null : at });
     }
 
     private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)

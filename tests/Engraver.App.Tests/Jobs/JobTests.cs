@@ -5,6 +5,7 @@ using Engraver.App.Jobs;
 using Engraver.App.Texts;
 using Engraver.Core.Machines;
 using Engraver.Simulator;
+using Engraver.TestKit;
 
 namespace Engraver.App.Tests.Jobs;
 
@@ -26,7 +27,7 @@ public sealed class JobTests(DesktopFixture fixture)
     public Task A_warning_is_told_from_what_has_passed_by_word_shape_and_colour() => fixture.WithOperator(here =>
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", "sim:?speed=1", "CNCARM", "Stream");
+        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
         here.Show("Job");
         here.Click(here.Find<Button>("StartKey"));
         here.Until(() => here.Commands.Machine.Status.Progress is { Position.X: > 1.0 });

@@ -6,6 +6,7 @@ using Engraver.App.MachineStrip;
 using Engraver.App.Tabs;
 using Engraver.Core.Machines;
 using Engraver.Simulator;
+using Engraver.TestKit;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;
 
@@ -14,8 +15,6 @@ namespace Engraver.App.Tests.MachineStrip;
 [Collection(DesktopCollection.Name)]
 public sealed class MachineTests(DesktopFixture fixture)
 {
-    private const string Slowly = "sim:?speed=1";
-
     [Fact]
     public Task A_simulated_machine_frames_the_whole_window() => fixture.WithOperator(here =>
     {
@@ -269,7 +268,7 @@ public sealed class MachineTests(DesktopFixture fixture)
         else here.Hands.Press(Key.Pause);
     }
 
-    private static void StartSlowly(Operator here, string address = Slowly)
+    private static void StartSlowly(Operator here, string address = SlowMachine.Address)
     {
         here.Open("gasket.dxf");
         here.Enter("CNCCONNECT", address, "CNCARM", "Stream");

@@ -93,7 +93,7 @@ public sealed class FailureTests(DesktopFixture fixture)
     private static void StartSlowly(Operator here)
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", "sim:?speed=1", "CNCARM", "Stream");
+        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Stream");
         here.Hands.Type("CNCRUN");
         here.Hands.Press(Avalonia.Input.Key.Enter);
         here.Until(() => here.Commands.Machine.Progress is { SegmentsSent: > 0 });

@@ -2,6 +2,7 @@ using Avalonia.Controls;
 using Avalonia.Input;
 using Engraver.Core.Machines;
 using Engraver.SoftwarePlatform.Headless;
+using Engraver.TestKit;
 using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Safety;
@@ -109,7 +110,7 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
     private static void StartSlowly(Operator here)
     {
         here.Open("gasket.dxf");
-        here.Enter("CNCCONNECT", "sim:?speed=1");
+        here.Enter("CNCCONNECT", SlowMachine.Address);
         StartAgain(here);
     }
 

@@ -26,6 +26,8 @@ public class HandVerbTests
         Assert.Contains("JOB0008", nowhere.Error, StringComparison.Ordinal);
         Assert.Contains("engraver zero", nowhere.Error, StringComparison.Ordinal);
 
+        Assert.Equal((11.5, -7.5, null), Places(await SeenAsync("jog", "--x", "-0.5", "--connect", address, "--json")));
+        Assert.Equal((12.0, -7.5, null), Places(await SeenAsync("jog", "--x", "0.5", "--feed", "300", "--connect", address, "--json")));
         Assert.Equal((12.0, -7.5, 0.0), Places(await SeenAsync("zero", "--connect", address, "--json")));
         Assert.Equal((15.0, -7.5, 3.0), Places(await SeenAsync("goto", "3,0", "--connect", address, "--json")));
         using (var host = EngraverProcess.Start("run", SampleDrawing.PathOf("gasket"), "--connect", address, "--journal", folder.PathOf("killed.jsonl")))
@@ -38,6 +40,20 @@ public class HandVerbTests
         await controller.WaitUntilAsync(status => !status.IsMoving && status.Outputs == 0, patience.Token); // the watchdog
         var run = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", address, "--json", "--journal", folder.PathOf("b.jsonl")));
         Assert.Equal(("complete", 12000, -7500), (run.GetProperty("outcome").GetString(), run.GetProperty("finalX").GetInt32(), run.GetProperty("finalY").GetInt32()));
+    }
+
+    [Theory]
+    [InlineData("jog")]
+    [InlineData("jog", "--x", "0")]
+    [InlineData("jog", "--x", "1", "--feed", "-5")]
+    [InlineData("goto", "1;2")]
+    [InlineData("zero", "--origin", "G60")]
+    public async Task What_is_no_move_is_a_usage_error_before_anybody_is_asked(params string[] words)
+    {
+        var run = await CliRun.RunAsync([.. words, "--connect", "tcp://127.0.0.1:1"]);
+
+        Assert.Equal((ExitCode.Usage, ""), (run.ExitCode, run.Out));
+        Assert.NotEqual("", run.Error);
     }
 
     private static async Task<JsonElement> SeenAsync(params string[] words)

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;
@@ -46,7 +47,7 @@ public sealed class BrokenCommandTests : IDisposable
     public async Task While_a_job_runs_the_machine_is_stopped()
     {
         await using var session = Session(late: false);
-        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=1", "CNCRUN" }) await session.EnterAsync(input, _limit.Token);
+        foreach (var input in new[] { "OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", SlowMachine.Address, "CNCRUN" }) await session.EnterAsync(input, _limit.Token);
         var cutting = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         session.Machine.Changed += (_, _) => { if (session.Machine.Status.ToolCommanded == true) cutting.TrySetResult(); };
         var job = session.EnterAsync("Yes", _limit.Token);

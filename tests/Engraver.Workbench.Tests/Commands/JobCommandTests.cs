@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 
 namespace Engraver.Workbench.Tests.Commands;
@@ -63,7 +64,7 @@ public class JobCommandTests
     {
         await using var talk = new CommandTalk();
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
-        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", "sim:?speed=1", "CNCRUN");
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", SlowMachine.Address, "CNCRUN");
         var moving = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
         talk.Session.Machine.Changed += (_, _) => { if (talk.Session.Machine.Progress is not null) moving.TrySetResult(); };
         var job = talk.TypeAsync("Yes");

@@ -60,7 +60,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task Stop_from_another_thread_stops_at_once_although_the_caller_of_the_job_is_blocked()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse("sim:?speed=1"), _limit.Token);
+        await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
 
@@ -78,7 +78,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task Stopping_is_told_from_the_press_to_the_standstill()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse("sim:?speed=1"), _limit.Token);
+        await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
         var slow = new DrawingSettings { Machine = MachineProfile.Default with { AccelerationCounts = 10_240 } }; // brakes for a second
         var running = RunAsync(machine, JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Build(), slow, MotionStyle.Continuous));
         await SeenAsync(machine, status => status is { State: MachineState.Running, WorkPosition.X: > 5.0 });
@@ -94,7 +94,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task Abort_in_a_job_ends_it_with_the_motors_off()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse("sim:?speed=1"), _limit.Token);
+        await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
         machine.Abort();
@@ -160,7 +160,7 @@ public sealed class MachineJobTests : IDisposable
     public async Task A_terminal_line_typed_while_a_job_runs_is_withheld()
     {
         await using var machine = new MachineSession(TimeProvider.System);
-        await machine.ConnectAsync(ControllerAddress.Parse("sim:?speed=1"), _limit.Token);
+        await machine.ConnectAsync(ControllerAddress.Parse(SlowMachine.Address), _limit.Token);
         var running = RunAsync(machine, MachineBench.Job());
         await SeenAsync(machine, status => status is { State: MachineState.Running, ToolCommanded: true });
         var answer = Assert.Single(await machine.Terminal.TypeAsync("MG 1", _limit.Token));

@@ -26,7 +26,7 @@ internal sealed class CncGoToCommand : ICommand
             _ => Counts(context, Machine(context, context.Document.Current.Settings.Start)),
         };
         if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOffCncmotorsOn"));
-        var result = await context.Machine.GoToAsync(goal, context.NewRunJournal("goto"), cancellation).ConfigureAwait(false);
+        var result = await context.Machine.GoToAsync(goal, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false);
         foreach (var left in result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
         if (result.Outcome != JobOutcome.Complete) throw JobStart.Failure(result);
         var at = result.FinalPosition!.Value;

@@ -50,6 +50,21 @@ public static class MachineRun
         PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, MachineTrace? trace, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
         await using var machine = await clock.ShakeHandsAsync(connection, trace, stop).ConfigureAwait(false);
+        try
+        {
+            return await OnMachineAsync(job, program, machine, connection, options, clock, progress, stop).ConfigureAwait(false);
+        }
+        catch (Exception refused) when (refused is MachineTakenException or MachineMemoryException)
+        {
+            return new MachineRunReport(JobResult.NotStarted(program.Strokes.Count, refused.Message), RunJudgement.Unknown, machine.Identity.Model, machine.PlannedSeconds(program, options.Mode));
+        }
+    }
+
+    /// <exception cref="MachineTakenException">Another host has the machine; nothing was moved.</exception>
+    /// <exception cref="MachineMemoryException">Where the work is cannot be read or written down; nothing was moved.</exception>
+    private static async Task<MachineRunReport> OnMachineAsync(
+        PreparedJob job, MotionProgram program, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
+    {
         using var taken = options.Hold is null ? options.Memories.Take(connection.Description, machine.Identity, await machine.LocateAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.Holder) : null;
         var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, options.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
         var planned = machine.PlannedSeconds(placement.Program, options.Mode);

@@ -105,9 +105,31 @@ public sealed class WorkOriginTests : IAsyncDisposable
     }
 
     [Fact]
+    public async Task What_a_typed_line_did_to_the_position_is_kept_and_a_power_cycle_then_is_no_fresh_machine()
+    {
+        await CutAsync(JobMode.Stream);
+        await ActAsync(async machine =>
+        {
+            var seen = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+            machine.Changed += (_, _) => { if (machine.Hold?.Memory.Rest == new CountsPoint(7000, 0)) seen.TrySetResult(); };
+            await machine.Terminal.TypeAsync("confirm DPA=7000", _limit.Token);
+            await machine.Terminal.TypeAsync("DPA=7000", _limit.Token);
+            while (!seen.Task.IsCompleted)
+            {
+                _clock.Advance(TimeSpan.FromMilliseconds(100));
+                await Task.Yield();
+                _limit.Token.ThrowIfCancellationRequested();
+            }
+        });
+        await ReplaceAsync(Number);
+
+        Assert.Equal("JOB0009", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
+    }
+
+    [Fact]
     public async Task A_machine_that_stands_elsewhere_and_was_never_zeroed_is_refused_and_here_takes_it()
     {
-        await ActAsync(machine => machine.GoToAsync(new CountsPoint(9000, 0), Path.Combine(_folder.FullName, "goto.jsonl"), _limit.Token));
+        await ActAsync(machine => machine.GoToAsync(new CountsPoint(9000, 0), Path.Combine(_folder.FullName, "goto.jsonl"), feed: null, _limit.Token));
         foreach (var file in Directory.GetFiles(_folder.FullName, "*.json")) File.Delete(file);
 
         Assert.Equal("JOB0008", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
@@ -124,8 +146,9 @@ public sealed class WorkOriginTests : IAsyncDisposable
         await using (var first = new Workbench.Machines.MachineSession(_clock) { OriginsFolder = _folder.FullName })
         {
             await first.ConnectAsync(await AddressAsync(), _limit.Token);
-            var taken = await Assert.ThrowsAsync<MachineTakenException>(() => RunAsync(JobMode.Stream));
-            Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"CncEngraver (process {Environment.ProcessId}, since "), taken.Message, StringComparison.Ordinal);
+            var taken = await RunAsync(JobMode.Stream);
+            Assert.Equal((JobOutcome.Refused, 0), (taken.Result.Outcome, taken.Result.SegmentsSent));
+            Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"CncEngraver (process {Environment.ProcessId}, since "), taken.Result.Sentence, StringComparison.Ordinal);
         }
 
         Assert.Equal(JobOutcome.Complete, (await RunAsync(JobMode.Stream)).Result.Outcome);
@@ -139,9 +162,10 @@ public sealed class WorkOriginTests : IAsyncDisposable
         await File.WriteAllTextAsync(file, "{ \"active\": \"G54\", \"origins\"");
         var rows = _controller.Record.Snapshot().Count;
 
-        var torn = await Assert.ThrowsAsync<MachineMemoryException>(() => RunAsync(JobMode.Stream));
+        var torn = await RunAsync(JobMode.Stream);
 
-        Assert.Contains(file, torn.Message, StringComparison.Ordinal);
+        Assert.Equal(JobOutcome.Refused, torn.Result.Outcome);
+        Assert.Contains(file, torn.Result.Sentence, StringComparison.Ordinal);
         Assert.Equal(rows, _controller.Record.Snapshot().Count);
         Assert.Equal("{ \"active\": \"G54\", \"origins\"", await File.ReadAllTextAsync(file));
     }
