@@ -58,6 +58,34 @@ public class SerialRunTests
         Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
     }
 
+    /// <summary>The stroke runs from 10,10 to 10.5,10.017; the origin lies at 3,-2 mm of the machine.</summary>
+    [Theory]
+    [InlineData("stream", "origin", 3000, -2000)]
+    [InlineData("stream", "stay", 13500, 8017)]
+    [InlineData("calls", "stay", 13500, 8017)]
+    [InlineData("program", "stay", 13500, 8017)]
+    [InlineData("stream", "park", -1000, 4000)]
+    [InlineData("calls", "park", -1000, 4000)]
+    [InlineData("program", "park", -1000, 4000)]
+    public async Task An_origin_is_where_it_cuts_and_a_finish_where_it_ends(string mode, string finish, int endX, int endY)
+    {
+        using var folder = new TemporaryFolder();
+        await using var controller = await ServeAsync(folder, double.PositiveInfinity);
+        var profile = folder.WithFile("machine.json", """{ "parkX": -1, "parkY": 4 }""");
+
+        var run = await RunByItsClockAsync(folder, controller, folder.WithFile("wave.dxf", Wave(1, 0.5)), "--mode", mode, "--machine", profile, "--origin", "3,-2", "--finish", finish);
+
+        Assert.Equal(("", ExitCode.Done), (run.Error, run.ExitCode));
+        var report = JsonText.Of(run);
+        Assert.Equal("""{"x":3,"y":-2,"source":"given"}""", System.Text.Json.JsonSerializer.Serialize(report.GetProperty("origin")));
+        Assert.Equal((endX, endY), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));
+        var rows = controller.Record.Snapshot();
+        Assert.Equal((endX, endY, 0), ((int)rows[^1].A, (int)rows[^1].B, rows[^1].Outputs & Tool));
+        var cut = rows.Where(sample => (sample.Outputs & Tool) != 0).ToList();
+        Assert.Equal((13000, 13500), ((int)cut.Min(sample => sample.A), (int)cut.Max(sample => sample.A)));
+        Assert.All(cut, sample => Assert.InRange((int)sample.B, 7999, 8018));
+    }
+
     [Fact]
     public async Task Two_processes_talk_over_the_terminal_whose_name_goes_with_the_simulator()
     {

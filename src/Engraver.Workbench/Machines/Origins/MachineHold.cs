@@ -28,10 +28,11 @@ public sealed class MachineHold : IDisposable
         {
             if (File.Exists(path)) _memory = (JsonSerializer.Deserialize(File.ReadAllText(path), MachineMemoryJson.Default.MachineMemoryDocument) ?? throw new JsonException(Wording.Get("Origins.HoldsNull"))).ToMemory();
         }
-        catch (JsonException torn)
+        catch (Exception unusable) when (unusable is JsonException or IOException or UnauthorizedAccessException)
         {
-            taken.Dispose();
-            throw new InvalidDataException(Wording.Get("Origins.NoRecord", torn.Message), torn);
+            taken.Dispose(); // the machine is nobody's
+            if (unusable is JsonException) throw new InvalidDataException(Wording.Get("Origins.NoRecord", unusable.Message), unusable);
+            throw;
         }
     }
 
@@ -71,31 +72,32 @@ public sealed class MachineHold : IDisposable
 }
 
 /// <summary>What is kept of a machine, as it stands in its file: counts of the controller.</summary>
+/// <remarks>What the file leaves out has the value written here; an init-only property would be null then.</remarks>
 internal sealed record MachineMemoryDocument
 {
-    public string Machine { get; init; } = "";
+    public string Machine { get; set; } = "";
 
-    public string Active { get; init; } = WorkOriginNames.First;
+    public string Active { get; set; } = WorkOriginNames.First;
 
-    public Dictionary<string, OriginDocument> Origins { get; init; } = [];
+    public Dictionary<string, OriginDocument?> Origins { get; set; } = [];
 
-    public int? Mark { get; init; }
+    public int? Mark { get; set; }
 
-    public double? Clock { get; init; }
+    public double? Clock { get; set; }
 
-    public int? RestX { get; init; }
+    public int? RestX { get; set; }
 
-    public int? RestY { get; init; }
+    public int? RestY { get; set; }
 
-    public bool Moving { get; init; }
+    public bool Moving { get; set; }
 
-    public string? Lost { get; init; }
+    public string? Lost { get; set; }
 
     public static MachineMemoryDocument From(string machine, MachineMemory memory) => new()
     {
         Machine = machine,
         Active = memory.Active,
-        Origins = memory.Origins.ToDictionary(entry => entry.Key, entry => new OriginDocument(entry.Value.X, entry.Value.Y, entry.Value.Z, entry.Value.IsAssumed)),
+        Origins = memory.Origins.ToDictionary(entry => entry.Key, OriginDocument? (entry) => new OriginDocument(entry.Value.X, entry.Value.Y, entry.Value.Z, entry.Value.IsAssumed)),
         Mark = memory.Mark,
         Clock = memory.Clock,
         RestX = memory.Rest?.X,
@@ -107,9 +109,7 @@ internal sealed record MachineMemoryDocument
     public MachineMemory ToMemory() => new()
     {
         Active = WorkOriginNames.Find(Active) ?? throw new JsonException(Wording.Get("Origins.NoOrigin", Active)),
-        Origins = Origins.ToDictionary(
-            entry => WorkOriginNames.Find(entry.Key) ?? throw new JsonException(Wording.Get("Origins.NoOrigin", entry.Key)),
-            entry => new WorkOrigin(entry.Value.X, entry.Value.Y, entry.Value.Z) { IsAssumed = entry.Value.Assumed }),
+        Origins = ReadOrigins(),
         Mark = Mark,
         Clock = Clock,
         Rest = RestX is { } x && RestY is { } y ? new CountsPoint(x, y) : null,
@@ -117,10 +117,23 @@ internal sealed record MachineMemoryDocument
         Lost = Lost ?? "",
     };
 
+    private Dictionary<string, WorkOrigin> ReadOrigins()
+    {
+        var origins = new Dictionary<string, WorkOrigin>();
+        foreach (var (key, document) in Origins)
+        {
+            var name = WorkOriginNames.Find(key) ?? throw new JsonException(Wording.Get("Origins.NoOrigin", key));
+            if (document is null) throw new JsonException(Wording.Get("Origins.HoldsNull"));
+            if (!origins.TryAdd(name, new WorkOrigin(document.X, document.Y, document.Z) { IsAssumed = document.Assumed })) throw new JsonException(Wording.Get("Origins.Twice", name));
+        }
+
+        return origins;
+    }
+
     /// <param name="Assumed">Nobody set it: the controller counted 0 there.</param>
     internal sealed record OriginDocument(int? X, int? Y, int? Z, bool Assumed);
 }
 
-[JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull, UnmappedMemberHandling = JsonUnmappedMemberHandling.Skip)]
+[JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull, RespectNullableAnnotations = true, UnmappedMemberHandling = JsonUnmappedMemberHandling.Skip)]
 [JsonSerializable(typeof(MachineMemoryDocument))]
 internal sealed partial class MachineMemoryJson : JsonSerializerContext;

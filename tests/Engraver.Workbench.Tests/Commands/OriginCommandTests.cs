@@ -1,0 +1,154 @@
+using Engraver.Core.Geometry;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>CNCZERO says where the drawing lies on the machine, CNCORIGIN which of the six places jobs use.</summary>
+public class OriginCommandTests
+{
+    [Theory]
+    [InlineData("CNCZERO")]
+    [InlineData("CNCORIGIN")]
+    public async Task Without_a_controller_there_is_no_origin(string command)
+    {
+        await using var talk = CommandTalk.WithDrawing();
+
+        var failed = Assert.IsType<InputResult.Failed>(await talk.TypeAsync(command));
+        Assert.Equal(CommandFailure.Usage, failed.Why);
+        Assert.Contains("CNCCONNECT", failed.Sentence, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task All_axes_are_zero_where_the_machine_stands()
+    {
+        await using var talk = await StandingAsync("12,-4");
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "All"));
+        Assert.Equal((12000, -4000), Active(talk));
+        Assert.Equal(new Point2D(0, 0), talk.Session.Machine.Status.WorkPosition);
+        Assert.EndsWith("G54: the drawing's zero lies at X 12 mm, Y -4 mm of the machine.", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("X", 20000, -4000, 0.0, 9.0)]
+    [InlineData("Y", 12000, 5000, 8.0, 0.0)]
+    public async Task One_axis_is_set_and_the_other_keeps_its_place(string axis, int x, int y, double workX, double workY)
+    {
+        await using var talk = await StandingAsync("12,-4");
+        await talk.TypeAsync("CNCZERO", "All", "CNCGOTO", "20,5");
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", axis, "Yes"));
+        Assert.Equal((x, y), Active(talk));
+        Assert.Equal(new Point2D(workX, workY), talk.Session.Machine.Status.WorkPosition);
+    }
+
+    [Fact]
+    public async Task A_place_that_is_typed_is_where_the_machine_stands_in_the_drawing()
+    {
+        await using var talk = await StandingAsync("12,-4");
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Point", "2,1"));
+        Assert.Equal((10000, -5000), Active(talk));
+        Assert.Equal(new Point2D(2, 1), talk.Session.Machine.Status.WorkPosition);
+    }
+
+    [Fact]
+    public async Task What_is_set_is_asked_about_and_No_leaves_it()
+    {
+        await using var talk = await StandingAsync("12,-4");
+        await talk.TypeAsync("CNCZERO", "All", "CNCGOTO", "20,5");
+
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCZERO", "All"));
+        Assert.Contains("G54 is set already", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        await talk.TypeAsync("No");
+        Assert.Equal((12000, -4000), Active(talk));
+    }
+
+    [Fact]
+    public async Task Only_the_axis_that_is_set_is_asked_about_and_half_an_origin_starts_no_job()
+    {
+        await using var talk = await StandingAsync("12,-4");
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Y"));
+        Assert.Equal((null, -4000), Active(talk));
+        Assert.Null(talk.Session.Machine.Status.WorkPosition);
+        Assert.Contains("G54: the drawing's zero lies at X (not set), Y -4 mm of the machine.", talk.Said, StringComparison.Ordinal);
+        var refused = Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes"));
+        Assert.Equal(CommandFailure.Refused, refused.Why);
+        Assert.Contains("The work origin G54 has no place for X.", talk.Said, StringComparison.Ordinal);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "X"));
+        Assert.Equal((12000, -4000), Active(talk));
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCZERO", "Y"));
+        await talk.TypeAsync("No");
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
+    }
+
+    [Fact]
+    public async Task Another_origin_is_chosen_by_its_name_and_the_first_keeps_its_place()
+    {
+        await using var talk = await StandingAsync("12,-4");
+        await talk.TypeAsync("CNCZERO", "All");
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "g55"));
+        Assert.EndsWith("G55 is not set. It is the active one.", talk.Said, StringComparison.Ordinal);
+        Assert.Null(talk.Session.Machine.Status.WorkPosition);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCGOTO", "1,1", "CNCZERO", "All"));
+        Assert.Equal((1000, 1000), Active(talk));
+        await talk.TypeAsync("CNCORIGIN", "G54");
+        Assert.Equal((12000, -4000), Active(talk));
+        Assert.Equal(new Point2D(-11, 5), talk.Session.Machine.Status.WorkPosition);
+    }
+
+    [Fact]
+    public async Task The_list_has_all_six_and_changes_nothing()
+    {
+        await using var talk = await StandingAsync("12,-4");
+        await talk.TypeAsync("CNCZERO", "All", "CNCORIGIN", "G56");
+
+        await talk.TypeAsync("CNCORIGIN", "List");
+
+        Assert.EndsWith(
+            "G54: the drawing's zero lies at X 12 mm, Y -4 mm of the machine.\nG55 is not set.\nG56 is not set. It is the active one.\nG57 is not set.\nG58 is not set.\nG59 is not set.",
+            talk.Said,
+            StringComparison.Ordinal);
+        Assert.Equal("G56", talk.Session.Machine.Hold!.Memory.Active);
+    }
+
+    [Fact]
+    public async Task An_origin_that_nobody_set_is_told_as_assumed_and_set_without_a_question()
+    {
+        await using var talk = await StandingAsync(null);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
+
+        await talk.TypeAsync("CNCORIGIN", "List");
+        Assert.Contains("where the controller counted 0; nobody set it. It is the active one.", talk.Said, StringComparison.Ordinal);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCGOTO", "3,4", "CNCZERO", "All"));
+        Assert.Equal((3000, 4000), Active(talk));
+    }
+
+    [Fact]
+    public async Task A_stepper_without_current_is_doubted_until_its_origin_is_set_again()
+    {
+        await using var talk = await StandingAsync("12,-4");
+        await talk.TypeAsync("CNCZERO", "All");
+        foreach (var line in (string[])["MOA", "MTA=2"]) Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCTERMINAL", line));
+
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why);
+        Assert.Contains("The machine's position is not to be trusted: ", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("stepper", talk.Said, StringComparison.Ordinal);
+        Assert.Equal((12000, -4000), Active(talk));
+        await talk.TypeAsync("CNCTERMINAL", "SHA");
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
+    }
+
+    private static (int?, int?) Active(CommandTalk talk) => (talk.Session.Machine.Hold!.Memory.ActiveOrigin?.X, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Y);
+
+    /// <param name="place">Where the simulated machine is moved to first; null for its zero.</param>
+    private static async Task<CommandTalk> StandingAsync(string? place)
+    {
+        var talk = CommandTalk.WithDrawing();
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCCONNECT", "sim:"));
+        if (place is not null) Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCGOTO", place));
+        return talk;
+    }
+}

@@ -1,0 +1,152 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.Machines.Origins;
+
+namespace Engraver.Workbench.Tests.Machines.Origins;
+
+/// <summary>What is kept of a machine comes back as it was, is taken by one host at a time, and is given free whatever is wrong with it.</summary>
+public sealed class MachineHoldTests : IDisposable
+{
+    private const string Address = "tcp://10.0.0.7";
+    private static readonly MachineIdentity s_dmc = new("DMC2143", 4);
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-hold-");
+
+    private string Kept => Directory.GetFiles(_folder.FullName, "*.json").Single();
+
+    [Fact]
+    public void What_was_kept_comes_back_whole()
+    {
+        var memory = MachineMemory.Empty.WithOrigin("G54", 20000, -5000, 7).WithOrigin("G57", null, 12, null) with
+        {
+            Active = "G57", Mark = 815, Clock = 123456.5, Rest = new CountsPoint(-3, 4), IsMoving = true, Lost = "a position error of axis A",
+        };
+        using (var hold = Take()) Assert.Null(hold.Keep(_ => memory));
+
+        using var again = Take();
+        Assert.Equal(("G57", 815, 123456.5), (again.Memory.Active, again.Memory.Mark, again.Memory.Clock));
+        Assert.Equal((new CountsPoint(-3, 4), true, "a position error of axis A"), (again.Memory.Rest, again.Memory.IsMoving, again.Memory.Lost));
+        Assert.Equal(memory.Origins.OrderBy(origin => origin.Key), again.Memory.Origins.OrderBy(origin => origin.Key));
+    }
+
+    [Fact]
+    public void An_assumed_origin_is_still_assumed_when_it_comes_back()
+    {
+        using (var hold = Take()) hold.Keep(memory => memory.AssumeZero());
+
+        using var again = Take();
+        Assert.Equal(new WorkOrigin(0, 0) { IsAssumed = true }, again.Memory.ActiveOrigin);
+    }
+
+    [Fact]
+    public void A_machine_that_is_taken_is_told_by_its_holder_and_free_when_it_is_let_go()
+    {
+        using (Take(holder: "engraver (process 7)"))
+        {
+            Assert.Contains("engraver (process 7) has it", Assert.Throws<MachineTakenException>(() => Take()).Message, StringComparison.Ordinal);
+            File.Delete(Directory.GetFiles(_folder.FullName, "*.holder").Single());
+            Assert.Contains("another program has it", Assert.Throws<MachineTakenException>(() => Take()).Message, StringComparison.Ordinal);
+        }
+
+        using var free = Take();
+        Assert.True(free.IsKept);
+    }
+
+    [Theory]
+    [InlineData("null", "it holds null")]
+    [InlineData("[]", "could not be converted")]
+    [InlineData("{\"active\":\"G60\"}", "'G60' is no work origin")]
+    [InlineData("{\"origins\":{\"G1\":{\"x\":1}}}", "'G1' is no work origin")]
+    [InlineData("{\"active\":\"G54\",\"origins\":null}", "origins")]
+    [InlineData("{\"active\":null,\"origins\":{}}", "active")]
+    [InlineData("{\"active\":\"G54\",\"origins\":{\"G54\":null}}", "it holds null")]
+    [InlineData("{\"origins\":{\"G54\":{\"x\":1},\"g54\":{\"x\":2}}}", "it holds G54 twice")]
+    public void A_file_that_is_no_record_is_named_left_as_it_is_and_not_held(string text, string why)
+    {
+        using (var hold = Take()) hold.Keep(memory => memory);
+        var file = Kept;
+        File.WriteAllText(file, text);
+
+        var refused = Assert.Throws<MachineMemoryException>(() => Take());
+        Assert.Contains(file, refused.Message, StringComparison.Ordinal);
+        Assert.Contains(why, refused.Message, StringComparison.Ordinal);
+        Assert.Equal(text, File.ReadAllText(file));
+        File.Delete(file);
+        using var free = Take();
+        Assert.Null(free.Memory.ActiveOrigin);
+    }
+
+    [Theory]
+    [InlineData("{}", null)]
+    [InlineData("{\"active\":\"G55\"}", null)]
+    [InlineData("{\"origins\":{\"g54\":{\"x\":1,\"y\":2}}}", 1)]
+    public void What_a_record_leaves_out_is_unknown(string text, int? x)
+    {
+        using (var hold = Take()) hold.Keep(memory => memory);
+        File.WriteAllText(Kept, text);
+
+        using var read = Take();
+        Assert.Equal((x, false), (read.Memory.ActiveOrigin?.X, read.Memory.IsMoving));
+        Assert.Equal(text.Contains("G55", StringComparison.Ordinal) ? "G55" : "G54", read.Memory.Active);
+    }
+
+    [Fact]
+    public void A_file_that_cannot_be_read_is_named_and_the_machine_is_not_held()
+    {
+        using (var hold = Take()) hold.Keep(memory => memory.WithOrigin("G54", 1, 2, null));
+        using (new FileStream(Kept, FileMode.Open, FileAccess.ReadWrite, FileShare.None))
+        {
+            Assert.Contains(Kept, Assert.Throws<MachineMemoryException>(() => Take()).Message, StringComparison.Ordinal);
+        }
+
+        using var free = Take();
+        Assert.Equal(new CountsPoint(1, 2), free.Memory.ActiveOrigin?.Plane);
+    }
+
+    [Fact]
+    public void What_cannot_be_written_is_told_and_what_stood_there_stays()
+    {
+        using var hold = Take();
+        hold.Keep(memory => memory.WithOrigin("G54", 1, 2, null));
+        var file = Kept;
+        File.Delete(file);
+        Directory.CreateDirectory(file);
+
+        var failure = hold.Keep(memory => memory.WithOrigin("G54", 3, 4, null));
+
+        Assert.NotNull(failure);
+        Assert.False(failure.EndsWith('.'));
+        Assert.True(Directory.Exists(file));
+        Assert.Equal(3, Directory.GetFileSystemEntries(_folder.FullName).Length); // the folder in the way, the lock and its holder; no temporary file
+    }
+
+    [Fact]
+    public void A_controller_is_known_by_its_own_number_and_one_without_by_where_it_is_reached()
+    {
+        using (var hold = Take(serial: 4711)) hold.Keep(memory => memory.WithOrigin("G54", 1, 2, null));
+
+        using (var moved = Take("tcp://10.0.0.8", 4711)) Assert.Equal(new CountsPoint(1, 2), moved.Memory.ActiveOrigin?.Plane);
+        using (var other = Take(serial: 4712)) Assert.Null(other.Memory.ActiveOrigin);
+        using (var nameless = Take()) nameless.Keep(memory => memory.WithOrigin("G54", 3, 4, null));
+        using (var same = Take()) Assert.Equal(new CountsPoint(3, 4), same.Memory.ActiveOrigin?.Plane);
+        using (var elsewhere = Take("tcp://10.0.0.8")) Assert.Null(elsewhere.Memory.ActiveOrigin);
+    }
+
+    [Fact]
+    public void Of_a_simulated_machine_nothing_is_kept_and_two_hosts_have_one_each()
+    {
+        var none = new MachineMemories(null);
+        using var hold = none.Take(Address, s_dmc, new ControllerPlace(default), "a test");
+        using var other = none.Take(Address, s_dmc, new ControllerPlace(default), "a test");
+
+        Assert.Null(hold.Keep(memory => memory.WithOrigin("G54", 1, 2, null)));
+        Assert.False(hold.IsKept);
+        Assert.Equal(new CountsPoint(1, 2), hold.Memory.ActiveOrigin?.Plane);
+        Assert.Null(other.Memory.ActiveOrigin);
+        Assert.Empty(_folder.GetFileSystemInfos());
+    }
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    private MachineHold Take(string address = Address, long? serial = null, string holder = "a test") =>
+        new MachineMemories(_folder.FullName).Take(address, s_dmc, new ControllerPlace(default, serial), holder);
+}
