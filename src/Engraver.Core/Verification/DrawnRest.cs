@@ -47,6 +47,9 @@ internal sealed class DrawnRest
     /// <summary>Rows as pieces. The index is built at the first question: duplicates have no move and are never asked.</summary>
     private sealed class DrawnRows(IReadOnlyList<StrokeMove> rows, ToolpathTolerances tolerances)
     {
+        /// <summary>Few: pieces of one entity are hardly ever crowded, and there may be as many indexes as entities.</summary>
+        private const double BoxesPerPiece = 2.0;
+
         private readonly List<double> _allowed = [];
         private SegmentIndex? _index;
 
@@ -68,7 +71,7 @@ internal sealed class DrawnRest
                 while (_allowed.Count < pieces.Count) _allowed.Add(tolerances.For(row.Segment));
             }
 
-            return new SegmentIndex([.. pieces]);
+            return new SegmentIndex([.. pieces], SegmentBoxes.From(pieces, BoxesPerPiece * pieces.Count));
         }
     }
 }

@@ -17,7 +17,11 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double F
     /// <summary>Of what would lie between neighbours if all were spread evenly over the drawing: so wide a box may be. Most of a drawing is empty.</summary>
     private const double Narrow = 1.0 / 16.0;
 
-    public static SegmentBoxes From(IReadOnlyList<Segment> segments)
+    public static SegmentBoxes From(IReadOnlyList<Segment> segments) => From(segments, FewPieces + Math.Min(MostPieces, PiecesPerSegment * segments.Count));
+
+    /// <param name="segments">See <see cref="SegmentIndex"/>.</param>
+    /// <param name="budget">About so many boxes, and more where each segment needs more.</param>
+    public static SegmentBoxes From(IReadOnlyList<Segment> segments, double budget)
     {
         var (extents, total) = (Bounds2D.Empty, 0.0);
         var sags = new double[segments.Count];
@@ -28,7 +32,6 @@ internal sealed record SegmentBoxes(OrientedBox[] Boxes, int[] Owners, (double F
             sags[i] = SagOf(segments[i]);
         }
 
-        var budget = FewPieces + Math.Min(MostPieces, PiecesPerSegment * sags.Length);
         var length = total / budget;
         var width = Math.Max(Narrow * extents.Width * extents.Height / Math.Max(total, double.Epsilon), double.Epsilon);
         var roots = sags.Sum(sag => Math.Sqrt(sag / width));

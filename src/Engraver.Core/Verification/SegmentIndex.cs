@@ -22,10 +22,16 @@ internal sealed class SegmentIndex
 
     /// <param name="segments">Ellipses and splines as their pieces (see <see cref="CurvePieces"/>).</param>
     public SegmentIndex(Segment[] segments)
+        : this(segments, SegmentBoxes.From(segments))
+    {
+    }
+
+    /// <param name="segments">As above.</param>
+    /// <param name="pieces">Their boxes; the fewer, the sooner it is built.</param>
+    public SegmentIndex(Segment[] segments, SegmentBoxes pieces)
     {
         _segments = segments;
         _stamps = new int[segments.Length];
-        var pieces = SegmentBoxes.From(segments);
         (_owners, _parts) = (pieces.Owners, pieces.Parts);
         _tree = OrientedBoxTree.Build(pieces.Boxes);
         _measure = _distance = Distance;
