@@ -75,7 +75,7 @@ public class SerialRunTests
 
         var run = await RunByItsClockAsync(folder, controller, folder.WithFile("wave.dxf", Wave(1, 0.5)), "--mode", mode, "--machine", profile, "--origin", "3,-2", "--finish", finish);
 
-        Assert.Equal(("", ExitCode.Done), (run.Error, run.ExitCode));
+        Assert.Equal(ExitCode.Done, run.ExitCode);
         var report = JsonText.Of(run);
         Assert.Equal("""{"x":3,"y":-2,"source":"given"}""", System.Text.Json.JsonSerializer.Serialize(report.GetProperty("origin")));
         Assert.Equal((endX, endY), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32()));

@@ -33,7 +33,7 @@ public sealed class MachineMemories(string? folder)
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or InvalidDataException)
         {
-            throw new MachineMemoryException(Wording.Get("Origins.Unreadable", name, path, unusable.Message), unusable);
+            throw new MachineMemoryException(Wording.Get("Origins.Unreadable", name, path, unusable.Message.TrimEnd('.')), unusable);
         }
     }
 
