@@ -110,16 +110,9 @@ public sealed class WorkOriginTests : IAsyncDisposable
         await CutAsync(JobMode.Stream);
         await ActAsync(async machine =>
         {
-            var seen = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
-            machine.Changed += (_, _) => { if (machine.Hold?.Memory.Rest == new CountsPoint(7000, 0)) seen.TrySetResult(); };
             await machine.Terminal.TypeAsync("confirm DPA=7000", _limit.Token);
-            await machine.Terminal.TypeAsync("DPA=7000", _limit.Token);
-            while (!seen.Task.IsCompleted)
-            {
-                _clock.Advance(TimeSpan.FromMilliseconds(100));
-                await Task.Yield();
-                _limit.Token.ThrowIfCancellationRequested();
-            }
+            await machine.SetMotorsAsync(on: true, _limit.Token); // looks at once, as the watch does ten times a second
+            Assert.Equal(new CountsPoint(7000, 0), machine.Hold!.Memory.Rest);
         });
         await ReplaceAsync(Number);
 
