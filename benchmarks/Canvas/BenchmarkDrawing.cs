@@ -14,7 +14,7 @@ public static class BenchmarkDrawing
     /// <param name="segments">Number of lines, arcs and splines together, at least 1.</param>
     public static Drawing Create(int segments)
     {
-        var random = new Random(1); // the figures are compared within one run of the program only
+        var random = new Random(1); // Random may differ between runtimes, but figures are compared within one run only
         var (entities, parts, curves) = (new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), new List<RationalCurve>());
         var columns = (int)Math.Ceiling(Math.Sqrt((double)segments / Sides));
         for (var cell = 0; parts.Count < segments; cell++)

@@ -11,7 +11,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Benchmarks.Canvas;
 
-/// <summary>What the canvas costs: scene, first picture, a moved frame, a refined frame after panning and zooming, picking. Times of the wall (best and median), because a picture is waited for, and processor time of both cores (best), because a wall is only as good as what else the computer does.</summary>
+/// <summary>Measures the canvas: scene, first picture, a moved frame, a refined frame after panning and zooming, picking. Wall time (best and median), because the operator waits for a picture, and processor time of all cores (best), because wall time depends on what else the computer does.</summary>
 public static class CanvasBenchmark
 {
     private const int Repetitions = 7;
@@ -23,7 +23,7 @@ public static class CanvasBenchmark
     {
         ArgumentNullException.ThrowIfNull(sizes);
         ArgumentNullException.ThrowIfNull(output);
-        Measure(2000, TextWriter.Null); // the just-in-time compiler is not what is measured
+        Measure(2000, TextWriter.Null); // so that the just-in-time compiler is not measured
         output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"Canvas {s_size.Width} x {s_size.Height} pixels, {Environment.ProcessorCount} cores"));
         output.WriteLine("| Segments | Stage | best ms | median ms | best CPU ms | note |");
         output.WriteLine("|---:|---|---:|---:|---:|---|");

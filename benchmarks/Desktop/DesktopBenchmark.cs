@@ -7,10 +7,10 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary><c>--benchmark</c>: what docs/benchmarks.md quotes of the desktop.</summary>
+/// <summary><c>--benchmark</c>: measures the figures of the desktop in docs/benchmarks.md.</summary>
 internal static class DesktopBenchmark
 {
-    /// <summary>One of those that need no window of the operator's.</summary>
+    /// <summary>Runs a benchmark that needs no window on a display.</summary>
     /// <returns>The sentence of what failed; null when all went well.</returns>
     public static string? Run(DesktopOptions options, TextWriter output)
     {
@@ -40,7 +40,7 @@ internal static class DesktopBenchmark
             window.Close();
         }));
 
-    /// <summary>The first frame is there.</summary>
+    /// <summary>Writes the time from the start of the process to its first frame.</summary>
     public static void TellFirstFrame()
     {
         using var self = Process.GetCurrentProcess();

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using Avalonia.Threading;
 using Engraver.Benchmarks.Canvas;
+using Engraver.Benchmarks.Stops;
 using Engraver.App.Canvas.Scenes;
 using Engraver.App.Desk;
 using Engraver.App.Shell;
@@ -9,13 +10,13 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>From the sending of a Pause key to an X server, over a second connection, to the bytes of the stop at the other end of a TCP wire. The window must be in front.</summary>
+/// <summary>Measures the time from sending a Pause key to an X server, over a second connection, until the bytes of the stop arrive at the other end of a TCP link. The window must be in front.</summary>
 internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window, TextWriter output)
 {
     private const nuint PauseKey = 0xFF13;
 
     /// <summary>Writes a Markdown table. On the user interface thread.</summary>
-    /// <param name="drawing">The job that is stopped again and again; null: that is not measured.</param>
+    /// <param name="drawing">Path of the drawing whose job is stopped again and again; null: stops of a job are not measured.</param>
     public async Task RunAsync(string? drawing)
     {
         await using var controller = new SimulatedController(new SimulatorOptions());
@@ -64,7 +65,7 @@ internal sealed class DisplayStopBenchmark(DesktopModel desk, ShellWindow window
         await output.WriteLineAsync(StopEar.Row(StopPresses.RunsJob, times));
     }
 
-    /// <summary>Ends when the condition holds, or with the work beside it.</summary>
+    /// <summary>Waits until the condition holds or the other task has ended.</summary>
     private async Task UntilAsync(Func<bool> condition, Task beside)
     {
         var held = new TaskCompletionSource();

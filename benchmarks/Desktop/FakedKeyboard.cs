@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>A hand on the keyboard of an X server, over a connection of its own: its keys come to the window in front as those of a real keyboard do (XTEST).</summary>
+/// <summary>Sends keys to an X server over a connection of its own (XTEST): they reach the window in front as those of a real keyboard do.</summary>
 internal sealed partial class FakedKeyboard : IDisposable
 {
     private readonly nint _display;
@@ -15,7 +15,7 @@ internal sealed partial class FakedKeyboard : IDisposable
         if (_display == 0) throw new InvalidOperationException("There is no X server to press keys on.");
     }
 
-    /// <summary>Presses a key or lets it go; it is on its way when this returns.</summary>
+    /// <summary>Presses (down) or releases a key; the request has been sent when this returns.</summary>
     public void Send(nuint keysym, bool down)
     {
         _ = XTestFakeKeyEvent(_display, XKeysymToKeycode(_display, keysym), down ? 1 : 0, 0);

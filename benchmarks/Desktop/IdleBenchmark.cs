@@ -5,13 +5,13 @@ using Avalonia.Threading;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>What a window on a display costs while nobody touches it.</summary>
+/// <summary>Measures the processor time of a window on a display while nobody touches it.</summary>
 internal static class IdleBenchmark
 {
     private static readonly TimeSpan s_settling = TimeSpan.FromSeconds(5);
     private static readonly TimeSpan s_watched = TimeSpan.FromSeconds(30);
 
-    /// <summary>Lets everything come to rest, watches, says, and closes the window.</summary>
+    /// <summary>Waits until the window has settled, measures, writes the figure, and closes the window.</summary>
     public static void Watch(Window window, TextWriter output) => DispatcherTimer.RunOnce(() => Begin(window, output), s_settling);
 
     private static void Begin(Window window, TextWriter output)

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using Avalonia.Input;
 using Engraver.Benchmarks.Canvas;
+using Engraver.Benchmarks.Stops;
 using Engraver.App.Canvas.Scenes;
 using Engraver.App.Sessions;
 using Engraver.App.Shell;
@@ -10,8 +11,8 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>From the press of Pause to its bytes at the other end of a TCP wire: while the window is idle, while it draws a million segments, while its thread is held up, and while a job runs.</summary>
-/// <param name="drawing">The job that is stopped again and again; null: that is not measured.</param>
+/// <summary>Measures the time from the press of Pause until the bytes of the stop arrive at the other end of a TCP link: while the window is idle, while it draws a million segments, while its thread is blocked, and while a job runs.</summary>
+/// <param name="drawing">Path of the drawing whose job is stopped again and again; null: stops of a job are not measured.</param>
 internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, string? drawing, TextWriter output)
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
@@ -34,7 +35,7 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         Await(controller.DisposeAsync().AsTask());
     }
 
-    /// <summary>A job is started, and stopped once it streams.</summary>
+    /// <summary>Starts jobs and stops each once it streams.</summary>
     private void MeasureJobs(string file, StopEar ear)
     {
         Await(session.Desk.RunAsync("OPEN", file));
@@ -56,7 +57,7 @@ internal sealed class StopBenchmark(DesktopSession session, ShellWindow window, 
         output.WriteLine(StopEar.Row(StopPresses.RunsJob, times));
     }
 
-    /// <summary>What the watch sees of a machine that has just come to rest takes START back: then it is armed again.</summary>
+    /// <summary>Arms the job, again where the watch has disarmed it because it saw a machine that had just come to rest.</summary>
     private void Arm()
     {
         while (session.Desk.Session.Machine.Armed is null)

@@ -8,15 +8,15 @@ using Engraver.SoftwarePlatform.Headless;
 
 namespace Engraver.Benchmarks.Desktop;
 
-/// <summary>How long a window in memory takes: all of it painted anew, and a drawing opened.</summary>
+/// <summary>Measures how long a window in memory takes to paint everything anew and to open a drawing.</summary>
 internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window, HeadlessDesktop desktop, TextWriter output)
 {
     private const int Frames = 200;
     private static readonly TimeSpan s_patience = TimeSpan.FromMinutes(10);
     private static readonly Size[] s_sizes = [new(1280, 800), new(2560, 1440)];
 
-    /// <summary>Everything of the window is painted in each frame, because what lies under everything changes.</summary>
-    /// <param name="drawing">What is open; null: nothing.</param>
+    /// <summary>Measures frames in which everything is painted, because the background of the window changes.</summary>
+    /// <param name="drawing">Path of the drawing that is open; null: none.</param>
     public void Repaint(string? drawing)
     {
         if (drawing is not null) Await(session.Desk.RunAsync("OPEN", drawing));
@@ -32,7 +32,7 @@ internal sealed class WindowBenchmark(DesktopSession session, ShellWindow window
         }
     }
 
-    /// <summary>From the word OPEN to the first picture of the drawing, and to the end of everything that follows from it.</summary>
+    /// <summary>Measures the time from the input OPEN to the first picture of the drawing, and until everything that follows from it is computed.</summary>
     public void Open(string drawing)
     {
         var watch = Stopwatch.StartNew();

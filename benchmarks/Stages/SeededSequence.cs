@@ -14,7 +14,7 @@ internal sealed class SeededSequence(ulong seed)
 
     public bool Coin() => Below(2) == 1;
 
-    /// <summary>Puts the items into an order of its own choosing.</summary>
+    /// <summary>Puts the items into a random order, which the seed decides.</summary>
     public void Shuffle<T>(Span<T> items)
     {
         for (var i = items.Length - 1; i > 0; i--)

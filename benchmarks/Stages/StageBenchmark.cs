@@ -17,7 +17,7 @@ using Engraver.Workbench.Verification;
 
 namespace Engraver.Benchmarks.Stages;
 
-/// <summary>The stages of the main job on a seeded drawing of shuffled, randomly reversed lines that form closed polygons.</summary>
+/// <summary>Measures the stages of the main job on a seeded drawing of shuffled, randomly reversed lines that form closed polygons.</summary>
 public static class StageBenchmark
 {
     private const int Repetitions = 5;
@@ -70,7 +70,7 @@ public static class StageBenchmark
         return [read, table, chain, order, generate, check, simulate, verify];
     }
 
-    /// <summary>Once: it is the longest stage by far and its result is a judgement, not only a time.</summary>
+    /// <summary>Runs the job on the simulated controller, once: it is the longest stage by far, and its result is a judgement besides a time.</summary>
     private static async Task<StageFigure> SimulateAsync(int entities, PreparedJob job, MotionProgram program, CancellationToken stop)
     {
         var journal = Path.GetTempFileName();
@@ -87,7 +87,7 @@ public static class StageBenchmark
         }
     }
 
-    /// <summary>The simulator without a host: the posted program is read back and every sample of it is judged. Once, as the run.</summary>
+    /// <summary>Reads the posted program back in the simulator, without a host, and judges every sample; once, as the run.</summary>
     private static async Task<StageFigure> VerifyAsync(int entities, Drawing drawing, PreparedJob job, CancellationToken stop)
     {
         var entry = PostTable.ForMotion(MotionStyle.Continuous);
@@ -105,7 +105,7 @@ public static class StageBenchmark
             CultureInfo.InvariantCulture, $"{seconds:0} s of machine time, {seconds / figure.CpuSeconds:0} times real time, worst {worst:0.0000} mm, missing {missing:0.###} mm"),
     };
 
-    /// <summary>Keeps where the replay stands; told on the replay's own thread, so that the last report is there when it has ended.</summary>
+    /// <summary>Keeps the last progress of the replay. It is reported on the replay's own thread, so that it is there when the replay has ended.</summary>
     private sealed class LastReport : IProgress<ReplayProgress>
     {
         public ReplayProgress Value { get; private set; }

@@ -17,7 +17,7 @@ public partial class App : Application
 {
     public override void Initialize() => AvaloniaXamlLoader.Load(this);
 
-    /// <summary>The window of a session; the theme follows its view. As long as the window is open every window of the program hears the stop keys, and what fails is reported.</summary>
+    /// <summary>Opens the window of a session; its theme follows the view. While it is open every window of the program hears the stop keys, and failures of the program are reported.</summary>
     public ShellWindow OpenShell(DesktopSession session)
     {
         ArgumentNullException.ThrowIfNull(session);
@@ -56,6 +56,6 @@ public partial class App : Application
         window.Close();
     }
 
-    /// <summary>The shell asks its stop keys itself.</summary>
+    /// <summary>Hands a key to the stop keys, unless it was pressed in the shell, which asks them itself.</summary>
     private static bool PressOnce(StopKeys stopKeys, KeyEventArgs e) => TopLevel.GetTopLevel(e.Source as Visual) is not ShellWindow && stopKeys.Press(e.Key, e.KeyModifiers);
 }

@@ -4,7 +4,7 @@ using Engraver.Cli.Verbs;
 
 namespace Engraver.Cli;
 
-/// <summary>The verbs and options of the runner. A verb that is not built is not here, so it is a usage error.</summary>
+/// <summary>Builds the verbs and options of the runner. A verb that is not here is a usage error.</summary>
 internal static class EngraverCommandLine
 {
     public static RootCommand Build(ConsoleStreams streams, GlobalOptions global, MachineInHand machine)
@@ -16,6 +16,8 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(MinimiseVerb.Build(host));
         root.Subcommands.Add(TableVerb.Build(host));
         root.Subcommands.Add(SequenceVerb.Build(host));
+        root.Subcommands.Add(OffsetVerb.Build(host));
+        root.Subcommands.Add(TrajectoryVerb.Build(host));
         root.Subcommands.Add(PlotVerb.Build(host));
         root.Subcommands.Add(PlanVerb.Build(host));
         root.Subcommands.Add(PostVerb.Build(host));
@@ -24,7 +26,13 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(HandVerbs.Status(host));
         root.Subcommands.Add(HandVerbs.GoTo(host));
         root.Subcommands.Add(HandVerbs.Jog(host));
+        root.Subcommands.Add(HandVerbs.Home(host));
         root.Subcommands.Add(HandVerbs.Zero(host));
+        root.Subcommands.Add(HandVerbs.Origin(host));
+        root.Subcommands.Add(HandVerbs.Motors(host));
+        root.Subcommands.Add(FrameVerb.Build(host));
+        root.Subcommands.Add(DiscoverVerb.Build(host));
+        root.Subcommands.Add(CommissionVerb.Build(host));
         root.Subcommands.Add(TerminalVerb.Build(host));
         root.Subcommands.Add(SimulateVerb.Build(host));
         root.Subcommands.Add(BenchVerb.Build(host));

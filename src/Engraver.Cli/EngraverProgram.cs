@@ -8,7 +8,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli;
 
-/// <summary>One run of <c>engraver</c>: parses the words, runs the verb, turns what went wrong into one sentence and an exit code.</summary>
+/// <summary>One run of <c>engraver</c>: parses the arguments, runs the verb, turns a failure into one sentence and an exit code.</summary>
 public static class EngraverProgram
 {
     /// <summary>Runs the program.</summary>
@@ -91,6 +91,6 @@ public static class EngraverProgram
         return code;
     }
 
-    /// <summary>The library spreads the allowed values over several lines.</summary>
+    /// <summary>A message of System.CommandLine, which spreads the allowed values over several lines, as one line.</summary>
     private static string OneLine(string message) => string.Join(' ', message.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
 }

@@ -19,6 +19,6 @@ public static class ExitCode
 
     public const int StoppedByOperator = 5;
 
-    /// <summary>A bug of ours; a crash report is written.</summary>
+    /// <summary>A bug; a crash report is written.</summary>
     public const int InternalError = 70;
 }

@@ -2,7 +2,7 @@ using Engraver.Cli.Output;
 
 namespace Engraver.Cli;
 
-/// <summary>For a bug on a thread that nobody waits for (a timer's, a pool's): the runtime would end the process with a signal (exit 134) and no report.</summary>
+/// <summary>Ends the program for an exception on a thread that nobody waits for (a timer's, a pool's), which the runtime would end with a signal (exit 134) and without a report.</summary>
 internal sealed class LastResort(string[] args, TextWriter error, Action<int> exit)
 {
     private int _ended;
@@ -13,7 +13,7 @@ internal sealed class LastResort(string[] args, TextWriter error, Action<int> ex
         AppDomain.CurrentDomain.UnhandledException += (_, failure) => resort.End(failure.ExceptionObject as Exception ?? new InvalidOperationException(failure.ExceptionObject.ToString()));
     }
 
-    /// <summary>Says what happened and where the report stands, and ends the program. Only the first call does anything.</summary>
+    /// <summary>Writes what happened and where the report is, and ends the program. Only the first call does anything.</summary>
     public void End(Exception bug)
     {
         if (Interlocked.Exchange(ref _ended, 1) != 0) return;

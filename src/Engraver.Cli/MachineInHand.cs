@@ -1,13 +1,13 @@
 namespace Engraver.Cli;
 
-/// <summary>Whether the verb has a machine in its hands. While it has, the operator's stop is the verb's business: it brakes the machine and then ends, or lets it go. Otherwise the program just ends.</summary>
-/// <remarks>Any thread. The stop is asked for before this is looked at: whoever connects too late to be seen here finds the stop asked for, and begins nothing.</remarks>
+/// <summary>Knows whether the verb has a machine connected. While it has, the verb itself answers the operator's stop: it brakes the machine and then ends, or disconnects. Otherwise the program just ends.</summary>
+/// <remarks>Any thread. The stop is requested before this is asked: a verb that connects too late to be seen here finds the stop requested, and begins nothing.</remarks>
 internal sealed class MachineInHand
 {
     private readonly Lock _guard = new();
     private TaskCompletionSource? _held;
 
-    /// <summary>A machine is connected, or not any more.</summary>
+    /// <summary>Called when a machine is connected (true) or no longer connected (false).</summary>
     public void Follow(bool isConnected)
     {
         lock (_guard)
@@ -23,7 +23,7 @@ internal sealed class MachineInHand
         }
     }
 
-    /// <summary>Ends when none is in hand.</summary>
+    /// <summary>Completes when no machine is connected.</summary>
     public Task LetGoAsync()
     {
         lock (_guard) return _held?.Task ?? Task.CompletedTask;

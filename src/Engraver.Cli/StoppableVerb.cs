@@ -1,9 +1,9 @@
 namespace Engraver.Cli;
 
 /// <summary>Runs a verb so that the operator's stop ends it soon, however long it computes.</summary>
-/// <remarks>The stages are pure and hold nothing but memory, so they are not asked: the verb is left behind on its thread, which ends with the process. That is as quick in the
-/// middle of the longest loop, and of a read from a pipe that nobody writes, as between two stages, and no loop pays for it. Two things may not be left behind. A machine:
-/// while one is in hand the verb is waited for, for it brakes first. And a file under its temporary name: the file itself takes care of that
+/// <remarks>The stages change nothing but memory, so they need not end in order: the verb is left behind on its thread, which ends with the process. That is as quick in the
+/// middle of the longest loop, or of a read from a pipe without a writer, as between two stages, and no loop pays for it. Two things may not be left behind. A machine:
+/// while one is connected the verb is waited for, because it brakes first. And a file under its temporary name, which is deleted at the end of the process
 /// (<see cref="Engraver.Workbench.Files.OutputFile"/>).</remarks>
 internal static class StoppableVerb
 {
@@ -38,6 +38,6 @@ internal static class StoppableVerb
         return running.IsCompleted ? await running.ConfigureAwait(false) : throw new OperationCanceledException(stop);
     }
 
-    /// <summary>A verb computes at once and for long, and the pool may be busy.</summary>
+    /// <summary>Runs on a new thread, because a verb computes for long and the pool may be busy.</summary>
     private static Task<T> OnItsOwnThread<T>(Func<Task<T>> act) => Task.Factory.StartNew(act, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).Unwrap();
 }

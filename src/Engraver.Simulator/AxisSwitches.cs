@@ -10,8 +10,17 @@ public sealed record AxisSwitches(int Axis)
     /// <summary>The reverse limit switch is active at this position and below it; null when there is none.</summary>
     public int? ReverseLimitAt { get; init; }
 
-    /// <summary>The home switch is active at this position and above it; null when there is none.</summary>
+    /// <summary>The home switch is active at this position and above it, or below it (<see cref="IsHomeBelow"/>); null when there is none.</summary>
     public int? HomeAt { get; init; }
+
+    /// <summary>The home switch is active at <see cref="HomeAt"/> and below it.</summary>
+    public bool IsHomeBelow { get; init; }
+
+    /// <summary>How far the home switch reaches, counts from <see cref="HomeAt"/>: behind that it is not active any more.</summary>
+    public int HomeReach { get; init; } = int.MaxValue;
+
+    /// <summary>The home switch opens its input while it is active, whatever the limit switches do.</summary>
+    public bool IsHomeNormallyClosed { get; init; }
 
     /// <summary>Position of one index pulse of the encoder; the others follow every <see cref="IndexPeriod"/> counts.</summary>
     public int IndexAt { get; init; }

@@ -14,6 +14,7 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
     /// <summary>Where the commands of each handle print; collected together with the handle.</summary>
     private readonly ConditionalWeakTable<Handle, CommandContext> _contexts = [];
     private long _commands;
+    private TimeSpan _late;
 
     /// <summary>Replies that the fault plan delays are waiting to be sent.</summary>
     public bool HasLateReplies => _replies.AreWaiting;
@@ -35,7 +36,18 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
             }
         }
 
-        return Executed(handle, text);
+        if (machine.Faults.LosesCommand()) return default;
+        var reply = Executed(handle, text);
+        if (reply.Length > 0 && machine.Faults.LosesReply()) return default;
+        LateBy(machine.Faults.TakeDelay());
+        return reply;
+    }
+
+    /// <summary>Makes the answer late: by controller time where that is virtual or a host has the clock, otherwise by wall time.</summary>
+    private void LateBy(TimeSpan delay)
+    {
+        if (options.IsVirtual || clock.Hosts.AreThere) clock.Spend(delay);
+        else _late = delay;
     }
 
     string? ICommandSink.Refuse(Handle handle, int code)
@@ -85,6 +97,8 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
 
     bool ICommandSink.Arrived(Handle handle, byte value)
     {
+        machine.Faults.Arrived();
+        if (handle.IsClosed) return false;
         if (!handle.IsSerial) return true;
         clock.Spend(machine.Serial.ByteTime);
         if (machine.Serial.Echo) handle.Send([value]);
@@ -102,7 +116,12 @@ internal sealed class CommandDispatcher(Machine machine, ControllerClock clock, 
         }
     }
 
-    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes) => _replies.Send(handle, bytes);
+    void ICommandSink.Deliver(Handle handle, ReadOnlySpan<byte> bytes)
+    {
+        if (machine.Faults.TakeGarbage() is { Length: > 0 } garbage) _replies.Send(handle, garbage, TimeSpan.Zero);
+        (var late, _late) = (_late, TimeSpan.Zero);
+        _replies.Send(handle, bytes, late);
+    }
 
     void ICommandSink.Closed(Handle handle)
     {

@@ -133,16 +133,9 @@ internal sealed class ControllerCore : IDisposable
     {
         lock (_gate)
         {
-            CutLinks();
+            Machine.CutLinks();
             _status.Notify();
         }
-    }
-
-    private void CutLinks()
-    {
-        foreach (var handle in Machine.Handles.Open.ToArray()) handle.Cut();
-
-        Machine.Serial.Client?.Cut();
     }
 
     public void With(Action<Machine> action)
@@ -272,7 +265,7 @@ internal sealed class ControllerCore : IDisposable
         _nextTick = TimeSpan.MaxValue;
         _clock.Pace();
         _dispatcher.ReleaseReplies();
-        _clock.Look(_dispatcher.IsFrozen || _dispatcher.HasLateReplies || Machine.Handles.Open.Any(static handle => handle.IsMidCommand));
+        _clock.Look(_dispatcher.IsFrozen || _dispatcher.HasLateReplies || Machine.Faults.IsAnswerOwed || Machine.Handles.Open.Any(static handle => handle.IsMidCommand));
 
         _status.Notify();
         TickWithin(QuietTime());
@@ -283,7 +276,7 @@ internal sealed class ControllerCore : IDisposable
     {
         if (!_broken.TrySetException(new InvalidOperationException($"the simulated controller failed ({bug.GetType().Name}: {bug.Message}); every client was cut off", bug))) return;
         _ = _broken.Task.Exception; // marks the exception as observed: an owner that never awaits Broken causes no UnobservedTaskException
-        CutLinks();
+        Machine.CutLinks();
     }
 
     private void Happened()

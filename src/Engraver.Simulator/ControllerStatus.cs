@@ -9,6 +9,7 @@ namespace Engraver.Simulator;
 /// <param name="Outputs">Outputs 1 to 8, bit 0 is output 1.</param>
 /// <param name="Underruns">How often a sequence ran dry since power up.</param>
 /// <param name="OpenHandles">Handles in use.</param>
+/// <param name="SegmentsExecuted">Vector segments that were executed since power up, over all sequences.</param>
 public readonly record struct ControllerStatus(
     long Sample,
     bool IsMoving,
@@ -17,7 +18,8 @@ public readonly record struct ControllerStatus(
     int RunningThreads,
     byte Outputs,
     int Underruns,
-    int OpenHandles)
+    int OpenHandles,
+    long SegmentsExecuted)
 {
     /// <summary>Nothing moves, no sequence is open and no thread runs: only a command or an input can change anything.</summary>
     public bool IsIdle => !IsMoving && !IsSequenceOpen && RunningThreads == 0;

@@ -20,17 +20,26 @@ public sealed record FaultPlan
     /// <summary>Wall time by which every reply is delayed.</summary>
     public TimeSpan ReplyDelay { get; init; } = TimeSpan.Zero;
 
+    /// <summary>Faults that happen at a moment of the controller's clock, of the cutting or of the conversation.</summary>
+    public IReadOnlyList<ScheduledFault> Faults { get; init; } = [];
+
     /// <summary>
-    /// Reads a plan as written in a faults file: <c>{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],"freezeAfterCommands":99,"breakDownAtCommand":120,"replyDelay":"00:00:00.050"}</c>.
+    /// Reads a plan as written in a faults file: <c>{"refusals":[{"command":12,"tcCode":32}],"drops":[{"handle":0,"afterCommands":40}],"freezeAfterCommands":99,"breakDownAtCommand":120,"replyDelay":"00:00:00.050"}</c>;
+    /// with moments, <c>{"faults":[{"kind":"limitSwitch","atSeconds":1.5,"forSeconds":0.2,"axis":"A","forward":true},{"kind":"reset","atSegment":40},{"kind":"delay","atByte":900,"seconds":0.3}]}</c>.
     /// </summary>
     /// <exception cref="JsonException">The text is not a valid plan.</exception>
-    public static FaultPlan Parse(string json) =>
-        JsonSerializer.Deserialize<FaultPlan>(json, FileFormat) ?? throw new JsonException("A fault plan is an object.");
+    public static FaultPlan Parse(string json)
+    {
+        var plan = JsonSerializer.Deserialize<FaultPlan>(json, FileFormat) ?? throw new JsonException("A fault plan is an object.");
+        foreach (var fault in plan.Faults) fault.Check();
+        return plan;
+    }
 
     private static readonly JsonSerializerOptions FileFormat = new(JsonSerializerDefaults.Web)
     {
         RespectNullableAnnotations = true,
         UnmappedMemberHandling = System.Text.Json.Serialization.JsonUnmappedMemberHandling.Disallow,
+        Converters = { new System.Text.Json.Serialization.JsonStringEnumConverter<FaultKind>(JsonNamingPolicy.CamelCase, allowIntegerValues: false) },
     };
 
     internal int? RefusalOf(long command)

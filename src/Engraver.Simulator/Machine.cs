@@ -30,6 +30,7 @@ internal sealed class Machine
         Interpreter = new Interpreter(this);
         Messages = new MessageRouter(Handles, Serial, options);
         Burned = new BurnedState(this);
+        Faults = new FaultSchedule(this, options.Faults);
     }
 
     public SimulatorOptions Options { get; }
@@ -53,6 +54,9 @@ internal sealed class Machine
     public MessageRouter Messages { get; }
 
     public MotionRecord Record => _recorder.Record;
+
+    /// <summary>What goes wrong on purpose, at its moments.</summary>
+    public FaultSchedule Faults { get; }
 
     /// <summary>Changes from outside: input lines and characters on the serial port.</summary>
     public InputChanges Inputs { get; }
@@ -129,13 +133,13 @@ internal sealed class Machine
     public bool AwaitsSegments => Motion.Planes.Any(p => p.IsActive && !p.Buffer.IsClosed && !p.Profile.IsStopping) || Motion.Contour.AwaitsRecords;
 
     /// <summary>Nothing moves and no thread runs: only a command or an input can change anything.</summary>
-    public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn && !Capture.IsOn;
+    public bool IsDormant => !Motion.CanProgress && !Threads.AnyRunning && !Records.IsOn && !Capture.IsOn && Faults.NextDue == long.MaxValue;
 
     /// <summary>The first sample in which something can happen without a command or an input, while nothing moves; long.MaxValue when nothing can.</summary>
     public long QuietUntil => Math.Min(Threads.QuietUntil(Sample), NextSnapshot);
 
-    /// <summary>The sample in which the next data record or captured value is due.</summary>
-    private long NextSnapshot => Math.Min(Records.NextDue, Capture.NextDue);
+    /// <summary>The sample in which the next data record, captured value or fault is due.</summary>
+    private long NextSnapshot => Math.Min(Math.Min(Records.NextDue, Capture.NextDue), Math.Max(Faults.NextDue, Sample + 1));
 
     /// <summary>~a to ~h.</summary>
     public VariableAxes VariableAxes { get; } = new();
@@ -246,6 +250,23 @@ internal sealed class Machine
         if (Program.TryFind("AUTO", out var line0)) Threads[0].Start(line0, Sample);
     }
 
+    /// <summary>Cuts every link at once, as a pulled cable would.</summary>
+    public void CutLinks()
+    {
+        foreach (var handle in Handles.Open.ToArray()) handle.Cut();
+
+        Serial.Client?.Cut();
+    }
+
+    /// <summary>Off and on again: as RS, and the links and the clock of the controller begin anew. The motors stand where they stood, and are called 0.</summary>
+    public void PowerCycle()
+    {
+        CutLinks();
+        Reset();
+        _timeBefore = 0;
+        _timeSince = Sample;
+    }
+
     /// <summary>One sample, or a jump over samples in which nothing can happen.</summary>
     private void PassTowards(long lastSample)
     {
@@ -256,15 +277,17 @@ internal sealed class Machine
             Capture.Step();
             Threads.ForgetUnusedTime();
             _recorder.Rested();
+            Faults.Step();
             return;
         }
 
-        if (Options.JumpsSteadyMotion && _recorder.IsMoving && TryJump(lastSample)) return;
+        if (Options.JumpsSteadyMotion && !Faults.AwaitsSegment && _recorder.IsMoving && TryJump(lastSample)) return;
         Sample++;
         StepMotion();
         Threads.RunSample();
         Records.Step();
         Capture.Step();
+        Faults.Step();
     }
 
     /// <summary>Skips samples of constant speed in which no thread runs, nothing is recorded and no limit is reached; the sample after them is stepped like any other.</summary>

@@ -162,12 +162,7 @@ public sealed class SimulatedController : IAsyncDisposable
     public void SetLimitSwitch(int axis, bool forward, bool active)
     {
         RequireAxis(axis);
-        _core.With(m =>
-        {
-            var inputs = m.Motion.Axes[axis].Inputs;
-            if (forward) inputs.ForwardGrounded = active;
-            else inputs.ReverseGrounded = active;
-        });
+        _core.With(m => m.Motion.Axes[axis].Inputs.Ground(forward, active));
     }
 
     /// <summary>Grounds or opens the home input of axis 0 to 3 (A to D).</summary>
@@ -182,6 +177,32 @@ public sealed class SimulatedController : IAsyncDisposable
     {
         RequireAxis(axis);
         _core.With(m => m.Motion.Axes[axis].Motor.IsHeld = held);
+    }
+
+    /// <summary>Where the motor of axis 0 to 3 really stands, counts from where it stood at the first power up: DP, homing and power cycles change what that is called and not where it is.</summary>
+    public int MotorPlace(int axis) => (int)Math.Round(Axis(axis, static found => found.Motor.Position - found.Shift), MidpointRounding.AwayFromZero);
+
+    /// <summary>Where a position that the controller now calls so really is, counts from where axis 0 to 3 stood at the first power up.</summary>
+    public int PlaceOf(int axis, int position) => (int)Math.Round(Axis(axis, found => position - found.Shift), MidpointRounding.AwayFromZero);
+
+    /// <summary>One more fault beside those of the plan; its moment counts from power up, and one that is past happens at once.</summary>
+    /// <exception cref="System.Text.Json.JsonException">The fault makes no sense.</exception>
+    public void Schedule(ScheduledFault fault)
+    {
+        ArgumentNullException.ThrowIfNull(fault);
+        fault.Check();
+        _core.With(m => m.Faults.Add(fault));
+    }
+
+    /// <summary>Bytes of hosts that have arrived so far, over all links: the moment <see cref="ScheduledFault.AtByte"/> counts.</summary>
+    public long BytesArrived
+    {
+        get
+        {
+            var bytes = 0L;
+            _core.With(m => bytes = m.Faults.Bytes);
+            return bytes;
+        }
     }
 
     /// <summary>Sets input 1 to 8; an open input is true.</summary>
@@ -208,6 +229,14 @@ public sealed class SimulatedController : IAsyncDisposable
         foreach (var frontEnd in listening) await frontEnd.DisposeAsync().ConfigureAwait(false);
 
         _core.Dispose();
+    }
+
+    private double Axis(int axis, Func<Motion.Axis, double> value)
+    {
+        RequireAxis(axis);
+        var found = 0.0;
+        _core.With(m => found = value(m.Motion.Axes[axis]));
+        return found;
     }
 
     private static void RequireAxis(int axis)

@@ -44,6 +44,9 @@ public sealed record SimulatorOptions
     /// <summary>Time constant of the servo lag, by which the motors trail their commanded positions (galil-dmc.md I.14); zero is a perfect motor.</summary>
     public TimeSpan ServoLag { get; init; }
 
+    /// <summary>Letters of the axes whose encoder is wired against their motor: a servo there runs away until its motor type or its encoder type is reversed (galil-dmc.md C, MT and CE).</summary>
+    public string ReversedWiring { get; init; } = "";
+
     /// <summary>Positions of limit switches, home switches and index pulses. An axis left out has only the switches that are set by hand, and an index pulse every 4000 counts.</summary>
     public IReadOnlyList<AxisSwitches> Switches { get; init; } = [];
 

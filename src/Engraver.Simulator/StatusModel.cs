@@ -30,7 +30,8 @@ internal sealed class StatusModel(Machine machine)
             machine.Threads.Running,
             machine.Io.Outputs,
             planes[0].Underruns + planes[1].Underruns,
-            machine.Handles.Capacity - machine.Handles.Free);
+            machine.Handles.Capacity - machine.Handles.Free,
+            machine.Motion.SegmentsExecuted);
     }
 }
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using Avalonia;
 using Engraver.SoftwarePlatform;
 using Engraver.SoftwarePlatform.Headless;
+using Engraver.TestKit;
 
 namespace Engraver.App.Tests;
 
@@ -28,12 +29,13 @@ public sealed class DesktopFixture : IDisposable
     /// <param name="test">What the operator does.</param>
     /// <param name="folder">Where settings and journals are kept; null is a folder that is gone afterwards.</param>
     /// <param name="language">In which the window speaks; null is English.</param>
-    internal Task WithOperator(Action<Operator> test, string? folder = null, CultureInfo? language = null) => Runner.RunAsync(() =>
+    /// <param name="clock">By which machine and session go; it moves while the operator waits. Null is the wall's.</param>
+    internal Task WithOperator(Action<Operator> test, string? folder = null, CultureInfo? language = null, ManualTimeProvider? clock = null) => Runner.RunAsync(() =>
     {
         var spoken = CultureInfo.CurrentUICulture;
         CultureInfo.CurrentUICulture = language ?? spoken;
         var kept = folder ?? Directory.CreateTempSubdirectory("desktop-").FullName;
-        Operator = new Operator(this, kept);
+        Operator = new Operator(this, kept, clock);
         try
         {
             test(Operator);

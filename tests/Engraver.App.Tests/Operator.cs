@@ -1,6 +1,7 @@
 using Avalonia;
 using Avalonia.Controls;
 using Avalonia.Input;
+using Avalonia.Threading;
 using Avalonia.VisualTree;
 using Engraver.App.Desk;
 using Engraver.App.Platforms;
@@ -18,11 +19,14 @@ internal sealed class Operator
 {
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
     private readonly DesktopFixture _fixture;
+    private readonly PassingTime? _passing;
 
-    public Operator(DesktopFixture fixture, string folder)
+    /// <param name="clock">By which machine and session go, while the operator waits or steps; null is the wall's.</param>
+    public Operator(DesktopFixture fixture, string folder, ManualTimeProvider? clock = null)
     {
         _fixture = fixture;
-        Session = new DesktopSession(new CommandEnvironment { Folder = RepositoryFolder.Samples, SettingsFile = Path.Combine(folder, "desktop.json"), RunJournalFolder = folder }) { PlatformState = fixture.Regions };
+        _passing = clock is null ? null : new PassingTime(clock);
+        Session = new DesktopSession(new CommandEnvironment { Time = clock ?? TimeProvider.System, Folder = RepositoryFolder.Samples, SettingsFile = Path.Combine(folder, "desktop.json"), RunJournalFolder = folder }) { PlatformState = fixture.Regions };
         Window = ((App)Application.Current!).OpenShell(Session);
         Window.Opened += (_, _) => DesktopPlatform.WatchStop(Window, Session);
         Window.Show();
@@ -109,5 +113,32 @@ internal sealed class Operator
         Step();
         var leaving = Session.DisposeAsync().AsTask();
         Until(() => leaving.IsCompleted);
+        _passing?.Dispose();
+    }
+}
+
+/// <summary>Lets a clock of the test go on, twice as fast as the wall while the window's thread and the pool have time for it: it does not run away from a program that its computer holds up.</summary>
+internal sealed class PassingTime : IDisposable
+{
+    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(5);
+
+    /// <summary>Less than any wait of the program.</summary>
+    private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(10);
+
+    private readonly Timer _timer;
+    private int _isPosted;
+
+    public PassingTime(ManualTimeProvider clock) => _timer = new Timer(_ => Pass(clock), null, s_look, s_look);
+
+    public void Dispose() => _timer.Dispose();
+
+    private void Pass(ManualTimeProvider clock)
+    {
+        if (Interlocked.Exchange(ref _isPosted, 1) != 0) return;
+        Dispatcher.UIThread.Post(() =>
+        {
+            Volatile.Write(ref _isPosted, 0);
+            clock.Advance(s_moment);
+        });
     }
 }

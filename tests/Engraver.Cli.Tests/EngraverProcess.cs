@@ -12,6 +12,9 @@ internal sealed class EngraverProcess : IDisposable
 
     public int ExitCode => _process.ExitCode;
 
+    /// <summary>What is typed to it; nothing until then, and no end.</summary>
+    public StreamWriter In => _process.StandardInput;
+
     public StreamReader Out => _process.StandardOutput;
 
     public StreamReader Error => _process.StandardError;
@@ -28,7 +31,7 @@ internal sealed class EngraverProcess : IDisposable
 
     private static EngraverProcess Start(string command, IEnumerable<string> args, (string Name, string Value)? setting = null)
     {
-        var start = new ProcessStartInfo(command) { RedirectStandardOutput = true, RedirectStandardError = true, UseShellExecute = false };
+        var start = new ProcessStartInfo(command) { RedirectStandardInput = true, RedirectStandardOutput = true, RedirectStandardError = true, UseShellExecute = false };
         if (setting is { } variable) start.Environment[variable.Name] = variable.Value;
         foreach (var arg in args) start.ArgumentList.Add(arg);
         return new EngraverProcess(Process.Start(start) ?? throw new InvalidOperationException("dotnet did not start."));

@@ -1,10 +1,9 @@
-using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>A second reading of a DXF by the plainest code there is, to compare with the first: number of curves by type, total length, box. It shares nothing with the reader but the bytes.</summary>
+/// <summary>A second reading of a DXF file by code that is as simple as possible, to compare with that of the reader: number of curves by type, total length, box. It shares no code with the reader.</summary>
 /// <param name="Counts">Curves after block expansion by the type they were written as.</param>
 /// <param name="Length">Along the curves in space, drawing units.</param>
 /// <param name="Bounds">In plan; null when there is no curve with an extent.</param>
@@ -23,7 +22,7 @@ public sealed record CrossCheck(IReadOnlyDictionary<string, int> Counts, double 
         return new CrossCheck(tally.Counts, tally.Length, bounds) { Damage = CrossCheckDamage.In(new CrossCheckFile(file)) };
     }
 
-    /// <summary>A sentence for each figure in which the two readings differ; empty when they agree.</summary>
+    /// <summary>A sentence for each figure in which the two readings differ, and one for damage; empty when they agree.</summary>
     public IReadOnlyList<string> DifferencesFrom(DrawingSummary first)
     {
         var differences = new List<string>();
@@ -31,11 +30,11 @@ public sealed record CrossCheck(IReadOnlyDictionary<string, int> Counts, double 
         foreach (var type in counted.Keys.Union(Counts.Keys).Order(StringComparer.Ordinal))
         {
             var (one, two) = (counted.GetValueOrDefault(type), Counts.GetValueOrDefault(type));
-            if (one != two) differences.Add(Text($"{type}: {one} curves, the second reading has {two}"));
+            if (one != two) differences.Add(Wording.Get("CrossCheck.CurvesDiffer", type, one, two));
         }
 
-        if (!Near(first.Length.Total, Length, Math.Max(1.0, Length))) differences.Add(Text($"length: {first.Length.Total}, the second reading has {Length}"));
-        if (!Agree(first.Bounds, Bounds)) differences.Add(Text($"extents: {first.Bounds?.ToString() ?? "none"}, the second reading has {Bounds?.ToString() ?? "none"}"));
+        if (!Near(first.Length.Total, Length, Math.Max(1.0, Length))) differences.Add(Wording.Get("CrossCheck.LengthDiffers", first.Length.Total, Length));
+        if (!Agree(first.Bounds, Bounds)) differences.Add(Wording.Get("CrossCheck.ExtentsDiffer", Named(first.Bounds), Named(Bounds)));
         if (Damage is not null) differences.Add(Damage);
         return differences;
     }
@@ -49,5 +48,5 @@ public sealed record CrossCheck(IReadOnlyDictionary<string, int> Counts, double 
 
     private static bool Near(double one, double two, double size) => Math.Abs(one - two) <= Tolerance * size;
 
-    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+    private static string Named(Bounds2D? bounds) => bounds is { } box ? Wording.Get("CrossCheck.Extents", box.MinX, box.MinY, box.MaxX, box.MaxY) : Wording.Get("CrossCheck.NoExtents");
 }

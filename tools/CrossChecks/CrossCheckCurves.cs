@@ -1,6 +1,6 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>A record as smooth pieces. Null: no curve.</summary>
+/// <summary>Turns a record into smooth pieces of curves; null when it is no curve.</summary>
 internal static class CrossCheckCurves
 {
     public static List<CrossCheckPiece>? Read(CrossCheckRecord record) => record.Type switch
@@ -47,7 +47,7 @@ internal static class CrossCheckCurves
         return Round(CrossCheckFrame.World, record.Point(10), major, minor, start, Sweep(start, record.Number(42, Math.Tau), Math.Tau));
     }
 
-    /// <summary>Quarter turns or less of centre + u cos + v sin.</summary>
+    /// <summary>Divides the curve centre + u cos + v sin (angles in radians) into pieces of a quarter turn or less.</summary>
     private static List<CrossCheckPiece> Round(CrossCheckFrame frame, CrossCheckPoint centre, CrossCheckPoint u, CrossCheckPoint v, double start, double sweep)
     {
         var pieces = new List<CrossCheckPiece>();
@@ -98,7 +98,7 @@ internal static class CrossCheckCurves
         return pieces;
     }
 
-    /// <summary>The centre lies on the perpendicular of the chord, (1/b - b)/2 half chords to its left.</summary>
+    /// <summary>The arc of a bulge b: its centre lies on the perpendicular bisector of the chord, (1/b - b)/2 half chords to the left.</summary>
     private static List<CrossCheckPiece> Bulge(CrossCheckFrame frame, CrossCheckPoint a, CrossCheckPoint b, double bulge)
     {
         var (half, lift) = (0.5 * (b - a), ((1.0 / bulge) - bulge) / 2.0);
@@ -108,7 +108,7 @@ internal static class CrossCheckCurves
     }
 }
 
-/// <summary>A smooth piece of a curve: a function of 0 to 1, or the straight way between two points.</summary>
+/// <summary>A smooth piece of a curve: a function of a parameter from 0 to 1, or the straight line between two points.</summary>
 internal readonly struct CrossCheckPiece
 {
     private readonly CrossCheckPoint _from;

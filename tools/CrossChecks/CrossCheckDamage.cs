@@ -1,8 +1,6 @@
-using System.Globalization;
-
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Says where a record of the drawing may have been lost: the figures of a reading cannot show what both readings pass over. By rules of its own, not the reader's.</summary>
+/// <summary>Finds places of a file where a record of the drawing may have been lost, which the figures cannot show when both readings pass over it. Its rules are its own, not the reader's.</summary>
 internal sealed class CrossCheckDamage(CrossCheckFile file)
 {
     private const string Unknown = "?";
@@ -26,7 +24,7 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
     private int _count;
     private string _first = "";
 
-    /// <summary>How many such places there are and the first of them; null when there is none.</summary>
+    /// <summary>A phrase with the number of such places and the first of them; null when there is none.</summary>
     public static string? In(CrossCheckFile file)
     {
         var damage = new CrossCheckDamage(file);
@@ -35,12 +33,17 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
             if (!damage.Take(tag)) break;
         }
 
-        return damage._count == 0 ? null : string.Create(CultureInfo.InvariantCulture, $"{damage._count} {(damage._count == 1 ? "place" : "places")} where a record may be lost, the first {damage._first}");
+        return damage._count switch
+        {
+            0 => null,
+            1 => Wording.Get("CrossCheckDamage.OnePlace", damage._first),
+            _ => Wording.Get("CrossCheckDamage.SeveralPlaces", damage._count, damage._first),
+        };
     }
 
     private bool Take(CrossCheckTag tag)
     {
-        if (file.HasZero(tag)) Add(tag, "zero bytes");
+        if (file.HasZero(tag)) Add(tag, place => Wording.Get("CrossCheckDamage.ZeroBytes", place));
         if (tag.Code == CrossCheckFile.Damaged) TakeDamage(tag);
         else if (tag.Code == 0) return TakeRecord(tag);
         else TakeGroup(tag);
@@ -49,21 +52,21 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
 
     private void TakeDamage(CrossCheckTag tag)
     {
-        if (IsOfDrawing) Add(tag, "no group code");
+        if (IsOfDrawing) Add(tag, place => Wording.Get("CrossCheckDamage.NoGroupCode", place));
     }
 
     private bool IsOfDrawing => _section is "" or "ENTITIES" or "BLOCKS" or "TABLES";
 
     private bool TakeRecord(CrossCheckTag tag)
     {
-        if (_word && IsOfDrawing && (_layers > 1 || (_names > 1 && _type is ("LAYER" or "BLOCK")))) Add(tag, "two records in one");
+        if (_word && IsOfDrawing && (_layers > 1 || (_names > 1 && _type is ("LAYER" or "BLOCK")))) Add(tag, place => Wording.Get("CrossCheckDamage.TwoRecordsInOne", place));
         (_layers, _names, _word, _variables, _named) = (0, 0, false, false, false);
         _type = file.Text(tag).ToUpperInvariant();
         if (_type == "BLOCK") _inBlock = true;
         else if (_type == "ENDBLK") _inBlock = false;
         if (_type is "ENDSEC" or "SECTION") _section = "";
-        if (_type.Length == 0) Add(tag, "a record without a name");
-        if (IsMisplaced()) Add(tag, $"{_type} where it does not belong");
+        if (_type.Length == 0) Add(tag, place => Wording.Get("CrossCheckDamage.NamelessRecord", place));
+        if (IsMisplaced()) Add(tag, place => Wording.Get("CrossCheckDamage.MisplacedRecord", place, _type));
         return _type != "EOF";
     }
 
@@ -87,7 +90,7 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
         if (tag.Code == 2) _names++;
         if (tag.Code is > 0 and < 10) _word |= Drawn.Contains(file.Text(tag)) || Tables.Contains(file.Text(tag));
         _variables |= tag.Code == 9;
-        if (!_variables && IsForeign(tag.Code)) Add(tag, $"group {tag.Code} behind {_type}");
+        if (!_variables && IsForeign(tag.Code)) Add(tag, place => Wording.Get("CrossCheckDamage.ForeignGroup", place, tag.Code, _type));
     }
 
     private void Enter(string name)
@@ -96,7 +99,7 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
         _section = name is "HEADER" or "CLASSES" or "TABLES" or "BLOCKS" or "ENTITIES" or "OBJECTS" or "THUMBNAILIMAGE" or "ACDSDATA" ? name : Unknown;
     }
 
-    /// <summary>What the frame of a drawing does not have: coordinates, names, and in the head of a table what its entries have.</summary>
+    /// <summary>True for a group code that cannot follow a record of the file's structure (SECTION, ENDSEC, TABLE ...): coordinates, names, and in the head of a table the codes of its entries.</summary>
     private bool IsForeign(int code) => _type switch
     {
         "SECTION" => _section is "TABLES" or "BLOCKS" or "ENTITIES",
@@ -106,8 +109,9 @@ internal sealed class CrossCheckDamage(CrossCheckFile file)
         _ => false,
     };
 
-    private void Add(CrossCheckTag tag, string what)
+    /// <summary>Counts a place; only the first is put into words.</summary>
+    private void Add(CrossCheckTag tag, Func<string, string> name)
     {
-        if (_count++ == 0) _first = $"at {file.Place(tag)}: {what}";
+        if (_count++ == 0) _first = name(file.Place(tag));
     }
 }

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>A DXF cut into tags in the plainest way: two lines at a time, or a code and its bytes. Nothing is kept of a tag but its place. Shares nothing with the reader it checks.</summary>
+/// <summary>A DXF file cut into tags: two lines at a time, or in a binary file a code and its bytes. Of a tag only its place is kept. Shares no code with the reader that it checks.</summary>
 internal sealed class CrossCheckFile
 {
     private const string BinaryMark = "AutoCAD Binary DXF\r\n\u001A\0";
@@ -19,23 +19,23 @@ internal sealed class CrossCheckFile
         _bytes = wide is null ? file : Encoding.Latin1.GetBytes(wide.GetString(file).TrimStart('\uFEFF'));
     }
 
-    /// <summary>Code of a line that should be a group code and is none.</summary>
+    /// <summary>Code of the tag that stands for a line which should be a group code and is none.</summary>
     public const int Damaged = int.MinValue;
 
     public IEnumerable<CrossCheckTag> Tags => TagsAndDamage.Where(tag => tag.Code != Damaged);
 
-    /// <summary>The tags, and between them the lines that are passed over for they are no group codes.</summary>
+    /// <summary>The tags, and between them the lines that are skipped because they are no group codes (<see cref="Damaged"/>).</summary>
     public IEnumerable<CrossCheckTag> TagsAndDamage => _binary ? CrossCheckBinary.Tags(_bytes, BinaryMark.Length) : Ascii();
 
     /// <summary>True when a line of text has zero bytes in it: that part of the file was never written.</summary>
     public bool HasZero(CrossCheckTag tag) => !_binary && _bytes.AsSpan(tag.Start, tag.Length).Contains((byte)0);
 
-    /// <summary>The line of a tag's value, or its byte.</summary>
+    /// <summary>A phrase for the place of a tag's value: its line, in a binary file its byte.</summary>
     public string Place(CrossCheckTag tag)
     {
-        if (_binary) return string.Create(CultureInfo.InvariantCulture, $"byte {tag.Start}");
+        if (_binary) return Wording.Get("CrossCheckFile.Byte", tag.Start);
         var before = _bytes.AsSpan(0, tag.Start);
-        return string.Create(CultureInfo.InvariantCulture, $"line {Math.Max(before.Count((byte)'\n'), before.Count((byte)'\r')) + 1}");
+        return Wording.Get("CrossCheckFile.Line", Math.Max(before.Count((byte)'\n'), before.Count((byte)'\r')) + 1);
     }
 
     /// <summary>The value as a line of an ASCII file would have it.</summary>
@@ -45,14 +45,14 @@ internal sealed class CrossCheckFile
 
     public string Text(CrossCheckTag tag) => Encoding.Latin1.GetString(_bytes, tag.Start, tag.Length).Trim();
 
-    /// <summary>Not a number where the value is none as it stands: what the reader repairs is to show as a difference.</summary>
+    /// <summary>The value as a number, NaN when it is none: nothing is repaired, so that every repair of the reader shows as a difference.</summary>
     public double Number(CrossCheckTag tag)
     {
         if (_binary && CrossCheckBinary.SizeOf(tag.Code) > 0) return CrossCheckBinary.Number(_bytes, tag);
         return double.TryParse(_bytes.AsSpan(tag.Start, tag.Length), NumberStyles.Float, CultureInfo.InvariantCulture, out var number) ? number : double.NaN;
     }
 
-    /// <summary>A line that should be a code and is none is passed over alone: the next may be one.</summary>
+    /// <summary>The tags of a text file. A line that should be a code and is none is skipped alone, because the next may be one.</summary>
     private IEnumerable<CrossCheckTag> Ascii()
     {
         for (var at = 0; at < _bytes.Length;)

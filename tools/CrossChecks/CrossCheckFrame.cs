@@ -1,6 +1,6 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Where something is drawn: origin and three axes.</summary>
+/// <summary>A coordinate system: origin and three axes.</summary>
 internal readonly record struct CrossCheckFrame(CrossCheckPoint X, CrossCheckPoint Y, CrossCheckPoint Z, CrossCheckPoint Origin)
 {
     public static CrossCheckFrame World { get; } = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1), new(0, 0, 0));
@@ -25,7 +25,7 @@ internal readonly record struct CrossCheckFrame(CrossCheckPoint X, CrossCheckPoi
     public CrossCheckFrame Holding(CrossCheckFrame inner) => new(Direction(inner.X), Direction(inner.Y), Direction(inner.Z), At(inner.Origin));
 }
 
-/// <summary>A place in space.</summary>
+/// <summary>A point in space, drawing units.</summary>
 internal readonly record struct CrossCheckPoint(double X, double Y, double Z)
 {
     public static CrossCheckPoint operator +(CrossCheckPoint a, CrossCheckPoint b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);

@@ -1,6 +1,6 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>An INSERT being drawn: which copy of its block, and how far that has come.</summary>
+/// <summary>An INSERT being drawn: the copy of its block under way, and the next record of it.</summary>
 internal sealed class CrossCheckInsert
 {
     private const int MostOneWay = short.MaxValue;
@@ -30,7 +30,7 @@ internal sealed class CrossCheckInsert
 
     public long Copies { get; }
 
-    /// <summary>Where the copy under way lies.</summary>
+    /// <summary>The coordinate system of the copy under way.</summary>
     public CrossCheckFrame Frame { get; private set; }
 
     /// <summary>The next thing to draw; null when the last copy is complete.</summary>

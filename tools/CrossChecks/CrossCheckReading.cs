@@ -1,6 +1,6 @@
 namespace Engraver.Tools.CrossChecks;
 
-/// <summary>Keeps the blocks of a file, then goes through its entities and draws each at once: what stands in model space is never in memory as a whole.</summary>
+/// <summary>Keeps the blocks of a file, then goes through its entities and measures each at once, so that model space is never in memory as a whole.</summary>
 internal sealed class CrossCheckReading
 {
     private const int MostCurves = 10_000_000;
@@ -33,7 +33,7 @@ internal sealed class CrossCheckReading
 
     private void DrawEntities(CrossCheckFile file)
     {
-        CrossCheckRecord? waiting = null; // a POLYLINE until the last of its vertices
+        CrossCheckRecord? waiting = null; // the entity before, which is drawn when the next begins: a POLYLINE then has all its vertices
         foreach (var record in CrossCheckRecords.In(file, "ENTITIES"))
         {
             if (record.Type == "VERTEX")
@@ -79,7 +79,7 @@ internal sealed class CrossCheckReading
     private void Open(CrossCheckRecord record, CrossCheckFrame frame)
     {
         if (!_blocks.TryGetValue(record.Text(2), out var block)) return;
-        if (!_path.Add(block)) throw new CrossCheckException("blocks that contain themselves");
+        if (!_path.Add(block)) throw new CrossCheckException(Wording.Get("CrossCheckReading.NestedInItself"));
         var insert = new CrossCheckInsert(record, block, frame);
         Count(insert.Copies);
         _open.Push(insert);
@@ -87,7 +87,7 @@ internal sealed class CrossCheckReading
 
     private void Count(long more)
     {
-        if (_drawn + more > MostCurves) throw new CrossCheckException($"more than {MostCurves} curves and inserts");
+        if (_drawn + more > MostCurves) throw new CrossCheckException(Wording.Get("CrossCheckReading.TooManyCurves", MostCurves));
         _drawn += (int)more;
     }
 }

@@ -5,7 +5,7 @@ internal static class CrossCheckSplines
 {
     private const int LargestSystem = 3000;
 
-    /// <summary>Null for a spline of which no curve can be made.</summary>
+    /// <summary>The pieces of a spline; null when its data give no curve.</summary>
     public static List<CrossCheckPiece>? Read(CrossCheckRecord record)
     {
         var (controls, fits) = (Points(record, 10), Points(record, 11));
@@ -46,7 +46,7 @@ internal static class CrossCheckSplines
         return pieces;
     }
 
-    /// <summary>A knot that lies under the one before it by a thousand-millionth of their range was rounded.</summary>
+    /// <summary>Lifts a knot that lies below the one before it by at most 1e-9 of their range: it was rounded.</summary>
     private static void Climb(double[] knots)
     {
         for (var i = 1; i < knots.Length; i++)
@@ -81,7 +81,7 @@ internal static class CrossCheckSplines
         while (closed && points.Count > 1 && points[^1] == points[0]) points.RemoveAt(points.Count - 1);
         closed &= points.Count > 2;
         if (closed) points.Add(points[0]);
-        if (points.Count > LargestSystem) throw new CrossCheckException("a spline with too many fit points");
+        if (points.Count > LargestSystem) throw new CrossCheckException(Wording.Get("CrossCheckSplines.TooManyFitPoints"));
         if (points.Count < 2) return [];
         var h = Enumerable.Range(0, points.Count - 1).Select(i => points[i].To(points[i + 1])).ToArray();
         var slopes = Slopes(points, h, closed, Unit(record, 12), Unit(record, 13));
@@ -101,7 +101,7 @@ internal static class CrossCheckSplines
         return vector.To(default) is > 0.0 and var length ? (1.0 / length) * vector : null;
     }
 
-    /// <summary>Equal second derivatives at inner points; at the ends none, or the slope given; closed: the ends like an inner point.</summary>
+    /// <summary>The slopes at the fit points for which second derivatives are equal on both sides of inner points. At an end the second derivative is 0, or the slope is the given one; a closed spline has its ends joined like an inner point.</summary>
     private static CrossCheckPoint[] Slopes(List<CrossCheckPoint> points, double[] h, bool closed, CrossCheckPoint? start, CrossCheckPoint? end)
     {
         var n = points.Count;

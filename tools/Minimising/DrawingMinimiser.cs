@@ -6,7 +6,7 @@ namespace Engraver.Tools.Minimising;
 /// <summary>Shrinks a drawing that shows a fault: first whole records, then pairs, then single lines, then values. What is left is for a person to read.</summary>
 public static class DrawingMinimiser
 {
-    /// <summary>Enough for a drawing of some thousand records; a fault in one record takes some hundred.</summary>
+    /// <summary>Most trials: enough for a drawing of some thousand records; a fault in one record takes some hundred.</summary>
     public const int MostTrials = 20_000;
 
     private static readonly string[] SimplerValues = ["", "0", "1", "A"];
@@ -37,7 +37,7 @@ public static class DrawingMinimiser
         return Encoding.Latin1.GetBytes(string.Concat(binary.Tags.Select(tag => $"{tag.Code}\n{binary.Line(tag)}\n")));
     }
 
-    /// <summary>A fault of the binary form itself: runs of bytes.</summary>
+    /// <summary>Shrinks a file whose fault is in its binary form, by leaving out runs of bytes.</summary>
     private static byte[] OfBlocks(byte[] file, Predicate<byte[]> shows, Reduction reduction) =>
         [.. reduction.Reduce(file.ToList(), kept => shows([.. kept]))];
 
@@ -59,7 +59,7 @@ public static class DrawingMinimiser
 
     private static List<string[]> Pairs(List<string> lines) => [.. lines.Chunk(2)];
 
-    /// <summary>From one group code 0 to the next.</summary>
+    /// <summary>The lines divided into records, each from one group code 0 to the next.</summary>
     private static List<List<string>> Records(List<string> lines)
     {
         var records = new List<List<string>>();

@@ -1,14 +1,14 @@
 namespace Engraver.Tools.Minimising;
 
 /// <summary>Delta debugging (Zeller, Hildebrandt 2002): leaves out ever smaller runs of items as long as the fault still shows.</summary>
-/// <param name="mostTrials">How often the fault may be looked for in all.</param>
+/// <param name="mostTrials">Most trials in all.</param>
 internal sealed class Reduction(int mostTrials, CancellationToken cancellation)
 {
     public int Trials { get; private set; }
 
     public bool IsExhausted => Trials >= mostTrials;
 
-    /// <summary>A shortest list that can be reached by leaving out runs; the order stays. Deterministic.</summary>
+    /// <summary>A list that still shows the fault and from which no single item can be left out, unless the trials are used up; the order stays. Deterministic.</summary>
     public List<T> Reduce<T>(List<T> items, Func<IReadOnlyList<T>, bool> shows)
     {
         for (var run = Math.Max(1, items.Count / 2); items.Count > 0;)
@@ -22,7 +22,7 @@ internal sealed class Reduction(int mostTrials, CancellationToken cancellation)
         return items;
     }
 
-    /// <summary>One look for the fault, counted; false once the trials are used up.</summary>
+    /// <summary>Runs one counted trial; false when the fault does not show, or the trials are used up.</summary>
     public bool Try(Func<bool> shows)
     {
         cancellation.ThrowIfCancellationRequested();

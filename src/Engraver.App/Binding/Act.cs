@@ -2,7 +2,7 @@ using System.Windows.Input;
 
 namespace Engraver.App.Binding;
 
-/// <summary>Something a button or a menu item does.</summary>
+/// <summary>The command (in Avalonia's sense) of a button or a menu item.</summary>
 public sealed class Act(Action<object?> what, Func<bool>? possible = null) : ICommand
 {
     public Act(Action what, Func<bool>? possible = null)
@@ -16,6 +16,6 @@ public sealed class Act(Action<object?> what, Func<bool>? possible = null) : ICo
 
     public void Execute(object? parameter) => what(parameter);
 
-    /// <summary>Asks everyone who shows it to look again whether it is possible.</summary>
+    /// <summary>Lets buttons and menu items look again whether it is possible.</summary>
     public void Reconsider() => CanExecuteChanged?.Invoke(this, EventArgs.Empty);
 }

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace Engraver.App.Binding;
 
-/// <summary>State for one view; tells when it has changed. UI thread only.</summary>
+/// <summary>State for one view, which raises an event when it has changed. UI thread only.</summary>
 public abstract class Observable : INotifyPropertyChanged
 {
     public event PropertyChangedEventHandler? PropertyChanged;

@@ -35,10 +35,10 @@ internal sealed class CanvasCursor : Control
 
     public SelectionBox? Box { get; set; }
 
-    /// <summary>From the point before to the place that a click means.</summary>
+    /// <summary>From the point before to the place that a click gives; null for no line.</summary>
     public (Point From, Point To)? Line { get; set; }
 
-    /// <summary>What stands beside the crosshair; empty for nothing.</summary>
+    /// <summary>The text beside the crosshair; empty for none.</summary>
     public string Tip { get; set; } = "";
 
     public (Point Place, SnapKinds Kind)? Snap { get; set; }

@@ -25,7 +25,7 @@ internal sealed class CanvasPicture(PictureKeeper keeper) : Control
         }
     }
 
-    /// <summary>The picture as it can be shown now, in the bitmap that is not on the screen.</summary>
+    /// <summary>Writes the picture as it can be shown now into the bitmap that is not on the screen.</summary>
     private WriteableBitmap Written(PixelSize size)
     {
         _next = 1 - _next;

@@ -11,7 +11,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The visual between picture and cursor: hovered entity, the one under the tool, grips, the tool, the place pointed at, and the UCS icon.</summary>
+/// <summary>The visual between picture and cursor: hovered entity, the entity under the tool, grips, the tool, the marked place, and the UCS icon.</summary>
 internal sealed class CanvasSigns : Control
 {
     private const int MostGripEntities = 100;

@@ -4,20 +4,20 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>What stands beside the crosshair while a command asks for a place: the question, and where the cursor is.</summary>
+/// <summary>The text beside the crosshair while a command asks for a place: the instruction, and figures of where the cursor is.</summary>
 internal static class CursorTip
 {
     /// <param name="asked">The instruction of the command; empty for none.</param>
     /// <param name="place">Where a click would be, drawing units.</param>
     public static string Format(string asked, PointAim aim, Point2D place) => aim.Use == PointUse.Object ? asked : $"{asked}\n{Figures(aim, place)}".TrimStart('\n');
 
-    /// <summary>Coordinates of a place that stands alone, sides of a box, distance and angle (degrees, counter-clockwise from +X) of a way.</summary>
+    /// <summary>Coordinates of a place that stands alone, sides of a box, else distance and angle (degrees, counter-clockwise from +X) from the point before.</summary>
     private static string Figures(PointAim aim, Point2D place)
     {
         if (aim.From is not { } from) return string.Create(CultureInfo.InvariantCulture, $"{place.X:0.0000}, {place.Y:0.0000}");
-        var way = place - from;
+        var offset = place - from;
         return aim.Use == PointUse.Corner
-            ? string.Create(CultureInfo.InvariantCulture, $"{Math.Abs(way.X):0.0000} x {Math.Abs(way.Y):0.0000}")
-            : string.Create(CultureInfo.InvariantCulture, $"{way.Length:0.0000} < {(way.Length > 0.0 ? way.Direction.Positive().Degrees : 0.0):0.00}\u00B0");
+            ? string.Create(CultureInfo.InvariantCulture, $"{Math.Abs(offset.X):0.0000} x {Math.Abs(offset.Y):0.0000}")
+            : string.Create(CultureInfo.InvariantCulture, $"{offset.Length:0.0000} < {(offset.Length > 0.0 ? offset.Direction.Positive().Degrees : 0.0):0.00}\u00B0");
     }
 }

@@ -6,15 +6,15 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>Where the cursor points, and what helps to point there: pickbox, object snaps, snap raster, ORTHO, the line or box from the point before, and what is told beside the crosshair.</summary>
+/// <summary>Where the cursor points, and the drafting aids: pickbox, object snaps, snap raster, ORTHO, the line or box from the point before, and the text beside the crosshair.</summary>
 public sealed partial class DrawingCanvas
 {
     private PointAim? _aim;
 
-    /// <summary>Half the side of the box in which object snaps are found.</summary>
+    /// <summary>Half the side of the box in which object snaps are found, units of the control (APERTURE).</summary>
     public double Aperture { get; set; } = 10.0;
 
-    /// <summary>What stands beside the crosshair; empty for nothing.</summary>
+    /// <summary>The text beside the crosshair; empty for none.</summary>
     internal string Tip => _cursor.Tip;
 
     /// <summary>The box from the first corner that a command has to the cursor, or the one that is being drawn; units of the control.</summary>
@@ -24,7 +24,7 @@ public sealed partial class DrawingCanvas
 
     private bool AsksForPlace => _aim is not (null or { Use: PointUse.Object });
 
-    /// <summary>A command may ask for something else now: the cursor shows it without waiting for the hand.</summary>
+    /// <summary>Looks what the command asks for now, so that the cursor shows it before the mouse moves.</summary>
     public void TakeAim()
     {
         if (LookWhatIsAsked()) PointAgain();
@@ -33,7 +33,7 @@ public sealed partial class DrawingCanvas
     /// <summary>The entity under the pickbox when it stands here (units of the control); null: none.</summary>
     internal int? EntityAt(Point2D at) => Scene is { } scene ? ScenePick.Nearest(scene, ToDrawing(at), PickBox * UnitsPerPoint) : null;
 
-    /// <returns>True when it is something else than before.</returns>
+    /// <returns>True when the command asks for something else than before.</returns>
     private bool LookWhatIsAsked()
     {
         var before = _aim;
@@ -64,7 +64,7 @@ public sealed partial class DrawingCanvas
         Commands?.CursorAt(Aimed(at));
     }
 
-    /// <summary>The drawing moved under the cursor, or something else is asked or helps to point.</summary>
+    /// <summary>Points again after the drawing moved under the cursor, the command asks for something else, or a drafting aid changed.</summary>
     private void PointAgain()
     {
         if (_cursor.Place is { } at) Hover(new Point2D(at.X, at.Y));
@@ -82,10 +82,10 @@ public sealed partial class DrawingCanvas
         _cursor.InvalidateVisual();
     }
 
-    /// <summary>The place that a click here means.</summary>
+    /// <summary>The place that a click here gives, drawing units.</summary>
     private Point2D Aimed(Point2D at) => _aim is { Use: PointUse.Place } aim ? Snapped(at, aim.From) : ToDrawing(at);
 
-    /// <summary>The object snap, else the snap raster, else the place itself; with ORTHO straight across or up from the point before, unless an object snap stands.</summary>
+    /// <summary>The object snap, else the snap raster, else the place itself. With ORTHO the place is level with or upright to the point before, unless an object snap is found.</summary>
     private Point2D Snapped(Point2D at, Point2D? from)
     {
         if (SnapAt(at) is { } snap) return snap.Place;

@@ -14,7 +14,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>The drawing and the path on the screen. It draws, finds and points; what a click means is decided by <see cref="Commands"/>, what is seen by <see cref="View"/>.</summary>
+/// <summary>The control that shows drawing and path. It draws, picks and snaps; <see cref="Commands"/> decides what a click does, <see cref="View"/> which part is seen.</summary>
 public sealed partial class DrawingCanvas : Panel
 {
     public static readonly StyledProperty<CanvasScene?> SceneProperty = AvaloniaProperty.Register<DrawingCanvas, CanvasScene?>(nameof(Scene));
@@ -48,14 +48,14 @@ public sealed partial class DrawingCanvas : Panel
         set => SetValue(SceneProperty, value);
     }
 
-    /// <summary>What the prepared job adds; null: nothing.</summary>
+    /// <summary>The overlays of the prepared job; null: none.</summary>
     public OverlayScene? Overlay
     {
         get => GetValue(OverlayProperty);
         set => SetValue(OverlayProperty, value);
     }
 
-    /// <summary>What is looked at, and which layers of meaning are shown.</summary>
+    /// <summary>The part of the drawing that is seen, and which overlays are shown.</summary>
     public ViewSession? View
     {
         get => GetValue(ViewProperty);
@@ -90,13 +90,13 @@ public sealed partial class DrawingCanvas : Panel
         set => SetValue(EngravedMovesProperty, value);
     }
 
-    /// <summary>Who is told what the operator does; null: nobody, the canvas only looks.</summary>
+    /// <summary>Takes what the operator does on the canvas; null: the canvas only shows.</summary>
     public ICanvasCommands? Commands { get; set; }
 
-    /// <summary>What is drawn is what is wanted: nothing is being refined.</summary>
+    /// <summary>True when the finished picture shows what is wanted, so that none is being drawn.</summary>
     public bool IsFresh => _keeper.IsFresh;
 
-    /// <summary>How long nothing must move until the picture is drawn anew.</summary>
+    /// <summary>How long the view must rest before the picture is drawn anew.</summary>
     internal TimeSpan Stillness
     {
         get => _refiner.Stillness;
@@ -111,7 +111,7 @@ public sealed partial class DrawingCanvas : Panel
 
     private double Scaling => TopLevel.GetTopLevel(this)?.RenderScaling ?? 1.0;
 
-    /// <summary>Draws the wanted picture now instead of when the hand is still: for pictures that are kept and for tests.</summary>
+    /// <summary>Draws the wanted picture now, without waiting until the mouse rests: for screenshots and tests.</summary>
     public void RefineNow()
     {
         UpdateView();
@@ -212,7 +212,7 @@ public sealed partial class DrawingCanvas : Panel
         _cursor.InvalidateVisual();
     }
 
-    /// <summary>The selection as flags; the same array while the selection is the same list, so that nothing is drawn again for nothing.</summary>
+    /// <summary>The selection as flags by entity; the same array while the selection is the same list, so that nothing is drawn again without need.</summary>
     private bool[]? Flags(CanvasScene? scene, IReadOnlyList<int>? selection)
     {
         if (scene is null || selection is not { Count: > 0 }) return null;

@@ -3,10 +3,10 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.App.Canvas;
 
-/// <summary>What the operator does on the canvas, in terms of the document: the shell connects it to the command session. Drawing units.</summary>
+/// <summary>Takes what the operator does on the canvas and turns it into inputs of the command session. Drawing units.</summary>
 public interface ICanvasCommands
 {
-    /// <summary>What a command asks to be pointed at: clicks give points and pick nothing; null when none asks.</summary>
+    /// <summary>What the running command wants to be pointed at: clicks then give points and pick nothing; null when none asks.</summary>
     PointAim? Aim { get; }
 
     /// <summary>The instruction of the command that asks.</summary>

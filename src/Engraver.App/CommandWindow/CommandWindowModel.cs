@@ -119,7 +119,7 @@ public sealed class CommandWindowModel : Observable
         _ = _desk.CancelAsync();
     }
 
-    /// <summary>Inside another command the name keeps the apostrophe before it.</summary>
+    /// <summary>The name of a suggested command, with the apostrophe before it where one was typed.</summary>
     private string Named(CommandSuggestion suggestion) => (Line.StartsWith('\'') ? "'" : "") + suggestion.Command.Name;
 
     private void Recall(string line)

@@ -44,7 +44,7 @@ public partial class CommandWindowView : UserControl
     {
         var clipboard = TopLevel.GetTopLevel(this)?.Clipboard;
         if (clipboard is null || await clipboard.TryGetTextAsync() is not { Length: > 0 } text) return;
-        var line = text.TrimEnd('\r', '\n'); // one line is one, with its end or without: a file name may hold spaces
+        var line = text.TrimEnd('\r', '\n'); // a single line, with its line end or without, is typed and not run: a file name may hold spaces
         if (line.AsSpan().ContainsAny('\r', '\n'))
         {
             Model.Paste(text);
@@ -89,7 +89,7 @@ public partial class CommandWindowView : UserControl
         e.Handled = true;
     }
 
-    /// <summary>Left to itself the box would take the first line and drop the others.</summary>
+    /// <summary>Takes over pasting from the text box, which would take the first line and drop the others.</summary>
     private void OnPasting(object? sender, RoutedEventArgs e)
     {
         e.Handled = true;
@@ -101,7 +101,7 @@ public partial class CommandWindowView : UserControl
         if ((e.Source as Control)?.DataContext is CommandSuggestion suggestion) Model.Take(suggestion);
     }
 
-    /// <summary>The last line is always seen, also when the room for the lines changes; however many lines come at once, one scroll follows.</summary>
+    /// <summary>Scrolls to the last line, also when the room for the lines changes, once for any number of new lines.</summary>
     private void OnHistory(object? sender, EventArgs e)
     {
         if (_scrolling) return;

@@ -5,7 +5,7 @@ namespace Engraver.App.CommandWindow;
 /// <summary>A line of the history as it is shown; a message of several lines becomes several.</summary>
 public sealed record HistoryLine(MessageKind Kind, string Text)
 {
-    /// <summary>A result of a million lines is not for reading in a window.</summary>
+    /// <summary>Most lines of one message that are shown; nobody reads a million lines in a window.</summary>
     private const int MostLinesOfOneMessage = 2000;
 
     public bool IsError => Kind == MessageKind.Error;

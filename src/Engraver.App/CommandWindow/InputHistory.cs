@@ -1,6 +1,6 @@
 namespace Engraver.App.CommandWindow;
 
-/// <summary>What was typed before, for the Up and Down keys. Walking back keeps what stood in the line and gives it back at the end.</summary>
+/// <summary>What was typed before, for the Up and Down keys. The text in the line before the first Up is kept and comes back after the last entry.</summary>
 public sealed class InputHistory
 {
     private readonly List<string> _inputs = [];

@@ -6,7 +6,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.App.Connections;
 
-/// <summary>The sheet that asks where the controller is. What it gives is the text of CNCCONNECT, and that is all it does.</summary>
+/// <summary>The sheet that asks where the controller is. Its only result is the address with which CNCCONNECT is run.</summary>
 public sealed class ConnectModel : Observable
 {
     private const double PlainSpeed = 1.0;
@@ -61,7 +61,7 @@ public sealed class ConnectModel : Observable
         set => Choose(value, LinkKind.Serial);
     }
 
-    /// <summary>The simulated controller does not wait for its own motion.</summary>
+    /// <summary>True: the simulated controller computes its motion as fast as it can (speed max).</summary>
     public bool AtOnce
     {
         get => _atOnce;
@@ -99,7 +99,7 @@ public sealed class ConnectModel : Observable
         set => Change(ref _flow, value ?? Flows[0]);
     }
 
-    /// <summary>What CNCCONNECT is given.</summary>
+    /// <summary>The address that CNCCONNECT is given.</summary>
     public string Address => _kind switch
     {
         LinkKind.Network => $"tcp://{Host.Trim()}:{Port.Trim()}",
@@ -107,7 +107,7 @@ public sealed class ConnectModel : Observable
         _ => AtOnce ? "sim:?speed=max" : "sim:?speed=1",
     };
 
-    /// <summary>What would be typed, or what is missing.</summary>
+    /// <summary>The line that would be typed at the command line, or what is missing.</summary>
     public string Typed => IsAddress ? Text.Get("Connect.Typed", Address) : Text.Get("Connect.Missing");
 
     private bool IsAddress => ControllerAddress.TryParse(Address, out _);
@@ -156,8 +156,8 @@ public sealed class ConnectModel : Observable
     }
 }
 
-/// <summary>A way of flow control to choose.</summary>
-/// <param name="Word">As it stands in an address.</param>
+/// <summary>A kind of flow control to choose.</summary>
+/// <param name="Word">As it is written in an address.</param>
 public sealed record FlowChoice(SerialFlow Flow, string Word)
 {
     public string Name => Text.Get("Flow." + Flow);
@@ -165,7 +165,7 @@ public sealed record FlowChoice(SerialFlow Flow, string Word)
     public override string ToString() => Name;
 }
 
-/// <summary>The ways to a controller that the sheet offers.</summary>
+/// <summary>The kinds of links that the sheet offers.</summary>
 public enum LinkKind
 {
     /// <summary>The controller that lives in this program.</summary>

@@ -22,7 +22,7 @@ public sealed class ContourRow(SequencedStroke stroke) : IEquatable<ContourRow>
     /// <summary>Number of the contour around it; empty for none.</summary>
     public string Inside => stroke.Inside < 0 ? "" : (stroke.Inside + 1).ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>Way round of a closed contour, heading of an open one, as an arrow.</summary>
+    /// <summary>An arrow: the sense of a closed contour (counter-clockwise or clockwise), the direction of an open one.</summary>
     public string Direction => stroke.Closed ? (SignedArea() >= 0.0 ? "↺" : "↻") : "→";
 
     public bool Equals(ContourRow? other) => other is not null && other.Index == Index;

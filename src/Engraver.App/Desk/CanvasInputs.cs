@@ -1,4 +1,5 @@
 using Engraver.App.Canvas.Overlays;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Documents;
@@ -6,10 +7,10 @@ using Engraver.Workbench.Playback;
 
 namespace Engraver.App.Desk;
 
-/// <summary>What the layers of meaning show besides the job: planned speeds, places of findings. For a thread of the pool.</summary>
+/// <summary>Computes what the overlays show besides the job: planned speeds, places of findings. For a thread of the pool.</summary>
 internal static class CanvasInputs
 {
-    /// <summary>A picture of more moves is read at a glance, not by speed.</summary>
+    /// <summary>Most moves for which speeds are computed; in a picture of more of them the colours cannot be told apart.</summary>
     private const int MostSpeeds = 200_000;
 
     /// <summary>Handles are searched for one by one; more marks than this cover each other anyway.</summary>
@@ -40,9 +41,14 @@ internal static class CanvasInputs
     private static List<Point2D> PlacesOf(DerivedDocument derived, Drawing drawing)
     {
         var places = new List<Point2D>();
+        var unit = (derived.State.Settings.Unit ?? drawing.Unit).ToMillimetres;
         foreach (var finding in derived.Findings.Take(MostFindings))
         {
-            if (finding.Source.Handle is { } handle && drawing.IndexOfHandle(handle) is { } entity && drawing.Entities[entity].PartCount > 0) places.Add(drawing.SegmentOf(drawing.Parts[drawing.Entities[entity].FirstPart]).Start);
+            if (finding.Place is { } place)
+            {
+                if (finding.Id != SequencingRules.SmallGap.Id) places.Add(new Point2D(place.X / unit, place.Y / unit)); // the gaps of the job come by themselves
+            }
+            else if (finding.Source.Handle is { } handle && drawing.IndexOfHandle(handle) is { } entity && drawing.Entities[entity].PartCount > 0) places.Add(drawing.SegmentOf(drawing.Parts[drawing.Entities[entity].FirstPart]).Start);
         }
 
         return places;

@@ -17,6 +17,7 @@ public sealed class CanvasSource
     private readonly DrawingCanvas _canvas;
     private Drawing? _drawing;
     private PreparedJob? _job;
+    private MachineOverlay? _machine;
     private bool _machineLeads;
 
     public CanvasSource(DesktopModel desk, DrawingCanvas canvas)
@@ -28,7 +29,7 @@ public sealed class CanvasSource
         Look();
     }
 
-    /// <summary>Ends when the drawing and the job that are there now are shown.</summary>
+    /// <summary>Completes when the present drawing and job are shown.</summary>
     public Task Shown { get; private set; } = Task.CompletedTask;
 
     /// <summary>What is shown is what the document and its derivation hold now; false while word of a change is still on its way to the window.</summary>
@@ -40,6 +41,7 @@ public sealed class CanvasSource
         if (!ReferenceEquals(state.Drawing, _drawing)) Shown = Task.WhenAll(Shown, ShowDrawingAsync(_drawing = state.Drawing));
         if (!ReferenceEquals(_desk.Derived.Job, _job)) Shown = Task.WhenAll(Shown, ShowJobAsync(_job = _desk.Derived.Job));
         if (!ReferenceEquals(_canvas.Selection, state.Selection)) _canvas.Selection = state.Selection;
+        ShowMachine();
         TakeVariables(_desk.Session.Settings.Current);
         _canvas.TakeAim();
         ShowTool();
@@ -63,8 +65,18 @@ public sealed class CanvasSource
     private async Task ShowJobAsync(PreparedJob? job)
     {
         var derived = _desk.Derived.Current;
-        var overlay = job is null ? null : await Task.Run(() => OverlayScene.From(job, CanvasInputs.From(derived)));
+        var machine = _machine = MachineOverlay.Of(job, _desk.Session.Machine, _desk.Session.Settings.Current.TraceColour());
+        var overlay = job is null ? null : await Task.Run(() => OverlayScene.From(job, machine.Over(CanvasInputs.From(derived))));
         if (ReferenceEquals(job, _job)) _canvas.Overlay = overlay;
+    }
+
+    /// <summary>The machine has another origin, another run is recorded or grows, or its colour tells something else.</summary>
+    private void ShowMachine()
+    {
+        var now = MachineOverlay.Of(_job, _desk.Session.Machine, _desk.Session.Settings.Current.TraceColour());
+        if (now == _machine || _canvas.Overlay is not { } overlay || !Shown.IsCompleted) return;
+        _machine = now;
+        _canvas.Overlay = overlay.WithMachine(now.Over(OverlayInputs.None));
     }
 
     private void OnPlaybackMoved()
@@ -77,12 +89,12 @@ public sealed class CanvasSource
     private void ShowTool()
     {
         var status = _desk.Session.Machine.Status;
-        var runs = status.State is MachineState.Running or MachineState.Stopping;
+        var runs = status.State.IsJob();
         _machineLeads = runs || (_machineLeads && status.WorkPosition is not null);
         var place = _machineLeads ? status.WorkPosition : _desk.Derived.Moment?.Position;
         _canvas.ToolPosition = place is { } at && _drawing is { } drawing ? new Point2D(at.X / drawing.Unit.ToMillimetres, at.Y / drawing.Unit.ToMillimetres) : null;
         _canvas.Highlight = _machineLeads ? null : _desk.Derived.Moment?.Entity is >= 0 and var entity ? entity : null;
-        _canvas.EngravedMoves = MovesDone(status.Progress?.SegmentsDone ?? 0);
+        _canvas.EngravedMoves = MovesDone((status.IsDryRun ? 0 : status.Progress?.SegmentsDone) ?? _desk.Session.Machine.Part?.Shown.Segments ?? 0);
     }
 
     /// <summary>A row of the table is one move of the job, a segment of the controller a part of one.</summary>

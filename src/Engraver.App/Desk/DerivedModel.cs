@@ -14,7 +14,7 @@ public sealed class DerivedModel(CommandSession session)
     private PostedLines _lines = PostedLines.None;
     private int? _segmentsDone;
 
-    /// <summary>The tool of the playback stands somewhere else.</summary>
+    /// <summary>Raised after the tool of the playback has moved.</summary>
     public event Action? Moved;
 
     /// <summary>The playback follows a job that runs on the machine.</summary>
@@ -35,7 +35,7 @@ public sealed class DerivedModel(CommandSession session)
 
     public double AtSeconds => Moment?.Seconds ?? 0.0;
 
-    /// <summary>What the tool does where it stands; null without a plan.</summary>
+    /// <summary>What the tool of the playback does at its place; null without a plan.</summary>
     public PlaybackMoment? Moment { get; private set; }
 
     /// <summary>Row of the sequenced table; -1 for none.</summary>
@@ -75,7 +75,10 @@ public sealed class DerivedModel(CommandSession session)
     public double SecondsLeft(int segmentsDone, int segmentCount) =>
         Current.Motion is { } motion && segmentsDone < Math.Min(segmentCount, motion.SegmentCount) ? (motion.DurationSeconds - motion.TimeOfSegment(segmentsDone)) * PlannedSeconds / motion.DurationSeconds : 0.0;
 
-    /// <summary>Takes what is there now.</summary>
+    /// <summary>How much longer the plan takes under overrides; less than 1 for shorter.</summary>
+    public double TimeUnder(double feed, double rapid) => Current.Plan is { Total: > 0.0 } plan ? plan.Under(feed, rapid) / plan.Total : 1.0;
+
+    /// <summary>Takes the present state of derivation and playback.</summary>
     internal void Look()
     {
         Current = session.Derivation.Current;
@@ -99,7 +102,7 @@ public sealed class DerivedModel(CommandSession session)
     private bool FollowMachine()
     {
         var status = session.Machine.Status;
-        var runs = status.State is MachineState.Running or MachineState.Stopping;
+        var runs = status.State.IsJob();
         if (!runs && !FollowsMachine) return false;
         if (Current.Motion is not { } motion || status.Progress is not { } told || told.SegmentCount != motion.SegmentCount || told.SegmentsDone == _segmentsDone) return runs;
         if (!FollowsMachine) session.Playback.Pause();

@@ -9,7 +9,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Desk;
 
-/// <summary>Between the windows and the one command session: inputs go to it one after the other on a thread of their own, what it tells comes back on the UI thread. Decides nothing.</summary>
+/// <summary>Connects the window with the command session: inputs go to it one after the other on a thread of their own, its events come back on the UI thread. Decides nothing.</summary>
 /// <remarks>All members are for the UI thread, <see cref="StopNow"/> for any.</remarks>
 public sealed class DesktopModel : IAsyncDisposable
 {
@@ -45,10 +45,10 @@ public sealed class DesktopModel : IAsyncDisposable
     /// <summary>Lines of the history that are new.</summary>
     public event Action<IReadOnlyList<CommandMessage>>? Said;
 
-    /// <summary>The session stands otherwise than before: prompt, document or machine.</summary>
+    /// <summary>Raised after prompt, document or machine have changed.</summary>
     public event Action? Changed;
 
-    /// <summary>An input has failed in a way that no command expects.</summary>
+    /// <summary>Raised when an input has failed by an exception that no command expects.</summary>
     public event Action<Exception>? Failed;
 
     public CommandSession Session { get; }
@@ -58,7 +58,7 @@ public sealed class DesktopModel : IAsyncDisposable
     /// <summary>What follows from the document.</summary>
     public DerivedModel Derived { get; }
 
-    /// <summary>What is waited for, as of the last change.</summary>
+    /// <summary>The prompt, as of the last change.</summary>
     public PromptView Prompt { get; private set; }
 
     /// <summary>True while an input is being worked on.</summary>
@@ -67,11 +67,11 @@ public sealed class DesktopModel : IAsyncDisposable
     /// <summary>True while a job runs or anything of the machine moves.</summary>
     public bool IsMoving => Moves(Session.Machine);
 
-    /// <summary>Ends when everything that was entered so far is through.</summary>
+    /// <summary>Completes when all inputs so far have been worked on.</summary>
     public Task Idle => _feeding;
 
     /// <summary>True while a job runs or anything moves; from any thread.</summary>
-    public static bool Moves(MachineSession machine) => machine.IsRunning || machine.Status.State is MachineState.Running or MachineState.Stopping or MachineState.Busy;
+    public static bool Moves(MachineSession machine) => machine.IsRunning || machine.Status.State.IsMotion();
 
     /// <summary>Waits until everything that was entered is through and what follows from the document is computed and delivered.</summary>
     public async Task SettleAsync()
@@ -83,7 +83,7 @@ public sealed class DesktopModel : IAsyncDisposable
         }
         catch (OperationCanceledException)
         {
-            // the document changed meanwhile: who waits will be told of the next one
+            // the document changed meanwhile; Changed is raised when its derivation is there
         }
 
         Deliver();
@@ -119,7 +119,17 @@ public sealed class DesktopModel : IAsyncDisposable
     /// <summary>Brings the place of a finding into the middle of the canvas, near enough to see it.</summary>
     public void ShowPlaceOf(Diagnostic finding)
     {
-        if (Session.Document.Current.Drawing is not { } drawing || finding.Source.Handle is not { } handle || drawing.IndexOfHandle(handle) is not { } entity) return;
+        if (Session.Document.Current.Drawing is not { } drawing) return;
+        if (finding.Place is { } place)
+        {
+            var unit = (Session.Document.Current.Settings.Unit ?? drawing.Unit).ToMillimetres;
+            var whole = Session.View.ExtentsOf(drawing);
+            var part = LeastPart * Math.Max(whole.Width, whole.Height);
+            Session.View.FocusOn(new ViewFocus(new Point2D(place.X / unit, place.Y / unit), finding.Sentence), part > 0.0 ? part : null);
+            return;
+        }
+
+        if (finding.Source.Handle is not { } handle || drawing.IndexOfHandle(handle) is not { } entity) return;
         var box = DrawingExtents.Measure(drawing, [entity]);
         if (box.IsEmpty) return;
         var everything = Session.View.ExtentsOf(drawing);
@@ -127,7 +137,7 @@ public sealed class DesktopModel : IAsyncDisposable
         Session.View.FocusOn(new ViewFocus(new Point2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0), finding.Sentence), height > 0.0 ? height : null);
     }
 
-    /// <summary>Ends when the last Esc was heard; what it ends may take a little longer.</summary>
+    /// <summary>Completes when the last Esc was passed on; what it ends may take a little longer.</summary>
     public Task Cancelled { get; private set; } = Task.CompletedTask;
 
     /// <summary>Esc.</summary>
@@ -135,6 +145,15 @@ public sealed class DesktopModel : IAsyncDisposable
 
     /// <summary>The operator's stop. Straight to the machine, from any thread; waits for nothing.</summary>
     public void StopNow() => Session.Machine.Stop();
+
+    /// <summary>Holds the job under way. From any thread; waits for nothing.</summary>
+    public void HoldNow() => Session.Machine.HoldJob();
+
+    /// <summary>Changes the operator's feed by a part of the programmed one.</summary>
+    public void OverrideBy(double part) => Session.Machine.Override(Math.Round(Session.Machine.Status.FeedRatio + part, 2), null);
+
+    /// <summary>The same for rapids.</summary>
+    public void OverrideRapidsBy(double part) => Session.Machine.Override(null, Math.Round(Session.Machine.Status.RapidRatio + part, 2));
 
     public async ValueTask DisposeAsync()
     {

@@ -2,7 +2,7 @@ using Engraver.App.Binding;
 
 namespace Engraver.App.Desk;
 
-/// <summary>A list of which one row is under the tool of the playback: that row is chosen, and choosing another moves the tool there.</summary>
+/// <summary>A list that follows the playback: the row under the tool is chosen, and choosing another row moves the tool there.</summary>
 /// <typeparam name="T">A row; two of the same place must be equal.</typeparam>
 /// <param name="underTool">Place of the row under the tool; -1 for none.</param>
 /// <param name="moveTo">Moves the tool to a row.</param>
@@ -28,7 +28,7 @@ public abstract class FollowedRows<T>(DesktopModel desk, Func<int> underTool, Ac
 
     protected DesktopModel Desk => desk;
 
-    /// <summary>Begins to follow the desk; the last act of a constructor.</summary>
+    /// <summary>Begins to follow the desktop model; called last in a constructor.</summary>
     protected void Follow()
     {
         desk.Changed += Look;
@@ -36,7 +36,7 @@ public abstract class FollowedRows<T>(DesktopModel desk, Func<int> underTool, Ac
         Look();
     }
 
-    /// <summary>Takes other rows where there are others now.</summary>
+    /// <summary>Replaces the rows when they have changed.</summary>
     protected abstract void Look();
 
     /// <summary>Shows rows, however many.</summary>

@@ -5,7 +5,7 @@ using Engraver.Core.Diagnostics;
 
 namespace Engraver.App.Findings;
 
-/// <summary>Everything doubtful between the drawing and its motion, worst first; a click shows the place.</summary>
+/// <summary>The findings of CHECK, worst first; a click shows the place.</summary>
 public sealed class FindingsModel : Observable
 {
     private readonly DesktopModel _desk;

@@ -7,7 +7,7 @@ using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.App.Jobs;
 
-/// <summary>The job before it starts: what was checked, how long it takes, where it begins.</summary>
+/// <summary>The job before it starts: its checklist, its planned time, its first place.</summary>
 public sealed class JobModel : Observable
 {
     private readonly DesktopModel _desk;
@@ -41,7 +41,7 @@ public sealed class JobModel : Observable
 
     /// <summary>Warnings are for the next start: while a job runs, the machine is away from its start as it should be.</summary>
     private IReadOnlyList<CheckLine> ChecksNow() => _desk.Derived.Job is { } job
-        ? [.. ArmingChecklist.Create(job, _desk.Session.Machine.Status, errorsAccepted: false, job.Motion.Program is { } program ? _desk.Session.Machine.LastPlacement(program) : null).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
+        ? [.. ArmingChecklist.Create(job, _desk.Session.Machine.Status, errorsAccepted: false, job.Motion.Program is { } program ? _desk.Session.Machine.LastPlacement(program) : null, _desk.Time.GetUtcNow()).Checks.Where(check => !check.IsWarning || !_desk.IsMoving).Select(check => new CheckLine(check))]
         : [];
 
     private List<PropertyLine> FiguresNow()
@@ -71,11 +71,11 @@ public sealed class JobModel : Observable
 public sealed record CheckLine(ArmingCheck Check)
 {
     /// <summary>Shape besides colour.</summary>
-    public string Mark => Check switch { { Passed: false } => "✗", { IsWarning: true } => "▲", _ => "✓" };
+    public string Mark => Check switch { { IsAsked: false } => "?", { Passed: false } => "✗", { IsWarning: true } => "▲", _ => "✓" };
 
-    /// <summary>A warning says by a word, too, that it is one.</summary>
+    /// <summary>The sentence of the check; a warning says in words, too, that it is one.</summary>
     public string Sentence => Check.IsWarning ? Text.Get("Job.Look", Check.Sentence) : Check.Sentence;
 
-    /// <summary>It is not so, or it wants to be read.</summary>
+    /// <summary>True when the check has not passed, or is a warning.</summary>
     public bool IsUnusual => !Check.Passed || Check.IsWarning;
 }

@@ -11,7 +11,7 @@ namespace Engraver.App.Layers;
 /// <param name="take">Gives it to the layer.</param>
 public sealed class ColourChoice(DrawingColour colour, Action<string> take)
 {
-    /// <summary>What index 7 is on the palette.</summary>
+    /// <summary>The colour of index 7 in the list of colours.</summary>
     private const uint White = 0xFFFFFFFF;
 
     /// <summary>As LAYER takes it.</summary>

@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
+using Engraver.Core.Machines;
 using Engraver.Workbench.Machines;
 
 namespace Engraver.App.MachineStrip;
@@ -9,6 +10,9 @@ namespace Engraver.App.MachineStrip;
 /// <summary>The machine in one line: state as text, shape and colour, position, feed, tool, progress, and the keys.</summary>
 public sealed class MachineStripModel : Observable
 {
+    /// <summary>What a press on a key of the override changes, a factor of the programmed feed or rapid speed.</summary>
+    private const double OverrideStep = 0.1;
+
     private const string Unknown = "–";
     private readonly DesktopModel _desk;
     private readonly ToldSpeed _told = new();
@@ -17,8 +21,13 @@ public sealed class MachineStripModel : Observable
     public MachineStripModel(DesktopModel desk)
     {
         _desk = desk;
-        Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => _status.State is MachineState.Ready);
-        Start = new Act(() => _ = desk.StartArmedAsync(), () => _status.State is MachineState.Armed);
+        Arm = new Act(() => _ = desk.RunAsync("CNCARM", "Stream"), () => MayArm(_status.State));
+        Start = new Act(() => _ = _status.State is MachineState.Held ? desk.RunAsync("CNCRESUME") : desk.StartArmedAsync(), () => _status.State is MachineState.Armed or MachineState.Held);
+        Hold = new Act(desk.HoldNow, () => _status.State is MachineState.Running or MachineState.DryRun);
+        Faster = new Act(() => desk.OverrideBy(OverrideStep), () => _status.FeedRatio < JobControl.FeedRange.Fastest);
+        Slower = new Act(() => desk.OverrideBy(-OverrideStep), () => _status.FeedRatio > JobControl.FeedRange.Slowest);
+        RapidsFaster = new Act(() => desk.OverrideRapidsBy(OverrideStep), () => _status.RapidRatio < JobControl.RapidRange.Fastest);
+        RapidsSlower = new Act(() => desk.OverrideRapidsBy(-OverrideStep), () => _status.RapidRatio > JobControl.RapidRange.Slowest);
         Stop = new Act(desk.StopNow);
         desk.Changed += Look;
         Look();
@@ -26,12 +35,39 @@ public sealed class MachineStripModel : Observable
 
     public Act Arm { get; }
 
-    /// <summary>Works only when armed.</summary>
+    /// <summary>Works only when armed, or when a job is held.</summary>
     public Act Start { get; }
+
+    /// <summary>What START would do: go on with a held job, as the key of that name does on other machines.</summary>
+    public string StartText => Text.Get(_status.State is MachineState.Held ? "Machine.Resume" : "Machine.Start");
+
+    public Act Hold { get; }
+
+    public Act Faster { get; }
+
+    public Act Slower { get; }
+
+    public Act RapidsFaster { get; }
+
+    public Act RapidsSlower { get; }
 
     public Act Stop { get; }
 
-    public string State => Text.Get("State." + _status.State);
+    /// <summary>Feed in percent of the plan.</summary>
+    public string Override => _status.FeedInForce < _status.FeedRatio
+        ? Text.Get("Machine.OverrideLimited", _status.FeedInForce * 100.0, _status.FeedRatio * 100.0)
+        : Text.Get("Machine.Override", _status.FeedRatio * 100.0);
+
+    /// <summary>The feed is not as planned: the figure is lit.</summary>
+    public string OverrideKey => _status.FeedRatio == 1.0 ? "NeutralLampBrush" : "AbnormalLampBrush";
+
+    /// <summary>Rapid speed in percent of the plan.</summary>
+    public string Rapids => Text.Get("Machine.Rapids", _status.RapidRatio * 100.0);
+
+    /// <summary>The same for the rapid speed.</summary>
+    public string RapidsKey => _status.RapidRatio == 1.0 ? "NeutralLampBrush" : "AbnormalLampBrush";
+
+    public string State => _status.State.Said();
 
     /// <summary>Name of the geometry that stands before the state.</summary>
     public string ShapeKey => "Shape." + _status.State;
@@ -40,15 +76,16 @@ public sealed class MachineStripModel : Observable
     public string LampKey => _status.State switch
     {
         MachineState.Running => "NormalLampBrush",
-        MachineState.Armed => "ActLampBrush",
-        MachineState.Stopping or MachineState.Busy or MachineState.MotorsOff => "AbnormalLampBrush",
-        MachineState.Fault or MachineState.EmergencyStopOpen => "DangerLampBrush",
+        MachineState.Armed or MachineState.DryRun or MachineState.Moving => "ActLampBrush",
+        MachineState.Holding or MachineState.Held or MachineState.Stopping or MachineState.Stopped or MachineState.Busy => "AbnormalLampBrush",
+        MachineState.MotorsOff or MachineState.NotHomed or MachineState.NoOrigin => "AbnormalLampBrush",
+        MachineState.Fault or MachineState.EmergencyStopOpen or MachineState.Deviated => "DangerLampBrush",
         _ => "NeutralLampBrush",
     };
 
-    /// <summary>Why the state is what it is, or until when it lasts.</summary>
+    /// <summary>The reason of the state, or until when it lasts.</summary>
     public string Reason => _status.State == MachineState.Armed && _status.ArmedUntil is { } until
-        ? Text.Get("Machine.ArmedFor", Math.Max(0, Math.Ceiling((until - _desk.Time.GetUtcNow()).TotalSeconds)))
+        ? Text.Get(_status.IsDryRun ? "Machine.ArmedDryFor" : "Machine.ArmedFor", Math.Max(0, Math.Ceiling((until - _desk.Time.GetUtcNow()).TotalSeconds)))
         : _status.Reason.Length > 0 ? _status.Reason : _status.Controller ?? Text.Get("Machine.NoController");
 
     public bool IsSimulation => _status.IsSimulation;
@@ -57,9 +94,17 @@ public sealed class MachineStripModel : Observable
 
     public string Y => Figure(_status.WorkPosition?.Y ?? _status.MachinePosition?.Y);
 
+    /// <summary>The machine has a Z axis.</summary>
+    public bool HasHeight => _desk.Session.Machine.Profile.Axes.Z is not null;
+
+    /// <summary>Height over the drawing's zero; by the controller's zero while that one is not known, as X and Y.</summary>
+    public string Z => Figure(_status.WorkHeight ?? _status.MachineHeight);
+
+    public string MachineHeight => _status.MachineHeight is { } height ? Text.Get("Machine.Height", Figure(height)) : "";
+
     public string MachinePlace => _status.MachinePosition is { } place ? Text.Get("Machine.Place", Figure(place.X), Figure(place.Y)) : "";
 
-    /// <summary>While a job runs, what the places say that the controller tells of; else what it says itself.</summary>
+    /// <summary>Speed along the path, mm/min: while a job runs by the positions that the controller reports (<see cref="ToldSpeed"/>), else the controller's own speed.</summary>
     public string Feed => (_status.Speed ?? _told.Current) is { } speed ? (speed * 60.0).ToString("0", CultureInfo.InvariantCulture) : Unknown;
 
     public string Tool => _status.ToolCommanded switch { true => Text.Get("Machine.ToolOn"), false => Text.Get("Machine.ToolOff"), null => Unknown };
@@ -80,15 +125,23 @@ public sealed class MachineStripModel : Observable
     public string SegmentsText => _status.Progress is { } at ? Text.Get("Machine.SegmentsText", at.SegmentsDone, at.SegmentCount) : "";
 
     /// <summary>Empty while no job has a progress.</summary>
-    public string TimeLeft => _status.Progress is { } at ? Text.Get("Machine.TimeLeft", ClockText.Format(_desk.Derived.SecondsLeft(at.SegmentsDone, at.SegmentCount))) : "";
+    public string TimeLeft => _status.Progress is { } at ? Text.Get("Machine.TimeLeft", ClockText.Format(_desk.Derived.SecondsLeft(at.SegmentsDone, at.SegmentCount) * _desk.Derived.TimeUnder(_status.FeedInForce, _status.RapidRatio))) : "";
+
+    /// <summary>Also where ARM only says what is missing and what to do.</summary>
+    private static bool MayArm(MachineState state) => state != MachineState.Armed && (state.IsReady() || state is MachineState.NoOrigin or MachineState.NotHomed or MachineState.MotorsOff);
 
     private void Look()
     {
         _status = _desk.Session.Machine.Status;
-        _told.Look(_status.State is MachineState.Running or MachineState.Stopping ? _status.Progress : null);
+        _told.Look(_status.State.IsJob() ? _status.Progress : null);
         Tell(null);
         Arm.Reconsider();
         Start.Reconsider();
+        Hold.Reconsider();
+        Faster.Reconsider();
+        Slower.Reconsider();
+        RapidsFaster.Reconsider();
+        RapidsSlower.Reconsider();
     }
 
     private static string Figure(double? millimetres) => millimetres is { } value ? value.ToString("0.000", CultureInfo.InvariantCulture) : Unknown;

@@ -2,19 +2,19 @@ using Engraver.Workbench.Machines;
 
 namespace Engraver.App.MachineStrip;
 
-/// <summary>How fast the tool goes while a job runs: the way between two places that the controller told of, over the controller's own clock.</summary>
+/// <summary>The speed of the tool while a job runs: the distance between two positions that the controller told, over the time on the controller's own clock.</summary>
 /// <remarks>A chord is shorter than its arc: at a tenth of a second and a radius of 1 mm that is 4 % at 600 mm/min.</remarks>
 internal sealed class ToldSpeed
 {
-    /// <summary>Two words that are closer together say too little.</summary>
+    /// <summary>Least controller time between two positions, seconds; a speed over less time would be too inexact.</summary>
     private const double LeastSeconds = 0.1;
 
     private EngravedProgress? _last;
 
-    /// <summary>mm/s; null while no job runs, and before its second word.</summary>
+    /// <summary>mm/s; null while no job runs, and before its second position.</summary>
     public double? Current { get; private set; }
 
-    /// <param name="told">The last word of the job under way; null when none runs.</param>
+    /// <param name="told">The last progress of the job under way; null when none runs.</param>
     public void Look(EngravedProgress? told)
     {
         if (told is null || _last is null || told.Seconds < _last.Seconds)

@@ -7,8 +7,8 @@ using ICommand = System.Windows.Input.ICommand;
 namespace Engraver.App.Menus;
 
 /// <summary>Makes the menus of the layout. The items of a menu are made when it is first opened.</summary>
-/// <param name="typed">What is typed for a command, shown at the right so that clicking teaches typing.</param>
-/// <param name="act">What an entry does.</param>
+/// <param name="typed">Gives the text that is typed for a command; it is shown at the right of the entry.</param>
+/// <param name="act">Gives the command of an entry.</param>
 public sealed class MenuBuilder(Func<string, string> typed, Func<string, ICommand> act)
 {
     public IReadOnlyList<MenuItem> Build(IEnumerable<MenuSection> sections) => [.. sections.Where(section => section.Entries.Count > 0).Select(Top)];
@@ -54,7 +54,7 @@ public static class MenuTitle
     /// <summary>The text <c>Command.NAME</c>; a command without one is shown by its name.</summary>
     public static string Find(string name) => Text.Find("Command." + name) ?? name;
 
-    /// <summary>The way to type it: the shortest alias, else the name.</summary>
+    /// <summary>What to type for it: the shortest alias, else the name.</summary>
     public static string Typed(CommandSession session, string name) =>
         session.Aliases.Commands.Where(pair => pair.Value == name).Select(pair => pair.Key).OrderBy(alias => alias.Length).ThenBy(alias => alias, StringComparer.Ordinal).FirstOrDefault() ?? name;
 }

@@ -2,7 +2,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Menus;
 
-/// <summary>Which command stands in which menu. Every command of the catalogue has a place: those that are not named here stand at the end of the menu of their group.</summary>
+/// <summary>The commands of each menu. Every command of the catalogue has a place: those that are not named here come at the end of the menu of their group.</summary>
 public static class MenuLayout
 {
     private const string Separator = "";
@@ -14,7 +14,7 @@ public static class MenuLayout
         new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "OSNAP", "DYNAMICINPUT", Separator, "SHOW", "THEME", Separator, "Window.Palettes", "Window.Pages", "Window.Clean", "Window.History"]),
         new("Drawing", ["LAYER", "PROPERTIES", "LIST", Separator, "DIST", "ID", "AREA", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", Separator, "CNCUNITS", "CNCCUT"]),
         new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "ENTER", "TOOLSTART", "STARTPOINT", "PIN", "LEADIN", "LINK", Separator, "OFFSET", "POCKET", Separator, "PLAYBACK", Separator, "CNCMAXERR", "CNCJOINTOL", "CNCDUPLICATES", "CNCRECOVER"]),
-        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCARM", "CNCRUN", "CNCGOTO", "CNCZERO", "CNCORIGIN", "CNCHOLD", "CNCRESUME", "CNCSTOP", "CNCABORT", Separator, "ALARMS", "CNCTERMINAL", Separator, "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA"]),
+        new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCCOMMISSION", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCFRAME", "CNCARM", "CNCRUN", "CNCHOME", "CNCJOG", "CNCGOTO", "CNCZERO", "CNCORIGIN", "CNCHOLD", "CNCRESUME", "CNCOVERRIDE", "CNCSTOP", "CNCABORT", "CNCOUTPUT", Separator, "CNCTRACE", "ALARMS", "CNCTERMINAL", Separator, "CNCFINISH", "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA"]),
         new("Plot", ["PLOT", "POST", "AGIEPOST", "VERIFY", Separator, "TABLE"]),
         new("Help", ["HELP"]),
     ];

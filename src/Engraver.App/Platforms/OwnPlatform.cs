@@ -11,7 +11,7 @@ namespace Engraver.App.Platforms;
 /// <remarks>One of two files of the same class; the project takes the one of its back end.</remarks>
 internal static class DesktopPlatform
 {
-    /// <summary>A job on a machine may be in the script.</summary>
+    /// <summary>Longest time that a script may take; it may run a job on a machine.</summary>
     private static readonly TimeSpan s_longestScript = TimeSpan.FromHours(24);
 
     /// <summary>The builder for real windows.</summary>
@@ -20,7 +20,7 @@ internal static class DesktopPlatform
     /// <summary>The builder for a desktop in memory.</summary>
     public static AppBuilder InMemory(AppBuilder builder, DesktopSession session, HeadlessDesktop desktop, double scale) => On(builder, session, new FrontEnd.Headless(desktop), scale);
 
-    /// <summary>The on-screen STOP of a window that is open answers without the UI thread from now on.</summary>
+    /// <summary>From now on presses of the on-screen STOP are seen without the UI thread.</summary>
     public static void WatchStop(ShellWindow window, DesktopSession session)
     {
         var region = ((InputRegions)session.PlatformState!).Add(window, window.StopArea, () => session.StopKeys.PressStop());
@@ -46,7 +46,7 @@ internal static class DesktopPlatform
 
         var opening = DesktopStart.OpenAsync(session.Desk, options);
         desktop.StepUntil(() => opening.IsCompleted && window.CanvasSource.IsCurrent, s_longestScript);
-        desktop.Step(); // what the script changed in the layout comes first
+        desktop.Step(); // one layout pass, so that the picture shows what the script changed
         window.Canvas.RefineNow();
         desktop.Step();
         if (options.Screenshot is { } path) desktop.Windows[0].CaptureToFile(path);
@@ -54,7 +54,7 @@ internal static class DesktopPlatform
         return opening.GetAwaiter().GetResult();
     }
 
-    /// <summary>Null when it was no display that failed.</summary>
+    /// <summary>The message of a display that is not there; null for every other failure.</summary>
     public static string? NoDisplay(Exception failure) => (failure as DisplayUnavailableException)?.Message;
 
     private static AppBuilder On(AppBuilder builder, DesktopSession session, FrontEnd frontEnd, double scale)

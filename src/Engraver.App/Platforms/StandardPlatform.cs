@@ -11,7 +11,7 @@ internal static class DesktopPlatform
     /// <summary>The builder for real windows.</summary>
     public static AppBuilder OnDisplay(AppBuilder builder, DesktopSession session, DesktopOptions options) => builder.UsePlatformDetect();
 
-    /// <summary>The window itself answers.</summary>
+    /// <summary>Nothing to do: the window itself sees the press.</summary>
     public static void WatchStop(ShellWindow window, DesktopSession session)
     {
     }

@@ -108,7 +108,7 @@ public sealed class PlaybackSpeed(string name, double factor, PlaybackModel play
 {
     public string Name => name;
 
-    /// <summary>Times the machine's own; infinite is to the end at once.</summary>
+    /// <summary>Multiple of the machine's own speed; infinite goes to the end at once.</summary>
     public double Factor => factor;
 
     public bool IsChosen => playback.Speed == factor;

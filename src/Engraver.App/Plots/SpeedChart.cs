@@ -18,7 +18,7 @@ public sealed class SpeedChart : Control
     private const double RightRoom = 10;
     private const double CursorWidth = 2;
 
-    /// <summary>Feeds are told per minute everywhere.</summary>
+    /// <summary>Feeds are shown in mm/min, as in the rest of the desktop.</summary>
     private const double SecondsPerMinute = 60.0;
 
     public static readonly StyledProperty<SpeedCurve?> CurveProperty = AvaloniaProperty.Register<SpeedChart, SpeedCurve?>(nameof(Curve));

@@ -11,7 +11,7 @@ namespace Engraver.App.Properties;
 /// <summary>What is selected: type, layer, handle, and the 16 slots of each of its rows by name.</summary>
 public sealed class PropertiesModel : Observable
 {
-    /// <summary>More rows than this are counted, not listed.</summary>
+    /// <summary>Most rows that are listed; further ones are only counted.</summary>
     private const int MostRows = 20;
     private readonly DesktopModel _desk;
     private (IReadOnlyList<int>? Selection, EntityTable? Table) _shown;

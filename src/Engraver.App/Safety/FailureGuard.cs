@@ -4,11 +4,11 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Safety;
 
-/// <summary>What happens when the program around the commands fails: the machine is stopped first, then a report is written and an alarm raised. It never throws.</summary>
+/// <summary>Handles a failure of the program around the commands: stops the machine first, then writes a report and raises an alarm. It never throws.</summary>
 /// <param name="stop">Stops the machine; from any thread, waits for nothing.</param>
 public sealed class FailureGuard(Action stop, AlarmLog alarms, FailureReports reports)
 {
-    /// <summary>Takes what nobody expected; from any thread.</summary>
+    /// <summary>Handles an unexpected exception; from any thread.</summary>
     /// <returns>The file of the report; null when none was written.</returns>
     public string? Take(Exception failure)
     {

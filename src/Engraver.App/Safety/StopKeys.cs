@@ -2,10 +2,11 @@ using Avalonia.Input;
 
 namespace Engraver.App.Safety;
 
-/// <summary>The keys that stop the machine: Pause and Ctrl+Space always, Esc while anything moves. Asked on the thread that reads the input, so a busy window does not delay them.</summary>
+/// <summary>The keys that stop the machine: Pause and Ctrl+Space always stop; Esc holds the job while anything moves, and stops what cannot be held. Asked on the thread that reads the input, so a busy window does not delay them.</summary>
 /// <param name="isMoving">From any thread.</param>
 /// <param name="stop">From any thread; waits for nothing.</param>
-public sealed class StopKeys(Func<bool> isMoving, Action stop)
+/// <param name="hold">The same.</param>
+public sealed class StopKeys(Func<bool> isMoving, Action stop, Action hold)
 {
     /// <summary>The on-screen STOP was pressed; the press goes on to the window, so that the key is seen going down.</summary>
     public bool PressStop()
@@ -26,7 +27,7 @@ public sealed class StopKeys(Func<bool> isMoving, Action stop)
 
         if (key == Key.Escape && isMoving())
         {
-            stop();
+            hold();
             return true;
         }
 

@@ -8,7 +8,7 @@ internal static class BenchmarkName
 
     public const string Canvas = "canvas";
 
-    /// <summary>Processor that the window on a display uses while nobody touches it; with drawing and script. Then the window closes.</summary>
+    /// <summary>Processor time that the window on a display uses while nobody touches it, after opening drawing and script. Then the window closes.</summary>
     public const string Idle = "idle";
 
     public const string Stop = "stop";

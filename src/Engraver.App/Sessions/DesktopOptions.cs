@@ -3,7 +3,7 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.Sessions;
 
-/// <summary>What the program was started with (<c>engraver desktop</c> of the runner's contract).</summary>
+/// <summary>The options that the program was started with (<c>engraver desktop</c> of the runner's contract).</summary>
 public sealed record DesktopOptions
 {
     private const double LeastScale = 0.5;
@@ -12,7 +12,7 @@ public sealed record DesktopOptions
     /// <summary>The drawing to open; null for none.</summary>
     public string? File { get; init; }
 
-    /// <summary>Commands to run once the window stands.</summary>
+    /// <summary>Path of a script to run once the window is open.</summary>
     public string? Script { get; init; }
 
     /// <summary>True: no display is needed; ends after the screenshot.</summary>

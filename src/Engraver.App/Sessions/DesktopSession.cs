@@ -6,7 +6,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Sessions;
 
-/// <summary>What the desktop stands on: one command session with the operator's files, the desk before it, the keys that stop.</summary>
+/// <summary>The parts of the desktop without its window: a command session with the operator's files, the desktop model over it, the stop keys.</summary>
 public sealed class DesktopSession : IAsyncDisposable
 {
     private readonly CommandSession _session;
@@ -18,7 +18,7 @@ public sealed class DesktopSession : IAsyncDisposable
         Time = environment.Time;
         FailureReports = new FailureReports(Path.GetDirectoryName(environment.SettingsFile) ?? UserFiles.Folder, environment.Time);
         _session = new CommandSession(environment with { Failures = FailureReports }, CommandCatalog.Built());
-        StopKeys = new StopKeys(() => DesktopModel.Moves(_session.Machine), () => _session.Machine.Stop());
+        StopKeys = new StopKeys(() => DesktopModel.Moves(_session.Machine), () => _session.Machine.Stop(), HoldOrStop);
     }
 
     public TimeProvider Time { get; }
@@ -32,7 +32,7 @@ public sealed class DesktopSession : IAsyncDisposable
     /// <summary>Any thread.</summary>
     public FailureGuard Failures => field ??= new FailureGuard(() => StopKeys.PressStop(), _session.Machine.Alarms, FailureReports);
 
-    /// <summary>What the platform keeps for this session; its own business.</summary>
+    /// <summary>State that the platform keeps with this session; only the platform uses it.</summary>
     internal object? PlatformState { get; set; }
 
     /// <summary>Made on the UI thread, when it is first asked for.</summary>
@@ -43,6 +43,12 @@ public sealed class DesktopSession : IAsyncDisposable
 
     /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
     public static CommandEnvironment WithoutFiles() => ForUser() with { SettingsFile = null };
+
+    /// <summary>What cannot be held, as a move by hand, is stopped.</summary>
+    private void HoldOrStop()
+    {
+        if (!_session.Machine.HoldJob()) _session.Machine.Stop();
+    }
 
     public ValueTask DisposeAsync() => _desk?.DisposeAsync() ?? _session.DisposeAsync();
 }

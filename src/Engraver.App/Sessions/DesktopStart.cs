@@ -5,7 +5,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Sessions;
 
-/// <summary>What is done once the window stands: the drawing, the script, the picture.</summary>
+/// <summary>Opens the drawing, runs the script and writes the picture once the window is open.</summary>
 public static class DesktopStart
 {
     /// <summary>Opens the drawing and runs the script of the options.</summary>
@@ -19,7 +19,7 @@ public static class DesktopStart
         return ran is InputResult.Failed failed ? failed.Sentence : null;
     }
 
-    /// <summary>Writes what the window shows.</summary>
+    /// <summary>Writes a picture of the window to a file.</summary>
     public static void Picture(Window window, double scale, string path)
     {
         using var picture = new RenderTargetBitmap(new Avalonia.PixelSize((int)(window.Bounds.Width * scale), (int)(window.Bounds.Height * scale)), new Avalonia.Vector(96 * scale, 96 * scale));

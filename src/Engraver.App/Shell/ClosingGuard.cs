@@ -6,7 +6,7 @@ using Engraver.Workbench.Commands;
 
 namespace Engraver.App.Shell;
 
-/// <summary>Closing the window ends a job and loses what is in no file: the first wish to close is answered with a warning, the second one is meant.</summary>
+/// <summary>Closing the window ends a job and loses edits that are in no file: the first request to close is answered with a warning, the second one is carried out.</summary>
 internal sealed class ClosingGuard
 {
     private readonly DesktopModel _desk;
@@ -19,7 +19,7 @@ internal sealed class ClosingGuard
         desk.Changed += () => _warnedOfJob &= desk.IsMoving;
     }
 
-    /// <summary>Says in the history why the window stays.</summary>
+    /// <summary>Tells in the history why the window stays open.</summary>
     /// <returns>True when it has to stay this time.</returns>
     public bool Holds(WindowCloseReason reason)
     {

@@ -22,7 +22,7 @@ public sealed class FileQuestions(DesktopModel desk, Func<IStorageProvider> dial
         ["EXPORT"] = ["*.svg", "*.csv", "*.json", "*.dmc", "*.dxf"],
     };
 
-    /// <summary>FILEDIA.</summary>
+    /// <summary>True when the system variable FILEDIA is not 0.</summary>
     public bool WantsDialogs => desk.Session.Settings.Current.Variables.GetValueOrDefault("FILEDIA", 1.0) != 0.0;
 
     public async Task RunAsync(string command)
@@ -33,7 +33,7 @@ public sealed class FileQuestions(DesktopModel desk, Func<IStorageProvider> dial
         else if (s_toWrite.TryGetValue(command, out var write) && dialogs().CanSave) await AnswerAsync(command, await ToWriteAsync(command, write));
     }
 
-    /// <summary>What the command was meanwhile answered with, or its end, is left alone.</summary>
+    /// <summary>Answers the command with a file, unless it was answered or ended meanwhile.</summary>
     private async Task AnswerAsync(string command, IStorageItem? file)
     {
         if (desk.Prompt.Command != command) return;
@@ -47,7 +47,7 @@ public sealed class FileQuestions(DesktopModel desk, Func<IStorageProvider> dial
         return files is [var file, ..] ? file : null;
     }
 
-    /// <summary>Whether a file is replaced is asked by the command itself.</summary>
+    /// <summary>Asks for a file to write. The dialog does not ask whether to replace one, because the command does.</summary>
     private async Task<IStorageItem?> ToWriteAsync(string command, string[] patterns) => await dialogs().SaveFilePickerAsync(new FilePickerSaveOptions
     {
         Title = Text.Get("Command." + command),

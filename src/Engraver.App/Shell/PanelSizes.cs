@@ -4,7 +4,7 @@ using Engraver.App.Tabs;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The rooms of the palettes and the pages: sized by hand, folded to their strip of tabs, kept between two starts. A smaller window takes from them before the canvas is gone, and gives it back.</summary>
+/// <summary>The sizes of the palettes and the pages: dragged by the operator, folded to their strip of tabs, kept between two starts. In a small window they shrink before the canvas does, and grow back.</summary>
 public sealed class PanelSizes
 {
     private const string HistoryName = "history";
@@ -16,7 +16,7 @@ public sealed class PanelSizes
     private const double LeastPalettesWidth = 240;
     private const double DefaultHistoryHeight = 420;
 
-    /// <summary>What the playback bar and a strip of canvas above it need, and the tools in several columns beside them.</summary>
+    /// <summary>Least room that the panels leave, units of 1/96 inch: in height for the canvas and the playback bar, in width for the canvas and the tools in several columns.</summary>
     private const double LeastCanvasHeight = 140;
     private const double LeastCanvasWidth = 340;
     private const double SplitterSize = 4;
@@ -56,14 +56,14 @@ public sealed class PanelSizes
         ShowPalettes(folded);
     }
 
-    /// <summary>Something is typed: the command line comes to the front, so that it is seen.</summary>
+    /// <summary>Brings the command line to the front when something is typed.</summary>
     public void BringCommandLine()
     {
         if (IsFolded(PagesName)) FoldPages();
         _pages.Show("Command");
     }
 
-    /// <summary>F2: the history gets much room, and gives it back. How much, by hand, is remembered beside the usual height.</summary>
+    /// <summary>F2: enlarges the history, or shrinks it back. Its large height is remembered beside the usual one.</summary>
     public void ExpandHistory()
     {
         BringCommandLine();
@@ -73,7 +73,7 @@ public sealed class PanelSizes
         _pagesRow.Height = new GridLength(_isExpanded ? Math.Max(usual, SizeOf(HistoryName, DefaultHistoryHeight)) : usual);
     }
 
-    /// <summary>Ctrl+0: nothing but the canvas, and all of it back.</summary>
+    /// <summary>Ctrl+0: folds everything but the canvas, or opens it again.</summary>
     public void FoldAll()
     {
         var (pages, palettes) = (IsFolded(PagesName), IsFolded(PalettesName));

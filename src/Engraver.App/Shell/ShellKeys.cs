@@ -5,7 +5,7 @@ namespace Engraver.App.Shell;
 /// <summary>The keys that have a meaning of their own, as AutoCAD has them. None of them starts motion.</summary>
 public static class ShellKeys
 {
-    /// <summary>The command or the act of the window that a key stands for; null for none.</summary>
+    /// <summary>The command, or the action of the window, that a key runs; null for none.</summary>
     public static string? CommandOf(KeyEventArgs e) => (e.KeyModifiers, e.Key) switch
     {
         (KeyModifiers.None, Key.F1) => "HELP",
@@ -15,6 +15,10 @@ public static class ShellKeys
         (KeyModifiers.None, Key.F8) => "Switch.ORTHO",
         (KeyModifiers.None, Key.F9) => "Switch.SNAP",
         (KeyModifiers.None, Key.F12) => "Switch.DYNAMICINPUT",
+        (KeyModifiers.Control or (KeyModifiers.Control | KeyModifiers.Shift), Key.OemPlus or Key.Add) => "Override.FeedFaster", // + stands with Shift on some keyboards
+        (KeyModifiers.Control, Key.OemMinus or Key.Subtract) => "Override.FeedSlower",
+        (KeyModifiers.Control, Key.OemPeriod) => "Override.RapidsFaster",
+        (KeyModifiers.Control, Key.OemComma) => "Override.RapidsSlower",
         (KeyModifiers.Control, Key.O) => "OPEN",
         (KeyModifiers.Control, Key.S) => "SAVEAS",
         (KeyModifiers.Control, Key.Q) => "Window.Exit",

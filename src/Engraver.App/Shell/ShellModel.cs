@@ -2,10 +2,12 @@ using System.Windows.Input;
 using Engraver.App.Alarms;
 using Engraver.App.Binding;
 using Engraver.App.CommandWindow;
+using Engraver.App.Commissioning;
 using Engraver.App.Connections;
 using Engraver.App.Contours;
 using Engraver.App.Desk;
 using Engraver.App.Findings;
+using Engraver.App.HandMoves;
 using Engraver.App.Jobs;
 using Engraver.App.Layers;
 using Engraver.App.MachineStrip;
@@ -27,7 +29,7 @@ public sealed class ShellModel : Observable
 {
     private readonly PageTab _alarms;
 
-    /// <param name="act">What a menu entry or a tool does; the window adds what only a window can (a file dialog).</param>
+    /// <param name="act">Gives the command of a menu entry or a tool; the window supplies it, because some need a file dialog.</param>
     public ShellModel(DesktopModel desk, Func<string, ICommand> act)
     {
         Desk = desk;
@@ -56,13 +58,13 @@ public sealed class ShellModel : Observable
 
     public IReadOnlyList<ToolButton> Tools { get; }
 
-    /// <summary>Drawing and machine, so that the task bar tells them too.</summary>
+    /// <summary>Drawing and machine, which the task bar shows too.</summary>
     public string Title
     {
         get
         {
             var file = Desk.Session.Document.Current.Drawing is { } drawing ? Path.GetFileName(drawing.FileName) : null;
-            if (Desk.Session.Machine.Status.State is not MachineState.Offline and var state) return Text.Get("Window.TitleWithMachine", file ?? Text.Get("Window.NoDrawing"), Text.Get("State." + state));
+            if (Desk.Session.Machine.Status.State is not MachineState.Offline and var state) return Text.Get("Window.TitleWithMachine", file ?? Text.Get("Window.NoDrawing"), state.Said());
             return file is null ? Text.Get("Window.Title") : Text.Get("Window.TitleOf", file);
         }
     }
@@ -75,6 +77,8 @@ public sealed class ShellModel : Observable
         new("Contours", () => new ContoursView { DataContext = new ContoursModel(Desk) }),
         new("Job", () => new JobView { DataContext = new JobModel(Desk) }),
         new("Program", () => new ProgramView { DataContext = new ProgramModel(Desk) }),
+        new("Machine", () => new HandMovesView { DataContext = new HandMovesModel(Desk) }),
+        new("Commissioning", () => new CommissioningView { DataContext = new CommissioningModel(Desk) }),
         new("Plots", () => new PlotView { DataContext = new PlotModel(Desk) }),
     ];
 

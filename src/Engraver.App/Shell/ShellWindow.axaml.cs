@@ -6,12 +6,13 @@ using Engraver.App.Binding;
 using Engraver.App.Canvas;
 using Engraver.App.CommandWindow;
 using Engraver.App.Desk;
+using Engraver.App.HandMoves;
 using Engraver.App.Menus;
 using Engraver.App.Safety;
 
 namespace Engraver.App.Shell;
 
-/// <summary>The one window. Whatever is typed in it belongs to the command line, unless a text box has the keyboard.</summary>
+/// <summary>The window of the desktop. Keys typed in it go to the command line, unless a text box has the focus.</summary>
 public partial class ShellWindow : Window
 {
     private readonly DesktopModel _desk;
@@ -48,7 +49,7 @@ public partial class ShellWindow : Window
 
     public CanvasSource CanvasSource { get; }
 
-    /// <summary>Where STOP stands in the window.</summary>
+    /// <summary>The area of STOP in the window.</summary>
     public Rect StopArea => MachineStrip.StopAreaIn(this);
 
     private CommandWindowView CommandLine => (CommandWindowView)Pages.Pages[0].Page;
@@ -68,7 +69,7 @@ public partial class ShellWindow : Window
         _desk.Session.Settings.Change(settings => maximised ? settings with { WindowMaximised = true } : settings with { WindowMaximised = false, WindowWidth = Width, WindowHeight = Height });
     }
 
-    /// <summary>What an entry of the menus and tools does.</summary>
+    /// <summary>The command of an entry of menus and tools.</summary>
     private Act ActOf(string name) => name switch
     {
         "Window.Exit" => new Act(() => Close()),
@@ -78,6 +79,10 @@ public partial class ShellWindow : Window
         "Window.History" => new Act(() => _panels.ExpandHistory()),
         "Window.SelectAll" => new Act(SelectAll),
         "Window.EraseSelected" => new Act(EraseSelected),
+        "Override.FeedFaster" => Model.Machine.Faster,
+        "Override.FeedSlower" => Model.Machine.Slower,
+        "Override.RapidsFaster" => Model.Machine.RapidsFaster,
+        "Override.RapidsSlower" => Model.Machine.RapidsSlower,
         _ when name.StartsWith("Switch.", StringComparison.Ordinal) => Model.Status.Switches.First(toggle => toggle.Command == name["Switch.".Length..]).Switch,
         "CNCCONNECT" => new Act(AskForController),
         _ => new Act(() => _ = _files.RunAsync(name)),
@@ -89,7 +94,7 @@ public partial class ShellWindow : Window
         else _ = _files.RunAsync("CNCCONNECT");
     }
 
-    /// <summary>As an answer where objects are asked for, else for the next command.</summary>
+    /// <summary>Selects everything: as an answer where objects are asked for, else for the next command.</summary>
     private void SelectAll()
     {
         if (_desk.Prompt.Options.Any(option => option.Name == "ALL")) _ = _desk.EnterAsync("ALL");
@@ -101,13 +106,13 @@ public partial class ShellWindow : Window
         if (_desk.Prompt.Command is null && _desk.Session.Document.Current.Selection.Count > 0) _ = _desk.RunAsync("ERASE");
     }
 
-    /// <summary>A menu that has closed, whether something was chosen or not, keeps the keyboard no longer: what is typed next is for the command line.</summary>
+    /// <summary>Takes the focus from a menu that has closed, so that the next keys go to the command line.</summary>
     private void GiveKeyboardBack(object? sender, RoutedEventArgs e)
     {
         if (FocusManager?.GetFocusedElement() is MenuItem) FocusManager.Focus(null);
     }
 
-    /// <summary>True where the keyboard belongs to something else: a text box, an open menu.</summary>
+    /// <summary>True where a control that uses keys itself has the focus: a text box, an open menu, a slider.</summary>
     private static bool HasKeyboard(object? source) => source is TextBox or MenuItem or Slider;
 
     private void OnTyped(object? sender, TextInputEventArgs e)
@@ -121,7 +126,7 @@ public partial class ShellWindow : Window
     private void OnKey(object? sender, KeyEventArgs e)
     {
         e.Handled = _stopKeys.Press(e.Key, e.KeyModifiers);
-        if (e.Handled || e.Source is MenuItem) return;
+        if (e.Handled || e.Source is MenuItem || JogPad.Takes(e.Source, e.Key)) return;
         if (Model.Connect.IsOpen)
         {
             e.Handled = ConnectSheet.Press(e);
@@ -139,7 +144,7 @@ public partial class ShellWindow : Window
         e.Handled = e.Key == Key.Escape ? Escape() : CommandOf(e) is { } command ? Run(command) : !HasKeyboard(e.Source) && e.KeyModifiers == KeyModifiers.None && CommandLine.Press(e.Key);
     }
 
-    /// <summary>Keys that edit text are left to a text box; the empty command line needs none.</summary>
+    /// <summary>The command of a key; null for none, and for keys that edit text while a text box other than the empty command line has the focus.</summary>
     private string? CommandOf(KeyEventArgs e) =>
         ShellKeys.CommandOf(e) ?? (e.Source is TextBox box && (box != CommandLine.LineBox || box.Text is { Length: > 0 }) ? null : ShellKeys.CommandOutsideText(e));
 

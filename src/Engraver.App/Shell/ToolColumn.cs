@@ -9,7 +9,7 @@ using Engraver.App.Texts;
 
 namespace Engraver.App.Shell;
 
-/// <summary>What stands in the tool column, of what is built.</summary>
+/// <summary>The buttons of the tool column.</summary>
 public static class ToolColumn
 {
     private static readonly IReadOnlyList<(string Command, string[] Answers, string Icon, bool EndsGroup)> s_tools =
@@ -40,7 +40,7 @@ public static class ToolColumn
     }
 }
 
-/// <summary>A key of the tool column.</summary>
+/// <summary>A button of the tool column.</summary>
 /// <param name="Command">The command it runs.</param>
-/// <param name="EndsGroup">True: a line follows.</param>
+/// <param name="EndsGroup">True: a separator follows.</param>
 public sealed record ToolButton(string Command, Geometry Icon, string Tip, ICommand Act, bool EndsGroup);

@@ -18,7 +18,7 @@ public static class DesktopProgram
     private const int Stopped = 5;
     private const int NoDisplay = 6;
 
-    /// <summary>A machine that does not answer must not keep a failed program alive.</summary>
+    /// <summary>Longest wait for the machine after a thread of the program has failed, so that a machine that does not answer cannot keep the program alive.</summary>
     private static readonly TimeSpan s_longestEnd = TimeSpan.FromSeconds(5);
 
     /// <returns>The exit code of the runner's contract.</returns>
@@ -62,7 +62,7 @@ public static class DesktopProgram
         }
     }
 
-    /// <returns>The exit code of a sentence of what failed; null is success.</returns>
+    /// <returns>The exit code for a failure; null is success.</returns>
     private static int Said(string? failure, TextWriter error)
     {
         if (failure is not { } failed) return Done;

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Engraver.App.Start;
 
-/// <summary>SIGTERM and SIGINT while the desktop runs: the machine is stopped first, by the way of the stop key, then the program ends.</summary>
+/// <summary>SIGTERM and SIGINT while the desktop runs: the machine is stopped first, as by the stop key, then the program ends.</summary>
 internal sealed class EndSignals : IDisposable
 {
     private readonly Action _stop;
@@ -17,7 +17,7 @@ internal sealed class EndSignals : IDisposable
         _registrations = [PosixSignalRegistration.Create(PosixSignal.SIGTERM, OnSignal), PosixSignalRegistration.Create(PosixSignal.SIGINT, OnSignal)];
     }
 
-    /// <summary>A signal has come.</summary>
+    /// <summary>True once a signal has come.</summary>
     public bool Came { get; private set; }
 
     public void Dispose()

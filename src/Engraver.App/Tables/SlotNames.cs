@@ -4,7 +4,7 @@ using Engraver.Core.EntityTables;
 
 namespace Engraver.App.Tables;
 
-/// <summary>What the 16 slots are called, and in which unit they are.</summary>
+/// <summary>Names and units of the 16 slots.</summary>
 public static class SlotNames
 {
     public static IReadOnlyList<string> All => [.. Enumerable.Range(0, EntitySlot.Count).Select(NameOf)];

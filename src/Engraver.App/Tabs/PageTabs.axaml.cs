@@ -10,7 +10,7 @@ public partial class PageTabs : UserControl
 {
     public PageTabs() => InitializeComponent();
 
-    /// <summary>The fold key was pressed: the shell gives the panel its room or takes it.</summary>
+    /// <summary>Raised when the fold button was pressed; the shell folds or opens the panel.</summary>
     public event EventHandler? FoldWanted;
 
     /// <summary>A page came to the front.</summary>
@@ -31,14 +31,14 @@ public partial class PageTabs : UserControl
 
     public void Show(string key) => Strip.SelectedItem = Pages.First(page => page.Key == key);
 
-    /// <summary>Folded, only the strip of tabs is left; the key shows what a click does next.</summary>
+    /// <summary>Shows the pages or, folded, only the strip of tabs; the fold button shows what a click does next.</summary>
     public void ShowFolded(bool folded, string openIcon, string foldIcon)
     {
         Shown.IsVisible = !folded;
         FoldIcon.Data = (Geometry)Application.Current!.FindResource(folded ? openIcon : foldIcon)!;
     }
 
-    /// <summary>Of a panel folded sideways not even the tabs are left.</summary>
+    /// <summary>Hides the strip of tabs of a panel that is folded sideways.</summary>
     public void HideStrip(bool hidden) => Strip.IsVisible = !hidden;
 
     private void OnSelected(object? sender, SelectionChangedEventArgs e)

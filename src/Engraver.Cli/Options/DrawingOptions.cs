@@ -5,6 +5,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
@@ -24,6 +25,7 @@ internal sealed class DrawingOptions
     private readonly Option<double> _join = Number(SettingTable.JoinTolerance, s_defaults.JoinToleranceMm, OptionValue.NumberFromZero);
     private readonly Option<double> _maxError = Number(SettingTable.MaxError, s_defaults.MaxErrorMm, OptionValue.PositiveNumber);
     private readonly Option<Point2D> _start = Described(SettingTable.Start, OptionValue.Point);
+    private readonly Option<FinishPlace> _finish = Described(SettingTable.Finish, OptionValue.Finish);
     private readonly Option<string?> _enter = Described<string?>(SettingTable.Enter);
     private readonly Option<string> _order = Choice(SettingTable.Order, "nearest");
     private readonly Option<bool> _keepDuplicates = Described<bool>(SettingTable.KeepDuplicates);
@@ -40,7 +42,7 @@ internal sealed class DrawingOptions
     /// <summary>For a verb whose drawing is named by an option of its own.</summary>
     public void AddOptionsTo(Command command)
     {
-        foreach (var option in (Option[])[_layers, _skip, _units, _cut, _join, _maxError, _start, _enter, _order, _keepDuplicates, _recoverArcs, _machine, _feed]) command.Options.Add(option);
+        foreach (var option in (Option[])[_layers, _skip, _units, _cut, _join, _maxError, _start, _finish, _enter, _order, _keepDuplicates, _recoverArcs, _machine, _feed]) command.Options.Add(option);
     }
 
     public string File(ParseResult parsed) => parsed.GetRequiredValue(_file);
@@ -55,6 +57,7 @@ internal sealed class DrawingOptions
         JoinToleranceMm = parsed.GetValue(_join),
         MaxErrorMm = parsed.GetValue(_maxError),
         Start = parsed.GetValue(_start),
+        Finish = parsed.GetValue(_finish),
         Enter = Entering(parsed.GetValue(_enter)),
         Order = parsed.GetValue(_order) == "drawn" ? StrokeOrder.Drawn : StrokeOrder.Nearest,
         KeepDuplicates = parsed.GetValue(_keepDuplicates),

@@ -2,15 +2,23 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines.Origins;
 
 namespace Engraver.Cli.Options;
 
-/// <summary>How the words of the command line become values: invariant numbers only, and a clear sentence when a word cannot be read.</summary>
+/// <summary>Reads the values of options: invariant numbers only, and one sentence when a value cannot be read.</summary>
 internal static class OptionValue
 {
     public static double PositiveNumber(ArgumentResult result) => Number(result, value => value > 0.0, Wording.Get("OptionValue.NumberAbove"));
 
     public static double NumberFromZero(ArgumentResult result) => Number(result, value => value >= 0.0, Wording.Get("OptionValue.NumberOrMore"));
+
+    public static double AnyNumber(ArgumentResult result) => Number(result, _ => true, Wording.Get("OptionValue.AnyNumber"));
+
+    /// <summary>A whole number from 1 to a million.</summary>
+    public static double WholeNumberFromOne(ArgumentResult result) => Number(result, value => value is >= 1.0 and <= 1e6 && value == Math.Floor(value), Wording.Get("OptionValue.WholeNumberFromOne"));
+
+    public static double NumberFromOne(ArgumentResult result) => Number(result, value => value >= 1.0, Wording.Get("OptionValue.NumberFromOne"));
 
     public static Point2D Point(ArgumentResult result)
     {
@@ -37,6 +45,19 @@ internal static class OptionValue
         }
 
         return choice;
+    }
+
+    public static FinishPlace Finish(ArgumentResult result)
+    {
+        switch (result.Tokens[0].Value)
+        {
+            case "origin": return FinishPlace.Origin;
+            case "stay": return FinishPlace.Stay;
+            case "park": return FinishPlace.Park;
+            default:
+                result.AddError(Wording.Get("OptionValue.NoFinish", Name(result), result.Tokens[0].Value));
+                return FinishPlace.Origin;
+        }
     }
 
     public static IReadOnlyList<string> Names(ArgumentResult result) =>

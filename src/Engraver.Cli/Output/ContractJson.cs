@@ -9,9 +9,12 @@ namespace Engraver.Cli.Output;
 [JsonSerializable(typeof(InfoJson))]
 [JsonSerializable(typeof(SequenceJson))]
 [JsonSerializable(typeof(PlanJson))]
+[JsonSerializable(typeof(OffsetJson))]
 [JsonSerializable(typeof(RunJson))]
+[JsonSerializable(typeof(TrajectoryJson))]
 [JsonSerializable(typeof(VerifyJson))]
 [JsonSerializable(typeof(StatusJson))]
+[JsonSerializable(typeof(DiscoverJson))]
 internal sealed partial class ContractJson : JsonSerializerContext
 {
     public static void Write<T>(TextWriter output, T value, JsonTypeInfo<T> type) => output.WriteLine(JsonSerializer.Serialize(value, type));

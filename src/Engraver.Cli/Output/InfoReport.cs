@@ -4,10 +4,10 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>What is in a drawing, for programs.</summary>
+/// <summary>Collects what is in a drawing for the JSON of <c>info</c>.</summary>
 internal static class InfoReport
 {
-    /// <summary>More are in the drawing, not in the report.</summary>
+    /// <summary>Most texts in the report; the drawing may have more.</summary>
     private const int ShownTexts = 10_000;
 
     public static InfoJson Json(Drawing drawing, DrawingSummary summary, IReadOnlyList<Diagnostic> findings)

@@ -5,6 +5,7 @@ namespace Engraver.Cli.Output;
 /// <param name="Travel">Between strokes, mm.</param>
 /// <param name="PeakSpeed">While cutting, mm/s along the path.</param>
 /// <param name="PeakAxisAcceleration">While cutting, mm/s2 of one axis.</param>
+/// <param name="NotCut">What is seen on the layers that are cut and gives no cut, by DXF type.</param>
 /// <param name="Cost">No machine profile knows a price yet: always null.</param>
 internal sealed record PlanJson(
     PlanJson.PlanSecondsJson? Seconds,
@@ -12,7 +13,8 @@ internal sealed record PlanJson(
     double Travel,
     double? PeakSpeed,
     double? PeakAxisAcceleration,
-    double? Cost)
+    double? Cost,
+    IReadOnlyDictionary<string, int> NotCut)
 {
     internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell);
 }

@@ -5,7 +5,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>How the plan of a job is told.</summary>
+/// <summary>Reports the plan of a job.</summary>
 internal static class PlanReport
 {
     /// <param name="program">Of the job, made fit for the link; null when there is nothing this machine can cut.</param>
@@ -13,9 +13,9 @@ internal static class PlanReport
     public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times)
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);
-        if (program is null) return new PlanJson(null, length, travel, null, null, null);
+        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts);
         var peaks = MotionPeaks.From(program);
-        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, null);
+        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, null, job.NotCut.Counts);
     }
 
     public static void Text(TextWriter output, PlanJson plan)

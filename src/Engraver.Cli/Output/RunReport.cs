@@ -1,16 +1,17 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>How a run is told: one object for programs.</summary>
+/// <summary>Reports a run as one JSON object.</summary>
 internal static class RunReport
 {
-    public static RunJson Json(PreparedJob job, MachineRunReport report, string journal) => new(
+    public static RunJson Json(PreparedJob job, MachineRunReport report, string journal, ArmingChecklist? checks) => new(
         OutcomeText.Word(report.Result.Outcome),
         report.Result.SegmentsSent,
         report.Result.SegmentsExecuted,
@@ -27,12 +28,17 @@ internal static class RunReport
         journal,
         LeftOut(job),
         job.NotCut.Counts,
-        Origin(job.Settings, report.Placement));
+        Origin(job.Settings, report.Placement),
+        job.Settings.Machine.Axes.Z is null ? null : report.Result.FinalPosition?.Z,
+        report.Result.Holds,
+        report.ResumedFrom is { } from ? new RunJson.ResumedJson(from.Segments, from.Along / job.Settings.Machine.Scale.Largest) : null,
+        StartCheckJson.Of(checks));
 
     /// <summary>A run that never reached the machine: nothing sent, nothing known.</summary>
+    /// <param name="checks">The list before the start, as far as it was gone through.</param>
     /// <param name="job">Null when it was stopped before it was prepared.</param>
-    public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome) =>
-        new(OutcomeText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts, null);
+    public static RunJson NotStarted(DrawingSettings settings, PreparedJob? job, JobOutcome outcome, ArmingChecklist? checks = null) =>
+        new(OutcomeText.Word(outcome), 0, 0, 0.0, null, 0, 0, null, null, Scale(settings), null, null, "none", null, job is null ? null : LeftOut(job), job?.NotCut.Counts, null, null, 0, null, StartCheckJson.Of(checks));
 
     private static RunJson.OriginJson? Origin(DrawingSettings settings, PlacementResult? placement) => placement is { Frame: { } frame }
         ? new(frame.X / settings.Machine.Scale.X, frame.Y / settings.Machine.Scale.Y, placement.Source switch { OriginSource.Here => "here", OriginSource.Given => "given", _ => "work" })

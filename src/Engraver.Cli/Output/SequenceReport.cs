@@ -2,7 +2,7 @@ using Engraver.Core.Sequencing;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>How sequencing is told to programs.</summary>
+/// <summary>Reports sequencing as JSON.</summary>
 internal static class SequenceReport
 {
     public static SequenceJson Json(SequencingResult result, SequenceJson.SecondsJson seconds) => new(

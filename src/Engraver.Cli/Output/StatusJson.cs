@@ -1,4 +1,8 @@
+using System.Globalization;
+using System.Text.Json.Serialization;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Machines;
 
@@ -7,8 +11,8 @@ namespace Engraver.Cli.Output;
 /// <summary>The one object of <c>status</c>, <c>zero</c> and <c>goto</c>: what the machine is doing and where it stands, millimetres.</summary>
 /// <param name="State">One of the states of the contract, upper case with blanks.</param>
 /// <param name="Machine">By the controller's own zero.</param>
-/// <param name="Work">By the active work origin.</param>
-/// <param name="Inputs">Name to state; 1 is on.</param>
+/// <param name="Work">By the active work origin; null while it is not known where that lies.</param>
+/// <param name="Inputs">Name to state; 1 is on. Where the machine profile gives no name, and to the second of two with the same name, the number is the name.</param>
 internal sealed record StatusJson(
     string State,
     bool Homed,
@@ -22,39 +26,60 @@ internal sealed record StatusJson(
 {
     private const int Lines = 8;
 
-    public static StatusJson From(MachineStatus status, MachineMemory? memory)
+    /// <summary>The list before a frame run; left out by the verbs that have none.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public IReadOnlyList<StartCheckJson>? Checks { get; init; }
+
+    /// <summary>Why the place of the work is not known, and what to do; empty while it is known.</summary>
+    [JsonIgnore]
+    public string OriginMissing { get; private init; } = "";
+
+    public static StatusJson From(MachineStatus status, MachineMemory? memory, MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(status);
+        ArgumentNullException.ThrowIfNull(profile);
+        var (active, isKnown) = (memory?.Active ?? WorkOriginNames.First, status.OriginMissing.Length == 0);
         return new StatusJson(
-            StateText(status.State),
-            Homed: false,
-            new PlaceJson(status.MachinePosition?.X, status.MachinePosition?.Y, null),
-            new WorkJson(memory?.Active ?? WorkOriginNames.First, status.WorkPosition?.X, status.WorkPosition?.Y, null),
+            status.State.Word(),
+            Homed: status.IsHomed == true,
+            new PlaceJson(status.MachinePosition?.X, status.MachinePosition?.Y, status.MachineHeight),
+            isKnown ? new WorkJson(active, status.WorkPosition?.X, status.WorkPosition?.Y, status.WorkHeight) : new WorkJson(active, null, null, null),
             [.. (status.MotorsOff ?? "").Select(letter => letter.ToString())],
             status.Limit.Length == 0 ? [] : status.Limit.Split(" and "),
-            Bits(status.Inputs),
-            Bits(status.Outputs),
-            status.Controller);
+            Bits(status.Inputs, profile.Inputs),
+            Bits(status.Outputs, profile.Outputs),
+            status.Controller) { OriginMissing = status.OriginMissing };
     }
 
     /// <summary>For people: three lines.</summary>
     public IEnumerable<string> Text()
     {
         yield return $"{State}, {Model}";
-        yield return Wording.Get("Status.Machine", Place(Machine.X, Machine.Y));
-        yield return Work.X is null ? Wording.Get("Status.WorkNotSet", Work.Name) : Wording.Get("Status.Work", Work.Name, Place(Work.X, Work.Y));
+        yield return Wording.Get("Status.Machine", Place(Machine.X, Machine.Y, Machine.Z));
+        if (OriginMissing.Length > 0) yield return Wording.Get("Status.WorkMissing", Work.Name, OriginMissing);
+        else yield return Work.X is null ? Wording.Get("Status.WorkNotSet", Work.Name) : Wording.Get("Status.Work", Work.Name, Place(Work.X, Work.Y, Work.Z));
     }
 
-    private static string Place(double? x, double? y) => x is { } atX && y is { } atY ? Wording.Get("Status.Place", atX, atY) : Wording.Get("Status.NotKnown");
-
-    private static string StateText(MachineState state) => state switch
+    private static string Place(double? x, double? y, double? z)
     {
-        MachineState.MotorsOff => "MOTORS OFF",
-        MachineState.EmergencyStopOpen => "E-STOP OPEN",
-        _ => state.ToString().ToUpperInvariant(),
-    };
+        if (x is not { } atX || y is not { } atY) return Wording.Get("Status.NotKnown");
+        return z is { } atZ ? Wording.Get("Status.PlaceWithZ", atX, atY, atZ) : Wording.Get("Status.Place", atX, atY);
+    }
 
-    private static Dictionary<string, int> Bits(int? word) => word is not { } bits ? [] : Enumerable.Range(1, Lines).ToDictionary(line => line.ToString(System.Globalization.CultureInfo.InvariantCulture), line => (bits >> (line - 1)) & 1);
+    private static Dictionary<string, int> Bits(int? word, LineNames names)
+    {
+        var states = new Dictionary<string, int>(StringComparer.OrdinalIgnoreCase);
+        if (word is not { } bits) return states;
+        for (var line = 1; line <= Lines; line++)
+        {
+            var state = (bits >> (line - 1)) & 1;
+            var number = line.ToString(CultureInfo.InvariantCulture);
+            var isOwn = !int.TryParse(names[line], out _) && !states.ContainsKey(names[line]);
+            states[isOwn ? names[line] : number] = state;
+        }
+
+        return states;
+    }
 
     internal sealed record PlaceJson(double? X, double? Y, double? Z);
 

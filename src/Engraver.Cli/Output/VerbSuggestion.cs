@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace Engraver.Cli.Output;
 
-/// <summary>What to say to a word that is no verb: the nearest one that is.</summary>
+/// <summary>Suggests the nearest verb for a word that is none.</summary>
 internal static class VerbSuggestion
 {
     /// <summary>Null when the first word is a verb or an option, so that something else is wrong.</summary>

@@ -2,13 +2,13 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Cli.Terminals;
 
-/// <summary>A terminal with somebody at it: lines from a pipe one after the other, or keys from a person.</summary>
+/// <summary>The conversation of <c>terminal</c>: lines from a pipe one after the other, or keys from a person.</summary>
 internal sealed class TerminalConversation(IMachineTerminal terminal, TerminalScreen screen, TimeProvider time)
 {
-    /// <summary>Between two looks at the keyboard, and at what programs print meanwhile.</summary>
+    /// <summary>Time between two looks at the keyboard and at what programs of the controller have printed.</summary>
     private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>Done, or the code of the first line that was refused (by the controller) or withheld (by us).</summary>
+    /// <summary>Done, or the code of the first line that was refused (by the controller) or withheld (by this program).</summary>
     public int Code { get; private set; } = ExitCode.Done;
 
     /// <summary>Answers every line up to the end or <c>quit</c>; what programs print at the end is shown too.</summary>

@@ -3,7 +3,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Cli.Terminals;
 
-/// <summary>How answers look: plain text, or coloured where a person watches.</summary>
+/// <summary>Shows answers as plain text, or coloured where a person watches.</summary>
 internal sealed class TerminalScreen(TextWriter output, bool coloured)
 {
     private const string Prompt = "engraver> ";
@@ -24,7 +24,7 @@ internal sealed class TerminalScreen(TextWriter output, bool coloured)
         output.Flush();
     }
 
-    /// <summary>Takes the line being typed away, so that a message can stand in its place.</summary>
+    /// <summary>Clears the line being typed, so that a message can be written in its place.</summary>
     public void HideInput() => output.Write(ClearLine);
 
     public void EndInput() => output.WriteLine();

@@ -2,6 +2,8 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using Engraver.Benchmarks.Stages;
+using Engraver.Benchmarks.Stops;
+using Engraver.Benchmarks.Trajectories;
 
 namespace Engraver.Cli.Verbs;
 
@@ -19,7 +21,65 @@ internal static class BenchVerb
         };
         var command = new Command("bench", Wording.Get("Bench.MeasuresEveryStageOn")) { sizes };
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(sizes), stop));
+        command.Subcommands.Add(Stops(host));
+        command.Subcommands.Add(Trajectories(host));
         return command;
+    }
+
+    /// <summary><c>engraver bench stop</c>: how long a STOP takes to the wire under each kind of fault.</summary>
+    private static Command Stops(VerbHost host)
+    {
+        var presses = new Option<int>("--presses") { HelpName = "N", Description = Wording.Get("Bench.Presses"), DefaultValueFactory = _ => 50 };
+        presses.Validators.Add(result =>
+        {
+            if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count is > 0 and <= 10_000)) result.AddError(Wording.Get("Bench.NoPresses", token.Value));
+        });
+        var names = new Option<string[]>("--fault") { HelpName = "KIND", Description = Wording.Get("Bench.Fault"), Arity = ArgumentArity.OneOrMore, AllowMultipleArgumentsPerToken = true };
+        names.AcceptOnlyFromAmong([.. FaultStopBenchmark.Faults.Select(fault => fault.Name)]);
+        var command = new Command("stop", Wording.Get("Bench.Stops")) { presses, names };
+        command.SetAction((parsed, stop) => StopAsync(host, parsed.GetValue(presses), parsed.GetValue(names) ?? [], stop));
+        return command;
+    }
+
+    /// <summary><c>engraver bench trajectories</c>: points, bounds and errors of trajectories.</summary>
+    private static Command Trajectories(VerbHost host)
+    {
+        var curves = new Option<int>("--curves") { HelpName = "N", Description = Wording.Get("Bench.Curves"), DefaultValueFactory = _ => 100 };
+        curves.Validators.Add(result =>
+        {
+            if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count is > 0 and <= 10_000)) result.AddError(Wording.Get("Bench.NoCurves", token.Value));
+        });
+        var command = new Command("trajectories", Wording.Get("Bench.Trajectories")) { curves };
+        command.SetAction((parsed, stop) => TrajectoriesAsync(host, parsed.GetValue(curves), stop));
+        return command;
+    }
+
+    private static async Task<int> TrajectoriesAsync(VerbHost host, int curves, CancellationToken stop)
+    {
+        TrajectoryBenchmark.WarmUp(stop);
+        await SayAsync(host, TrajectoryBenchmark.ShapesHead, stop).ConfigureAwait(false);
+        foreach (var row in TrajectoryBenchmark.Rows(stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
+        await SayAsync(host, "", stop).ConfigureAwait(false);
+        await SayAsync(host, TrajectoryBenchmark.CurvesHead, stop).ConfigureAwait(false);
+        await SayAsync(host, TrajectoryBenchmark.Curves(curves, stop), stop).ConfigureAwait(false);
+        return ExitCode.Done;
+    }
+
+    private static async Task<int> StopAsync(VerbHost host, int presses, string[] names, CancellationToken stop)
+    {
+        var folder = Directory.CreateTempSubdirectory("engraver-bench-");
+        try
+        {
+            var benchmark = new FaultStopBenchmark(folder.FullName);
+            await benchmark.RunAsync("none", null, 3, stop).ConfigureAwait(false); // compiles what is measured
+            await SayAsync(host, FaultStopFigure.MarkdownHead, stop).ConfigureAwait(false);
+            foreach (var (name, fault) in FaultStopBenchmark.Faults.Where(fault => names.Length == 0 || names.Contains(fault.Name))) await SayAsync(host, (await benchmark.RunAsync(name, fault, presses, stop).ConfigureAwait(false)).ToMarkdown(), stop).ConfigureAwait(false);
+            return ExitCode.Done;
+        }
+        finally
+        {
+            folder.Delete(recursive: true);
+        }
     }
 
     private static async Task<int> RunAsync(VerbHost host, int[] sizes, CancellationToken stop)
@@ -34,7 +94,7 @@ internal static class BenchVerb
         return ExitCode.Done;
     }
 
-    /// <summary>At once, for the next row may take minutes.</summary>
+    /// <summary>Writes a row at once, because the next one may take minutes.</summary>
     private static async Task SayAsync(VerbHost host, string line, CancellationToken stop)
     {
         await host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);

@@ -33,7 +33,7 @@ internal sealed class DesktopVerb
         return command;
     }
 
-    /// <summary>Where the desktop may be, seen from this program: published into the same folder, into the folder beside, or built beside it.</summary>
+    /// <summary>Paths at which the desktop may be: published into this program's folder, into the folder beside, or built beside it.</summary>
     /// <param name="here">This program's folder.</param>
     internal static IEnumerable<string> Candidates(string here)
     {
@@ -57,7 +57,7 @@ internal sealed class DesktopVerb
         return desktop.ExitCode;
     }
 
-    /// <summary>A word that begins like an option is one that is not there, and no drawing.</summary>
+    /// <summary>Refuses an argument that begins like an option, because no option of that name exists.</summary>
     private static void NoOption(ArgumentResult result)
     {
         foreach (var token in result.Tokens)
@@ -81,7 +81,7 @@ internal sealed class DesktopVerb
         }
     }
 
-    /// <summary>The desktop stops the machine before it ends, so it is asked and waited for, however long that takes.</summary>
+    /// <summary>Asks the desktop to end by SIGTERM and leaves the waiting to the caller: the desktop stops the machine before it ends, however long that takes.</summary>
     private static void AskToEnd(int id)
     {
         if (OperatingSystem.IsWindows()) return; // Ctrl-C reaches every program of the console by itself

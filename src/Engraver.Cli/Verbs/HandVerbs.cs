@@ -12,8 +12,12 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Cli.Verbs;
 
 /// <summary><c>engraver status</c>, <c>zero</c> and <c>goto</c>: one look or one act on a machine, and then the same object.</summary>
-internal sealed class HandVerbs
+internal sealed partial class HandVerbs
 {
+    /// <summary>Places that have a name.</summary>
+    private const string Park = "park";
+    private const string Clearance = "clearance";
+
     private readonly VerbHost _host;
     private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, Wording.Get("Hand.Connect"));
     private readonly Option<bool> _json = JsonOption.New();
@@ -29,47 +33,48 @@ internal sealed class HandVerbs
         return command;
     }
 
-    public static Command Zero(VerbHost host)
+    public static Command Motors(VerbHost host)
     {
         var verb = new HandVerbs(host);
-        var x = new Option<bool>("--x") { Description = Wording.Get("Hand.ZeroX") };
-        var y = new Option<bool>("--y") { Description = Wording.Get("Hand.ZeroY") };
-        var name = new Option<string?>("--origin") { HelpName = "G54", Description = Wording.Get("Hand.ZeroOrigin") };
-        name.Validators.Add(result =>
+        var state = new Argument<string>("ON|OFF") { Description = Wording.Get("Hand.MotorsState") };
+        state.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && WorkOriginNames.Find(token.Value) is null) result.AddError(Wording.Get("Hand.NoSuchOrigin", token.Value, string.Join(", ", WorkOriginNames.All)));
+            if (result.Tokens is [var token] && !token.Value.Equals("on", StringComparison.OrdinalIgnoreCase) && !token.Value.Equals("off", StringComparison.OrdinalIgnoreCase)) result.AddError(Wording.Get("Hand.MotorsNoState", token.Value));
         });
-        var command = verb.Command("zero", Wording.Get("Hand.Zero"));
-        foreach (var option in (Option[])[x, y, name]) command.Options.Add(option);
-        command.SetAction((parsed, stop) => verb.WithMachineAsync(
-            parsed,
-            async (machine, cancellation) =>
-            {
-                var (onlyX, onlyY) = (parsed.GetValue(x), parsed.GetValue(y));
-                var chosen = parsed.GetValue(name) is { } given ? WorkOriginNames.Find(given) : null;
-                await machine.SetOriginAsync(
-                    (memory, here) => (memory with { Active = chosen ?? memory.Active }).WithOrigin(chosen ?? memory.Active, onlyX || !onlyY ? here.Position.X : null, onlyY || !onlyX ? here.Position.Y : null, null),
-                    cancellation).ConfigureAwait(false);
-                return ExitCode.Done;
-            },
-            stop));
+        var command = verb.Command("motors", Wording.Get("Hand.Motors"));
+        command.Arguments.Add(state);
+        command.SetAction((parsed, stop) => verb.WithMachineAsync(parsed, (machine, cancellation) => verb.SwitchAsync(machine, parsed.GetValue(state)!.Equals("on", StringComparison.OrdinalIgnoreCase), cancellation), stop));
         return command;
+    }
+
+    private async Task<int> SwitchAsync(MachineSession machine, bool on, CancellationToken stop)
+    {
+        if (await machine.SetMotorsAsync(on, stop).ConfigureAwait(false) is not { } refused) return ExitCode.Done;
+        _host.Error.WriteLine($"engraver: {refused.Sentence}");
+        return ExitCode.Refused;
     }
 
     public static Command GoTo(VerbHost host)
     {
         var verb = new HandVerbs(host);
-        var place = new Argument<string>("X,Y") { Description = Wording.Get("Hand.Place") };
+        var place = new Argument<string?>("X,Y|park|clearance") { Description = Wording.Get("Hand.Place") };
         place.Validators.Add(result =>
         {
-            if (result.Tokens is [var token] && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.NoPlace", token.Value));
+            if (result.Tokens is [var token] && token.Value is not (Park or Clearance) && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.NoPlace", token.Value));
         });
         var byMachine = new Option<bool>("--machine-position") { Description = Wording.Get("Hand.ByMachine") };
         var command = verb.Command("goto", Wording.Get("Hand.GoTo"));
         command.Arguments.Add(place);
         command.Options.Add(byMachine);
         command.SetAction((parsed, stop) => verb.WithMachineAsync(
-            parsed, (machine, cancellation) => verb.GoToAsync(machine, PlacementOptions.TryPlace(parsed.GetValue(place)!)!.Value, parsed.GetValue(byMachine), cancellation), stop));
+            parsed,
+            (machine, cancellation) => parsed.GetValue(place) switch
+            {
+                Clearance => verb.ClearAsync(machine, cancellation),
+                Park => machine.Profile.Park is { } park ? verb.GoToAsync(machine, park, byMachine: true, cancellation) : Task.FromResult(verb.NotMoved(Wording.Get("Hand.NoPark"))),
+                var typed => verb.GoToAsync(machine, PlacementOptions.TryPlace(typed!)!.Value, parsed.GetValue(byMachine), cancellation),
+            },
+            stop));
         return command;
     }
 
@@ -78,17 +83,30 @@ internal sealed class HandVerbs
         var verb = new HandVerbs(host);
         var x = new Option<double>("--x") { HelpName = "MM", Description = Wording.Get("Hand.JogX") };
         var y = new Option<double>("--y") { HelpName = "MM", Description = Wording.Get("Hand.JogY") };
+        var z = new Option<double>("--z") { HelpName = "MM", Description = Wording.Get("Hand.JogZ") };
         var feed = new Option<double?>("--feed") { HelpName = "MM/MIN", Description = Wording.Get("Hand.JogFeed") };
         var command = verb.Command("jog", Wording.Get("Hand.Jog"));
-        foreach (var option in (Option[])[x, y, feed]) command.Options.Add(option);
+        var hold = new Option<string?>("--hold") { HelpName = "X+|X-|Y+|Y-|Z+|Z-", Description = Wording.Get("Hand.JogHold") };
+        foreach (var option in (Option[])[x, y, z, feed, hold]) command.Options.Add(option);
         command.Validators.Add(result =>
         {
-            if (result.GetValue(x) == 0.0 && result.GetValue(y) == 0.0) result.AddError(Wording.Get("Hand.JogNowhere"));
-            if (!double.IsFinite(result.GetValue(x)) || !double.IsFinite(result.GetValue(y))) result.AddError(Wording.Get("Hand.JogNowhere"));
+            if (result.GetResult(hold) is { Tokens: [var way] })
+            {
+                if (Direction(way.Value) is null) result.AddError(Wording.Get("Hand.JogNoWay", way.Value));
+                if (new[] { x, y, z }.Any(step => result.GetValue(step) != 0.0)) result.AddError(Wording.Get("Hand.JogHoldOrStep"));
+                return;
+            }
+
+            double[] steps = [result.GetValue(x), result.GetValue(y), result.GetValue(z)];
+            if (steps.All(step => step == 0.0) || !steps.All(double.IsFinite)) result.AddError(Wording.Get("Hand.JogNowhere"));
             if (result.GetValue(feed) is { } speed && speed is not (> 0.0 and < 1e6)) result.AddError(Wording.Get("Hand.JogNoFeed", speed));
         });
         command.SetAction((parsed, stop) => verb.WithMachineAsync(
-            parsed, (machine, cancellation) => verb.JogAsync(machine, new Vector2D(parsed.GetValue(x), parsed.GetValue(y)), parsed.GetValue(feed), cancellation), stop));
+            parsed,
+            (machine, cancellation) => parsed.GetValue(hold) is { } way
+                ? verb.HoldAsync(machine, Direction(way)!.Value, parsed.GetValue(feed), cancellation)
+                : verb.JogAsync(machine, new Vector2D(parsed.GetValue(x), parsed.GetValue(y)), parsed.GetValue(z), parsed.GetValue(feed), cancellation),
+            stop));
         return command;
     }
 
@@ -102,7 +120,7 @@ internal sealed class HandVerbs
         if (parsed.GetValue(_profile) is { } profile) machine.Profile = MachineProfileSource.Load(profile);
         await machine.ConnectAsync(address, stop).ConfigureAwait(false);
         var code = await act(machine, stop).ConfigureAwait(false);
-        var status = StatusJson.From(machine.Status, machine.Hold?.Memory);
+        var status = StatusJson.From(machine.Status, machine.Hold?.Memory, machine.Profile);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, status, ContractJson.Default.StatusJson);
         else foreach (var line in status.Text()) await _host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);
         return code;
@@ -110,32 +128,48 @@ internal sealed class HandVerbs
 
     private async Task<int> GoToAsync(MachineSession machine, Point2D place, bool byMachine, CancellationToken stop)
     {
-        var scale = machine.Profile.Scale;
-        var zero = new CountsPoint(0, 0);
+        var (scale, zero) = (machine.Profile.Scale, default(CountsPoint));
         if (!byMachine)
         {
             var found = await machine.PlaceAsync(new MotionProgram(machine.Profile, default, []), stop).ConfigureAwait(false);
-            if (found?.Frame is not { } frame) return NotMoved(found?.Refusal is { } refused ? SettingWording.OnConsole(refused).Message : Wording.Get("Hand.PlaceNotKnown"));
+            if (found?.Frame is not { } frame) return NotMoved(WhyUnplaced(found));
             zero = frame;
         }
 
         if (!scale.Holds(Bounds2D.FromCorners(place, place), new CountsPoint(-zero.X, -zero.Y))) return NotMoved(Wording.Get("Hand.NotCountable"));
         var at = scale.ToCounts(place);
-        return await MoveAsync(machine, new CountsPoint(at.X + zero.X, at.Y + zero.Y), feed: null, stop).ConfigureAwait(false);
+        return Concluded(await machine.GoToAsync(new CountsPoint(at.X + zero.X, at.Y + zero.Y), JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
+
+    /// <summary>Brings a tool that an axis holds to its clearance height over the work; the machine stays where it is in plan.</summary>
+    private async Task<int> ClearAsync(MachineSession machine, CancellationToken stop)
+    {
+        if (machine.Profile.Height is null) return NotMoved(Wording.Get("Hand.NoClearance"));
+        var found = await machine.PlaceAsync(new MotionProgram(machine.Profile, default, []), stop).ConfigureAwait(false);
+        if (found?.Frame is not { } zero || machine.Status.MachinePosition is not { } here) return NotMoved(WhyUnplaced(found));
+        var goal = machine.Profile.Scale.ToCounts(here) with { Z = zero.Z + machine.Profile.ClearanceCounts };
+        return Concluded(await machine.StepAsync(goal, withHeight: true, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
+    }
+
+    private static string WhyUnplaced(PlacementResult? found) => found?.Refusal is { } refused ? SettingWording.OnConsole(refused).Message : Wording.Get("Hand.PlaceNotKnown");
 
     /// <summary>A bounded step from where the machine stands.</summary>
-    private async Task<int> JogAsync(MachineSession machine, Vector2D step, double? feed, CancellationToken stop)
+    /// <param name="height">Up or down, mm.</param>
+    private async Task<int> JogAsync(MachineSession machine, Vector2D step, double height, double? feed, CancellationToken stop)
     {
         if (machine.Status.MachinePosition is not { } here) return NotMoved(Wording.Get("Hand.PlaceNotKnown"));
-        var goal = here + step;
-        return machine.Profile.Scale.Holds(Bounds2D.FromCorners(goal, goal), default) ? await MoveAsync(machine, machine.Profile.Scale.ToCounts(goal), feed, stop).ConfigureAwait(false) : NotMoved(Wording.Get("Hand.NotCountable"));
+        if (height != 0.0 && machine.Profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
+        var (goal, scale, top) = (here + step, machine.Profile.Scale, (machine.Status.MachineHeight ?? 0.0) + height);
+        if (!scale.Holds(Bounds2D.FromCorners(goal, goal), default) || !scale.HoldsHeight(top)) return NotMoved(Wording.Get("Hand.NotCountable"));
+        return Concluded(await machine.StepAsync(scale.ToCounts(goal) with { Z = scale.ToHeight(top) }, height != 0.0, JournalFolder.NewJournal("jog", TimeProvider.System), feed, stop).ConfigureAwait(false));
     }
 
-    private async Task<int> MoveAsync(MachineSession machine, CountsPoint goal, double? feed, CancellationToken stop)
+    /// <summary>Says why a move did not go to its end.</summary>
+    private int Concluded(JobResult result)
     {
-        var result = await machine.GoToAsync(goal, JournalFolder.NewJournal("goto", TimeProvider.System), feed, stop).ConfigureAwait(false);
+        if (result is { Outcome: JobOutcome.Refused, Diagnostics: [{ } refusal, ..], FinalPosition: null }) return NotMoved(SettingWording.OnConsole(refusal).Message);
         if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Sentence}");
+        foreach (var left in result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.EngraverNotRestored", left));
         return result.Outcome switch { JobOutcome.Complete => ExitCode.Done, JobOutcome.Stopped => ExitCode.StoppedByOperator, JobOutcome.Refused => ExitCode.Refused, JobOutcome.Deviated => ExitCode.DrawingError, _ => ExitCode.LinkLost };
     }
 

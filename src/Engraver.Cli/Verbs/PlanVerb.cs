@@ -22,10 +22,10 @@ internal static class PlanVerb
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
-            var way = ModeOption.Mode(parsed.GetValue(mode));
+            var strategy = ModeOption.Mode(parsed.GetValue(mode));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var job = JobPreparation.Prepare(read, settings, JobPlan.StyleOf(way));
-            var (plan, findings) = Planned(job, parsed.GetValue(connect), way);
+            var job = JobPreparation.Prepare(read, settings, JobPlan.StyleOf(strategy));
+            var (plan, findings) = Planned(job, parsed.GetValue(connect), strategy);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);
             else PlanReport.Text(host.Out, plan);
             return Task.FromResult(host.Report(parsed, read.FileName, [.. job.Diagnostics, .. findings]));

@@ -1,7 +1,10 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
+using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -13,19 +16,41 @@ internal static class PlotVerb
         var drawing = new DrawingOptions();
         var output = new Option<string>("-o", "--output") { Required = true, HelpName = "OUT.svg", Description = Wording.Get("Plot.FileWrite") };
         var what = new Option<string>("--what") { Description = Wording.Get("Plot.DrawingDrawnPathStrokes"), DefaultValueFactory = _ => "path" };
-        what.AcceptOnlyFromAmong("drawing", "path");
+        what.AcceptOnlyFromAmong("drawing", "path", "deviation", "following", "speed");
+        var journal = new Option<string?>("--journal") { HelpName = "FILE", Description = Wording.Get("Plot.Journal") };
         var command = new Command("plot", Wording.Get("Plot.DrawsPictureDrawingIts"));
         drawing.AddTo(command);
         command.Options.Add(output);
         command.Options.Add(what);
+        command.Options.Add(journal);
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var plot = DrawingPlot.Create(read, settings, parsed.GetValue(what) == "drawing");
+            var plot = parsed.GetValue(what) switch
+            {
+                "deviation" => OfRun(read, settings, RunMeasure.Deviation, parsed.GetValue(journal)),
+                "following" => OfRun(read, settings, RunMeasure.Following, parsed.GetValue(journal)),
+                "speed" => OfRun(read, settings, RunMeasure.Speed, parsed.GetValue(journal)),
+                var chosen => DrawingPlot.Create(read, settings, chosen == "drawing"),
+            };
             if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => SvgPlotWriter.Write(plot, writer));
             return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
         });
         return command;
+    }
+
+    /// <summary>From what was kept beside a journal; without one, beside that of the last run of the drawing.</summary>
+    private static PlotModel OfRun(Drawing drawing, DrawingSettings settings, RunMeasure measure, string? journal)
+    {
+        var kept = journal ?? KeptTrace.LastOf(drawing.FileName) ?? throw new UsageException(Wording.Get("Plot.NoRun", Path.GetFileName(drawing.FileName)));
+        try
+        {
+            return DrawingPlot.OfRun(drawing, settings, KeptTrace.Read(kept), measure);
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or FormatException)
+        {
+            throw new UsageException(Wording.Get("Plot.Unreadable", KeptTrace.PathOf(kept), unreadable.Message), unreadable);
+        }
     }
 }

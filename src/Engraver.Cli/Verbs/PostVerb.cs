@@ -46,7 +46,7 @@ internal static class PostVerb
         return choice;
     }
 
-    /// <summary>An option that the target does not have is a mistake, not nothing.</summary>
+    /// <summary>Refuses an option that the target does not have, instead of ignoring it.</summary>
     private static void CheckChoices(CommandResult result, Option<string> target, IEnumerable<Option<string?>> choices)
     {
         if (result.GetResult(target) is not { Tokens: [{ Value: var name }] } || PostTable.All.FirstOrDefault(entry => entry.Post.Name == name) is not { Post: var post }) return;

@@ -1,10 +1,16 @@
 using System.CommandLine;
+using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Cli.Terminals;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
@@ -25,6 +31,9 @@ internal sealed class RunVerb
     private readonly Option<string?> _trace = new("--trace") { HelpName = "FILE", Description = Wording.Get("Run.WriteEveryLineOn") };
     private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = Wording.Get("Run.StartAlthoughDrawingHas") };
 
+    private readonly Option<string?> _resume = new("--resume") { HelpName = "JOURNAL", Description = Wording.Get("Run.Resume") };
+    private readonly Option<double> _leadIn = new("--lead-in") { HelpName = "MM", Description = Wording.Get("Run.LeadIn"), DefaultValueFactory = _ => ResumeRequest.UsualLeadInMm, CustomParser = ParseLeadIn };
+
     private RunVerb(VerbHost host) => _host = host;
 
     public static Command Build(VerbHost host)
@@ -32,7 +41,7 @@ internal sealed class RunVerb
         var verb = new RunVerb(host);
         var command = new MachineCommand("run", Wording.Get("Run.RunsDrawingOnController"));
         verb._drawing.AddTo(command);
-        foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors, verb._resume, verb._leadIn]) command.Options.Add(option);
         verb._placement.AddTo(command);
         command.SetAction(verb.RunAsync);
         return command;
@@ -42,7 +51,7 @@ internal sealed class RunVerb
     {
         var settings = _drawing.Settings(parsed);
         var mode = ModeOption.Mode(parsed.GetValue(_mode));
-        _ = _placement.Finish(parsed, settings.Machine);
+        if (settings is { Finish: FinishPlace.Park, Machine.Park: null }) throw new SettingException(Wording.Get("Placement.NoPark"));
         var (job, fit) = await PrepareAsync(parsed, settings, mode, stop).ConfigureAwait(false);
         var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
@@ -87,15 +96,25 @@ internal sealed class RunVerb
 
     private async Task<int> RunOnMachineAsync(ParseResult parsed, PreparedJob job, LinkFeedFit fit, JobMode mode, CancellationToken stop)
     {
+        var control = new JobControl();
+        ArmingChecklist? checks = null;
         var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, mode)
         {
+            Control = control,
+            Resume = parsed.GetValue(_resume) is { } interrupted ? new ResumeRequest { Journal = interrupted, LeadInMm = parsed.GetValue(_leadIn), AtOrigin = _placement.AsksForWork(parsed) } : null,
             JournalPath = parsed.GetValue(_journal) ?? JournalFolder.NewJournal(job.Drawing.FileName, TimeProvider.System),
             TracePath = parsed.GetValue(_trace),
             DryRun = parsed.GetValue(_dryRun),
             Origin = _placement.Origin(parsed),
-            Finish = _placement.Finish(parsed, job.Settings.Machine),
+            Finish = job.Settings.Finish,
             Memories = PlacementOptions.Memories(parsed.GetRequiredValue(_connect)!),
             Holder = PlacementOptions.Holder,
+            MayStart = (status, placement) =>
+            {
+                checks = ArmingChecklist.OnConsole(job, placement.Program.Profile, status, placement.Found);
+                if (!parsed.GetValue(_json)) _host.Print(parsed, checks);
+                return status.State == MachineState.Busy ? null : checks.WhyNot; // the job looks closer and says what is at work there
+            },
             Told = finding => _host.Report(parsed, job.Drawing.FileName, [finding]),
         };
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
@@ -105,7 +124,7 @@ internal sealed class RunVerb
         MachineRunReport report;
         try
         {
-            report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, progress, stop)).ConfigureAwait(false);
+            report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, Watching(control, job.Settings.Machine.Scale, progress), stop)).ConfigureAwait(false);
         }
         catch (Exception ended) when (parsed.GetValue(_json) && (ended is ControllerException || (ended is OperationCanceledException && stop.IsCancellationRequested)))
         {
@@ -114,15 +133,40 @@ internal sealed class RunVerb
             throw;
         }
 
-        return Finish(parsed, job, report, options.JournalPath);
+        return Finish(parsed, job, report, options.JournalPath, checks);
     }
 
-    private int Finish(ParseResult parsed, PreparedJob job, MachineRunReport report, string journal)
+    private static double ParseLeadIn(ArgumentResult result)
+    {
+        if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var length) && length is >= 0.0 and <= ResumeRequest.LongestLeadInMm) return length;
+        result.AddError(Wording.Get("Run.NoLeadIn", result.Tokens[0].Value, ResumeRequest.LongestLeadInMm));
+        return ResumeRequest.UsualLeadInMm;
+    }
+
+    /// <summary>Somebody with keys is told of them, and they are looked at with every word of the job.</summary>
+    private IProgress<JobProgress>? Watching(JobControl control, CountsScale scale, IProgress<JobProgress>? progress)
+    {
+        if (_host.Keys is not { } next) return progress;
+        _host.Error.WriteLine(Wording.Get("RunKeys.Help"));
+        return new BothProgress(new RunKeys(control, scale, next, _host.Error.WriteLine), progress);
+    }
+
+    private sealed class BothProgress(IProgress<JobProgress> first, IProgress<JobProgress>? second) : IProgress<JobProgress>
+    {
+        public void Report(JobProgress value)
+        {
+            first.Report(value);
+            second?.Report(value);
+        }
+    }
+
+    private int Finish(ParseResult parsed, PreparedJob job, MachineRunReport report, string journal, ArmingChecklist? checks)
     {
         _host.Report(parsed, job.Drawing.FileName, report.Result.Diagnostics);
-        if (report.Placement?.Refusal is { } unplaced) return NotPlaced(parsed, job, unplaced);
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal), ContractJson.Default.RunJson);
-        else _host.Out.WriteLine(RunText.Sentence(job, report));
+        if (report.ResumeRefusal is { } unresumed) return NotPlaced(parsed, job, unresumed, checks);
+        if (report.Placement?.Refusal is { } unplaced) return NotPlaced(parsed, job, unplaced, checks);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal, checks), ContractJson.Default.RunJson);
+        else _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
         if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.EngraverTraceNotWhole", failure));
         foreach (var left in report.Result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.EngraverNotRestored", left));
@@ -137,11 +181,11 @@ internal sealed class RunVerb
     }
 
     /// <summary>Nobody can say where the work is: nothing was moved.</summary>
-    private int NotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal)
+    private int NotPlaced(ParseResult parsed, PreparedJob job, Diagnostic refusal, ArmingChecklist? checks)
     {
         _host.Report(parsed, job.Drawing.FileName, [refusal]);
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job.Settings, job, JobOutcome.Refused), ContractJson.Default.RunJson);
-        return ExitCode.Usage;
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job.Settings, job, JobOutcome.Refused, checks), ContractJson.Default.RunJson);
+        return refusal.Rule == PreparationRules.OutsideTravel || refusal.Rule == PreparationRules.NotHomed ? ExitCode.DrawingError : ExitCode.Usage;
     }
 
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)

@@ -45,21 +45,21 @@ internal sealed class ScriptVerb
         };
     }
 
-    /// <summary>After the operator's stop a machine that goes away is one that this verb gives back, which the program waits for.</summary>
+    /// <summary>Reports connecting and disconnecting. After the operator's stop the verb itself disconnects, and the program waits for that.</summary>
     private void Follow(MachineSession machine, CancellationToken stop)
     {
         var isConnected = machine.Description is not null;
         if (isConnected || !stop.IsCancellationRequested) _host.Machine.Follow(isConnected);
     }
 
-    /// <summary>The stop itself waits for no thread of the pool, which a stage that computes may have filled.</summary>
+    /// <summary>Stops the machine on the calling thread, because a stage that computes may have filled the pool, and then lets it go.</summary>
     private void StopAndLetGo(MachineSession machine)
     {
         machine.Stop();
         _ = Task.Run(() => LetGoAsync(machine), CancellationToken.None);
     }
 
-    /// <summary>A job under way brakes and ends its command. Otherwise a stage may compute, which is left behind as soon as the machine has been stopped and let go.</summary>
+    /// <summary>Brakes and disconnects a machine on which no job runs; a job under way brakes by itself and ends its command. A stage that computes meanwhile is left behind.</summary>
     private async Task LetGoAsync(MachineSession machine)
     {
         if (machine.IsRunning) return;
@@ -87,7 +87,7 @@ internal sealed class ScriptVerb
         return ExitCode.Usage;
     }
 
-    private static int Code(CommandFailure why) => why switch
+    internal static int Code(CommandFailure why) => why switch
     {
         CommandFailure.Drawing => ExitCode.DrawingError,
         CommandFailure.Refused => ExitCode.Refused,

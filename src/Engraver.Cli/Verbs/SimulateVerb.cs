@@ -63,7 +63,7 @@ internal static class SimulateVerb
         await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"clock 127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
     }
 
-    /// <summary>Opens every way in, says so, and serves until the signal.</summary>
+    /// <summary>Listens on every transport that was asked for, says so, and serves until the signal.</summary>
     /// <exception cref="OperationCanceledException">The signal.</exception>
     /// <exception cref="InvalidOperationException">A bug of the simulator; its clients are cut off.</exception>
     private static async Task ServeAsync(VerbHost host, ServedSimulator controller, int? port, int? datagrams, string? serial, int baud, CancellationToken stop)
@@ -81,16 +81,16 @@ internal static class SimulateVerb
     }
 
     /// <exception cref="ControllerLinkException">The port is taken or may not be used.</exception>
-    private static async Task ListenAsync(VerbHost host, string way, Func<int, CancellationToken, Task<IPEndPoint>> listen, int port, CancellationToken stop)
+    private static async Task ListenAsync(VerbHost host, string transport, Func<int, CancellationToken, Task<IPEndPoint>> listen, int port, CancellationToken stop)
     {
         try
         {
             var place = await listen(port, stop).ConfigureAwait(false);
-            await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"listening {way}://127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
+            await SayAsync(host, string.Create(CultureInfo.InvariantCulture, $"listening {transport}://127.0.0.1:{place.Port}"), stop).ConfigureAwait(false);
         }
         catch (SocketException taken)
         {
-            throw new ControllerLinkException(Wording.Get("Simulate.PortCannotServedUse", port.ToString(CultureInfo.InvariantCulture), taken.Message, way), taken);
+            throw new ControllerLinkException(Wording.Get("Simulate.PortCannotServedUse", port.ToString(CultureInfo.InvariantCulture), taken.Message, transport), taken);
         }
     }
 

@@ -3,6 +3,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Cli.Verbs;
 
@@ -21,6 +22,9 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
     /// <summary>True when a person types and watches.</summary>
     public bool Interactive => streams.Interactive;
 
+    /// <summary>Takes the next key that was pressed; null where nobody has keys.</summary>
+    public Func<ConsoleKeyInfo?>? Keys => streams.Keys;
+
     public bool Quiet(ParseResult parsed) => global.Quiet(parsed);
 
     public bool Verbose(ParseResult parsed) => global.Verbose(parsed);
@@ -32,6 +36,12 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
         var least = global.Quiet(parsed) ? Severity.Error : global.Verbose(parsed) ? Severity.Info : Severity.Warning;
         DiagnosticPrinter.Print(Error, file, diagnostics, least);
         return diagnostics.Any(d => d.Severity == Severity.Error) ? ExitCode.DrawingError : ExitCode.Done;
+    }
+
+    /// <summary>Prints the list before a start (with --quiet only what prevents it).</summary>
+    public void Print(ParseResult parsed, ArmingChecklist list)
+    {
+        foreach (var check in list.Checks.Where(check => !check.Passed || !global.Quiet(parsed))) Error.WriteLine(check.Line);
     }
 
     /// <summary>Writes a result to a file, whole or not at all, or to standard output when no file is named.</summary>

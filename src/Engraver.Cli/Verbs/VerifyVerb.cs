@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
+using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;
@@ -21,7 +22,7 @@ internal sealed class VerifyVerb
     private VerifyVerb(VerbHost host)
     {
         _host = host;
-        _target.AcceptOnlyFromAmong([.. PostTable.All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Name)]);
+        _target.AcceptOnlyFromAmong([.. PostTable.All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Name), .. TrajectoryFormatName.All]);
     }
 
     public static Command Build(VerbHost host)
@@ -39,8 +40,7 @@ internal sealed class VerifyVerb
     {
         var settings = _drawing.Settings(parsed);
         var drawing = DrawingFile.Open(parsed.GetRequiredValue(_against), settings, stop);
-        var program = ReadBackFile.Open(parsed.GetRequiredValue(_program));
-        var reader = PostTable.Find(parsed.GetRequiredValue(_target)).Reader!;
+        var (program, reader) = ReadBack(parsed.GetRequiredValue(_program), parsed.GetRequiredValue(_target));
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var report = await VerifyProgressBar.ShowAsync(quiet, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, stop)).ConfigureAwait(false);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, VerifyJson.From(report), ContractJson.Default.VerifyJson);
@@ -49,4 +49,8 @@ internal sealed class VerifyVerb
         _host.Report(parsed, parsed.GetRequiredValue(_program), report.Diagnostics);
         return report.Ok ? ExitCode.Done : ExitCode.DrawingError;
     }
+
+    private static (ReadBackFile Program, IProgramReader Reader) ReadBack(string path, string target) => TrajectoryFormatName.All.Contains(target)
+        ? (TrajectoryReadBack.Open(path), TrajectoryReadBack.ReaderOf(TrajectoryFormatName.Parse(target)))
+        : (ReadBackFile.Open(path), PostTable.Find(target).Reader!);
 }

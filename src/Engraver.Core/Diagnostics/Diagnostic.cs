@@ -1,6 +1,7 @@
 using System.Collections.Immutable;
 using System.Globalization;
 using System.Text;
+using Engraver.Core.Geometry;
 using Engraver.Core.Languages;
 
 namespace Engraver.Core.Diagnostics;
@@ -11,6 +12,9 @@ public sealed record Diagnostic(DiagnosticRule Rule, SourceRef Source, IReadOnly
     private readonly string? _advice;
 
     public string Id => Rule.Id;
+
+    /// <summary>The place in the drawing that it is about, millimetres; null where it is about no place, or about a whole entity.</summary>
+    public Point2D? Place { get; init; }
 
     public Severity Severity => Rule.Severity;
 

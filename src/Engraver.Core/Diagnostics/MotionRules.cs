@@ -27,6 +27,14 @@ public static class MotionRules
 
     public static readonly DiagnosticRule TooManyChords = new("MOT0012", Severity.Error, "count", "limit", "radius", "chords", "arcs");
 
+    public static readonly DiagnosticRule RisingCurve = new("MOT0013", Severity.Error);
+
+    public static readonly DiagnosticRule AboveRetract = new("MOT0014", Severity.Error, "z", "depth", "retract");
+
+    public static readonly DiagnosticRule HeightOutsideCounts = new("MOT0015", Severity.Error, "z", "scale");
+
+    public static readonly DiagnosticRule NoDepth = new("MOT0016", Severity.Warning);
+
     public static readonly DiagnosticRule WireTooSlow = new("MOT0020", Severity.Warning, "needed", "baud", "carried", "count", "feed", "wanted");
 
     public static readonly DiagnosticRule StopHandleReopened = new("MOT0021", Severity.Warning, "reason");
@@ -37,7 +45,7 @@ public static class MotionRules
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
-        StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, GapsBridged, TooManyChords, WireTooSlow,
+        StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, GapsBridged, TooManyChords, RisingCurve, AboveRetract, HeightOutsideCounts, NoDepth, WireTooSlow,
         StopHandleReopened, StopHandleLost,
     ];
 }

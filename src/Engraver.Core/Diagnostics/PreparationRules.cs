@@ -25,6 +25,16 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule StateNotKept = new("JOB0013", Severity.Warning, "reason");
 
+    public static readonly DiagnosticRule TraceNotKept = new("JOB0020", Severity.Warning, "reason");
+
+    public static readonly DiagnosticRule OutsideTravel = new("JOB0030", Severity.Error, "axis", "place", "least", "most");
+
+    public static readonly DiagnosticRule NotHomed = new("JOB0031", Severity.Error);
+
+    public static readonly DiagnosticRule HeightNotSet = new("JOB0032", Severity.Error, "name");
+
+    public static readonly DiagnosticRule NotResumed = new("JOB0040", Severity.Error, "journal", "reason");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, TraceNotKept, OutsideTravel, NotHomed, HeightNotSet, NotResumed];
 }

@@ -17,13 +17,14 @@ public static class CutFindings
     /// <param name="selection">The layers that are cut.</param>
     /// <param name="toolStart">The drawing point at which the tool is, mm.</param>
     /// <param name="joinTolerance">As for sequencing; heights that differ by less are equal.</param>
-    public static IReadOnlyList<Diagnostic> Find(Drawing drawing, LayerSelection selection, Point2D toolStart, double joinTolerance)
+    /// <param name="cutsHeights">An axis moves the tool, so that heights are cut and need no word.</param>
+    public static IReadOnlyList<Diagnostic> Find(Drawing drawing, LayerSelection selection, Point2D toolStart, double joinTolerance, bool cutsHeights = false)
     {
         ArgumentNullException.ThrowIfNull(drawing);
         var findings = new List<Diagnostic>();
         if (NotCutFindings.From(drawing, selection).Finding is { } notCut) findings.Add(notCut);
         var extent = CutExtent.From(drawing, selection, EndHeights.ToleranceFor(joinTolerance));
-        if (!extent.Bounds.IsEmpty) AddHeights(findings, drawing, extent);
+        if (!cutsHeights && !extent.Bounds.IsEmpty) AddHeights(findings, drawing, extent);
         if (!extent.Bounds.IsEmpty) AddSize(findings, drawing, extent.Bounds, toolStart);
         return findings;
     }

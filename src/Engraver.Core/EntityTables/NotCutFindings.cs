@@ -49,6 +49,17 @@ public sealed record NotCutFindings(IReadOnlyDictionary<string, int> Counts, Sou
     /// <summary>The same as the last words about a job; "" when nothing is left.</summary>
     public string Clause => Counts.Count == 0 ? "" : Wording.Get("NotCutFindings.VisibleNotCut", Subject);
 
+    /// <summary>How to have it cut, with settings named by their keys; "" when nothing is left.</summary>
+    public string HowTo
+    {
+        get
+        {
+            if (Counts.Count == 0) return "";
+            var texts = Counts.Keys.Count(type => type.Contains("TEXT", StringComparison.Ordinal) || type.StartsWith("ATT", StringComparison.Ordinal));
+            return Wording.Get(texts == Counts.Count ? "NotCutFindings.HowToText" : texts == 0 ? "NotCutFindings.HowToOutline" : "NotCutFindings.HowToBoth");
+        }
+    }
+
     /// <summary>The finding about it; null when nothing is left.</summary>
     public Diagnostic? Finding => Counts.Count == 0 ? null : PreparationRules.NotCut.At(First, Subject, Verb);
 

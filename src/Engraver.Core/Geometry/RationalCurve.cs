@@ -41,7 +41,7 @@ public sealed class RationalCurve
     public double PlanLength => double.IsNaN(_planLength) ? _planLength = Length(inPlan: true) : _planLength;
 
     /// <summary>Along the curve in space.</summary>
-    public double SpaceLength => double.IsNaN(_spaceLength) ? _spaceLength = IsLevel() ? PlanLength : Length(inPlan: false) : _spaceLength;
+    public double SpaceLength => double.IsNaN(_spaceLength) ? _spaceLength = IsLevel ? PlanLength : Length(inPlan: false) : _spaceLength;
 
     /// <summary>Smallest box in plan.</summary>
     public Bounds2D Bounds => _bounds ??= _spans.Aggregate(Bounds2D.Empty, CurveBounds.Including);
@@ -117,17 +117,21 @@ public sealed class RationalCurve
         return sum;
     }
 
-    private bool IsLevel()
+    /// <summary>All of it lies at one height: that of its start.</summary>
+    public bool IsLevel
     {
-        var z = StartZ;
-        foreach (var span in _spans)
+        get
         {
-            for (var i = 0; i <= span.Degree; i++)
+            var z = StartZ;
+            foreach (var span in _spans)
             {
-                if (span.Z(i) != z) return false;
+                for (var i = 0; i <= span.Degree; i++)
+                {
+                    if (span.Z(i) != z) return false;
+                }
             }
-        }
 
-        return true;
+            return true;
+        }
     }
 }

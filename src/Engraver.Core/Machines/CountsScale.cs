@@ -6,15 +6,16 @@ namespace Engraver.Core.Machines;
 /// <remarks>"Exact" values are counts that are not rounded yet; they are carried in the geometry types of Core, whose unit is then the count.</remarks>
 /// <param name="X">Counts per millimetre of the drawing's X; negative mirrors.</param>
 /// <param name="Y">Counts per millimetre of the drawing's Y; negative mirrors.</param>
-public readonly record struct CountsScale(double X, double Y)
+/// <param name="Z">Counts per millimetre of height; negative where the axis counts downwards, 0 for a machine without such an axis.</param>
+public readonly record struct CountsScale(double X, double Y, double Z = 0.0)
 {
     /// <summary>True when a circle in millimetres is a circle in counts; otherwise it is an ellipse, which CR cannot cut.</summary>
     public bool KeepsCircles => Math.Abs(X) == Math.Abs(Y);
 
-    /// <summary>Counts per millimetre of the coarser axis, whose count is the longest. A feed converted by it is exceeded in no direction.</summary>
+    /// <summary>Counts per millimetre of the coarser axis of the plane, whose count is the longest. A feed converted by it is exceeded in no direction.</summary>
     public double Smallest => Math.Min(Math.Abs(X), Math.Abs(Y));
 
-    /// <summary>Counts per millimetre of the finer axis.</summary>
+    /// <summary>Counts per millimetre of the finer axis of the plane.</summary>
     public double Largest => Math.Max(Math.Abs(X), Math.Abs(Y));
 
     /// <summary>Rounds half away from zero. The caller makes sure beforehand that int32 can hold the point (<see cref="Holds"/>).</summary>
@@ -28,6 +29,12 @@ public readonly record struct CountsScale(double X, double Y)
     public Point2D ToMillimetres(double x, double y) => new(x / X, y / Y);
 
     public CountsPoint ToCounts(Point2D millimetres) => Round(Exact(millimetres));
+
+    /// <summary>A height in counts; 0 on a machine without a Z axis.</summary>
+    public int ToHeight(double millimetres) => checked((int)Math.Round(Z * millimetres, MidpointRounding.AwayFromZero));
+
+    /// <summary>Counts of the Z axis as a height in millimetres; 0 on a machine without one.</summary>
+    public double ToMillimetres(double z) => Z == 0.0 ? 0.0 : z / Z;
 
     /// <summary>The same arc in counts. A mirrored X turns the angle into 180 - angle, a mirrored Y into -angle; each reverses the sweep.</summary>
     /// <remarks>Only when <see cref="KeepsCircles"/>.</remarks>
@@ -43,8 +50,26 @@ public readonly record struct CountsScale(double X, double Y)
     public bool Holds(Bounds2D millimetres, CountsPoint origin) =>
         Fits(X * millimetres.MinX, origin.X) && Fits(X * millimetres.MaxX, origin.X) && Fits(Y * millimetres.MinY, origin.Y) && Fits(Y * millimetres.MaxY, origin.Y);
 
+    /// <summary>True when a height fits int32 in counts.</summary>
+    public bool HoldsHeight(double millimetres) => Fits(Z * millimetres, 0);
+
     private static bool Fits(double counts, int origin) => Math.Abs(counts) < int.MaxValue && Math.Abs(counts - origin) < int.MaxValue;
 }
 
-/// <summary>A position of the two plane axes in counts, in the job's frame: the drawing's zero is 0,0. The controller's own zero may be elsewhere.</summary>
-public readonly record struct CountsPoint(int X, int Y);
+/// <summary>A position of the axes that a job moves, in counts, in the order of <see cref="MachineAxes.All"/>. In the job's frame the drawing's zero is 0,0,0; the controller's own zero may be elsewhere.</summary>
+/// <param name="Z">Of the tool's axis, up positive where its counts per millimetre are; 0 on a machine without one.</param>
+public readonly record struct CountsPoint(int X, int Y, int Z = 0)
+{
+    /// <summary>Of the axis with this place in <see cref="MachineAxes.All"/>.</summary>
+    public int this[int axis] => axis switch { 0 => X, 1 => Y, 2 => Z, _ => throw new ArgumentOutOfRangeException(nameof(axis)) };
+
+    /// <summary>From what a controller answers for its axes in order; an axis that is not there counts 0.</summary>
+    public static CountsPoint From(ReadOnlySpan<double> axes) => new((int)axes[0], axes.Length > 1 ? (int)axes[1] : 0, axes.Length > 2 ? (int)axes[2] : 0);
+
+    public static CountsPoint operator +(CountsPoint left, CountsPoint right) => new(left.X + right.X, left.Y + right.Y, left.Z + right.Z);
+
+    public static CountsPoint operator -(CountsPoint left, CountsPoint right) => new(left.X - right.X, left.Y - right.Y, left.Z - right.Z);
+
+    /// <summary>True at the same place in plan, at whatever height.</summary>
+    public bool IsBeside(CountsPoint other) => (X, Y) == (other.X, other.Y);
+}

@@ -1,5 +1,7 @@
 using System.Diagnostics.CodeAnalysis;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
+using Engraver.Core.Machines.Setup;
 
 namespace Engraver.Core.Machines;
 
@@ -30,18 +32,24 @@ public interface IMachineConnection : IAsyncDisposable
     ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation);
 
     /// <summary>Switches the tool off and brakes the path and every axis. Returns when the controller has accepted it, not at rest.</summary>
-    /// <param name="toolOutput">The digital output of the tool, from 1.</param>
+    /// <param name="outputs">What is switched off (<see cref="MachineProfile.OffAtStop"/>).</param>
     /// <exception cref="ControllerException">The link failed.</exception>
-    Task StopAsync(int toolOutput);
+    Task StopAsync(params IReadOnlyList<OutputSwitch> outputs);
 
     /// <summary>Halts every motion and program at once, and switches tool and motors off.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    Task AbortAsync(int toolOutput);
+    /// <param name="outputs">What is switched off (<see cref="MachineProfile.OffAtAbort"/>).</param>
+    Task AbortAsync(params IReadOnlyList<OutputSwitch> outputs);
 
     /// <summary>Switches the motors of the axes that a job moves on or off.</summary>
     /// <returns>The refusal; null when it was done.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     Task<MachineRefusal?> SetMotorsAsync(MachineAxes axes, bool on, CancellationToken cancellation);
+
+    /// <summary>Switches one digital output, from 1.</summary>
+    /// <returns>The refusal; null when it was done.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    Task<MachineRefusal?> SetOutputAsync(int output, bool on, CancellationToken cancellation);
 
     /// <summary>Sends a line that an operator typed in the controller's own language, and returns the answers.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
@@ -54,10 +62,37 @@ public interface IMachineConnection : IAsyncDisposable
     /// <param name="stop">The operator's stop: the machine is stopped first, however long it brakes, then this returns.</param>
     Task<JobResult> RunAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
 
+    /// <summary>Where an interrupted job is to go on: by its journal, and by what the controller has kept of it.</summary>
+    /// <param name="program">The whole program of the job, as it would be run again.</param>
+    /// <param name="journal">Path of the journal.</param>
+    /// <returns>The place, or why there is none.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation);
+
     /// <summary>Moves the machine without cutting, tool off, at rapid speed, under the same watchdog and stop as a job.</summary>
     /// <param name="program">Has no strokes; gives the machine, and its position in the frame in which progress is reported.</param>
     /// <param name="goal">Target in the controller's own counts.</param>
-    Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
+    /// <param name="withHeight">The height is part of the target; otherwise it stays as it is.</param>
+    Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, bool withHeight, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
+
+    /// <summary>Moves the machine as long as a key is held, tool off, under a dead-man in the controller which brakes it 0.25 s after the last sign of this computer.</summary>
+    /// <param name="program">As for <see cref="GoToAsync"/>.</param>
+    /// <param name="control">Speed of each axis; releasing it ends the jog, which is then complete.</param>
+    /// <param name="stop">The operator's stop.</param>
+    Task<JobResult> JogAsync(MotionProgram program, JogControl control, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
+
+    /// <summary>Keeps the controller ready for jogs, each as by <see cref="JogAsync"/>, until <paramref name="standby"/> is left, nobody has jogged for a while, or a jog ended otherwise than by its release.</summary>
+    /// <param name="program">As for <see cref="GoToAsync"/>.</param>
+    /// <param name="stop">The operator's stop.</param>
+    /// <returns>How it ended, when the controller has been left as it was found.</returns>
+    Task<JobResult> StandByAsync(MotionProgram program, JogStandby standby, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
+
+    /// <summary>Homes the axes of the profile that say how, one after the other, tool off, under the watchdog and the stop of a job. The controller counts from the profile's zero then.</summary>
+    /// <param name="program">As for <see cref="GoToAsync"/>.</param>
+    Task<HomingResult> HomeAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop);
+
+    /// <summary>What the controller is told of motors, encoders and switches; null where it is not offered.</summary>
+    IMachineSetup? Setup => null;
 
     /// <summary>Planned seconds of a program over this link.</summary>
     double PlannedSeconds(MotionProgram program, JobMode mode);

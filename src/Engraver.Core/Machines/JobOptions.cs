@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Core.Machines;
 
@@ -22,14 +23,29 @@ public sealed record JobOptions
     /// <summary>Compares what was cut with the drawing when the machine is at rest, before the journal says how the job ended; null for no comparison.</summary>
     public Func<JobResult, JobResult>? Judge { get; init; }
 
+    /// <summary>What lies before it is cut already; the job goes on from there.</summary>
+    public JobPlace From { get; init; }
+
+    /// <summary>Counts of the path before <see cref="From"/> that are cut again.</summary>
+    public double LeadIn { get; init; }
+
+    /// <summary>Hold, resume and overrides by the operator; null for a job that nobody holds.</summary>
+    public JobControl? Control { get; init; }
+
     /// <summary>Every motion is made, but the tool output is never switched on.</summary>
     public bool DryRun { get; init; }
+
+    /// <summary>Software limits that the controller watches while the machine moves; those that it had are restored. Empty: they stay as they are.</summary>
+    public IReadOnlyList<SoftLimit> SoftLimits { get; init; } = [];
 
     /// <summary>Controller counts at the drawing's zero; null: the machine stands at the drawing's start point.</summary>
     public CountsPoint? Frame { get; init; }
 
     /// <summary>Whether every polled position is kept for a later comparison. If not, only the last ones are, and memory does not grow with the time of the run.</summary>
     public bool KeepsPolledTrace { get; init; } = true;
+
+    /// <summary>Whether the controller is asked ten times a second how far its motors are from their command. Not over a serial line, where the question would take the time of segments.</summary>
+    public bool AsksFollowingError { get; init; }
 
     /// <summary>Longest pause between two polls, on the session's clock, while the controller works on its own and no end is expected soon.</summary>
     public TimeSpan PollInterval { get; init; } = UsualPollInterval;
@@ -44,4 +60,22 @@ public sealed record JobOptions
 public sealed record JournalHeader(string Drawing, string Controller, JobMode Mode, int SegmentCount, int StartX, int StartY, int FrameX, int FrameY, DateTimeOffset StartedAt)
 {
     public string Kind { get; } = "job";
+
+    /// <summary>What is added to heights of the drawing; 0 where an output is the tool.</summary>
+    public int FrameZ { get; init; }
+
+    /// <summary>By what the motion program is known again; empty in journals of an older version.</summary>
+    public string Program { get; init; } = "";
+
+    /// <summary>The number that the job left in a variable of the controller, which forgets it at power-off.</summary>
+    public int Mark { get; init; }
+
+    /// <summary>Nothing was cut.</summary>
+    public bool DryRun { get; init; }
+
+    /// <summary>Segments that an earlier job had cut.</summary>
+    public int FromSegments { get; init; }
+
+    /// <summary>Counts along the next one that it had cut too.</summary>
+    public double FromAlong { get; init; }
 }

@@ -30,7 +30,7 @@ public sealed record JobResult
     /// <summary>Number of <c>?</c> replies, without "buffer full" (TC 32).</summary>
     public required int Rejected { get; init; }
 
-    /// <summary>_RPA and _RPB, the controller's own absolute counts; the last known when the link was lost, null when none was ever read.</summary>
+    /// <summary>_RP of every axis of the job, the controller's own absolute counts; the last known when the link was lost, null when none was ever read.</summary>
     public required CountsPoint? FinalPosition { get; init; }
 
     /// <summary>Controller counts at the drawing's zero: what was added to the job frame. Null when the job ended before the frame was taken.</summary>
@@ -38,6 +38,12 @@ public sealed record JobResult
 
     /// <summary>False when the link was lost before the controller reported where it came to rest: it continued with its stored segments until the watchdog tripped, and may have cut more than is counted here.</summary>
     public bool IsEndKnown { get; init; } = true;
+
+    /// <summary>What lies before it was cut for certain, by the last position that was seen with the tool on: where another job goes on.</summary>
+    public JobPlace Place { get; init; }
+
+    /// <summary>How often the operator held the job.</summary>
+    public int Holds { get; init; }
 
     /// <summary>Why the machine's position is not to be trusted from here on ("an axis could not follow"); empty while it is.</summary>
     public string PositionDoubt { get; init; } = "";
@@ -125,19 +131,46 @@ public enum JobMode
 
 /// <summary>Progress of a job, by the controller's last report.</summary>
 /// <param name="Stroke">Index of the present stroke.</param>
-/// <param name="X">Counts, job frame.</param>
+/// <param name="Place">Counts, job frame.</param>
 /// <param name="Seconds">Controller time since the job began.</param>
 /// <param name="Outputs">Outputs 1 to 8 (_OP0), bit 0 is output 1; null where they were not read.</param>
-public readonly record struct JobProgress(int Stroke, int SegmentsSent, int SegmentsExecuted, int SegmentCount, int X, int Y, bool ToolOn, double Seconds, int? Outputs = null);
+public readonly record struct JobProgress(int Stroke, int SegmentsSent, int SegmentsExecuted, int SegmentCount, CountsPoint Place, bool ToolOn, double Seconds, int? Outputs = null)
+{
+    /// <summary>A sequence of the path is under way, whether the tool is on or not.</summary>
+    public bool IsOnPath { get; init; }
+
+    /// <summary>As in <see cref="TracePoint.Error"/>.</summary>
+    public CountsPoint? Error { get; init; }
+
+    public int X => Place.X;
+
+    public int Y => Place.Y;
+
+    /// <summary>Whether the job runs, brakes for a hold or is held.</summary>
+    public JobPhase Phase { get; init; }
+
+    /// <summary>Factor of the programmed feed that is in force.</summary>
+    public double FeedRatio { get; init; } = 1.0;
+
+    /// <summary>Factor of the rapid speed.</summary>
+    public double RapidRatio { get; init; } = 1.0;
+}
 
 /// <summary>A polled position.</summary>
 /// <param name="Seconds">Controller time since the job began.</param>
-/// <param name="X">Counts, job frame.</param>
+/// <param name="Place">Counts, job frame.</param>
 /// <param name="ToolOn">Whether the tool output was on, as the controller reported.</param>
-public readonly record struct TracePoint(double Seconds, int X, int Y, bool ToolOn)
+public readonly record struct TracePoint(double Seconds, CountsPoint Place, bool ToolOn)
 {
+    public int X => Place.X;
+
+    public int Y => Place.Y;
+
     /// <summary>Segments known to be done before this poll: the tool is on the next of them, or further.</summary>
     public int Executed { get; init; }
+
+    /// <summary>How far each motor was from its command when that was asked last, counts; null before, and where nobody asks.</summary>
+    public CountsPoint? Error { get; init; }
 }
 
 /// <summary>A command that the controller refused.</summary>

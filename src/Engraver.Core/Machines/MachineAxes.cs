@@ -1,17 +1,26 @@
+using Engraver.Core.Machines.Moves;
+
 namespace Engraver.Core.Machines;
 
-/// <summary>Which axes of the controller move the drawing's X and Y, and their counts per millimetre: the one home of axis letters and of how many axes a job moves.</summary>
-public sealed record MachineAxes(MachineAxis X, MachineAxis Y)
+/// <summary>Which axes of the controller move the drawing's X and Y and the tool's height, and their counts per millimetre: the one home of axis letters and of how many axes a job moves.</summary>
+/// <param name="Z">The axis that moves the tool up and down; null on a machine that only switches its tool.</param>
+public sealed record MachineAxes(MachineAxis X, MachineAxis Y, MachineAxis? Z = null)
 {
     public static MachineAxes Default { get; } = new(new MachineAxis('A', 1000.0), new MachineAxis('B', 1000.0));
 
     /// <summary>Every axis that a job moves, in the order of the drawing's.</summary>
-    public IReadOnlyList<MachineAxis> All => [X, Y];
+    public IReadOnlyList<MachineAxis> All => Z is { } z ? [X, Y, z] : [X, Y];
 
     /// <summary>Their letters in that order.</summary>
     public string Letters => string.Concat(All.Select(axis => axis.Letter));
 
-    public CountsScale Scale => new(X.CountsPerMillimetre, Y.CountsPerMillimetre);
+    /// <summary>The same axes without travel and homing.</summary>
+    public MachineAxes WithoutPlaces() => this with { X = X with { Travel = null, Homing = null }, Y = Y with { Travel = null, Homing = null }, Z = Z is { } z ? z with { Travel = null, Homing = null } : null };
+
+    /// <summary>The letters of the two axes of the plane.</summary>
+    public string PlaneLetters => string.Concat(X.Letter, Y.Letter);
+
+    public CountsScale Scale => new(X.CountsPerMillimetre, Y.CountsPerMillimetre, Z?.CountsPerMillimetre ?? 0.0);
 
     /// <summary>Axes A and B with these counts per millimetre.</summary>
     public static MachineAxes FromScale(double x, double y) => new(Default.X with { CountsPerMillimetre = x }, Default.Y with { CountsPerMillimetre = y });
@@ -20,4 +29,15 @@ public sealed record MachineAxes(MachineAxis X, MachineAxis Y)
 /// <summary>One axis of the controller.</summary>
 /// <param name="Letter">As the controller calls it.</param>
 /// <param name="CountsPerMillimetre">Quadrature counts or steps; negative mirrors the axis of the drawing.</param>
-public readonly record struct MachineAxis(char Letter, double CountsPerMillimetre);
+/// <param name="MotorType">As the controller numbers them (galil-dmc.md C, MT: 1 servo, 2 stepper); null leaves it as it is.</param>
+public readonly record struct MachineAxis(char Letter, double CountsPerMillimetre, double? MotorType = null)
+{
+    /// <summary>How far it may go, machine mm; null where the machine's owner does not say.</summary>
+    public AxisTravel? Travel { get; init; }
+
+    /// <summary>How it is homed; null where it is not.</summary>
+    public AxisHoming? Homing { get; init; }
+}
+
+/// <summary>The ends of an axis' travel, machine mm by the controller's own zero; both may be reached.</summary>
+public sealed record AxisTravel(double Least, double Most);

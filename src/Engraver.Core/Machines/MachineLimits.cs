@@ -7,4 +7,11 @@ namespace Engraver.Core.Machines;
 /// <param name="LargestAcceleration">Counts/s2.</param>
 /// <param name="Outputs">Digital outputs, counted from 1.</param>
 /// <param name="Axes">The letters that an axis may have.</param>
-public sealed record MachineLimits(int SlowestSpeed, int FastestSpeed, int AccelerationStep, int LargestAcceleration, int Outputs, string Axes);
+public sealed record MachineLimits(int SlowestSpeed, int FastestSpeed, int AccelerationStep, int LargestAcceleration, int Outputs, string Axes)
+{
+    /// <summary>The numbers that a motor type may have; empty where the family has none.</summary>
+    public IReadOnlyList<double> MotorTypes { get; init; } = [];
+
+    /// <summary>Largest analog output of an axis, volts.</summary>
+    public double LargestVolts { get; init; }
+}

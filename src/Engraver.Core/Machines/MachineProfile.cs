@@ -1,4 +1,5 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Core.Machines;
 
@@ -25,8 +26,20 @@ public sealed record MachineProfile
     /// <summary>Digital output that carries the tool (1 to 8).</summary>
     public int ToolOutput { get; init; } = 1;
 
-    /// <summary>Time to wait after the tool is switched on or off, seconds.</summary>
+    /// <summary>The tool works while the output is off, as with a relay that is held open.</summary>
+    public bool ToolActiveLow { get; init; }
+
+    /// <summary>Time to wait after the tool is switched on, and after it is switched off unless <see cref="ToolOffSettleSeconds"/> says otherwise; seconds.</summary>
     public double ToolSettleSeconds { get; init; } = 0.1;
+
+    /// <summary>Time to wait after the tool is switched off, seconds; null: as after it is switched on.</summary>
+    public double? ToolOffSettleSeconds { get; init; }
+
+    /// <summary>The Z axis plunges and retracts the tool; null where an output switches it (the tool drive of the profile).</summary>
+    public HeightDrive? Height { get; init; }
+
+    /// <summary>What turns the tool; null where it turns by itself or not at all.</summary>
+    public Spindle? Spindle { get; init; }
 
     /// <summary>Steps in which the controller holds the angles of CR, degrees (galil-dmc.md B.3: 1/65536; older manuals 1/256).</summary>
     public double AngleQuantumDegrees { get; init; } = 1.0 / 65536.0;
@@ -40,5 +53,56 @@ public sealed record MachineProfile
     /// <summary>The place where the machine is parked, mm by the controller's own zero; null where it has none.</summary>
     public Point2D? Park => ParkX is { } x && ParkY is { } y ? new Point2D(x, y) : null;
 
+    /// <summary>Speed of a jog while no second control asks for the rapid speed, mm/min.</summary>
+    public double JogMmPerMinute { get; init; } = 600.0;
+
+    /// <summary>What the controller's inputs are wired to.</summary>
+    public LineNames Inputs { get; init; } = LineNames.None;
+
+    /// <summary>What the controller's outputs are wired to.</summary>
+    public LineNames Outputs { get; init; } = LineNames.None;
+
+    /// <summary>Whether the machine has to be homed: one of its axes says how.</summary>
+    public bool HasHoming => Axes.All.Any(axis => axis.Homing is not null);
+
+    /// <summary>What the zero of a homed machine depends on: another text is another zero, so that what was kept by the one means nothing by the other.</summary>
+    public string HomedAs => string.Join(' ', Axes.All.Where(axis => axis.Homing is not null).Select(axis => string.Create(
+        System.Globalization.CultureInfo.InvariantCulture, $"{axis.Letter}{(axis.Homing!.Plus == axis.CountsPerMillimetre > 0.0 ? '+' : '-')}{axis.Homing.By}@{Math.Round(axis.Homing.Zero * axis.CountsPerMillimetre)}")));
+
+    /// <summary>The same machine without travel and homing: for a simulated one that lives for one job and stands nowhere in particular.</summary>
+    public MachineProfile WithoutPlaces() => this with { Axes = Axes.WithoutPlaces() };
+
     public CountsScale Scale => Axes.Scale;
+
+    /// <summary>The output that is the tool, where no axis holds it.</summary>
+    public OutputSwitch Tool => new(ToolOutput, ToolActiveLow);
+
+    /// <summary>What a stop switches off before it brakes. Where an axis holds the tool nothing is: the spindle turns until the tool is out of the work.</summary>
+    public IReadOnlyList<OutputSwitch> OffAtStop => Height is null ? OffAtAbort : [];
+
+    /// <summary>What an abort switches off: everything that works on the material.</summary>
+    public IReadOnlyList<OutputSwitch> OffAtAbort =>
+        [.. Height is null ? [Tool] : (OutputSwitch[])[], .. Spindle is { } spindle ? [new OutputSwitch(spindle.Output, spindle.IsActiveLow)] : (OutputSwitch[])[]];
+
+    /// <summary>Whether what an output carries is on at this level of it: of a tool and a spindle by how they are wired, of everything else the level itself.</summary>
+    /// <param name="output">From 1.</param>
+    public bool IsOnAt(int output, bool level) => OffAtAbort.Where(carried => carried.Output == output).Select(carried => level != carried.IsActiveLow).FirstOrDefault(level);
+
+    /// <summary>Whether this level of an output is for jobs only: it switches on what works on the material, and only a job's watchdog would switch that off again.</summary>
+    public bool IsForJobsOnly(int output, bool level) => OffAtStop.Any(carried => carried.Output == output && level != carried.IsActiveLow);
+
+    /// <summary>Time to wait after the tool is switched off, seconds.</summary>
+    public double OffSettleSeconds => ToolOffSettleSeconds ?? ToolSettleSeconds;
+
+    /// <summary>The clearance height in counts over the drawing's height 0; 0 without a tool axis.</summary>
+    public int ClearanceCounts => Scale.ToHeight(Height?.ClearanceHeight ?? 0.0);
+
+    /// <summary>The retract height in counts over the drawing's height 0; 0 without a tool axis.</summary>
+    public int RetractCounts => Scale.ToHeight(Height?.RetractHeight ?? 0.0);
+
+    /// <summary>+1 where the Z axis counts upwards, -1 where downwards; 0 on a machine without one.</summary>
+    public int Up => Math.Sign(Scale.Z);
+
+    /// <summary>Whether one height lies below another, counts; false on a machine without a Z axis.</summary>
+    public bool IsLower(int z, int other) => z * (long)Up < other * (long)Up;
 }

@@ -7,9 +7,13 @@ internal sealed class MachineProfileDocument
 
     public string? AxisY { get; set; }
 
+    public string? AxisZ { get; set; }
+
     public double? CountsPerMillimetreX { get; set; }
 
     public double? CountsPerMillimetreY { get; set; }
+
+    public double? CountsPerMillimetreZ { get; set; }
 
     public double? FeedMmPerMinute { get; set; }
 
@@ -29,12 +33,28 @@ internal sealed class MachineProfileDocument
 
     public double? ParkY { get; set; }
 
+    public double? JogMmPerMinute { get; set; }
+
+    public TravelDocument? TravelX { get; set; }
+
+    public TravelDocument? TravelY { get; set; }
+
+    public TravelDocument? TravelZ { get; set; }
+
+    public List<HomingDocument>? Homing { get; set; }
+
+    public Dictionary<string, string?>? Inputs { get; set; }
+
+    public Dictionary<string, string?>? Outputs { get; set; }
+
     public static MachineProfileDocument From(MachineProfile profile) => new()
     {
         AxisX = profile.Axes.X.Letter.ToString(),
         AxisY = profile.Axes.Y.Letter.ToString(),
+        AxisZ = profile.Axes.Z?.Letter.ToString(),
         CountsPerMillimetreX = profile.Axes.X.CountsPerMillimetre,
         CountsPerMillimetreY = profile.Axes.Y.CountsPerMillimetre,
+        CountsPerMillimetreZ = profile.Axes.Z?.CountsPerMillimetre,
         FeedMmPerMinute = profile.FeedMmPerMinute,
         RapidMmPerMinute = profile.RapidMmPerMinute,
         AccelerationCounts = profile.AccelerationCounts,
@@ -42,13 +62,37 @@ internal sealed class MachineProfileDocument
         ToolOutput = profile.ToolOutput,
         ToolSettleSeconds = profile.ToolSettleSeconds,
         AngleQuantumDegrees = profile.AngleQuantumDegrees,
+        ToolDrive = profile.Height is null ? OutputDrive : AxisDrive,
+        ToolActiveLow = profile.ToolActiveLow,
+        ToolOffSettleSeconds = profile.ToolOffSettleSeconds,
+        ClearanceHeight = profile.Height?.ClearanceHeight,
+        RetractHeight = profile.Height?.RetractHeight,
+        CutDepth = profile.Height?.CutDepth,
+        PlungeMmPerMinute = profile.Height?.PlungeMmPerMinute,
+        DepthPerPass = profile.Height?.DepthPerPass,
+        SpindleOutput = profile.Spindle?.Output,
+        SpindleActiveLow = profile.Spindle?.IsActiveLow,
+        SpindleSeconds = profile.Spindle?.SpinUpSeconds,
+        SpindleAxis = profile.Spindle?.SpeedAxis?.ToString(),
+        SpindleVolts = profile.Spindle?.SpeedAxis is null ? null : profile.Spindle.SpeedVolts,
+        SpindleStopsInHold = profile.Spindle?.StopsInHold,
+        MotorTypeX = profile.Axes.X.MotorType,
+        MotorTypeY = profile.Axes.Y.MotorType,
+        MotorTypeZ = profile.Axes.Z?.MotorType,
         ParkX = profile.ParkX,
         ParkY = profile.ParkY,
+        JogMmPerMinute = profile.JogMmPerMinute,
+        TravelX = TravelDocument.From(profile.Axes.X.Travel),
+        TravelY = TravelDocument.From(profile.Axes.Y.Travel),
+        TravelZ = TravelDocument.From(profile.Axes.Z?.Travel),
+        Homing = HomingDocument.From(profile.Axes),
+        Inputs = NamesDocument.From(profile.Inputs),
+        Outputs = NamesDocument.From(profile.Outputs),
     };
 
     public MachineProfile Over(MachineProfile profile) => new()
     {
-        Axes = new MachineAxes(Axis(AxisX, CountsPerMillimetreX, profile.Axes.X), Axis(AxisY, CountsPerMillimetreY, profile.Axes.Y)),
+        Axes = new MachineAxes(Axis('X', AxisX, CountsPerMillimetreX, MotorTypeX, TravelX, profile.Axes.X), Axis('Y', AxisY, CountsPerMillimetreY, MotorTypeY, TravelY, profile.Axes.Y), AxisOfHeight(profile.Axes.Z)),
         FeedMmPerMinute = FeedMmPerMinute ?? profile.FeedMmPerMinute,
         RapidMmPerMinute = RapidMmPerMinute ?? profile.RapidMmPerMinute,
         AccelerationCounts = AccelerationCounts ?? profile.AccelerationCounts,
@@ -56,11 +100,122 @@ internal sealed class MachineProfileDocument
         ToolOutput = ToolOutput ?? profile.ToolOutput,
         ToolSettleSeconds = ToolSettleSeconds ?? profile.ToolSettleSeconds,
         AngleQuantumDegrees = AngleQuantumDegrees ?? profile.AngleQuantumDegrees,
+        ToolActiveLow = ToolActiveLow ?? profile.ToolActiveLow,
+        ToolOffSettleSeconds = ToolOffSettleSeconds ?? profile.ToolOffSettleSeconds,
+        Height = ToolDrive is null ? profile.Height : ToolDrive == AxisDrive ? HeightOver(profile.Height ?? new HeightDrive()) : null,
+        Spindle = SpindleOutput is null ? profile.Spindle : SpindleOver(profile.Spindle ?? new Spindle()),
         ParkX = ParkX ?? profile.ParkX,
         ParkY = ParkY ?? profile.ParkY,
+        JogMmPerMinute = JogMmPerMinute ?? Math.Min(profile.JogMmPerMinute, RapidMmPerMinute ?? profile.RapidMmPerMinute), // a slow machine is not jogged faster than it goes
+        Inputs = NamesDocument.ToNames(Inputs),
+        Outputs = NamesDocument.ToNames(Outputs),
     };
 
-    /// <summary>What is no single letter becomes none that a controller has, for the check of the profile to refuse.</summary>
-    private static MachineAxis Axis(string? letter, double? countsPerMillimetre, MachineAxis otherwise) =>
-        new(letter is null ? otherwise.Letter : letter.Length == 1 ? letter[0] : MachineProfileValidation.NoLetter, countsPerMillimetre ?? otherwise.CountsPerMillimetre);
+    /// <summary>A machine has a Z axis when its profile names its letter or its counts; either alone is for the check of the profile to refuse.</summary>
+    private MachineAxis? AxisOfHeight(MachineAxis? otherwise) =>
+        AxisZ is null && CountsPerMillimetreZ is null && MotorTypeZ is null ? otherwise : Axis('Z', AxisZ, CountsPerMillimetreZ, MotorTypeZ, TravelZ, otherwise ?? new MachineAxis(MachineProfileValidation.NoLetter, 0.0));
+
+    /// <summary>The entries of the list of homings that name no axis of this machine, or one that was named before.</summary>
+    public IEnumerable<string> HomingsWithoutAxis(MachineAxes axes) =>
+        (Homing ?? []).Where((entry, i) => entry?.Axis is not { Length: 1 } name || HomingDocument.AxisNames.IndexOf(name[0], StringComparison.Ordinal) is not (>= 0 and var at) || at >= axes.All.Count || Homing!.FindIndex(other => other?.Axis == name) != i)
+            .Select(entry => entry?.Axis ?? "");
+
+    /// <param name="name">X, Y or Z.</param>
+    /// <remarks>What is no single letter becomes none that a controller has, for the check of the profile to refuse.</remarks>
+    private MachineAxis Axis(char name, string? letter, double? countsPerMillimetre, double? motorType, TravelDocument? travel, MachineAxis otherwise)
+    {
+        var order = Homing?.FindIndex(entry => entry?.Axis == name.ToString()) ?? -1;
+        return new MachineAxis(letter is null ? otherwise.Letter : Letter(letter), countsPerMillimetre ?? otherwise.CountsPerMillimetre, motorType ?? otherwise.MotorType)
+        {
+            Travel = travel?.ToTravel() ?? otherwise.Travel,
+            Homing = order >= 0 ? Homing![order].ToHoming(order) : otherwise.Homing,
+        };
+    }
+
+    /// <summary>The two kinds of tool drive.</summary>
+    private const string OutputDrive = "output";
+    private const string AxisDrive = "axis";
+
+    public string? ToolDrive { get; set; }
+
+    public bool? ToolActiveLow { get; set; }
+
+    public double? ToolOffSettleSeconds { get; set; }
+
+    public double? ClearanceHeight { get; set; }
+
+    public double? RetractHeight { get; set; }
+
+    public double? CutDepth { get; set; }
+
+    public double? PlungeMmPerMinute { get; set; }
+
+    public double? DepthPerPass { get; set; }
+
+    public int? SpindleOutput { get; set; }
+
+    public bool? SpindleActiveLow { get; set; }
+
+    public double? SpindleSeconds { get; set; }
+
+    public string? SpindleAxis { get; set; }
+
+    public double? SpindleVolts { get; set; }
+
+    public bool? SpindleStopsInHold { get; set; }
+
+    public double? MotorTypeX { get; set; }
+
+    public double? MotorTypeY { get; set; }
+
+    public double? MotorTypeZ { get; set; }
+
+    private static char Letter(string text) => text.Length == 1 ? text[0] : MachineProfileValidation.NoLetter;
+
+    private HeightDrive HeightOver(HeightDrive drive) => new()
+    {
+        ClearanceHeight = ClearanceHeight ?? drive.ClearanceHeight,
+        RetractHeight = RetractHeight ?? drive.RetractHeight,
+        CutDepth = CutDepth ?? drive.CutDepth,
+        PlungeMmPerMinute = PlungeMmPerMinute ?? drive.PlungeMmPerMinute,
+        DepthPerPass = DepthPerPass ?? drive.DepthPerPass,
+    };
+
+    private Spindle SpindleOver(Spindle spindle) => new()
+    {
+        Output = SpindleOutput ?? spindle.Output,
+        IsActiveLow = SpindleActiveLow ?? spindle.IsActiveLow,
+        SpinUpSeconds = SpindleSeconds ?? spindle.SpinUpSeconds,
+        SpeedAxis = SpindleAxis is null ? spindle.SpeedAxis : Letter(SpindleAxis),
+        SpeedVolts = SpindleVolts ?? spindle.SpeedVolts,
+        StopsInHold = SpindleStopsInHold ?? spindle.StopsInHold,
+    };
+
+    /// <summary>Fields that say something only beside another one, which is not given: they would be dropped without a word.</summary>
+    public IEnumerable<(string Field, string Needs)> WithoutEffect()
+    {
+        if (ToolDrive != AxisDrive)
+        {
+            if (ClearanceHeight is not null) yield return ("clearanceHeight", Needs("toolDrive", AxisDrive));
+            if (RetractHeight is not null) yield return ("retractHeight", Needs("toolDrive", AxisDrive));
+            if (CutDepth is not null) yield return ("cutDepth", Needs("toolDrive", AxisDrive));
+            if (PlungeMmPerMinute is not null) yield return ("plungeMmPerMinute", Needs("toolDrive", AxisDrive));
+            if (DepthPerPass is not null) yield return ("depthPerPass", Needs("toolDrive", AxisDrive));
+        }
+
+        if (SpindleOutput is null)
+        {
+            if (SpindleActiveLow is not null) yield return ("spindleActiveLow", Beside("spindleOutput"));
+            if (SpindleSeconds is not null) yield return ("spindleSeconds", Beside("spindleOutput"));
+            if (SpindleAxis is not null) yield return ("spindleAxis", Beside("spindleOutput"));
+            if (SpindleStopsInHold is not null) yield return ("spindleStopsInHold", Beside("spindleOutput"));
+        }
+
+        if (SpindleVolts is not null && (SpindleAxis is null || SpindleOutput is null)) yield return ("spindleVolts", Beside("spindleAxis"));
+        if (ToolDrive is not (null or OutputDrive or AxisDrive)) yield return ("toolDrive", Wording.Get("MachineProfileValidation.OneOfDrives", OutputDrive, AxisDrive));
+    }
+
+    private static string Needs(string field, string value) => Beside($"\"{field}\": \"{value}\"");
+
+    private static string Beside(string field) => Wording.Get("MachineProfileValidation.GivenBeside", field);
 }

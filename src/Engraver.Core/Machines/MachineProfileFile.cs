@@ -27,7 +27,9 @@ public static class MachineProfileFile
     {
         if (document is null) return new MachineProfileReading(null, [MotionRules.ProfileUnreadable.At(new SourceRef(1), Wording.Get("MachineProfileFile.HoldsNullInsteadObject"))]);
         var profile = document.Over(MachineProfile.Default);
-        var findings = MachineProfileValidation.Check(profile, limits);
+        IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.Given"), field.Needs)), .. MachineProfileValidation.Check(profile, limits)];
+        if (document.TravelZ is not null && profile.Axes.Z is null) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "travelZ", "", Wording.Get("MachineProfileValidation.NoAxisZ"))];
+        if (document.HomingsWithoutAxis(profile.Axes).FirstOrDefault() is { } axis) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "homing.axis", axis, Wording.Get("MachineProfileValidation.HomingAxis"))];
         return new MachineProfileReading(findings.Count == 0 ? profile : null, findings);
     }
 
@@ -40,7 +42,15 @@ public static class MachineProfileFile
         return (IsKnown(field) ? MotionRules.ProfileValueUnreadable : MotionRules.ProfileFieldUnknown).At(place, field);
     }
 
-    private static bool IsKnown(string field) => MachineProfileJson.Default.MachineProfileDocument.Properties.Any(property => property.Name == field);
+    /// <param name="field">As a path: <c>homing[0].by</c>.</param>
+    private static bool IsKnown(string field)
+    {
+        var parts = field.Split('.');
+        var known = parts[0].StartsWith("homing", StringComparison.Ordinal) ? MachineProfileJson.Default.HomingDocument.Properties
+            : parts[0].StartsWith("travel", StringComparison.Ordinal) ? MachineProfileJson.Default.TravelDocument.Properties : null;
+        return parts.Length == 1 ? MachineProfileJson.Default.MachineProfileDocument.Properties.Any(property => field == property.Name || field.StartsWith(property.Name + "[", StringComparison.Ordinal))
+            : parts[0] is "inputs" or "outputs" || known?.Any(property => property.Name == parts[^1]) == true;
+    }
 }
 
 /// <summary>Reads and writes profile files without reflection.</summary>

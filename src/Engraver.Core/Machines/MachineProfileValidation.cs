@@ -25,40 +25,79 @@ public static class MachineProfileValidation
     private static IEnumerable<Diagnostic> Findings(MachineProfile p, MachineLimits limits)
     {
         var scale = Wording.Get("MachineProfileValidation.NumberOtherThanNegative");
-        if (!IsScale(p.Axes.X.CountsPerMillimetre)) yield return Finding("countsPerMillimetreX", p.Axes.X.CountsPerMillimetre, scale);
-        if (!IsScale(p.Axes.Y.CountsPerMillimetre)) yield return Finding("countsPerMillimetreY", p.Axes.Y.CountsPerMillimetre, scale);
-        if (!limits.Axes.Contains(p.Axes.X.Letter)) yield return Finding("axisX", p.Axes.X.Letter, Wording.Get("MachineProfileValidation.OneLetters", limits.Axes));
-        if (!limits.Axes.Contains(p.Axes.Y.Letter)) yield return Finding("axisY", p.Axes.Y.Letter, Wording.Get("MachineProfileValidation.OneLetters", limits.Axes));
-        else if (p.Axes.Y.Letter == p.Axes.X.Letter) yield return Finding("axisY", p.Axes.Y.Letter, Wording.Get("MachineProfileValidation.AnotherAxisThanAxisX"));
+        foreach (var (name, axis) in Named(p.Axes).Where(named => !IsScale(named.Axis.CountsPerMillimetre))) yield return Finding("countsPerMillimetre" + name, axis.CountsPerMillimetre, scale);
+        foreach (var (name, axis) in Named(p.Axes))
+        {
+            if (!limits.Axes.Contains(axis.Letter)) yield return Finding("axis" + name, axis.Letter, Wording.Get("MachineProfileValidation.OneLetters", limits.Axes));
+            else if (Named(p.Axes).TakeWhile(named => named.Name != name).FirstOrDefault(named => named.Axis.Letter == axis.Letter).Name is { } same) yield return Finding("axis" + name, axis.Letter, Wording.Get("MachineProfileValidation.AnotherAxisThan", "axis" + same));
+        }
+
         if (!IsSpeed(p.FeedMmPerMinute, p, limits)) yield return Finding("feedMmPerMinute", p.FeedMmPerMinute, AxisSpeeds(limits));
         if (!IsSpeed(p.RapidMmPerMinute, p, limits)) yield return Finding("rapidMmPerMinute", p.RapidMmPerMinute, AxisSpeeds(limits));
         if (!IsAcceleration(p.AccelerationCounts, limits)) yield return Finding("accelerationCounts", p.AccelerationCounts, Accelerations(limits));
         if (p.SharpCornerDegrees is not (>= 0.0 and <= 180.0)) yield return Finding("sharpCornerDegrees", p.SharpCornerDegrees, Wording.Get("MachineProfileValidation.Degrees"));
         if (p.ToolOutput < 1 || p.ToolOutput > limits.Outputs) yield return Finding("toolOutput", p.ToolOutput, Wording.Get("MachineProfileValidation.OutputFrom", limits.Outputs));
         if (p.ToolSettleSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("toolSettleSeconds", p.ToolSettleSeconds, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
+        foreach (var finding in ToolFindings(p, limits)) yield return finding;
         if (p.ParkX is null != p.ParkY is null) yield return Finding(p.ParkX is null ? "parkY" : "parkX", p.ParkX ?? p.ParkY ?? 0.0, Wording.Get("MachineProfileValidation.ParkHasTwo"));
         if (p.Park is { } park && !IsCountable(park, p)) yield return Finding("parkX", park.X, Wording.Get("MachineProfileValidation.ParkCountable"));
         if (p.AngleQuantumDegrees is not (> 0.0 and <= 1.0)) yield return Finding("angleQuantumDegrees", p.AngleQuantumDegrees, Wording.Get("MachineProfileValidation.AboveMostDegree"));
+        foreach (var finding in HandSettings.Findings(p, limits)) yield return finding;
     }
+
+    private static IEnumerable<Diagnostic> ToolFindings(MachineProfile p, MachineLimits limits)
+    {
+        if (p.ToolOffSettleSeconds is not (null or (>= 0.0 and <= LongestSettleSeconds))) yield return Finding("toolOffSettleSeconds", p.ToolOffSettleSeconds.Value, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
+        foreach (var (name, axis) in Named(p.Axes).Where(named => named.Axis.MotorType is { } type && !limits.MotorTypes.Contains(type)))
+            yield return Finding("motorType" + name, axis.MotorType!.Value, Wording.Get("MachineProfileValidation.OneOf", string.Join(", ", limits.MotorTypes.Select(Text))));
+        if (p.Spindle is { } spindle)
+        {
+            if (spindle.Output < 1 || spindle.Output > limits.Outputs || (p.Height is null && spindle.Output == p.ToolOutput)) yield return Finding("spindleOutput", spindle.Output, Wording.Get("MachineProfileValidation.AnotherOutput", limits.Outputs));
+            if (spindle.SpinUpSeconds is not (>= 0.0 and <= LongestSettleSeconds)) yield return Finding("spindleSeconds", spindle.SpinUpSeconds, Wording.Get("MachineProfileValidation.Seconds", LongestSettleSeconds));
+            if (spindle.SpeedAxis is { } letter && (!limits.Axes.Contains(letter) || p.Axes.Letters.Contains(letter))) yield return Finding("spindleAxis", letter, Wording.Get("MachineProfileValidation.FreeAxis", limits.Axes));
+            if (!(Math.Abs(spindle.SpeedVolts) <= limits.LargestVolts)) yield return Finding("spindleVolts", spindle.SpeedVolts, Wording.Get("MachineProfileValidation.Volts", limits.LargestVolts));
+        }
+
+        if (p.Height is not { } height) yield break;
+        if (p.Axes.Z is not { } z)
+        {
+            yield return Finding("axisZ", NoLetter, Wording.Get("MachineProfileValidation.GivenForDrive", limits.Axes));
+            yield break;
+        }
+
+        if (!(height.ClearanceHeight >= height.RetractHeight)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.AtLeast", Text(height.RetractHeight)));
+        if (!IsHeight(height.ClearanceHeight, p)) yield return Finding("clearanceHeight", height.ClearanceHeight, Wording.Get("MachineProfileValidation.HeightCountable"));
+        if (!(height.RetractHeight > 0.0)) yield return Finding("retractHeight", height.RetractHeight, Wording.Get("MachineProfileValidation.AboveNought"));
+        if (!(height.CutDepth >= 0.0) || !IsHeight(height.CutDepth, p)) yield return Finding("cutDepth", height.CutDepth, Wording.Get("MachineProfileValidation.NotNegative"));
+        if (height.DepthPerPass is { } step && !(step > 0.0 && Math.Abs(step * z.CountsPerMillimetre) >= 1.0)) yield return Finding("depthPerPass", step, Wording.Get("MachineProfileValidation.AboveCount"));
+        if (!IsSpeed(height.PlungeMmPerMinute / 60.0 * Math.Abs(z.CountsPerMillimetre), limits)) yield return Finding("plungeMmPerMinute", height.PlungeMmPerMinute, AxisSpeeds(limits));
+    }
+
+    private static bool IsHeight(double millimetres, MachineProfile profile) => Math.Abs(millimetres * profile.Scale.Z) < int.MaxValue / 4.0;
+
+    private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+
+    /// <summary>Each axis with the end of its settings' names.</summary>
+    private static IEnumerable<(string Name, MachineAxis Axis)> Named(MachineAxes axes) => "XYZ".Select(letter => letter.ToString()).Zip(axes.All);
 
     private static bool IsCountable(Point2D place, MachineProfile profile) => !IsScale(profile.Scale.X) || !IsScale(profile.Scale.Y) || profile.Scale.Holds(Bounds2D.FromCorners(place, place), default);
 
-    private static bool IsScale(double countsPerMillimetre) => double.IsFinite(countsPerMillimetre) && countsPerMillimetre != 0.0;
+    internal static bool IsScale(double countsPerMillimetre) => double.IsFinite(countsPerMillimetre) && countsPerMillimetre != 0.0;
 
-    private static bool IsSpeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) =>
+    internal static bool IsSpeed(double mmPerMinute, MachineProfile profile, MachineLimits limits) =>
         profile.Axes.All.All(axis => IsSpeed(mmPerMinute / 60.0 * Math.Abs(axis.CountsPerMillimetre), limits));
 
-    private static bool IsSpeed(double countsPerSecond, MachineLimits limits) => countsPerSecond >= limits.SlowestSpeed && countsPerSecond <= limits.FastestSpeed;
+    internal static bool IsSpeed(double countsPerSecond, MachineLimits limits) => countsPerSecond >= limits.SlowestSpeed && countsPerSecond <= limits.FastestSpeed;
 
     private static bool IsAcceleration(int counts, MachineLimits limits) =>
         counts >= limits.AccelerationStep && counts <= limits.LargestAcceleration && counts % limits.AccelerationStep == 0;
 
-    private static string AxisSpeeds(MachineLimits limits) =>
+    internal static string AxisSpeeds(MachineLimits limits) =>
         Wording.Get("MachineProfileValidation.SpeedCountsOnEach", limits.SlowestSpeed, limits.FastestSpeed);
 
     private static string Accelerations(MachineLimits limits) => Wording.Get("MachineProfileValidation.MultipleFromCountsS2", limits.AccelerationStep, limits.LargestAcceleration);
 
-    private static Diagnostic Finding(string setting, double value, string limit) =>
+    internal static Diagnostic Finding(string setting, double value, string limit) =>
         MotionRules.SettingOutOfRange.At(default, setting, value.ToString("R", CultureInfo.InvariantCulture), limit);
 
     private static Diagnostic Finding(string setting, char letter, string limit) => MotionRules.SettingOutOfRange.At(default, setting, letter == NoLetter ? Wording.Get("MachineProfileValidation.NotOneLetter") : letter.ToString(), limit);

@@ -1,14 +1,16 @@
 namespace Engraver.Core.Machines;
 
 /// <summary>The state of an idle controller at one moment, in counts. Null for what it does not report.</summary>
-/// <param name="X">Position of the axis of the drawing's X, from the controller's own zero.</param>
-/// <param name="Y">The same of the axis of the drawing's Y.</param>
-/// <param name="ErrorX">Following error: commanded minus actual position.</param>
-/// <param name="ErrorY">The same of the axis of the drawing's Y.</param>
+/// <param name="Position">Of the axes that a job moves, from the controller's own zero.</param>
+/// <param name="Error">Following error of each: commanded minus actual position.</param>
 /// <param name="Moves">An axis or the path is in motion.</param>
 /// <param name="MotorsOff">The controller's letters of the axes whose motor is off; empty for none.</param>
-public sealed record MachineReading(int X, int Y, int ErrorX, int ErrorY, bool Moves, string MotorsOff)
+public sealed record MachineReading(CountsPoint Position, CountsPoint Error, bool Moves, string MotorsOff)
 {
+    public int X => Position.X;
+
+    public int Y => Position.Y;
+
     /// <summary>Inputs 1 to 8, bit 0 is input 1.</summary>
     public int? Inputs { get; init; }
 
@@ -34,6 +36,6 @@ public sealed record MachineReading(int X, int Y, int ErrorX, int ErrorY, bool M
     public bool DiffersFrom(MachineReading other)
     {
         ArgumentNullException.ThrowIfNull(other);
-        return (X, Y, Moves, MotorsOff, Limit, AbortInput, ProgramRuns, Inputs) != (other.X, other.Y, other.Moves, other.MotorsOff, other.Limit, other.AbortInput, other.ProgramRuns, other.Inputs);
+        return (Position, Moves, MotorsOff, Limit, AbortInput, ProgramRuns, Inputs) != (other.Position, other.Moves, other.MotorsOff, other.Limit, other.AbortInput, other.ProgramRuns, other.Inputs);
     }
 }

@@ -32,7 +32,7 @@ public sealed record MotionProgram(MachineProfile Profile, CountsPoint Start, IR
     }
 }
 
-/// <summary>One stroke: rapid to <see cref="Start"/> with the tool off, tool on, every sequence in order (at rest between two of them), tool off.</summary>
+/// <summary>One stroke: rapid to <see cref="Start"/> with the tool off, tool on, every sequence in order (at rest between two of them), tool off. Where an axis is the tool drive, "on" is at the height of the start and "off" at clearance height; each pass is a stroke with the same index.</summary>
 public sealed record MotionStroke(int Index, CountsPoint Start, IReadOnlyList<VectorSequence> Sequences);
 
 /// <summary>VM ... VE: segments that are cut without a stop. It begins where the machine is.</summary>
@@ -41,6 +41,9 @@ public sealed record MotionStroke(int Index, CountsPoint Start, IReadOnlyList<Ve
 /// <param name="Segments">At least one.</param>
 public sealed record VectorSequence(CountsPoint Start, int Speed, IReadOnlyList<VectorSegment> Segments)
 {
+    /// <summary>Lines that rise or fall: the sequence is run in three axes (LM) instead of two (VM). It has no arcs.</summary>
+    public bool ChangesHeight { get; init; }
+
     public CountsPoint End => Segments[^1].End;
 
     public double Length => Segments.Sum(segment => segment.Length);

@@ -39,8 +39,8 @@ public sealed class CornerDetector(MachineProfile profile, double vectorSpeed)
     {
         var tangent = move.EndTangent;
         if (tangent == default) return;
-        var way = WayOfSample(_countsSinceStop);
-        _bend = _countsSinceStop == 0.0 || Counts(move) >= way ? BendOf(move, way) : _bend + Turn(_lastCut, move.StartTangent) + BendOf(move, way);
+        var distance = DistanceOfSample(_countsSinceStop);
+        _bend = _countsSinceStop == 0.0 || Counts(move) >= distance ? BendOf(move, distance) : _bend + Turn(_lastCut, move.StartTangent) + BendOf(move, distance);
         _countsSinceStop += Counts(move);
         (_lastCut, _lastSeen, _sharpest) = (tangent, tangent, 0.0);
     }
@@ -55,17 +55,17 @@ public sealed class CornerDetector(MachineProfile profile, double vectorSpeed)
     /// <summary>True when a motor sample may pass too far inside: for a bend of angle b within one sample's distance w it is up to w/2 sin(b/2).</summary>
     private bool IsBend(double turn, in Segment move)
     {
-        var way = WayOfSample(_countsSinceStop);
-        var bend = _bend + turn + BendOf(move, way);
-        return bend > profile.SharpCornerDegrees + RoundingDegrees && way / 2.0 * Angle.FromDegrees(Math.Min(180.0, bend) / 2.0).Sin() > CountsBesideBend;
+        var distance = DistanceOfSample(_countsSinceStop);
+        var bend = _bend + turn + BendOf(move, distance);
+        return bend > profile.SharpCornerDegrees + RoundingDegrees && distance / 2.0 * Angle.FromDegrees(Math.Min(180.0, bend) / 2.0).Sin() > CountsBesideBend;
     }
 
     /// <summary>What the tool travels between two samples, counts.</summary>
-    private double WayOfSample(double countsSinceStop) => SampleSeconds * Math.Min(vectorSpeed, Math.Sqrt(2.0 * profile.AccelerationCounts * countsSinceStop));
+    private double DistanceOfSample(double countsSinceStop) => SampleSeconds * Math.Min(vectorSpeed, Math.Sqrt(2.0 * profile.AccelerationCounts * countsSinceStop));
 
     /// <summary>Turn of the move within one sample's distance, degrees.</summary>
-    private double BendOf(in Segment move, double way) =>
-        move.Kind == SegmentKind.Line ? 0.0 : Math.Abs(move.Arc.Sweep.Degrees) * Math.Min(1.0, way / Counts(move));
+    private double BendOf(in Segment move, double distance) =>
+        move.Kind == SegmentKind.Line ? 0.0 : Math.Abs(move.Arc.Sweep.Degrees) * Math.Min(1.0, distance / Counts(move));
 
     private double Counts(in Segment move) => move.Length * profile.Scale.Largest;
 

@@ -44,9 +44,9 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
                 {
                     var fraction = (double)place / Places(segment);
                     var path = travelled + (fraction * segment.Length);
-                    var (speed, way) = (SpeedAt(path), Direction(segment, from, fraction));
-                    peakSpeed = Math.Max(peakSpeed, InMillimetres(way * speed).Length);
-                    peakAcceleration = Math.Max(peakAcceleration, LargestAxis((way * Gain(path)) + Inwards(segment, way, speed)));
+                    var (speed, direction) = (SpeedAt(path), Direction(segment, from, fraction));
+                    peakSpeed = Math.Max(peakSpeed, InMillimetres(direction * speed).Length);
+                    peakAcceleration = Math.Max(peakAcceleration, LargestAxis((direction * Gain(path)) + Inwards(segment, direction, speed)));
                 }
 
                 before = Direction(segment, from, 1.0);
@@ -68,8 +68,8 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
         {
             if (segment.Kind == VectorSegmentKind.Line)
             {
-                var way = new Vector2D((double)segment.End.X - from.X, (double)segment.End.Y - from.Y);
-                return way * (1.0 / Math.Max(way.Length, double.Epsilon));
+                var direction = new Vector2D((double)segment.End.X - from.X, (double)segment.End.Y - from.Y);
+                return direction * (1.0 / Math.Max(direction.Length, double.Epsilon));
             }
 
             var spoke = Angle.FromDegrees(segment.ThetaDegrees + (fraction * segment.DeltaDegrees));
@@ -77,9 +77,9 @@ public readonly record struct MotionPeaks(double Speed, double AxisAcceleration)
         }
 
         /// <summary>Towards the centre of an arc: v2/r.</summary>
-        private static Vector2D Inwards(in VectorSegment segment, Vector2D way, double speed) => segment.Kind == VectorSegmentKind.Line
+        private static Vector2D Inwards(in VectorSegment segment, Vector2D direction, double speed) => segment.Kind == VectorSegmentKind.Line
             ? default
-            : new Vector2D(-way.Y, way.X) * (Math.Sign(segment.DeltaDegrees) * speed * speed / segment.Radius);
+            : new Vector2D(-direction.Y, direction.X) * (Math.Sign(segment.DeltaDegrees) * speed * speed / segment.Radius);
 
         private double LargestAxis(Vector2D counts) => InMillimetres(counts) is var at ? Math.Max(Math.Abs(at.X), Math.Abs(at.Y)) : 0.0;
 

@@ -12,24 +12,27 @@ public static class MotionTime
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(commands);
         if (program.Strokes.Count == 0) return default;
-        var times = new MotionTimes(0.0, 0.0, commands.Loading(program));
+        var times = new MotionTimes(0.0, 0.0, commands.Loading(program) + (program.Profile.Spindle?.SpinUpSeconds ?? 0.0));
         var at = program.Start;
+        if (program.Profile.Height is not null) times += ToolAt(at, on: false, program, commands); // it is raised from where it was found
         foreach (var stroke in program.Strokes)
         {
-            times += RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, program, commands);
+            times += RapidTo(stroke.Start, at, program, commands) + ToolAt(stroke.Start, on: true, program, commands);
             foreach (var sequence in stroke.Sequences) times += Cut(sequence, program, commands);
             at = stroke.Sequences[^1].End;
-            times += ToolAt(at, program, commands);
+            times += ToolAt(at, on: false, program, commands);
         }
 
         return program.Finish is { } finish ? times + RapidTo(finish, at, program, commands) : times;
     }
 
+    /// <summary>A rapid goes in plan: X and Y.</summary>
+    private const int PlaneAxes = 2;
+
     internal static MotionTimes RapidTo(CountsPoint target, CountsPoint from, MotionProgram program, CommandTimes commands)
     {
-        var (x, y) = (Math.Abs((double)target.X - from.X), Math.Abs((double)target.Y - from.Y));
-        var (speeds, acceleration) = (commands.RapidSpeeds(program.Profile), program.Profile.AccelerationCounts);
-        var moving = Math.Max(Sampled(x, speeds.X, acceleration, commands), Sampled(y, speeds.Y, acceleration, commands));
+        var profile = program.Profile;
+        var moving = profile.Axes.All.Take(PlaneAxes).Select((axis, i) => Sampled(Math.Abs((double)target[i] - from[i]), commands.RapidSpeed(profile, axis), profile.AccelerationCounts, commands)).Max();
         return new MotionTimes(0.0, moving, commands.Rapid(from, target, moving, program));
     }
 
@@ -39,7 +42,21 @@ public static class MotionTime
         return new MotionTimes(moving, 0.0, commands.Sequence(sequence, moving, program));
     }
 
-    internal static MotionTimes ToolAt(CountsPoint at, MotionProgram program, CommandTimes commands) => new(0.0, 0.0, commands.Tool(at, program));
+    /// <summary>The tool comes to the work or goes; the moves of an axis that holds it count as rapids.</summary>
+    internal static MotionTimes ToolAt(CountsPoint at, bool on, MotionProgram program, CommandTimes commands)
+    {
+        var moving = program.Profile.Axes.Z is { } z && program.Profile.Height is not null ? HeightSeconds(at.Z, on, program.Profile, z, commands) : 0.0;
+        return new MotionTimes(0.0, moving, commands.Tool(at, on, moving, program));
+    }
+
+    private static double HeightSeconds(int height, bool on, MachineProfile profile, MachineAxis z, CommandTimes commands)
+    {
+        double Move(double from, double to, double speed) => Sampled(Math.Abs(to - from), speed, profile.AccelerationCounts, commands);
+        var (clearance, rapid) = (profile.ClearanceCounts, commands.RapidSpeed(profile, z));
+        if (!on) return Move(height, clearance, rapid);
+        var retract = profile.Up * Math.Max(profile.Up * profile.RetractCounts, profile.Up * height);
+        return Move(clearance, retract, rapid) + Move(retract, height, commands.PlungeSpeed(profile));
+    }
 
     /// <summary>The trapezoid up to the sample in which it ends.</summary>
     private static double Sampled(double distance, double speed, double acceleration, CommandTimes commands) => Math.Ceiling(SpeedTrapezoid.Time(distance, speed, acceleration) / commands.Sample) * commands.Sample;

@@ -15,10 +15,10 @@ public sealed class MotionTimeline
     public MotionProgram Program { get; }
 
     /// <summary>Speed over time of X and of Y in a rapid, counts.</summary>
-    public (SpeedTrapezoid X, SpeedTrapezoid Y) RapidOf(in MotionSpan span)
+    public IReadOnlyList<SpeedTrapezoid> RapidOf(in MotionSpan span)
     {
-        var (speeds, acceleration) = (_commands.RapidSpeeds(Program.Profile), Program.Profile.AccelerationCounts);
-        return (new SpeedTrapezoid(Math.Abs((double)span.To.X - span.From.X), speeds.X, acceleration), new SpeedTrapezoid(Math.Abs((double)span.To.Y - span.From.Y), speeds.Y, acceleration));
+        var (from, to, profile) = (span.From, span.To, Program.Profile);
+        return [.. profile.Axes.All.Take(2).Select((axis, i) => new SpeedTrapezoid(Math.Abs((double)to[i] - from[i]), _commands.RapidSpeed(profile, axis), profile.AccelerationCounts))];
     }
 
     /// <summary>Without gaps, in the order of time; spans of no time are left out.</summary>
@@ -32,6 +32,7 @@ public sealed class MotionTimeline
     {
         var timeline = new MotionTimeline(program, commands);
         var at = program.Start;
+        if (program is { Strokes.Count: > 0, Profile.Height: not null } && MotionTime.ToolAt(at, on: false, program, commands) is var raise) timeline.Add(MotionSpanKind.Dwell, raise.Dwell + raise.Rapid, 0, 0, at, at, toolOn: false);
         for (var stroke = 0; stroke < program.Strokes.Count; stroke++)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -64,18 +65,19 @@ public sealed class MotionTimeline
         var rapid = MotionTime.RapidTo(stroke.Start, from, Program, _commands);
         Add(MotionSpanKind.Dwell, rapid.Dwell, index, 0, from, from, toolOn: false);
         Add(MotionSpanKind.Rapid, rapid.Rapid, index, 0, from, stroke.Start, toolOn: false);
-        var settle = MotionTime.ToolAt(stroke.Start, Program, _commands).Dwell;
+        var on = MotionTime.ToolAt(stroke.Start, on: true, Program, _commands);
         for (var i = 0; i < stroke.Sequences.Count; i++)
         {
             var sequence = stroke.Sequences[i];
             var cut = MotionTime.Cut(sequence, Program, _commands);
             Add(MotionSpanKind.Dwell, cut.Dwell, index, i, sequence.Start, sequence.Start, toolOn: i > 0);
-            if (i == 0) Add(MotionSpanKind.Dwell, settle, index, 0, sequence.Start, sequence.Start, toolOn: true);
+            if (i == 0) Add(MotionSpanKind.Dwell, on.Dwell + on.Rapid, index, 0, sequence.Start, sequence.Start, toolOn: true);
             Add(MotionSpanKind.Cut, cut.Cutting, index, i, sequence.Start, sequence.End, toolOn: true);
         }
 
         var last = stroke.Sequences.Count - 1;
-        Add(MotionSpanKind.Dwell, settle, index, last, stroke.Sequences[last].End, stroke.Sequences[last].End, toolOn: false);
+        var off = MotionTime.ToolAt(stroke.Sequences[last].End, on: false, Program, _commands);
+        Add(MotionSpanKind.Dwell, off.Dwell + off.Rapid, index, last, stroke.Sequences[last].End, stroke.Sequences[last].End, toolOn: false);
     }
 
     /// <summary>The way to where the program finishes belongs to its last sequence.</summary>

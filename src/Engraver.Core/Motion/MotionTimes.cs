@@ -8,6 +8,11 @@ public readonly record struct MotionTimes(double Cutting, double Rapid, double D
 {
     public double Total => Cutting + Rapid + Dwell;
 
+    /// <summary>The total under overrides, which change speeds and no dwells; ramps are short against the rest.</summary>
+    /// <param name="feed">Factor of the feed that is in force.</param>
+    /// <param name="rapid">Factor of the rapid speed.</param>
+    public double Under(double feed, double rapid) => (Cutting / feed) + (Rapid / rapid) + Dwell;
+
     public static MotionTimes operator +(MotionTimes left, MotionTimes right) =>
         new(left.Cutting + right.Cutting, left.Rapid + right.Rapid, left.Dwell + right.Dwell);
 }

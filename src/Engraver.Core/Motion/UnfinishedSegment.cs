@@ -16,25 +16,7 @@ public static class UnfinishedSegment
         var cut = result.SegmentsExecuted - result.SegmentsUncut;
         var last = result.PolledTrace.LastOrDefault(point => point.ToolOn && point.Executed == cut);
         if (!last.ToolOn || program.SegmentBehind(cut) is not var (start, segment, _)) return 0.0;
-        var (from, place) = (new Point2D(start.X, start.Y), new Point2D(last.X, last.Y));
-        return segment.Kind == VectorSegmentKind.Line ? AlongLine(from, segment, place, tolerance) : AlongArc(from, segment, place, tolerance);
-    }
-
-    private static double AlongLine(Point2D start, in VectorSegment segment, Point2D place, double tolerance)
-    {
-        var line = new LineSegment(start, new Point2D(segment.End.X, segment.End.Y));
-        return line.DistanceTo(place) > tolerance ? 0.0 : Math.Min(start.DistanceTo(place), segment.Length);
-    }
-
-    /// <remarks>Where a whole turn begins it also ends: there nothing counts as cut.</remarks>
-    private static double AlongArc(Point2D start, in VectorSegment segment, Point2D place, double tolerance)
-    {
-        var radial = Vector2D.FromPolar(segment.Radius, Angle.FromDegrees(segment.ThetaDegrees));
-        var arc = new ArcSegment(start - radial, segment.Radius, Angle.FromDegrees(segment.ThetaDegrees), Angle.FromDegrees(segment.DeltaDegrees));
-        if (arc.DistanceTo(place) > tolerance || start.DistanceTo(place) <= tolerance) return 0.0;
-        var towards = place - arc.Centre;
-        var turned = (Math.Atan2(towards.Y, towards.X) * (180.0 / Math.PI)) - segment.ThetaDegrees;
-        var swept = Math.IEEERemainder((segment.DeltaDegrees < 0.0 ? -turned : turned) - 180.0, 360.0) + 180.0; // 0 to 360
-        return Math.Min(swept * (Math.PI / 180.0) * segment.Radius, segment.Length);
+        var (course, place) = (new SegmentCourse(start, segment), new Point2D(last.Place.X, last.Place.Y));
+        return course.DistanceTo(place) > tolerance ? 0.0 : course.AlongTo(place, tolerance);
     }
 }

@@ -17,6 +17,9 @@ public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, 
     /// <summary>Box of everything shown, the tool's start included.</summary>
     public Bounds2D Seen => ToolStart is { } start ? Drawn.Including(start) : Drawn;
 
+    /// <summary>What the colours of a run mean; null in a picture of a drawing or a path.</summary>
+    public PlotHeat? Heat { get; init; }
+
     public double CutLength => Strokes.Sum(stroke => stroke.Length);
 
     public double Travel => Rapids.Sum(rapid => rapid.Length);
@@ -60,4 +63,13 @@ public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, 
 public sealed record PlotStroke(IReadOnlyList<Segment> Segments, bool Closed, int? Number)
 {
     public double Length => Segments.Sum(segment => segment.Length);
+
+    /// <summary>Step of the colours of a run, or <see cref="RunPlot.Beneath"/>; null where the colour says closed or open.</summary>
+    public int? Heat { get; init; }
 }
+
+/// <summary>What the colours of a run mean, in words.</summary>
+/// <param name="Caption">What is shown and where it comes from.</param>
+/// <param name="Least">The value of the first colour.</param>
+/// <param name="Most">The value of the last colour.</param>
+public sealed record PlotHeat(string Caption, string Least, string Most);

@@ -28,6 +28,7 @@ public static class SvgPlotWriter
         var size = $"{Number(frame.FieldWidth)} {Number(frame.Height)}";
         Line(output, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {size}\" width=\"{Number(frame.FieldWidth)}\" height=\"{Number(frame.Height)}\">");
         Line(output, Style.ReplaceLineEndings("\n"));
+        if (plot.Heat is not null) Line(output, HeatStyle());
         Line(output, $"<rect class=\"field\" width=\"100%\" height=\"100%\"/>");
         WriteRapids(plot, frame, output);
         WriteStrokes(plot, frame, output);
@@ -98,8 +99,9 @@ public static class SvgPlotWriter
         Line(output, $"<rect class=\"caption\" y=\"{Number(top)}\" width=\"100%\" height=\"{Number(PlotFrame.CaptionHeight)}\"/>");
         Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{Escaped(Wording.Get("Plot.Size", plot.Title, Millimetres(drawn.Width), Millimetres(drawn.Height)))}</text>");
         var travel = plot.ToolStart is null ? string.Empty : Wording.Get("Plot.Travel", Millimetres(plot.Travel));
-        Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{Escaped(Wording.Get("Plot.Strokes", plot.Strokes.Count, Millimetres(plot.CutLength), travel))}</text>");
+        Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{Escaped(plot.Heat?.Caption ?? Wording.Get("Plot.Strokes", plot.Strokes.Count, Millimetres(plot.CutLength), travel))}</text>");
         var entries = new List<(string Class, string Text)> { ("cut closed", Wording.Get("Plot.Closed", closed)), ("cut open", Wording.Get("Plot.Open", plot.Strokes.Count - closed)) };
+        if (plot.Heat is { } heat) entries = [($"cut {HeatClass(0)}", heat.Least), ($"cut {HeatClass(RunPlot.Steps - 1)}", heat.Most)];
         if (plot.ToolStart is not null) entries.AddRange([("rapid", Wording.Get("Plot.Rapid")), ("start", Wording.Get("Plot.Start"))]);
         for (var i = 0; i < entries.Count; i++) WriteLegend(entries[i].Class, entries[i].Text, frame.FieldWidth - (122.0 * (entries.Count - i)), top + 42.0, output);
     }
@@ -107,7 +109,15 @@ public static class SvgPlotWriter
     private static void WriteLegend(string css, string text, double x, double y, TextWriter output) =>
         Line(output, $"<path class=\"{css}\" stroke-width=\"2\" d=\"M{Number(x)},{Number(y - 4.0)}h24\"/><text x=\"{Number(x + 30.0)}\" y=\"{Number(y)}\" font-size=\"12\">{Escaped(text)}</text>");
 
-    private static string Colour(PlotStroke stroke) => stroke.Closed ? "closed" : "open";
+    private static string Colour(PlotStroke stroke) => stroke.Heat is { } heat ? HeatClass(heat) : stroke.Closed ? "closed" : "open";
+
+    private static string HeatClass(int step) => step < 0 ? "base" : string.Create(CultureInfo.InvariantCulture, $"heat{step}");
+
+    /// <summary>From green by yellow to red, and grey for what lies beneath.</summary>
+    private static string HeatStyle() =>
+        $"<style>.base{{stroke:#4a5460}}{string.Concat(Enumerable.Range(0, RunPlot.Steps).Select(step => $".{HeatClass(step)}{{stroke:{HeatColour((double)step / (RunPlot.Steps - 1))}}}"))}</style>";
+
+    private static string HeatColour(double part) => string.Create(CultureInfo.InvariantCulture, $"#{(int)Math.Min(255.0, 510.0 * part):x2}{(int)Math.Min(224.0, 448.0 * (1.0 - part)):x2}50");
 
     private static string Millimetres(double value) => value.ToString("0.##", CultureInfo.InvariantCulture);
 

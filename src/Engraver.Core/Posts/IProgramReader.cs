@@ -19,7 +19,7 @@ public interface IProgramReader
 /// <param name="Expected">Machine time that it probably takes, for the progress.</param>
 /// <param name="Longest">Machine time that it may take.</param>
 /// <param name="Judges">Told in millimetres of the drawing.</param>
-public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, TimeSpan Expected, TimeSpan Longest, IReadOnlyList<TraceJudge> Judges);
+public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, TimeSpan Expected, TimeSpan Longest, IReadOnlyList<ITraceJudge> Judges);
 
 /// <summary>How far a replay has come.</summary>
 /// <param name="Chunk">From 1.</param>

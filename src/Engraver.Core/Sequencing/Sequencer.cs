@@ -25,7 +25,7 @@ public static class Sequencer
         var findings = new SequencingFindings(drawing, options);
         if (!options.KeepDuplicates)
         {
-            var rows = DuplicateRemoval.Keep(segments, options.DuplicateTolerance);
+            var rows = DuplicateRemoval.Keep(segments, options.DuplicateTolerance, options.CutsHeights ? EndHeights.From(analysed, options.JoinTolerance) : EndHeights.Flat);
             if (rows.Length < segments.Length)
             {
                 findings.AddDuplicates(analysed, rows);
@@ -35,7 +35,8 @@ public static class Sequencer
         }
 
         var duplicates = analysed.Count - kept.Count;
-        if (options.ArcTolerance is { } arcTolerance && ArcRecoverer.Recover(kept, segments, arcTolerance) is { Arcs.Count: > 0 } recovered)
+        var areLevel = !options.CutsHeights || EndHeights.From(kept, options.JoinTolerance).AreFlat;
+        if (options.ArcTolerance is { } arcTolerance && areLevel && ArcRecoverer.Recover(kept, segments, arcTolerance) is { Arcs.Count: > 0 } recovered)
         {
             findings.AddArcs(recovered);
             kept = recovered.Table;

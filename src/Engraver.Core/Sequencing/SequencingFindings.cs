@@ -27,7 +27,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         var first = 0;
         while (first < kept.Length && kept[first] == first) first++;
         var entity = analysed.EntityIndexOf(first);
-        Add(SequencingRules.DuplicatesRemoved, entity, Number(analysed.Count - kept.Length), HandleOf(entity) ?? Wording.Get("SequencingFindings.WithoutHandle"));
+        Add(SequencingRules.DuplicatesRemoved, entity, null, Number(analysed.Count - kept.Length), HandleOf(entity) ?? Wording.Get("SequencingFindings.WithoutHandle"));
     }
 
     public void AddArcs(ArcRecoveryResult recovered)
@@ -36,7 +36,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         {
             var arc = recovered.Table[row];
             var rule = arc.Kind == SegmentKind.Circle ? SequencingRules.CircleRecovered : SequencingRules.ArcRecovered;
-            Add(rule, arc.EntityIndex, Number(lines), Number(arc.StartPoint.X), Number(arc.StartPoint.Y), Number(arc.Radius), Number(deviation));
+            Add(rule, arc.EntityIndex, arc.StartPoint, Number(lines), Number(arc.StartPoint.X), Number(arc.StartPoint.Y), Number(arc.Radius), Number(deviation));
         }
     }
 
@@ -53,7 +53,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
         }
 
         if (wide.Count == 0) return;
-        Add(SequencingRules.OpenEnds, table.EntityIndexOf(wide[0].Row), Number(wide.Count), Number(options.SuspiciousGap), Number(wide[0].Place.X), Number(wide[0].Place.Y));
+        Add(SequencingRules.OpenEnds, table.EntityIndexOf(wide[0].Row), wide[0].Place, Number(wide.Count), Number(options.SuspiciousGap), Number(wide[0].Place.X), Number(wide[0].Place.Y));
     }
 
     /// <summary>Says of which rules there are more findings than are listed. To be called once, when all are in.</summary>
@@ -70,7 +70,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
     public void AddEntry(EnterAt wish, EnterAt enter, StrokeEntry? entry, ReadOnlySpan<int> inside)
     {
         if (enter != wish && (wish, enter) is (EnterAt.AtEntity { EntityIndex: var named }, EnterAt.AtEntity { EntityIndex: var standIn }))
-            Add(SequencingRules.EntryStandsIn, named, HandleOf(named) ?? Wording.Get("SequencingFindings.WithoutHandle"), HandleOf(standIn) ?? Wording.Get("SequencingFindings.WithoutHandle"));
+            Add(SequencingRules.EntryStandsIn, named, null, HandleOf(named) ?? Wording.Get("SequencingFindings.WithoutHandle"), HandleOf(standIn) ?? Wording.Get("SequencingFindings.WithoutHandle"));
         if (entry is not { } found)
         {
             _diagnostics.Add(SequencingRules.EntryNotFound.At(default));
@@ -95,7 +95,7 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
     private void AddSmallGap(Discontinuity end, EntityTable table)
     {
         var nearest = HandleOf(table.EntityIndexOf(end.NearestRow)) ?? Wording.Get("SequencingFindings.WithoutHandle");
-        Add(SequencingRules.SmallGap, table.EntityIndexOf(end.Row), Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest);
+        Add(SequencingRules.SmallGap, table.EntityIndexOf(end.Row), end.Place, Number(end.Place.X), Number(end.Place.Y), Number(end.Gap ?? 0.0), nearest);
     }
 
     private void AddShortSegments(EntityTable table, ReadOnlySpan<Segment> segments)
@@ -109,13 +109,13 @@ internal sealed class SequencingFindings(Drawing? drawing, SequencingOptions opt
 
         if (count == 0) return;
         var place = segments[first].Start;
-        Add(SequencingRules.ShortSegments, table.EntityIndexOf(first), Number(count), Number(options.JoinTolerance), Number(place.X), Number(place.Y));
+        Add(SequencingRules.ShortSegments, table.EntityIndexOf(first), place, Number(count), Number(options.JoinTolerance), Number(place.X), Number(place.Y));
     }
 
-    private void Add(DiagnosticRule rule, int entity, params ReadOnlySpan<string> facts)
+    private void Add(DiagnosticRule rule, int entity, Point2D? place, params ReadOnlySpan<string> facts)
     {
         var count = _counts[rule] = _counts.GetValueOrDefault(rule) + 1;
-        if (count <= ShownPerRule) _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts));
+        if (count <= ShownPerRule) _diagnostics.Add(rule.At(drawing?.SourceOf(entity) ?? default, facts) with { Place = place });
     }
 
     private string? HandleOf(int entity) => drawing?.SourceOf(entity).Handle;

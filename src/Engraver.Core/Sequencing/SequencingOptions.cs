@@ -19,6 +19,9 @@ public sealed record SequencingOptions
     /// <summary>Lines that approximate an arc within this are replaced by it; null leaves them as they are.</summary>
     public double? ArcTolerance { get; init; }
 
+    /// <summary>The machine cuts at the drawn heights: what coincides in plan alone is drawn twice, and lines at several heights are no arc.</summary>
+    public bool CutsHeights { get; init; }
+
     /// <summary>Two open ends nearer to each other than this are reported as a probable drawing mistake.</summary>
     public double SuspiciousGap { get; init; } = 1.0;
 

@@ -15,7 +15,7 @@ internal sealed class TableMoves(EntityTable table, int firstRow, int count) : I
         {
             if ((uint)index >= (uint)count) throw new ArgumentOutOfRangeException(nameof(index));
             var row = table[firstRow + index];
-            return new StrokeMove(row.ToSegment(), row.EntityIndex);
+            return StrokeMove.From(row);
         }
     }
 
@@ -28,4 +28,23 @@ internal sealed class TableMoves(EntityTable table, int firstRow, int count) : I
 }
 
 /// <summary>One cutting move in millimetres with the drawing entity it came from.</summary>
-public readonly record struct StrokeMove(Segment Segment, int EntityIndex);
+/// <param name="Segment">In plan.</param>
+/// <param name="StartZ">Drawn height at its start; a line rises evenly to its end, an arc is level.</param>
+/// <param name="EndZ">Drawn height at its end. Both are not a number where the height along the move is not known: a piece of an ellipse or spline that rises.</param>
+public readonly record struct StrokeMove(Segment Segment, int EntityIndex, double StartZ = 0.0, double EndZ = 0.0)
+{
+    /// <summary>Every row of an analysed table.</summary>
+    public static StrokeMove[] AllOf(EntityTable table)
+    {
+        ArgumentNullException.ThrowIfNull(table);
+        var moves = new StrokeMove[table.Count];
+        for (var row = 0; row < moves.Length; row++) moves[row] = From(table[row]);
+        return moves;
+    }
+
+    internal static StrokeMove From(in EntityRow row)
+    {
+        var isLevel = row.Curve?.IsLevel ?? true;
+        return new StrokeMove(row.ToSegment(), row.EntityIndex, isLevel ? row[EntitySlot.StartZ] : double.NaN, isLevel ? row[EntitySlot.EndZ] : double.NaN);
+    }
+}

@@ -25,7 +25,7 @@ public static class ToolpathPlanner
         foreach (var move in moves)
         {
             if (!move.Segment.IsFreeCurve) cuttable.Add(move);
-            else cuttable.AddRange(BiarcFit.Fit(move.Segment.Curve, maxErrorMm).Select(piece => new StrokeMove(piece, move.EntityIndex)));
+            else cuttable.AddRange(BiarcFit.Fit(move.Segment.Curve, maxErrorMm).Select(piece => new StrokeMove(piece, move.EntityIndex, move.StartZ, move.EndZ)));
         }
 
         return cuttable;

@@ -18,7 +18,7 @@ public static class BridgedGaps
             for (var i = 1; i < moves.Count; i++)
             {
                 var (from, to) = (moves[i - 1].Segment.End, moves[i].Segment.Start);
-                if (from.DistanceTo(to) > 2.0 * deviation) gaps.Add(new StrokeMove(Segment.FromLine(from, to), moves[i].EntityIndex));
+                if (from.DistanceTo(to) > 2.0 * deviation) gaps.Add(new StrokeMove(Segment.FromLine(from, to), moves[i].EntityIndex, moves[i - 1].EndZ, moves[i].StartZ));
             }
         }
 

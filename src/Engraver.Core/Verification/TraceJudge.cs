@@ -4,7 +4,7 @@ namespace Engraver.Core.Verification;
 
 /// <summary>The judge of a run that listens while it goes on: takes the drawing once, then samples and spans in order of time. Memory follows the drawing, time the number of samples and spans told.</summary>
 /// <remarks>Meaning and numbers are those of <see cref="TraceComparison.Compare"/>. Not thread safe.</remarks>
-public sealed class TraceJudge
+public sealed class TraceJudge : ITraceJudge
 {
     /// <summary>Places that are looked at between two samples; a machine goes a few hundredths of a millimetre from one to the next.</summary>
     private const int MostStepsOfChord = 64;
@@ -116,3 +116,16 @@ public sealed class TraceJudge
 /// <param name="ExtraLength">Length that was cut beside the drawing: between consecutive cutting samples of which one lies off it by more than the coverage tolerance.</param>
 public sealed record TraceVerdict(
     long CuttingSamples, double MaxDeviation, TraceSample? DeviationAt, double MissingLength, Point2D? MissingAt, double ExtraLength);
+
+/// <summary>Compares what a machine did with a drawing while it is told: in plan (<see cref="TraceJudge"/>), or in three coordinates (<see cref="HeightJudge"/>).</summary>
+public interface ITraceJudge
+{
+    /// <summary>The machine was here; between two consecutive cutting samples it went straight.</summary>
+    void Add(in TraceSample sample);
+
+    /// <summary>The machine went along here.</summary>
+    void Add(in TraceSpan span);
+
+    /// <summary>What is known so far; with no more to come, the verdict.</summary>
+    TraceVerdict Verdict();
+}

@@ -10,10 +10,13 @@ namespace Engraver.Core.Verification;
 /// <param name="Cutting">True while the tool output is on, the whole time.</param>
 public readonly record struct TraceSpan(double FromSeconds, double ToSeconds, long Samples, Segment Path, bool Cutting)
 {
+    /// <summary>Of every sample, as in <see cref="TraceSample.FollowingMm"/>.</summary>
+    public double? FollowingMm { get; init; }
+
     internal TraceSample At(double fraction)
     {
         var place = Path.PointAt(fraction);
-        return new TraceSample(FromSeconds + ((ToSeconds - FromSeconds) * fraction), place.X, place.Y, Cutting);
+        return new TraceSample(FromSeconds + ((ToSeconds - FromSeconds) * fraction), place.X, place.Y, Cutting) { FollowingMm = FollowingMm };
     }
 }
 
@@ -21,8 +24,12 @@ public readonly record struct TraceSpan(double FromSeconds, double ToSeconds, lo
 /// <param name="Seconds">Time of the sample.</param>
 /// <param name="XMm">Drawing X.</param>
 /// <param name="YMm">Drawing Y.</param>
-/// <param name="Cutting">True while the tool output is on.</param>
-public readonly record struct TraceSample(double Seconds, double XMm, double YMm, bool Cutting)
+/// <param name="Cutting">True while the tool is at work: its output on, or its height below the retract height.</param>
+/// <param name="ZMm">Height over the drawing's height 0; 0 on a machine without a tool axis.</param>
+public readonly record struct TraceSample(double Seconds, double XMm, double YMm, bool Cutting, double ZMm = 0.0)
 {
+    /// <summary>Following error: how far the motors were from their command in X and Y, millimetres; null where nobody asked.</summary>
+    public double? FollowingMm { get; init; }
+
     public Point2D Place => new(XMm, YMm);
 }

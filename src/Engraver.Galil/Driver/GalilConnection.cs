@@ -2,12 +2,17 @@ using System.Collections.Concurrent;
 using System.Diagnostics.CodeAnalysis;
 using System.Globalization;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
+using Engraver.Core.Machines.Setup;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Jobs.Timing;
+using Engraver.Galil.Language;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
+using Engraver.Galil.Setup;
 using Engraver.Galil.Terminals;
 
 namespace Engraver.Galil.Driver;
@@ -28,7 +33,9 @@ public sealed class GalilConnection : IMachineConnection
 
     public MachineIdentity Identity => _session.Identity;
 
-    public MachineCapabilities Capabilities => new(IsSingleWire: _session.Line is not null);
+    public MachineCapabilities Capabilities => new(IsSingleWire: _session.Line is not null, Jog: new SpeedRange(DmcLimits.SlowestSpeed, DmcLimits.FastestSpeed), Hold: new HoldCapability(ToolGoesOff: true), Override: JobControl.FeedRange);
+
+    public IMachineSetup Setup => new GalilSetup(_session);
 
     public bool IsBroken => _session.StopHandle.IsBroken;
 
@@ -49,12 +56,12 @@ public sealed class GalilConnection : IMachineConnection
 
     public ValueTask<bool> MarkAsync(int mark, CancellationToken cancellation) => PlaceQuestions.MarkAsync(_session.Commands, mark, cancellation);
 
-    public Task StopAsync(int toolOutput) => new OperatorStop(_session, toolOutput, [], _session.Identity.Letters).BrakeAtOnceAsync();
+    public Task StopAsync(params IReadOnlyList<OutputSwitch> outputs) => new OperatorStop(_session, outputs, [], _session.Identity.Letters).BrakeAtOnceAsync();
 
     /// <summary>Sends AB first: it is the only command that halts without braking (galil-dmc.md B.8). The other commands are sent even if one is refused.</summary>
-    public async Task AbortAsync(int toolOutput)
+    public async Task AbortAsync(params IReadOnlyList<OutputSwitch> outputs)
     {
-        foreach (var command in new[] { "AB", string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "MO" + _session.Identity.Letters })
+        foreach (var command in (string[])["AB", .. outputs.Select(OperatorStop.Off), "MO" + _session.Identity.Letters])
             await _session.StopHandle.SendAsync(command, CancellationToken.None).ConfigureAwait(false);
     }
 
@@ -64,14 +71,28 @@ public sealed class GalilConnection : IMachineConnection
         return (await _session.Commands.SendAsync((on ? "SH" : "MO") + axes.Letters, cancellation).ConfigureAwait(false) as Rejected)?.ToRefusal();
     }
 
+    public async Task<MachineRefusal?> SetOutputAsync(int output, bool on, CancellationToken cancellation) =>
+        (await _session.Commands.SendAsync(string.Create(CultureInfo.InvariantCulture, $"{(on ? "SB" : "CB")} {output}"), cancellation).ConfigureAwait(false) as Rejected)?.ToRefusal();
+
     public Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation) => _terminal.AnswerAsync(line, cancellation);
 
     public bool TryTakeMessage([NotNullWhen(true)] out string? message) => _messages.TryDequeue(out message);
 
     public Task<JobResult> RunAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) => JobRunner.RunAsync(program, _session, options, progress, stop);
 
-    public Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
-        JobRunner.GoToAsync(program, goal, _session, options, progress, stop);
+    public Task<JobResult> GoToAsync(MotionProgram program, CountsPoint goal, bool withHeight, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
+        JobRunner.GoToAsync(program, goal, _session, options, progress, stop, withHeight);
+
+    public Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation) => ResumeFinder.FindAsync(_session.Commands, program, mode, journal, cancellation);
+
+    public Task<JobResult> JogAsync(MotionProgram program, JogControl control, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
+        JobRunner.JogAsync(program, control, _session, options, progress, stop);
+
+    public Task<JobResult> StandByAsync(MotionProgram program, JogStandby standby, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
+        JobRunner.StandByAsync(program, standby, _session, options, progress, stop);
+
+    public Task<HomingResult> HomeAsync(MotionProgram program, JobOptions options, IProgress<JobProgress>? progress, CancellationToken stop) =>
+        JobRunner.HomeAsync(program, _session, options, progress, stop);
 
     public double PlannedSeconds(MotionProgram program, JobMode mode) => JobTime.Estimate(program, _session.Line, mode).Total;
 

@@ -1,8 +1,11 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Core.Motion;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Journal;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
+using Engraver.Galil.Programs.Generation;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Sessions;
 
@@ -13,38 +16,54 @@ internal sealed class Job
 {
     private static readonly int[] OwnThreads = [ResidentProgram.MainThread, ResidentProgram.WatchdogThread];
 
-    private readonly MotionProgram _program;
+    private readonly MotionProgram _whole;
+    private MotionProgram _program;
     private readonly ControllerSession _session;
     private readonly JobOptions _options;
     private readonly JobLog _log;
     private readonly CancellationToken _stop;
     private readonly JobLedger _ledger;
     private readonly JobMachine _machine;
-    private readonly IJobStrategy _way;
+    private readonly Func<IJobStrategy> _strategyOfRest;
+    private IJobStrategy _strategy;
+    private readonly ResidentProgram _resident;
     private readonly ProgramMemory _memory;
     private readonly ControllerSnapshot _found;
     private readonly OperatorStop _stopper;
+    private readonly bool _isHandMove;
     private bool _touched;
 
-    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop, CountsPoint? goTo = null)
+    /// <summary>Where an output is the tool: the height at which the job is cut, while the operator may have moved the machine away from it, the controller's own counts.</summary>
+    private int? _heightOfCut;
+
+    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop, HandOperation? hand = null)
     {
-        _program = program;
         _session = session;
         _options = options;
         _stop = stop;
-        _ledger = new JobLedger(program, options.KeepsPolledTrace);
-        _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), stop);
+        _whole = program;
+        var rest = options.From == default ? RemainingProgram.Whole(program) : RestFrom(options.From, options.LeadIn);
+        _program = rest.Program;
+        _ledger = new JobLedger(program, options.KeepsPolledTrace, rest, options.From);
+        _ledger.Begin();
+        var mark = hand is null ? MachineMemory.NewMark(session.Time.GetUtcNow()) : 0;
+        _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), stop) { Mark = mark };
+        _isHandMove = hand is not null;
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
         _memory = new ProgramMemory(session);
+        _machine.Hold.Changed = _log.ControlChanged;
+        _machine.Opened = _log.Opened;
         _found = new ControllerSnapshot(session, _memory, program.Profile, options, _log);
-        _way = goTo is { } goal ? new HandMove(_machine, goal) : options.Mode switch
+        _resident = hand?.Resident ?? ResidentServer.Program(options.Mode, program.Profile);
+        _strategyOfRest = () => options.Mode switch
         {
-            JobMode.Stream => new StrokeByStroke(program, _machine, _ledger, _log, new StreamStrategy(_machine, _ledger)),
-            JobMode.Calls => new StrokeByStroke(program, _machine, _ledger, _log, new CallsStrategy(_machine, _ledger)),
-            JobMode.Program => new ProgramStrategy(program, _machine, _ledger, _log, _memory, options),
+            JobMode.Stream => new StrokeByStroke(_program, _machine, _ledger, _log, new StreamStrategy(_machine, _ledger)),
+            JobMode.Calls => new StrokeByStroke(_program, _machine, _ledger, _log, new CallsStrategy(_machine, _ledger)),
+            JobMode.Program => new ProgramStrategy(_program, _machine, _ledger, _log, _memory, options),
             _ => throw new ArgumentOutOfRangeException(nameof(options)),
         };
-        _stopper = new OperatorStop(session, program.Profile.ToolOutput, OwnThreads, program.Profile.Axes.Letters);
+        _strategy = hand?.Create(_machine) ?? _strategyOfRest();
+        _stopper = new OperatorStop(session, program.Profile.OffAtStop, OwnThreads, program.Profile.Axes.Letters);
     }
 
     public async Task<JobResult> RunAsync()
@@ -63,6 +82,7 @@ internal sealed class Job
         var (end, standstill) = await BringToRestAsync(step).ConfigureAwait(false);
         var notRestored = await LeaveAsFoundAsync().ConfigureAwait(false);
         var result = Result(end, standstill, notRestored);
+        _options.Control?.Over(result);
         return Journalled(_options.Judge?.Invoke(result) ?? result);
     }
 
@@ -118,33 +138,90 @@ internal sealed class Job
 
     private async Task<JobStep> PrepareAsync()
     {
-        await _stopper.RehearseAsync().ConfigureAwait(false);
-        var resident = ResidentServer.Program(_options.Mode, _program.Profile);
-        if (await _found.BorrowAsync(resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
+        if (!await _stopper.RehearseAsync().ConfigureAwait(false)) return JobStep.Broken(Wording.Get("Job.StopSwitchedOn"));
+        var mark = await MarkAsync().ConfigureAwait(false);
+        await _session.NoteSoftLimitsAsync(_options.SoftLimits, _stop).ConfigureAwait(false);
+        if (await _found.BorrowAsync(_resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         var axes = _program.Profile.Axes.Letters;
         string[] settings = ["AC", "DC"];
-        var commands = new List<string> { JobMachine.Text($"CB {_program.Profile.ToolOutput}"), "CAS", ResidentServer.DefineVariables(_program.Profile) }; // whatever somebody left on or selected
+        List<string> commands = [.. _program.Profile.OffAtAbort.Select(OperatorStop.Off), "CAS", ResidentServer.DefineVariables(_program.Profile), ResidentServer.MarkCommand(mark)]; // whatever somebody left on or selected
+        commands.AddRange(ResidentServer.DefineHeight(_program.Profile, _machine.FrameGiven, _machine.Lift, !_isHandMove));
         commands.AddRange(_session.Found.MotorsOff.Where(axes.Contains).Select(letter => $"SH{letter}"));
         commands.AddRange(Programs.Subprograms.AccelerationCommands(_program.Profile));
-        commands.Add(ResidentServer.StartCommand(resident));
+        commands.AddRange(_session.SoftLimitCommands(_options.SoftLimits));
+        commands.Add(ResidentServer.StartCommand(_resident));
         if (await _machine.SendAllAsync(commands).ConfigureAwait(false) is { Ends: true } end) return end;
         if (await SettingCheck.ReadBackAsync(_machine, [.. settings.SelectMany(name => axes.Select(axis => ($"_{name}{axis}", (double)acceleration, SettingCheck.Acceleration)))]).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
         if (await _machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
-        if (await _way.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
+        if (_options.Mode != JobMode.Stream && await _machine.Hold.SendRatioAsync().ConfigureAwait(false) is { Ends: true } unset) return unset; // a stream sends it with every sequence
+        if (await _strategy.StartAsync().ConfigureAwait(false) is { Ends: true } unready) return unready;
+        if (await MotorTypeSetting.SetAsync(_machine).ConfigureAwait(false) is { Ends: true } otherMotor) return otherMotor;
         if (await _machine.TakeFrameAsync().ConfigureAwait(false) is { Ends: true } unknown) return unknown;
-        _log.Begin(_options, _session.Identity.Model);
+        _log.Begin(_options, _session.Identity.Model, ProgramFingerprint.Of(_whole));
         return JobStep.Done;
     }
+
+    /// <summary>The job's own mark. A move by hand leaves that of the last job, negative: what the watchdog would keep of the move is nobody's, and the job can still be resumed.</summary>
+    private async Task<int> MarkAsync() =>
+        _machine.Mark != 0 ? _machine.Mark : -Math.Abs((int)(await _machine.AskAtRestAsync(ResidentProgram.Variables.JobMark).ConfigureAwait(false) ?? 0.0));
 
     private async Task<JobStep> CutAsync()
     {
         if (IsTooFar) return JobStep.Broken(Wording.Get("Job.CannotCountToAll", _machine.Frame.X, _machine.Frame.Y));
-        if (_options.Frame is not null && _program.Strokes.Count > 0 && await RapidMove.ToAsync(_machine, _program.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
-        if (await _way.CutAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        var step = await FromStartAsync().ConfigureAwait(false);
+        while (step.IsParted) step = await GoOnAsync().ConfigureAwait(false);
+        return step;
+    }
+
+    private async Task<JobStep> FromStartAsync()
+    {
+        if (!_isHandMove && await UpAndTurningAsync().ConfigureAwait(false) is { Ends: true } notReady) return notReady;
+        if (_options.Frame is not null && _options.From == default && _program.Strokes.Count > 0 && await RapidMove.ToAsync(_machine, _program.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
+        return await ToTheEndAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>The job stands held and what was under way is given up: stays so, and then cuts what is left as a resumed job does, from the place where it stood.</summary>
+    private async Task<JobStep> GoOnAsync()
+    {
+        await _strategy.StoppedAsync(_machine.PartedCounter).ConfigureAwait(false);
+        if (_whole.Profile is { Height: null, Axes.Z: not null }) _heightOfCut ??= _machine.State.Position.Z; // held again on the way back it is still that of the cut
+        if (await _machine.Hold.AwayAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        var rest = RestFrom(_ledger.PartedAt, leadIn: 0.0);
+        _ledger.GoOn(rest);
+        _program = rest.Program;
+        _strategy = _strategyOfRest();
+        return await ToHeightOfCutAsync().ConfigureAwait(false) is { Ends: true } away ? away : await ToTheEndAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>Nothing of the job moves the Z axis where an output is the tool: it goes back to where it was, up before the way to what is left and down behind it. A hold meanwhile is waited for, or parts the job again.</summary>
+    private async Task<JobStep> ToHeightOfCutAsync()
+    {
+        if (_heightOfCut is { } height && _machine.State.Position.Z != height)
+        {
+            var next = _program.Strokes.Count > 0 ? _program.Strokes[0].Start : _program.Finish ?? _machine.Here;
+            var place = (next + _machine.Frame) with { Z = height };
+            if (await new HandMove(_machine, place, withHeight: true).CutAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        }
+
+        _heightOfCut = null;
+        return JobStep.Done;
+    }
+
+    private RemainingProgram RestFrom(JobPlace place, double leadIn) => RemainingProgram.From(_whole, place, leadIn, new AngleQuantum(_whole.Profile.AngleQuantumDegrees).Keep);
+
+    private async Task<JobStep> ToTheEndAsync()
+    {
+        if (await _strategy.CutAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        _machine.Hold.CutBegins();
+        if (!_isHandMove && await _machine.Tool.TurnAsync(on: false).ConfigureAwait(false) is { Ends: true } turning) return turning;
         if (_program.Finish is { } finish && await RapidMove.ToAsync(_machine, finish).ConfigureAwait(false) is { Ends: true } unfinished) return unfinished;
         return new JobStep(JobOutcome.Complete, Wording.Get("Job.DoneSegments", _ledger.Executed), null);
     }
+
+    /// <summary>First the tool goes up, then the spindle turns.</summary>
+    private async ValueTask<JobStep> UpAndTurningAsync() =>
+        await _machine.Tool.ClearAsync().ConfigureAwait(false) is { Ends: true } down ? down : await _machine.Tool.TurnAsync(on: true).ConfigureAwait(false);
 
     /// <summary>Whether a rapid would leave the controller's 32 bits.</summary>
     private bool IsTooFar => !_program.Strokes.All(stroke => _machine.ControllerFrame.Holds(stroke.Start)) || !_machine.ControllerFrame.Holds(_program.Start) || !_machine.ControllerFrame.Holds(_program.Finish ?? _program.Start);
@@ -156,8 +233,14 @@ internal sealed class Job
         try
         {
             var standstill = await _stopper.FinishAsync(_options.PollInterval, CancellationToken.None).ConfigureAwait(false);
-            if (step.Ends) await _way.StoppedAsync(standstill.SegmentCounter).ConfigureAwait(false);
-            return (step, standstill);
+            _ledger.IsStopping = step.Ends;
+            step = WithTool(step, standstill);
+            step = Followed(step, await new FollowingCheck(_session, _program.Profile).AtRestAsync().ConfigureAwait(false));
+            if (step.Ends) await _strategy.StoppedAsync(standstill.SegmentCounter).ConfigureAwait(false);
+            if (_isHandMove || _program.Profile is { Height: null, Spindle: null }) return (step, standstill);
+            int? clearance = _machine.FrameTaken is { } frame ? frame.Z + _program.Profile.ClearanceCounts : null;
+            var (rest, warning) = await new ToolRetreat(_session, _program.Profile).RunAsync(standstill, clearance, step.Doubt.Length > 0, _options.PollInterval).ConfigureAwait(false);
+            return (warning.Length == 0 ? step : step with { Sentence = $"{step.Sentence} {warning}" }, rest);
         }
         catch (ProtocolViolationException unknown) when (!_session.StopHandle.IsBroken)
         {
@@ -168,6 +251,23 @@ internal sealed class Job
             var lost = step.Outcome == JobOutcome.LinkLost ? step : JobStep.LinkLost(failure.Message);
             return (lost with { Sentence = lost.Sentence + LastWord }, null);
         }
+    }
+
+    /// <summary>A tool that was on behind the job has marked the work where it stood; one that is still on is for hands.</summary>
+    private static JobStep WithTool(JobStep step, StandstillReport standstill)
+    {
+        if (standstill.WasToolOn && !step.Ends) step = JobStep.Deviated(Wording.Get("Job.ToolWasOn", standstill.Position.X, standstill.Position.Y));
+        return standstill.IsToolOn ? step with { Sentence = $"{step.Sentence} {Wording.Get("Job.ToolStaysOn")}" } : step;
+    }
+
+    /// <summary>Motors that are not where they were sent: what was cut is not known, and from here on neither is the machine's position.</summary>
+    /// <param name="off">The axes with their position errors; empty for none.</param>
+    private JobStep Followed(JobStep step, string off)
+    {
+        if (off.Length == 0 || step.Doubt.Length > 0) return step;
+        var told = Wording.Get("Job.MotorsBeside", off);
+        var ended = step.Ends ? step with { Sentence = $"{step.Sentence} {told}" } : _isHandMove ? JobStep.Broken(told) : JobStep.Deviated(told);
+        return ended with { Doubt = Wording.Get("Job.DidNotFollow") };
     }
 
     /// <summary>What was last known. After the link is lost the controller continues unseen: with its buffer, or a program with all its strokes, until the watchdog trips.</summary>
@@ -209,8 +309,10 @@ internal sealed class Job
         Seconds = _machine.Seconds,
         Underruns = _ledger.Underruns,
         Rejected = _ledger.Rejected,
-        FinalPosition = standstill is { } rest ? new CountsPoint(rest.X, rest.Y) : _machine.Known?.Position,
+        FinalPosition = standstill?.Position ?? _machine.Known?.Position,
         FrameOrigin = _machine.FrameTaken,
+        Place = _ledger.Place,
+        Holds = _machine.Hold.Holds,
         IsEndKnown = standstill is not null || !_touched,
         PositionDoubt = step.Doubt,
         Refusal = step.Refusal?.ToRefusal(),

@@ -1,26 +1,54 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 
 namespace Engraver.Galil.Jobs;
 
 /// <summary>Counts what was sent and what the controller confirmed; the one place where a job is counted.</summary>
-internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
+/// <param name="program">The whole program: segments and strokes are counted in it, also where only its rest is cut.</param>
+/// <param name="rest">What is cut; null for all of it.</param>
+/// <param name="from">What lies before it was cut by an earlier job.</param>
+internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true, RemainingProgram? rest = null, JobPlace from = default)
 {
+    /// <summary>A position further from the path than this is not on it, counts.</summary>
+    private const double OnPath = 2.5;
+
+
     private readonly List<TracePoint> _trace = [];
     private readonly List<int> _entities = [];
     private readonly HashSet<int> _seen = [];
     private readonly List<(int Stroke, VectorSegment Segment)> _uncut = [];
     private readonly int[] _executed = new int[program.Strokes.Count];
     private readonly double[] _lengths = new double[program.Strokes.Count];
+    private RemainingProgram _rest = rest ?? RemainingProgram.Whole(program);
+    private double _cutOfFirst;
+    private JobPlace _cut = from;
+    private (int Segments, CountsPoint At)? _cutting;
     private bool _isToolMissing;
+
+    /// <summary>Segments that an earlier job had cut.</summary>
+    private readonly int _first = rest?.SegmentsBefore ?? 0;
 
     public int SegmentCount { get; } = program.SegmentCount;
 
-    /// <summary>Index of the present stroke in the motion program.</summary>
-    public int Stroke { get; set; }
+    /// <summary>Index of the present stroke in the whole program.</summary>
+    public int Stroke { get; private set; }
 
     /// <summary>Index of the present sequence in its stroke.</summary>
-    public int Sequence { get; set; }
+    public int Sequence { get; private set; }
+
+    /// <summary>Segments of the whole program before those that this job cuts.</summary>
+    public int SegmentsBefore => _rest.SegmentsBefore;
+
+    /// <summary>The machine is being stopped with the tool off: what is counted from now on was passed and not cut.</summary>
+    public bool IsStopping { get; set; }
+
+    /// <summary>What lies before it was cut for certain.</summary>
+    /// <remarks>What is seen of the machine while <see cref="IsAway"/> does not change it.</remarks>
+    public JobPlace Place => _cutting is { } seen ? JobPlace.Later(_cut, PlaceOnProgram.Find(program, seen.Segments, seen.At, OnPath)) : _cut;
+
+    /// <summary>The job stands held and the operator may move the machine: what it passes is not cut.</summary>
+    public bool IsAway { get; private set; }
 
     public int Sent { get; set; }
 
@@ -34,8 +62,10 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
         {
             _isToolMissing = value;
             if (value) return;
+            if (_uncut.Count == 0) return;
             foreach (var (stroke, segment) in _uncut) CountCut(stroke, segment);
             _uncut.Clear();
+            _cut = JobPlace.Later(_cut, new JobPlace(Executed, 0.0));
         }
     }
 
@@ -66,18 +96,88 @@ internal sealed class JobLedger(MotionProgram program, bool keepsTrace = true)
         _executed[Stroke]++;
         if (IsToolMissing) _uncut.Add((Stroke, segment));
         else CountCut(Stroke, segment);
+        if (!IsToolMissing && !IsStopping) _cut = JobPlace.Later(_cut, new JobPlace(Executed, 0.0));
+    }
+
+    /// <summary>The machine goes on to a stroke and a sequence of what this job cuts.</summary>
+    public void Enter(int stroke, int sequence) => (Stroke, Sequence) = (stroke + _rest.StrokesBefore, stroke == 0 ? sequence + _rest.SequencesBefore : sequence);
+
+    /// <summary>A poll saw the tool on here.</summary>
+    /// <param name="segments">Segments that were done, in the whole program.</param>
+    /// <param name="at">Job frame.</param>
+    public void SeeCutting(int segments, CountsPoint at)
+    {
+        if (!IsAway) _cutting = (segments, at);
+    }
+
+    /// <summary>The job stands held, and what was under way is given up.</summary>
+    /// <param name="segments">Segments that are done, in the whole program.</param>
+    /// <param name="at">Where it stands in the next one, job frame; null where none of it was begun since the job parted last, as on the way back.</param>
+    public void Part(int segments, CountsPoint? at)
+    {
+        PartedAt = at is { } here ? PlaceOnProgram.Find(program, segments, here, OnPath) : JobPlace.Later(PartedAt, new JobPlace(segments, 0.0));
+        _cut = JobPlace.Later(Place, PartedAt);
+        (_cutting, IsAway) = (null, true);
+    }
+
+    /// <summary>Where the job stood when it gave up what was under way; in a lead-in that lies before <see cref="Place"/>.</summary>
+    public JobPlace PartedAt { get; private set; }
+
+    /// <summary>The job goes on with what is left behind <see cref="PartedAt"/>.</summary>
+    /// <param name="left">Begins at that place or, where the segment that holds it has no rest to cut, behind it.</param>
+    public void GoOn(RemainingProgram left)
+    {
+        _cutOfFirst = 0.0;
+        while (Executed < left.SegmentsBefore && program.SegmentBehind(Executed) is var (_, segment, stroke))
+        {
+            Stroke = IndexOf(stroke);
+            Confirm(segment);
+        }
+
+        (_rest, _cutOfFirst, IsAway) = (left, left.CutOfFirst, false);
+        Sent = Math.Min(Sent, left.SegmentsBefore - _first);
+        Enter(0, 0);
+    }
+
+    private int IndexOf(MotionStroke stroke)
+    {
+        for (var i = 0; i < program.Strokes.Count; i++)
+        {
+            if (ReferenceEquals(program.Strokes[i], stroke)) return i;
+        }
+
+        throw new ArgumentException("Not a stroke of this program.", nameof(stroke));
+    }
+
+    /// <summary>Counts what an earlier job has cut.</summary>
+    public void Begin()
+    {
+        var left = Executed = _rest.SegmentsBefore;
+        for (var stroke = 0; stroke < program.Strokes.Count && left > 0; stroke++)
+        {
+            foreach (var segment in program.Strokes[stroke].Sequences.SelectMany(sequence => sequence.Segments).Take(left))
+            {
+                _executed[stroke]++;
+                left--;
+                CountCut(stroke, segment);
+            }
+        }
+
+        _cutOfFirst = _rest.CutOfFirst;
+        Enter(0, 0);
     }
 
     private void CountCut(int stroke, in VectorSegment segment)
     {
         _lengths[stroke] += segment.Length;
+        if (Executed > _rest.SegmentsBefore) (_lengths[stroke], _cutOfFirst) = (_lengths[stroke] + _cutOfFirst, 0.0);
         if (_seen.Add(segment.EntityIndex)) _entities.Add(segment.EntityIndex);
     }
 
     /// <summary>Keeps a polled position if it differs from the last; where no trace is kept, only the last with the tool on and the last with the tool off.</summary>
     public void Trail(TracePoint point)
     {
-        if (_trace.Count > 0 && _trace[^1] with { Seconds = point.Seconds } == point) return;
+        if (_trace.Count > 0 && _trace[^1] with { Seconds = point.Seconds, Error = point.Error } == point) return;
         if (!keepsTrace) _trace.RemoveAll(passed => passed.ToolOn == point.ToolOn);
         _trace.Add(point);
     }

@@ -7,7 +7,7 @@ namespace Engraver.Galil.Jobs;
 internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal journal, IProgress<JobProgress>? progress, TimeProvider time)
 {
     /// <summary>Controller seconds between two lines of the journal inside one sequence.</summary>
-    private const double JournalSeconds = 1.0;
+    private const double JournalSeconds = 0.25;
 
     /// <summary>Controller seconds between two reports to the operator.</summary>
     private const double ProgressSeconds = 0.05;
@@ -15,11 +15,20 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
     private double _reported = double.NegativeInfinity;
     private double _journalled;
 
-    public void Begin(JobOptions options, string controller)
+    /// <param name="program">The fingerprint of the whole program.</param>
+    public void Begin(JobOptions options, string controller, string program)
     {
         var at = machine.State.Position;
         journal.Write(new JournalHeader(
-            options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow()));
+            options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow())
+        {
+            FrameZ = machine.Frame.Z,
+            Program = program,
+            Mark = machine.Mark,
+            DryRun = options.DryRun,
+            FromSegments = options.From.Segments,
+            FromAlong = options.From.Along,
+        });
     }
 
     /// <summary>Written before anything in the controller is changed.</summary>
@@ -33,12 +42,28 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         Report();
     }
 
+    /// <summary>The operator held the job or let it go on, or an override came in force.</summary>
+    public void ControlChanged()
+    {
+        if (machine.Known is null) return;
+        var at = machine.State.Position;
+        journal.Write(new JournalControl(machine.Hold.Phase, machine.Hold.Speed.Override, machine.Hold.RapidRatio, at.X, at.Y, machine.Seconds));
+        Report();
+    }
+
+    /// <summary>What the controller counts from now on belongs to this.</summary>
+    public void Opened(int first, IReadOnlyList<int> starts, int calls) => journal.Write(new JournalOpened(first, starts, calls));
+
     /// <summary>The present sequence is complete.</summary>
     public void SequenceDone() => WriteProgress();
 
     public void End(JobResult result)
     {
-        journal.Write(new JournalEnd(result.Outcome, result.Sentence, result.SegmentsExecuted, result.FinalPosition?.X, result.FinalPosition?.Y, result.Seconds, result.NotRestored.Count == 0));
+        journal.Write(new JournalEnd(result.Outcome, result.Sentence, result.SegmentsExecuted, result.FinalPosition?.X, result.FinalPosition?.Y, result.Seconds, result.NotRestored.Count == 0)
+        {
+            Cut = result.Place.Segments,
+            Along = Math.Round(result.Place.Along, 1),
+        });
         if (machine.Known is not null) Report();
     }
 
@@ -47,9 +72,17 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         _journalled = machine.Seconds;
         var at = machine.State.Position;
         var entity = ledger.Entities.Count == 0 ? -1 : ledger.Entities[^1];
-        journal.Write(new JournalProgress(ledger.Stroke, ledger.Sequence, entity, ledger.Executed, at.X, at.Y, machine.Seconds));
+        var place = ledger.Place;
+        journal.Write(new JournalProgress(ledger.Stroke, ledger.Sequence, entity, ledger.Executed, at.X, at.Y, machine.Seconds) { Cut = place.Segments, Along = Math.Round(place.Along, 1) });
     }
 
     private void Report() => progress?.Report(new JobProgress(
-        ledger.Stroke, ledger.Sent, ledger.Executed, ledger.SegmentCount, machine.Here.X, machine.Here.Y, machine.IsToolOn, machine.Seconds, machine.State.Outputs));
+        ledger.Stroke, ledger.Sent, ledger.Executed, ledger.SegmentCount, machine.Here, machine.IsToolOn, machine.Seconds, machine.State.Outputs)
+    {
+        Phase = machine.Hold.Phase,
+        IsOnPath = machine.State.SequenceRunning,
+        Error = machine.FollowingError,
+        FeedRatio = machine.Hold.Speed.Override,
+        RapidRatio = machine.Hold.RapidRatio,
+    });
 }

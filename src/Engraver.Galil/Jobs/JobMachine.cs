@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Watching;
+using Engraver.Galil.Language;
 using Engraver.Galil.Programs.Posting;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
@@ -22,12 +23,17 @@ internal sealed class JobMachine
     private readonly Action _polled;
     private readonly CountsPoint? _frameGiven;
     private readonly CancellationToken _stop;
-    private readonly Heartbeat _heartbeat;
+    private Heartbeat _heartbeat;
+    private string _beat = ResidentServer.HeartbeatCommand;
     private readonly StopHandleWatch _stopHandle;
     private readonly ProgressWatch _progress;
     private readonly ToolWatch _toolWatch = new();
     private readonly JobFault _fault;
     private readonly StateQuestions _questions;
+    private static readonly TimeSpan s_betweenErrors = TimeSpan.FromMilliseconds(100);
+
+    private readonly bool _asksFollowingError;
+    private long _errorAsked;
     private bool _isGuarded;
     private int _glances;
 
@@ -35,25 +41,31 @@ internal sealed class JobMachine
     {
         _session = session;
         Profile = program.Profile;
-        _questions = new StateQuestions(program.Profile.Axes);
+        _questions = new StateQuestions(program.Profile.Axes, isSlow: session.Line is not null);
         Start = program.Start;
         _times = new PollTimes(session.Time, (session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6);
         _pollInterval = options.PollInterval;
+        _asksFollowingError = options.AsksFollowingError;
         Tool = new JobTool(this, options.DryRun);
         _ledger = ledger;
         _polled = polled;
-        _frameGiven = options.Frame;
+        Lift = options.DryRun ? DryLift.Of(program) : 0;
+        _frameGiven = options.Frame is { } given ? given with { Z = given.Z + Lift } : null;
         _stop = stop;
         _heartbeat = new Heartbeat(session.Time);
         _stopHandle = new StopHandleWatch(session, ledger);
         _progress = new ProgressWatch(program.Profile);
         _fault = new JobFault(this, program, ledger);
+        Hold = new JobHold(this, options.Control ?? new JobControl(), options.SoftLimits);
     }
 
     public MachineProfile Profile { get; }
 
     /// <summary>Assumed position of the machine at the start, job frame.</summary>
     public CountsPoint Start { get; }
+
+    /// <summary>What the operator wants of the job, and what is in force.</summary>
+    public JobHold Hold { get; }
 
     /// <summary>Controller seconds without progress after which a job is given up.</summary>
     public double StandstillSeconds => _progress.Seconds;
@@ -69,11 +81,20 @@ internal sealed class JobMachine
     /// <summary>As <see cref="Frame"/>; null before <see cref="TakeFrameAsync"/>.</summary>
     public CountsPoint? FrameTaken { get; private set; }
 
+    /// <summary>How much higher than the drawing's heights everything is made: in a dry run of a tool that an axis holds, counts.</summary>
+    public int Lift { get; }
+
+    /// <summary>The frame that the job was given, before it is taken; null for none.</summary>
+    public CountsPoint? FrameGiven => _frameGiven;
+
     /// <summary>From the job frame to the controller's own counts.</summary>
     public ControllerFrame ControllerFrame => new(default, Frame);
 
+    /// <summary>Commanded minus actual position of each axis, counts, when it was asked last; null before, and where nobody asks.</summary>
+    public CountsPoint? FollowingError { get; private set; }
+
     /// <summary>Present position, job frame.</summary>
-    public CountsPoint Here => new(State.Position.X - Frame.X, State.Position.Y - Frame.Y);
+    public CountsPoint Here => State.Position - Frame;
 
     /// <summary>The job's clock.</summary>
     public TimeProvider Time => _session.Time;
@@ -85,6 +106,25 @@ internal sealed class JobMachine
 
     /// <summary>Whether the tool output was on at the last poll, whoever switched it. A dry run has no tool.</summary>
     public bool IsToolOn => Tool.IsSeenOn(Known);
+
+    /// <summary>Segments of the whole program that are done by a poll; null: those that are counted.</summary>
+    public Func<MachineState, int>? SegmentsDone { get; set; }
+
+    /// <summary>Writes down what is about to begin in the controller: its first segment in the whole program, the starts of its sequences, and seq before it.</summary>
+    public Action<int, IReadOnlyList<int>, int> Opened { private get; set; } = (_, _, _) => { };
+
+    /// <summary>Something is about to begin in the controller. Behind a hold that gave something up the watchdog's variables are of this job again: only now does the journal say to what they belong.</summary>
+    /// <param name="first">Its first segment in the whole program.</param>
+    /// <param name="starts">Segments before each of its sequences, and at last all of them.</param>
+    /// <param name="calls">seq before it.</param>
+    public async ValueTask<JobStep> OpenAsync(int first, IReadOnlyList<int> starts, int calls)
+    {
+        Opened(first, starts, calls);
+        return Hold.CutBegins() ? await SendAsync(ResidentServer.MarkCommand(Mark)).ConfigureAwait(false) : JobStep.Done;
+    }
+
+    /// <summary>The number by which the watchdog's variables are known to be of this job; 0 for a move by hand.</summary>
+    public int Mark { get; init; }
 
     /// <summary>Text to add to the report of a refused line of the program in the controller, by its line number.</summary>
     public Func<int, string> PlaceInProgram { get; set; } = _ => "";
@@ -114,13 +154,16 @@ internal sealed class JobMachine
     /// <summary>Sends one command, and the heartbeat when it is due.</summary>
     public async ValueTask<Reply> ReplyAsync(string command)
     {
-        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
+        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(_beat, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
         var reply = await _session.Commands.SendAsync(command, _stop).ConfigureAwait(false);
-        if (reply is Accepted && command != ResidentServer.HeartbeatCommand) _progress.Acted();
+        if (reply is Accepted && command != _beat) _progress.Acted();
         if (!_heartbeat.IsDue()) return reply;
-        var beat = await _session.Commands.SendAsync(ResidentServer.HeartbeatCommand, _stop).ConfigureAwait(false);
+        var beat = await _session.Commands.SendAsync(_beat, _stop).ConfigureAwait(false);
         return beat is Rejected && reply is Accepted ? beat : reply;
     }
+
+    /// <summary>The job stands because it is meant to.</summary>
+    public void HasProgress() => _progress.Acted();
 
     public JobStep Refuse(Rejected rejected, string where)
     {
@@ -146,44 +189,60 @@ internal sealed class JobMachine
     public Func<MachineState, JobStep>? Expectation { get; set; }
 
     /// <summary>A watch over the path of a sequence from here.</summary>
-    public PathWatch Watch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed) => new(start, segments, speed, (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6);
+    public PathWatch Watch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed) => new(start, segments, speed, (_session.Identity.Limits.SampleMicroseconds ?? 1000) / 1e6, Profile.Height is not null);
 
     /// <summary>Reads the machine's state. Ends the job when the watchdog has tripped.</summary>
     public async ValueTask<JobStep> PollAsync()
     {
-        if (Line is null) return await ReadAsync(_questions.All, MachineState.From).ConfigureAwait(false) is { Ends: true } silent ? silent : await PolledAsync().ConfigureAwait(false);
-        if (await ReadAsync(_questions.Program, (Known ?? default).WithProgram).ConfigureAwait(false) is { Ends: true } end) return end;
-        return await ReadAsync(_questions.Motion, State.WithMotion).ConfigureAwait(false) is { Ends: true } broken ? broken : await PolledAsync().ConfigureAwait(false);
+        foreach (var question in _questions.Whole)
+        {
+            if (await ReadAsync(question).ConfigureAwait(false) is { Ends: true } end) return end;
+        }
+
+        return await PolledAsync().ConfigureAwait(false);
     }
 
     /// <summary>Reads only the path where a whole poll would delay the segments: on a serial line.</summary>
     public async ValueTask<JobStep> GlanceAsync()
     {
         if (Line is null || Known is null || _toolWatch.IsSuspicious || ++_glances % GlancesBetweenPolls == 0) return await PollAsync().ConfigureAwait(false);
-        if (await ReadAsync(_questions.Motion, State.WithMotion).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await ReadAsync(_questions.Motion).ConfigureAwait(false) is { Ends: true } end) return end;
 
         // The axes were last seen in motion because of the path: now that it has ended they must be read again.
         return !State.SequenceRunning && State.AxesRunning ? await PollAsync().ConfigureAwait(false) : await PolledAsync().ConfigureAwait(false);
     }
 
-    private async ValueTask<JobStep> ReadAsync(string operands, Func<IReadOnlyList<double>, MachineState> take)
+    private async ValueTask<JobStep> ReadAsync(StateQuestion question)
     {
-        if (IsBeatDueBefore(2 * operands.Length) && await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
-        var reading = await _session.Commands.ReadAsync(operands, _stop).ConfigureAwait(false);
+        if (IsBeatDueBefore(2 * question.Text.Length) && await SendAsync(_beat).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
+        var reading = await _session.Commands.ReadAsync(question.Text, _stop).ConfigureAwait(false);
         if (reading.Refusal is { } refused) return Refuse(refused, "");
-        Known = take(reading.Values);
+        Known = question.Update(Known ?? default, reading.Values);
         return JobStep.Done;
     }
 
     private async ValueTask<JobStep> PolledAsync()
     {
         _times.Polled(State.Time);
-        _ledger.Trail(new TracePoint(Seconds, Here.X, Here.Y, IsToolOn) { Executed = _ledger.Executed });
+        if (await AskFollowingErrorAsync().ConfigureAwait(false) is { Ends: true } unasked) return unasked;
+        _ledger.Trail(new TracePoint(Seconds, Here, IsToolOn) { Executed = _ledger.Executed, Error = FollowingError });
+        if (IsToolOn && State.SequenceRunning && !_stop.IsCancellationRequested) _ledger.SeeCutting(SegmentsDone?.Invoke(State) ?? _ledger.Executed, Here);
         _polled();
         await _stopHandle.LookAsync().ConfigureAwait(false);
         if (await FaultAsync().ConfigureAwait(false) is { Ends: true } fault) return fault;
         if (Expectation?.Invoke(State) is { Ends: true } unexpected) return unexpected;
-        return await BeatAsync().ConfigureAwait(false);
+        if (await BeatAsync().ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
+        return await Hold.AttendAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>Asks _TE of each axis (galil-dmc.md A.10), where that is wanted and was not asked just now.</summary>
+    private async ValueTask<JobStep> AskFollowingErrorAsync()
+    {
+        if (!_asksFollowingError || Line is not null || _stop.IsCancellationRequested || (FollowingError is not null && Time.GetElapsedTime(_errorAsked) < s_betweenErrors)) return JobStep.Done;
+        _errorAsked = Time.GetTimestamp();
+        var (values, end) = await AskAllAsync(DmcAxes.Operands(Profile.Axes.Letters, "_TE")).ConfigureAwait(false);
+        if (!end.Ends) FollowingError = CountsPoint.From([.. values]);
+        return end;
     }
 
     /// <summary>Ends the job when a poll shows that the program in the controller has ended, the tool is not as it should be, or there is no progress.</summary>
@@ -207,6 +266,33 @@ internal sealed class JobMachine
         return JobStep.Done;
     }
 
+    /// <summary>From now on the watchdog trips 0.25 s after the last sign of this computer, and signs are sent more often: for motion that lasts as long as a key is held.</summary>
+    public ValueTask<JobStep> WatchCloselyAsync()
+    {
+        _heartbeat = Heartbeat.Close(Time);
+        _beat = ResidentServer.CloseHeartbeatCommand;
+        return SendAsync(_beat);
+    }
+
+    /// <summary>Brakes every axis at once, over the stop handle, beside whatever is being sent. That the link fails is found by the next poll.</summary>
+    public async Task BrakeAsync()
+    {
+        try
+        {
+            await _session.StopHandle.SendAsync(BrakeCommand, CancellationToken.None).ConfigureAwait(false);
+        }
+        catch (ControllerException)
+        {
+            // The poll says so, and the dead-man brakes.
+        }
+    }
+
+    public string BrakeCommand => "ST " + Profile.Axes.Letters;
+
+    /// <summary>Looks at the machine as its watch does.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public ValueTask<MachineReading> ReadAsync() => StatusPoll.ReadAsync(_session.StopHandle, Profile.Axes, _stop);
+
     /// <summary>Ends the program in the controller and its watchdog; call at rest with the tool off.</summary>
     public ValueTask<JobStep> HaltProgramAsync()
     {
@@ -214,10 +300,28 @@ internal sealed class JobMachine
         return SendAllAsync(ResidentServer.HaltCommands);
     }
 
+    /// <summary>The usual watch again, behind <see cref="WatchCloselyAsync"/>.</summary>
+    public ValueTask<JobStep> WatchAsUsualAsync()
+    {
+        _heartbeat = new Heartbeat(Time);
+        _beat = ResidentServer.HeartbeatCommand;
+        return SendAsync(_beat);
+    }
+
+    /// <summary>What is under way is being given up: the ledger keeps how far it was cut.</summary>
+    public void Part(bool isInside)
+    {
+        PartedCounter = State.Counter;
+        _ledger.Part(SegmentsDone?.Invoke(State) ?? _ledger.Executed, isInside ? Here : null);
+    }
+
+    /// <summary>_CSS as the sequence under way was given up.</summary>
+    public int PartedCounter { get; private set; }
+
     private bool IsBeatDueBefore(int bytes) => Line is { } line && _heartbeat.IsDueBefore(line.Time(bytes));
 
     private async ValueTask<JobStep> BeatAsync() =>
-        _heartbeat.IsDue() ? await SendAsync(ResidentServer.HeartbeatCommand).ConfigureAwait(false) : JobStep.Done;
+        _heartbeat.IsDue() ? await SendAsync(_beat).ConfigureAwait(false) : JobStep.Done;
 
     /// <summary>Queries one number over the stop handle, also after the operator's stop; null when the controller does not know it.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
@@ -265,7 +369,7 @@ internal sealed class JobMachine
     public async ValueTask<JobStep> TakeFrameAsync()
     {
         if (await PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
-        FrameTaken = _frameGiven ?? new CountsPoint(State.Position.X - Start.X, State.Position.Y - Start.Y);
+        FrameTaken = _frameGiven ?? State.Position - Start + new CountsPoint(0, 0, Lift);
         return JobStep.Done;
     }
 
@@ -292,9 +396,13 @@ internal sealed class JobMachine
     /// <summary>Reports a position error larger than ER: the axis is jammed, or driven faster than its motor can follow.</summary>
     private async ValueTask<JobStep> CannotFollowAsync()
     {
-        var (x, y) = (Profile.Axes.X.Letter, Profile.Axes.Y.Letter);
-        var (errorX, errorY) = (await AskAtRestAsync($"_TE{x}").ConfigureAwait(false), await AskAtRestAsync($"_TE{y}").ConfigureAwait(false));
-        var far = errorX is { } first && errorY is { } second ? Wording.Get("JobMachine.CountsOff", x, first, y, second) : "";
+        var errors = new List<string>();
+        foreach (var letter in Profile.Axes.Letters)
+        {
+            if (await AskAtRestAsync($"_TE{letter}").ConfigureAwait(false) is { } error) errors.Add(Wording.Get("JobMachine.AxisError", letter, error));
+        }
+
+        var far = errors.Count == Profile.Axes.All.Count ? Wording.Get("JobMachine.CountsOff", string.Join(Wording.Get("Common.And"), errors)) : "";
         return JobStep.Broken(Wording.Get("JobMachine.PositionErrorBecameLarger", State.Position.X, State.Position.Y, far)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
     }
 

@@ -12,7 +12,7 @@ namespace Engraver.Galil.Jobs;
 /// <param name="Counter">_CSS: segments of the sequence that are done.</param>
 /// <param name="Calls">seq: calls that are done; in a watched job see <see cref="SupervisedProgram"/>.</param>
 /// <param name="PathSpeed">_VMS, counts/s.</param>
-/// <param name="Position">_RP of the two axes, the controller's frame.</param>
+/// <param name="Position">_RP of the axes, the controller's frame.</param>
 /// <param name="Time">TIME, samples.</param>
 /// <param name="StopCode">_SC of the first axis.</param>
 /// <param name="ProgramRuns">_XQ0 is a line: the resident program lives.</param>
@@ -24,46 +24,69 @@ internal readonly record struct MachineState(
     bool SequenceRunning, bool AxesRunning, int Counter, int Calls, int PathSpeed, CountsPoint Position, long Time, int StopCode, bool ProgramRuns, bool WatchdogRuns, int ProgramError, int Trip, int Outputs)
 {
     public bool Stands => !SequenceRunning && !AxesRunning;
-
-    public MachineState WithProgram(IReadOnlyList<double> v) => this with
-    {
-        AxesRunning = v[0] != 0 || v[1] != 0,
-        Calls = (int)v[2],
-        ProgramRuns = v[3] >= 0,
-        WatchdogRuns = v[4] >= 0,
-        ProgramError = (int)v[5],
-    };
-
-    public MachineState WithMotion(IReadOnlyList<double> v) => this with
-    {
-        SequenceRunning = v[0] != 0,
-        Counter = (int)v[1],
-        PathSpeed = (int)v[2],
-        Position = new CountsPoint((int)v[3], (int)v[4]),
-        Time = (long)v[5],
-        StopCode = (int)v[6],
-        Trip = (int)v[7],
-        Outputs = (int)v[8],
-    };
-
-    public static MachineState From(IReadOnlyList<double> v) => new(
-        v[0] != 0, v[1] != 0 || v[2] != 0, (int)v[3], (int)v[4], (int)v[5], new CountsPoint((int)v[6], (int)v[7]), (long)v[8], (int)v[9], v[10] >= 0, v[11] >= 0, (int)v[12], (int)v[13], (int)v[14]);
 }
 
-/// <summary>What a poll asks for, by the letters of the axes that the job moves; the answers are read by <see cref="MachineState"/>.</summary>
-internal sealed class StateQuestions(MachineAxes axes)
+/// <summary>What a poll asks for, by the letters of the axes that the job moves.</summary>
+internal sealed class StateQuestions
 {
-    private readonly string _running = DmcAxes.Operands(axes.Letters, "_BG");
-    private readonly string _places = DmcAxes.Operands(axes.Letters, "_RP");
+    /// <param name="isSlow">On a serial line the questions go in two parts, so that the heartbeat fits between them.</param>
+    public StateQuestions(MachineAxes axes, bool isSlow)
+    {
+        var (running, places, code) = (DmcAxes.Operands(axes.Letters, "_BG"), DmcAxes.Operands(axes.Letters, "_RP"), $"_SC{axes.X.Letter}");
+        var all = $"_BGS,{running},_CSS,{Variables.Sequence},_VMS,{places},TIME,{code},_XQ0,_XQ1,{Variables.ErrorCode},{Variables.WatchdogTripped},_OP0";
+        IsOne = !isSlow && "MG ".Length + all.Length <= DmcLimits.LineLength;
+        Program = new StateQuestion(isSlow ? $"{running},{Variables.Sequence},_XQ0,_XQ1,{Variables.ErrorCode}" : $"{running},_XQ0,_XQ1,{Variables.ErrorCode}");
+        Motion = new StateQuestion(isSlow ? $"_BGS,_CSS,_VMS,{places},TIME,{code},{Variables.WatchdogTripped},_OP0" : $"_BGS,_CSS,{Variables.Sequence},_VMS,{places},TIME,{code},{Variables.WatchdogTripped},_OP0");
+        Whole = IsOne ? [new StateQuestion(all)] : [Program, Motion];
+    }
 
-    /// <summary>All of it in the order of the parameters; with MG exactly the 80 characters of a line. wtrip is asked behind _XQ1: where the watchdog ended by its trip, that is already known.</summary>
-    public string All => $"_BGS,{_running},_CSS,{Variables.Sequence},_VMS,{_places},TIME,{StopCode},_XQ0,_XQ1,{Variables.ErrorCode},{Variables.WatchdogTripped},_OP0";
+    /// <summary>Everything, in the order of asking. For two axes over a network one line, with MG exactly its 80 characters; wtrip is asked behind _XQ1: where the watchdog ended by its trip, that is already known.</summary>
+    public IReadOnlyList<StateQuestion> Whole { get; }
 
-    /// <summary>On a serial line the questions go in two parts, so that the heartbeat fits between them: first what a program does ...</summary>
-    public string Program => $"{_running},{Variables.Sequence},_XQ0,_XQ1,{Variables.ErrorCode}";
+    /// <summary>Sequence, counters and position come in one answer: they belong together.</summary>
+    public bool IsOne { get; }
 
-    /// <summary>... then, and more often, what the path does. Asked last: where the axes stood before, the position is final.</summary>
-    public string Motion => $"_BGS,_CSS,_VMS,{_places},TIME,{StopCode},{Variables.WatchdogTripped},_OP0";
+    /// <summary>In two parts: first what a program does ...</summary>
+    public StateQuestion Program { get; }
 
-    private string StopCode => $"_SC{axes.X.Letter}";
+    /// <summary>... then, and on a serial line more often, what the path does. Asked last: where the axes stood before, the position is final. Where a line holds it, seq is asked here too, with the position it belongs to.</summary>
+    public StateQuestion Motion { get; }
+}
+
+/// <summary>One line of operands, and what their answers say of the machine.</summary>
+/// <param name="Text">Operands divided by commas, as MG takes them.</param>
+internal sealed record StateQuestion(string Text)
+{
+    private readonly string[] _operands = Text.Split(',');
+
+    /// <summary>The state with what was answered; the rest of it stays.</summary>
+    /// <param name="v">One number for each operand.</param>
+    public MachineState Update(MachineState state, IReadOnlyList<double> v)
+    {
+        var (axis, areAxesAsked, runs) = (0, false, false);
+        Span<double> place = stackalloc double[3];
+        for (var i = 0; i < _operands.Length; i++)
+        {
+            switch (_operands[i])
+            {
+                case "_BGS": state = state with { SequenceRunning = v[i] != 0 }; break;
+                case "_CSS": state = state with { Counter = (int)v[i] }; break;
+                case "_VMS": state = state with { PathSpeed = (int)v[i] }; break;
+                case "TIME": state = state with { Time = (long)v[i] }; break;
+                case "_XQ0": state = state with { ProgramRuns = v[i] >= 0 }; break;
+                case "_XQ1": state = state with { WatchdogRuns = v[i] >= 0 }; break;
+                case "_OP0": state = state with { Outputs = (int)v[i] }; break;
+                case Variables.Sequence: state = state with { Calls = (int)v[i] }; break;
+                case Variables.ErrorCode: state = state with { ProgramError = (int)v[i] }; break;
+                case Variables.WatchdogTripped: state = state with { Trip = (int)v[i] }; break;
+                case ['_', 'B', 'G', _]: (areAxesAsked, runs) = (true, runs || v[i] != 0); break;
+                case ['_', 'R', 'P', _]: place[axis++] = v[i]; break;
+                case ['_', 'S', 'C', _]: state = state with { StopCode = (int)v[i] }; break;
+                default: throw new InvalidOperationException(_operands[i]);
+            }
+        }
+
+        if (areAxesAsked) state = state with { AxesRunning = runs };
+        return axis == 0 ? state : state with { Position = CountsPoint.From(place[..axis]) };
+    }
 }

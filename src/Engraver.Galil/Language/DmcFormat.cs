@@ -17,6 +17,22 @@ public static class DmcFormat
         _ => throw new ArgumentOutOfRangeException(nameof(segment)),
     };
 
+    /// <summary>The segments of a sequence as commands, in order: VP and CR, or LI where it rises or falls.</summary>
+    public static IEnumerable<string> Commands(VectorSequence sequence, MachineAxes axes)
+    {
+        var from = sequence.Start;
+        foreach (var segment in sequence.Segments)
+        {
+            yield return sequence.ChangesHeight ? Increment(axes, from, segment.End) : Command(segment, sequence.Start);
+            from = segment.End;
+        }
+    }
+
+    /// <summary>LI of a line in three axes.</summary>
+    public static string Increment(MachineAxes axes, CountsPoint from, CountsPoint to) => "LI " + DmcAxes.Fields(axes, [Difference(from.X, to.X), Difference(from.Y, to.Y), Difference(from.Z, to.Z)]);
+
+    private static string Difference(int from, int to) => ((long)to - from).ToString(CultureInfo.InvariantCulture);
+
     /// <summary>LI: a line by its increments, for a sequence in LM (galil-dmc.md B.1).</summary>
     public static string Increment(CountsPoint from, CountsPoint to) => string.Create(CultureInfo.InvariantCulture, $"LI {(long)to.X - from.X},{(long)to.Y - from.Y}");
 }

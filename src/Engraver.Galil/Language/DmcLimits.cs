@@ -41,5 +41,9 @@ public static class DmcLimits
     public const int Outputs = 8;
 
     /// <summary>The part of them that a machine profile can break.</summary>
-    public static MachineLimits Machine { get; } = new(SlowestSpeed, FastestSpeed, AccelerationStep, LargestAcceleration, Outputs, DmcAxes.All);
+    public static MachineLimits Machine { get; } = new(SlowestSpeed, FastestSpeed, AccelerationStep, LargestAcceleration, Outputs, DmcAxes.All)
+    {
+        MotorTypes = [1.0, -1.0, 1.5, -1.5, 2.0, -2.0, 2.5, -2.5],
+        LargestVolts = 9.9982,
+    };
 }

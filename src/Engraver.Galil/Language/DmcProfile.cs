@@ -20,12 +20,27 @@ public static class DmcProfile
         return EvenCountsPerSecond(profile.RapidMmPerMinute, Math.Abs(axis.CountsPerMillimetre));
     }
 
-    /// <summary>The settle time as WT takes it: an even number of milliseconds, 0 for no wait (galil-dmc.md F.5).</summary>
-    public static int SettleMilliseconds(this MachineProfile profile)
+    /// <summary>SP or JG of one axis for a speed of its own, even counts/s, as fast as the controller goes.</summary>
+    /// <param name="mmPerMinute">At least 0.</param>
+    public static int AxisSpeed(this MachineAxis axis, double mmPerMinute) => Math.Min(DmcLimits.FastestSpeed, EvenCountsPerSecond(mmPerMinute, Math.Abs(axis.CountsPerMillimetre)));
+
+    /// <summary>SP of the Z axis below the retract height, even counts/s.</summary>
+    public static int PlungeSpeed(this MachineProfile profile)
     {
         ArgumentNullException.ThrowIfNull(profile);
-        return 2 * (int)Math.Ceiling(Math.Round(profile.ToolSettleSeconds * 1000.0, 6) / 2.0);
+        return EvenCountsPerSecond(profile.Height?.PlungeMmPerMinute ?? 0.0, Math.Abs(profile.Scale.Z));
     }
+
+    /// <summary>The settle time as WT takes it: an even number of milliseconds, 0 for no wait (galil-dmc.md F.5).</summary>
+    /// <param name="on">After the tool is switched on; otherwise after it is switched off.</param>
+    public static int SettleMilliseconds(this MachineProfile profile, bool on = true)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return EvenMilliseconds(on ? profile.ToolSettleSeconds : profile.OffSettleSeconds);
+    }
+
+    /// <summary>A time as WT takes it: an even number of milliseconds, not shorter.</summary>
+    public static int EvenMilliseconds(double seconds) => 2 * (int)Math.Ceiling(Math.Round(seconds * 1000.0, 6) / 2.0);
 
     private static int EvenCountsPerSecond(double mmPerMinute, double countsPerMillimetre) =>
         Math.Max(DmcLimits.SlowestSpeed, 2 * (int)Math.Round(mmPerMinute / 60.0 * countsPerMillimetre / 2.0, MidpointRounding.AwayFromZero));

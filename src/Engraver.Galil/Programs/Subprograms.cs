@@ -10,7 +10,13 @@ internal static class Subprograms
     public const string Linear = "#LINEAR";
     public const string Circ = "#CIRC";
     public const string Rapid = "#RAPID";
+    public const string Slope = "#SLOPE";
+    public const string Down = "#DOWN";
+    public const string Up = "#UP";
     public const string CommandError = "#CMDERR";
+
+    /// <summary>Variable: clearance height, the controller's own counts.</summary>
+    public const string ClearanceHeight = "zup";
 
     /// <summary>Cuts a straight line to x, y relative to the machine's position, and waits for its end.</summary>
     /// <param name="last">A statement before the return ("seq=seq+1"), or empty.</param>
@@ -25,7 +31,7 @@ internal static class Subprograms
     /// <param name="target">The line that assigns PA.</param>
     /// <param name="last">A statement before the return, or empty.</param>
     public static IReadOnlyList<string> RapidLines(MachineProfile profile, string target, string last) =>
-        new ProgramLines().Line(Rapid).Line(target).Line("BG" + profile.Axes.Letters).Line("AM" + profile.Axes.Letters).Line(last).Line("EN").Lines;
+        new ProgramLines().Line(Rapid).Line(target).Line("BG" + profile.Axes.PlaneLetters).Line("AM" + profile.Axes.PlaneLetters).Line(last).Line("EN").Lines;
 
     /// <summary>PA of both axes.</summary>
     public static string TargetLine(MachineProfile profile, string x, string y) => $"PA{profile.Axes.X.Letter}={x};PA{profile.Axes.Y.Letter}={y}";
@@ -45,18 +51,68 @@ internal static class Subprograms
     public static IReadOnlyList<string> AccelerationCommands(MachineProfile profile) =>
         [.. profile.Axes.All.Select(axis => Text($"AC{axis.Letter}={profile.AccelerationCounts}")), .. profile.Axes.All.Select(axis => Text($"DC{axis.Letter}={profile.AccelerationCounts}"))];
 
-    public static string ToolOn(MachineProfile profile) => Text($"SB{profile.ToolOutput}");
+    /// <summary>The output of the tool is switched on; empty where an axis holds the tool.</summary>
+    public static string ToolOn(MachineProfile profile) => profile.Height is null ? Switch(profile.ToolOutput, !profile.ToolActiveLow) : string.Empty;
 
-    public static string ToolOff(MachineProfile profile) => Text($"CB{profile.ToolOutput}");
+    /// <summary>The output of the tool is switched off; empty where an axis holds the tool.</summary>
+    public static string ToolOff(MachineProfile profile) => profile.Height is null ? Switch(profile.ToolOutput, profile.ToolActiveLow) : string.Empty;
+
+    /// <summary>SB or CB.</summary>
+    /// <param name="gap">Between command and number.</param>
+    public static string Switch(int output, bool level, string gap = "") => Text($"{(level ? "SB" : "CB")}{gap}{output}");
+
+    /// <summary>The speed first, where an analog output sets it; the motor of that axis is off, so that no loop works against the offset (galil-dmc.md C, OF).</summary>
+    public static IReadOnlyList<string> SpindleOn(Spindle spindle) => [.. spindle.SpeedAxis is { } axis ? (string[])[$"MO{axis}", Text($"OF{axis}={DmcFormat.Number(spindle.SpeedVolts)}")] : [], Switch(spindle.Output, !spindle.IsActiveLow)];
+
+    public static IReadOnlyList<string> SpindleOff(Spindle spindle) => [Switch(spindle.Output, spindle.IsActiveLow), .. spindle.SpeedAxis is { } axis ? (string[])[$"OF{axis}=0"] : []];
+
+    /// <summary>Spindle off, as one statement of a line; empty without one.</summary>
+    public static string SpindleOff(MachineProfile profile) => profile.Spindle is { } spindle ? string.Join(';', SpindleOff(spindle)) : string.Empty;
 
     /// <summary>The wait after a change of the tool; empty when the profile wants none.</summary>
-    public static string Settle(MachineProfile profile) => profile.SettleMilliseconds() == 0 ? string.Empty : Text($"WT {profile.SettleMilliseconds()}");
+    public static string Settle(MachineProfile profile, bool on = true) => profile.SettleMilliseconds(on) == 0 ? string.Empty : Text($"WT {profile.SettleMilliseconds(on)}");
 
-    /// <summary>Tool off before anything else, then every motion of the plane and of its axes is stopped. One line, so that no other thread runs in between.</summary>
-    public static string StopEverything(MachineProfile profile) => $"{ToolOff(profile)};STS;ST{profile.Axes.Letters}";
+    /// <summary>Tool off before anything else, then every motion of the plane and of its axes is stopped. One line, so that no other thread runs in between. A spindle whose tool may be in the work turns on until the tool is out of it.</summary>
+    public static string StopEverything(MachineProfile profile) => Statements(ToolOff(profile), "STS", "ST" + profile.Axes.Letters, profile.Height is null ? SpindleOff(profile) : string.Empty);
+
+    /// <summary>Joined by ';', without the empty ones.</summary>
+    public static string Statements(params ReadOnlySpan<string> statements) => string.Join(';', statements.ToArray().Where(statement => statement.Length > 0));
+
+    /// <summary>Cuts a line of three axes to x, y, z relative to the machine's position (galil-dmc.md EX7), and waits for its end.</summary>
+    public static IReadOnlyList<string> SlopeLines(MachineProfile profile, string last) =>
+        new ProgramLines().Line(Slope).Line("LM" + profile.Axes.Letters).Line("VS f").Line("LI " + DmcAxes.Fields(profile.Axes, ["x", "y", "z"])).Line("LE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
+
+    /// <summary>True where the tool is at the height of a variable or above it, as a condition of JP.</summary>
+    public static string IsUp(MachineProfile profile, string height) => $"_RP{profile.Axes.Z!.Value.Letter}{(profile.Up > 0 ? ">=" : "<=")}{height}";
+
+    /// <summary>Moves the Z axis and waits.</summary>
+    public static string HeightLine(MachineProfile profile, int speed, string height) => profile.Axes.Z!.Value.Letter is var z ? Text($"SP{z}={speed};PA{z}={height};BG{z};AM{z}") : "";
+
+    /// <summary>Down to the height z: fast to the retract height zr, then at the plunge feed. The tool is at clearance height before.</summary>
+    /// <param name="check">A line behind each of the two moves, or empty.</param>
+    public static IReadOnlyList<string> DownLines(MachineProfile profile, string check, string last) => new ProgramLines()
+        .Line(Down)
+        .Line("JP#DOWNS," + IsUp(profile, "zr").Replace("_RP" + profile.Axes.Z!.Value.Letter, "z", StringComparison.Ordinal))
+        .Line(HeightLine(profile, profile.RapidSpeed(profile.Axes.Z!.Value), "zr"))
+        .Line("#DOWNS")
+        .Line(HeightLine(profile, profile.PlungeSpeed(), "z"))
+        .Line(check)
+        .Line(last)
+        .Line("EN")
+        .Lines;
+
+    /// <summary>Up to clearance height zup, unless the tool is there or higher.</summary>
+    public static IReadOnlyList<string> UpLines(MachineProfile profile, string last) => new ProgramLines()
+        .Line(Up)
+        .Line("JP#UPS," + IsUp(profile, ClearanceHeight))
+        .Line(HeightLine(profile, profile.RapidSpeed(profile.Axes.Z!.Value), ClearanceHeight))
+        .Line("#UPS")
+        .Line(last)
+        .Line("EN")
+        .Lines;
 
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
     private static IReadOnlyList<string> Interpolation(MachineProfile profile, string label, string segment, string last) =>
-        new ProgramLines().Line(label).Line("VM" + profile.Axes.Letters).Line("VS f").Line(segment).Line("VE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
+        new ProgramLines().Line(label).Line("VM" + profile.Axes.PlaneLetters).Line("VS f").Line(segment).Line("VE").Line("BGS").Line("AMS").Line(last).Line("EN").Lines;
 }

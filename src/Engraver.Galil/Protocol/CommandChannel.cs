@@ -30,11 +30,15 @@ public sealed class CommandChannel : IAsyncDisposable
     private readonly ReplyDeadline _deadline;
     private readonly ReplyFramer _framer;
     private readonly SemaphoreSlim _turn = new(1, 1);
+    private readonly SemaphoreSlim _writing = new(1, 1);
     private readonly byte[] _received = new byte[4096];
     private byte[] _sent = new byte[256];
     private TimeSpan _timeout;
     private ControllerException? _failure;
     private LineEcho? _echo;
+
+    /// <summary>Prompts of urgent lines that nobody has taken yet; whoever holds <see cref="_writing"/> changes it.</summary>
+    private int _owed;
 
     /// <param name="link">Owned: closed with the channel.</param>
     /// <param name="name">The handle's name in the trace.</param>
@@ -81,6 +85,30 @@ public sealed class CommandChannel : IAsyncDisposable
         return _echo is not null && text.Contains(';', StringComparison.Ordinal) ? SendEachAsync(CommandLine.Parts(text), cancellation) : ExchangeAsync(text, ReplyShape.Text, 0, _replyTimeout, cancellation);
     }
 
+    /// <summary>Puts a line on the wire at once where another command waits for its answer, which may be late or lost; its own prompts are taken before the next command goes out. Otherwise does nothing: <see cref="SendAsync"/> is as quick then.</summary>
+    /// <remarks>Not on a serial line, where the bytes of two lines would mix with their echoes. What the controller answers is not told: send the line again in its turn.</remarks>
+    public async ValueTask UrgeAsync(string line)
+    {
+        var text = CommandLine.Checked(line);
+        if (Line is not null || _turn.CurrentCount > 0) return;
+        await _writing.WaitAsync().ConfigureAwait(false);
+        try
+        {
+            if (_failure is not null) return;
+            _trace?.Write(_name, '>', text);
+            _owed += CommandLine.Parts(text).Count;
+            await _link.WriteAsync(Encoding.Latin1.GetBytes(text + "\r"), _deadline.Expired).ConfigureAwait(false);
+        }
+        catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
+        {
+            Fail(Describe(failure, text));
+        }
+        finally
+        {
+            _writing.Release();
+        }
+    }
+
     /// <summary>Sends the parts of a line one after the other where echoes are compared: else the reply to one would come in the middle of the echo of the next. The number of bytes is the same.</summary>
     private async ValueTask<Reply> SendEachAsync(IReadOnlyList<string> parts, CancellationToken cancellation)
     {
@@ -109,6 +137,9 @@ public sealed class CommandChannel : IAsyncDisposable
     public ValueTask<Reply> DownloadAsync(string program, CancellationToken cancellation) =>
         ExchangeAsync("DL\r" + ProgramText.ForDownload(program) + "\\", ReplyShape.Text, 0, TransferTimeout, cancellation);
 
+    /// <summary>BN: burns the parameters, about a second (galil-dmc.md A.6). It must not be interrupted, so the reply is awaited as long as a transfer's.</summary>
+    public ValueTask<Reply> BurnAsync(CancellationToken cancellation) => ExchangeAsync("BN", ReplyShape.Text, 0, TransferTimeout, cancellation);
+
     /// <summary>QR: the data record; each character of the data is one byte.</summary>
     /// <param name="length">Bytes of the record, from QZ.</param>
     public ValueTask<Reply> ReadRecordAsync(int length, CancellationToken cancellation) => ExchangeAsync("QR", ReplyShape.Record, length, _replyTimeout, cancellation);
@@ -117,8 +148,7 @@ public sealed class CommandChannel : IAsyncDisposable
     {
         _failure ??= new ControllerLinkException(Wording.Get("CommandChannel.LinkClosed", _link.Description));
         await _link.DisposeAsync().ConfigureAwait(false);
-        _deadline.Dispose();
-        _turn.Dispose();
+        _deadline.Dispose(); // the turns are left to the collector: a stop may still wait for one, and is told that the link is closed
     }
 
     private async ValueTask<Reply> ExchangeAsync(string text, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
@@ -165,9 +195,27 @@ public sealed class CommandChannel : IAsyncDisposable
         return new Rejected(code, text, command);
     }
 
+    /// <summary>Takes the prompts of urgent lines, so that those which come then belong to the next line, and lets nobody else write before it.</summary>
+    private async ValueTask WritingAsync(string text)
+    {
+        await _writing.WaitAsync().ConfigureAwait(false);
+        if (_owed == 0) return;
+        try
+        {
+            _deadline.Start(_timeout);
+            for (; _owed > 0; _owed--) await ReadFrameAsync(text).ConfigureAwait(false);
+        }
+        catch (ControllerException)
+        {
+            _writing.Release();
+            throw;
+        }
+    }
+
     /// <returns>True when a download was ended early.</returns>
     private async ValueTask<bool> WriteAsync(string text, bool isDownload, ReplyShape shape, int recordLength, TimeSpan timeout, CancellationToken cancellation)
     {
+        await WritingAsync(text).ConfigureAwait(false);
         _trace?.Write(_name, '>', text);
         _framer.Expect(shape, recordLength);
         _echo?.Begin(isDownload);
@@ -185,6 +233,10 @@ public sealed class CommandChannel : IAsyncDisposable
         catch (Exception failure) when (failure is IOException or ObjectDisposedException or OperationCanceledException)
         {
             throw Fail(Describe(failure, text));
+        }
+        finally
+        {
+            _writing.Release();
         }
     }
 

@@ -3,6 +3,9 @@ namespace Engraver.Galil.Protocol;
 /// <summary>The codes of SC: why an axis stopped or is stopping (galil-dmc.md A.10).</summary>
 public static class StopCodes
 {
+    /// <summary>The axis moves.</summary>
+    public const int Running = 0;
+
     /// <summary>An independent move that ended at its target.</summary>
     public const int AtTarget = 1;
 
@@ -15,7 +18,7 @@ public static class StopCodes
 
     public static string Text(int code) => code switch
     {
-        0 => "running",
+        Running => "running",
         AtTarget => Wording.Get("StopCodes.CommandedPosition"),
         2 => Wording.Get("StopCodes.StoppedForwardLimitSwitch"),
         3 => Wording.Get("StopCodes.StoppedReverseLimitSwitch"),

@@ -1,4 +1,7 @@
+using System.Globalization;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
+using Engraver.Galil.Language;
 using Engraver.Galil.Links;
 using Engraver.Galil.Programs.Resident;
 using Engraver.Galil.Protocol;
@@ -145,6 +148,29 @@ public sealed class ControllerSession : IAsyncDisposable
     /// <summary>Takes the state that an earlier session found and could not restore as the one to restore.</summary>
     internal void Inherit(FoundState found) => Found = found;
 
+    /// <summary>Reads the software limits that are going to be changed, so that they are restored with the rest; once.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    internal async Task NoteSoftLimitsAsync(IReadOnlyList<SoftLimit> limits, CancellationToken cancellation)
+    {
+        foreach (var operand in limits.SelectMany(limit => new[] { $"_FL{limit.Axis}", $"_BL{limit.Axis}" }))
+        {
+            if (HasFound(operand) || (await Commands.ReadWholeAsync(operand, cancellation).ConfigureAwait(false)).OrNothing is not { } value) continue;
+            Found = Found with { Motion = [.. Found.Motion, new FoundSetting(operand, $"{operand[1..]}={DmcFormat.Number(value)}")] };
+        }
+    }
+
+    /// <summary>FL and BL: the controller brakes an axis that comes from inside one count beyond its travel (galil-dmc.md C), so both ends may be reached. Where it could not say what it had, they stay as they are.</summary>
+    internal IEnumerable<string> SoftLimitCommands(IReadOnlyList<SoftLimit> limits)
+    {
+        foreach (var limit in limits.Where(limit => HasFound($"_FL{limit.Axis}") && HasFound($"_BL{limit.Axis}")))
+        {
+            yield return string.Create(CultureInfo.InvariantCulture, $"FL{limit.Axis}={Math.Min(int.MaxValue, limit.Most + 1L)}");
+            yield return string.Create(CultureInfo.InvariantCulture, $"BL{limit.Axis}={Math.Max(int.MinValue, limit.Least - 1L)}");
+        }
+    }
+
+    private bool HasFound(string operand) => Found.Motion.Any(setting => setting.Operand == operand);
+
     /// <summary>True when our watchdog runs and another program sends it heartbeats: halting it would leave a machine without supervision.</summary>
     private async Task<bool> IsOurJobRunningAsync(CancellationToken cancellation) =>
         (await Commands.ReadAsync($"_XQ{ResidentProgram.WatchdogThread}", cancellation).ConfigureAwait(false)).OrNothing is >= 0
@@ -157,6 +183,16 @@ public sealed class ControllerSession : IAsyncDisposable
     {
         var commands = Found.Motion.Select(setting => setting.RestoreCommand).Concat(Found.MotorsOff.Select(letter => $"MO{letter}"));
         return await TryEachAsync(commands, cancellation).ConfigureAwait(false);
+    }
+
+    /// <summary>Burns the controller's parameters (BN), with CW and the number format as they were found: both are burned with the rest (galil-dmc.md A.6).</summary>
+    /// <exception cref="ControllerException">The link failed meanwhile.</exception>
+    internal async Task<Rejected?> BurnAsync(CancellationToken cancellation)
+    {
+        await TryEachAsync(Found.Wire.RestoreCommands(null), cancellation).ConfigureAwait(false);
+        var reply = await Commands.BurnAsync(CancellationToken.None).ConfigureAwait(false);
+        await AgreeOnWireAsync(CancellationToken.None).ConfigureAwait(false);
+        return reply as Rejected;
     }
 
     public async ValueTask DisposeAsync()

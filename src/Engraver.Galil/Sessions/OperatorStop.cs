@@ -8,9 +8,10 @@ namespace Engraver.Galil.Sessions;
 /// <summary>Tool off and machine at rest, in the complete order of galil-dmc.md F.4: CB, STS, ST AB, HX of our threads, wait for every _BG, CSS.</summary>
 /// <remarks>Two passes. <see cref="Begin"/> goes at once over the stop handle, while the feeder may still have a command on its way; when the feeder is silent,
 /// <see cref="FinishAsync"/> says it again, so that a BGS that arrived in between starts nothing.</remarks>
+/// <param name="outputs">What is switched off first (<see cref="MachineProfile.OffAtStop"/>).</param>
 /// <param name="ownThreads">Ours; first the one that commands motion.</param>
-/// <param name="axes">Letters of the axes that brake and are waited for; of a job its X and then its Y.</param>
-public sealed class OperatorStop(ControllerSession session, int toolOutput, IReadOnlyList<int> ownThreads, string axes)
+/// <param name="axes">Letters of the axes that brake and are waited for; of a job in the order of its axes.</param>
+public sealed class OperatorStop(ControllerSession session, IReadOnlyList<OutputSwitch> outputs, IReadOnlyList<int> ownThreads, string axes)
 {
     /// <summary>What rest is known by: the sequence and every axis, _CSS, where each axis stands, TIME.</summary>
     private readonly string _operands = $"_BGS,{DmcAxes.Operands(axes, "_BG")},_CSS,{DmcAxes.Operands(axes, "_RP")},TIME";
@@ -27,21 +28,35 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
     public void Begin() => _begun = BeginAsync();
 
     /// <summary>Runs the stop once at rest, before anything moves, so that its code is loaded and compiled: on a busy computer that would otherwise take time at the worst moment.</summary>
+    /// <returns>False when something that it switches off was on in between: a command was damaged on its way.</returns>
     /// <exception cref="ControllerException">The stop handle failed.</exception>
-    public Task RehearseAsync() => BeginAsync();
+    public async Task<bool> RehearseAsync()
+    {
+        await SendLineAsync().ConfigureAwait(false);
+        var wasOn = await IsAnyOnAsync().ConfigureAwait(false);
+        await BrakeAsync().ConfigureAwait(false);
+        return !(await IsAnyOnAsync().ConfigureAwait(false) || wasOn);
+    }
 
     /// <summary>Stops motion that belongs to no job: the same commands, without waiting for rest. Returns when the controller has accepted them.</summary>
     /// <exception cref="ControllerException">The stop handle failed.</exception>
     public Task BrakeAtOnceAsync() => BeginAsync();
 
-    /// <summary>All commands in one line: a further line could be delayed by a busy computer.</summary>
     private async Task BeginAsync()
     {
-        var halt = ownThreads.Take(1).Select(thread => string.Create(CultureInfo.InvariantCulture, $"HX{thread}"));
-        await SendAsync(string.Join(';', [.. BrakeCommands, .. halt])).ConfigureAwait(false);
+        await SendLineAsync().ConfigureAwait(false);
 
         // Our program may have begun a motion or switched the tool between the stop and its halt.
         await BrakeAsync().ConfigureAwait(false);
+    }
+
+    /// <summary>All commands in one line: a further line could be delayed by a busy computer.</summary>
+    private async Task SendLineAsync()
+    {
+        var halt = ownThreads.Take(1).Select(thread => string.Create(CultureInfo.InvariantCulture, $"HX{thread}"));
+        var line = string.Join(';', [.. BrakeCommands, .. halt]);
+        await session.StopHandle.UrgeAsync(line).ConfigureAwait(false); // an answer that is late or lost holds nothing up
+        await SendAsync(line).ConfigureAwait(false);
     }
 
     /// <summary>Brakes again, halts our threads and waits until the machine is at rest, however long it brakes. Then empties the segment buffer.</summary>
@@ -63,15 +78,28 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 
     private async Task<StandstillReport> StopAsync(TimeSpan pollInterval, CancellationToken cancellation)
     {
-        await HaltAsync().ConfigureAwait(false);
+        var wasOn = await HaltAsync().ConfigureAwait(false);
         var report = await WaitForRestAsync(pollInterval, cancellation).ConfigureAwait(false);
         await SendAsync("CSS").ConfigureAwait(false);
-        return report;
+        if (!await IsAnyOnAsync().ConfigureAwait(false)) return report with { WasToolOn = wasOn };
+        await BrakeAsync().ConfigureAwait(false);
+        return report with { WasToolOn = true, IsToolOn = await IsAnyOnAsync().ConfigureAwait(false) };
     }
 
-    private string[] BrakeCommands => [string.Create(CultureInfo.InvariantCulture, $"CB {toolOutput}"), "STS", "ST " + axes];
+    private string[] BrakeCommands => [.. outputs.Select(Off), "STS", "ST " + axes];
 
-    private async Task HaltAsync()
+    /// <summary>The command that switches off: CB, or SB where off is the active level of the output.</summary>
+    internal static string Off(OutputSwitch output) => string.Create(CultureInfo.InvariantCulture, $"{(output.IsActiveLow ? "SB" : "CB")} {output.Output}");
+
+    /// <summary>Whether something that the stop switches off is on all the same: a command for it was damaged on its way, or somebody else switches it. False where the controller does not tell its outputs.</summary>
+    private async ValueTask<bool> IsAnyOnAsync()
+    {
+        if (outputs.Count == 0) return false;
+        return (await session.StopHandle.ReadAsync("_OP0", CancellationToken.None).ConfigureAwait(false)).OrNothing is { } bits && outputs.Any(output => output.IsOn((int)bits));
+    }
+
+    /// <returns>Whether something that was to be off was on in between.</returns>
+    private async Task<bool> HaltAsync()
     {
         await BrakeAsync().ConfigureAwait(false);
         foreach (var thread in ownThreads)
@@ -80,7 +108,9 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
             if (await SendAsync(halt).ConfigureAwait(false) is Rejected) await SendAsync(halt).ConfigureAwait(false); // a thread that runs on would begin the next motion
         }
 
+        var wasOn = await IsAnyOnAsync().ConfigureAwait(false);
         await BrakeAsync().ConfigureAwait(false);
+        return wasOn;
     }
 
     private async Task BrakeAsync()
@@ -96,7 +126,7 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
             var v = await LookAsync(cancellation).ConfigureAwait(false);
             var (running, places) = (v[..(axes.Length + 1)], v[(axes.Length + 2)..^1]);
             if (!places.SequenceEqual(last)) standing = 0;
-            if (running.All(runs => runs == 0) || standing == MostStandingPolls) return new StandstillReport((int)v[axes.Length + 1], (int)places[0], (int)places.ElementAtOrDefault(1), (long)v[^1]);
+            if (running.All(runs => runs == 0) || standing == MostStandingPolls) return new StandstillReport((int)v[axes.Length + 1], CountsPoint.From(places), (long)v[^1]);
             if (standing == PatiencePolls) await SendAsync("AB 1").ConfigureAwait(false);
             last = places;
             if (pollInterval > TimeSpan.Zero) await Task.Delay(pollInterval, session.Time, cancellation).ConfigureAwait(false);
@@ -124,7 +154,13 @@ public sealed class OperatorStop(ControllerSession session, int toolOutput, IRea
 
 /// <summary>Where and when the machine came to rest.</summary>
 /// <param name="SegmentCounter">_CSS before the buffer was emptied: segments of the stopped sequence that were done.</param>
-/// <param name="X">_RP of the first axis, controller's counts.</param>
-/// <param name="Y">Of the second.</param>
+/// <param name="Position">_RP of the axes in the order of their letters, controller's counts.</param>
 /// <param name="Time">TIME, samples.</param>
-public sealed record StandstillReport(int SegmentCounter, int X, int Y, long Time);
+public sealed record StandstillReport(int SegmentCounter, CountsPoint Position, long Time)
+{
+    /// <summary>Something that the stop had switched off was seen on.</summary>
+    public bool WasToolOn { get; init; }
+
+    /// <summary>It is on still.</summary>
+    public bool IsToolOn { get; init; }
+}

@@ -6,15 +6,15 @@ using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Sessions;
 
-/// <summary>Where a controller stands and whether it still counts from the same zero: its position, serial number, clock and the mark that a session left in a variable , which is lost at power-off unless somebody burns it with BV (galil-dmc.md A.6); a clock that runs backwards tells of that.</summary>
+/// <summary>Where a controller stands and whether it still counts from the same zero: its position, serial number, clock and the mark that a session left in a variable, which is lost at power-off unless somebody burns it with BV (galil-dmc.md A.6); a clock that runs backwards tells of that.</summary>
 internal static class PlaceQuestions
 {
     /// <summary>No program and no other host uses this name; at most eight characters (galil-dmc.md E).</summary>
     private const string MarkVariable = "cncmark";
 
-    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
     /// <param name="letters">The axes of the controller.</param>
     /// <param name="axes">The axes that move the drawing's X and Y.</param>
+    /// <exception cref="ControllerException">The link failed, or the controller cannot say where it is.</exception>
     public static async ValueTask<ControllerPlace> AskAsync(CommandChannel channel, string letters, MachineAxes axes, CancellationToken cancellation)
     {
         if (axes.Letters.Except(letters).ToList() is { Count: > 0 } missing) return new ControllerPlace(default, Doubt: Wording.Get("PlaceQuestions.NoSuchAxis", string.Join(Wording.Get("Common.And"), missing), letters));
@@ -24,13 +24,14 @@ internal static class PlaceQuestions
         var serial = await Ask("_BN").ConfigureAwait(false);
         var mark = await Ask(MarkVariable).ConfigureAwait(false);
         var clock = await Ask("TIME").ConfigureAwait(false);
-        var steppersOff = await SteppersOffAsync(axes.Letters, Ask).ConfigureAwait(false);
+        var steppers = await SteppersAsync(axes.Letters, Ask).ConfigureAwait(false);
+        var steppersOff = await OffAsync(steppers, Ask).ConfigureAwait(false);
         return new ControllerPlace(
-            new CountsPoint((int)position.Values[0], (int)position.Values[1]),
+            CountsPoint.From([.. position.Values]),
             serial is > 0 ? (long)serial : null,
             mark is > 0 ? (int)mark : null,
             clock,
-            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), steppersOff.AsEnumerable())));
+            steppersOff.Length == 0 ? "" : Wording.Get("PlaceQuestions.StepperOff", string.Join(Wording.Get("Common.And"), steppersOff.AsEnumerable()))) { Uncounted = steppers };
     }
 
     /// <summary>The variable is made by the assignment.</summary>
@@ -39,12 +40,23 @@ internal static class PlaceQuestions
         await channel.SendAsync(string.Create(CultureInfo.InvariantCulture, $"{MarkVariable}={mark}"), cancellation).ConfigureAwait(false) is Accepted;
 
     /// <summary>A servo without current is still counted by its encoder. _MT is 2, -2, 2.5 or -2.5 for a stepper (galil-dmc.md C).</summary>
-    private static async ValueTask<string> SteppersOffAsync(string axes, Func<string, ValueTask<double?>> ask)
+    private static async ValueTask<string> SteppersAsync(string axes, Func<string, ValueTask<double?>> ask)
+    {
+        var steppers = "";
+        foreach (var axis in axes)
+        {
+            if (await ask($"_MT{axis}").ConfigureAwait(false) is { } type && Math.Abs(type) >= 2.0) steppers += axis;
+        }
+
+        return steppers;
+    }
+
+    private static async ValueTask<string> OffAsync(string axes, Func<string, ValueTask<double?>> ask)
     {
         var off = "";
         foreach (var axis in axes)
         {
-            if (await ask($"_MO{axis}").ConfigureAwait(false) is 1.0 && await ask($"_MT{axis}").ConfigureAwait(false) is { } type && Math.Abs(type) >= 2.0) off += axis;
+            if (await ask($"_MO{axis}").ConfigureAwait(false) is 1.0) off += axis;
         }
 
         return off;

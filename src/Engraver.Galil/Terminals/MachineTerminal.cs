@@ -74,7 +74,7 @@ public sealed class MachineTerminal : IMachineTerminal
     /// <summary>Stops the machine for an operator who ends the program: the tool goes off, every axis and plane brakes, and rest is awaited (ADR 4: in this order, in one line).</summary>
     public async Task StopAsync(int toolOutput, TimeSpan pollInterval)
     {
-        var stop = new OperatorStop(Session, toolOutput, [], Session.Identity.Letters);
+        var stop = new OperatorStop(Session, [toolOutput], [], Session.Identity.Letters);
         await stop.BrakeAtOnceAsync().ConfigureAwait(false);
         await stop.FinishAsync(pollInterval, CancellationToken.None).ConfigureAwait(false);
     }

@@ -9,14 +9,18 @@ internal sealed class Axis
     public const string Letters = "ABCDNM";
     public const int Real = 4;
 
+    /// <summary>Bit of CE that reverses the main encoder (galil-dmc.md C).</summary>
+    private const int ReversedEncoder = 2;
+
     private readonly IndependentProfile _profile;
+    private readonly bool _isWiredReversed;
     private double _smoothed;
-    private double _shift;
 
     /// <param name="index">0 to 3 are A to D, 4 and 5 the virtual axes N and M.</param>
     public Axis(int index, InputPolarity polarity, SimulatorOptions options)
     {
         Index = index;
+        _isWiredReversed = options.ReversedWiring.Contains(Letters[index], StringComparison.Ordinal);
         Inputs = new AxisInputs(polarity, options.Switches.FirstOrDefault(s => s.Axis == index));
         Motor = new Motor(index < Real ? options.ServoLag : TimeSpan.Zero);
         _profile = new IndependentProfile(this);
@@ -39,6 +43,9 @@ internal sealed class Axis
 
     /// <summary>Commanded position as the controller reports it (RP).</summary>
     public int Reference => (int)Math.Round(_smoothed, MidpointRounding.AwayFromZero);
+
+    /// <summary>What DP, homing and power cycles have added to the counts of a place since the first power up.</summary>
+    public double Shift { get; private set; }
 
     /// <summary>TP: the main encoder; of a stepper, which has none in its loop, the commanded position.</summary>
     public int Encoder => IsStepper ? Reference : Motor.Counts;
@@ -85,7 +92,7 @@ internal sealed class Axis
     public bool IsSmoothing => !IsMoving && Math.Abs(Position - _smoothed) >= 0.5;
 
     /// <summary>A sample will still change something although no profile runs.</summary>
-    public bool IsSettling => IsSmoothing || Motor.IsSettling(_smoothed, MotorOff);
+    public bool IsSettling => IsSmoothing || (IsLoopReversed && Motor.WillRunOn(_smoothed, MotorOff)) || Motor.IsSettling(_smoothed, MotorOff);
 
     /// <summary>A homing move in progress; null otherwise.</summary>
     public HomingRun? Homing { get; private set; }
@@ -117,6 +124,9 @@ internal sealed class Axis
     /// <summary>Settings that are stored and read back: KP, KD, ER and the like.</summary>
     public Dictionary<string, FixedPoint> Settings { get; } = [];
 
+    /// <summary>The loop of a servo corrects in the wrong direction: its wiring, its motor type and its encoder type are not reversed in pairs (galil-dmc.md C, MT and CE).</summary>
+    public bool IsLoopReversed => !IsStepper && (_isWiredReversed ^ (MotorType.Value < 0) ^ (Settings.Count > 0 && ((int)Setting("CE", 0) & ReversedEncoder) != 0));
+
     public bool IsStepper => Math.Abs(MotorType.Value) >= 2;
 
     /// <summary>Signed commanded speed of the independent move in counts/s.</summary>
@@ -135,7 +145,7 @@ internal sealed class Axis
     /// <summary>Redefines the position without moving the axis: DP, or the zero at the end of a homing.</summary>
     public void Redefine(double position)
     {
-        _shift += position - Position;
+        Shift += position - Motor.Position; // the motor stays where it stands, also where it could not follow
         Position = position;
         _smoothed = position;
         LastStop = Reference;
@@ -145,7 +155,7 @@ internal sealed class Axis
     /// <summary>Shifts the position's number without moving the axis, even in motion: the electronic cam counts positions within a cycle (C.4).</summary>
     public void Renumber(double difference)
     {
-        _shift += difference;
+        Shift += difference;
         Position += difference;
         _smoothed += difference;
         _profile.Target += difference;
@@ -239,10 +249,10 @@ internal sealed class Axis
     public AxisCourse Course() => _profile.Course();
 
     /// <summary>Only the profile determines the position: no smoothing, no lag, no blocked or disabled motor, no switch that it could pass, no latch that waits for an index.</summary>
-    public bool IsPlain => Smoothing >= 1 && !MotorOff && Motor.IsPlain && !Inputs.HasSwitches && Latch is not { IsArmed: true, WaitsForIndex: true };
+    public bool IsPlain => Smoothing >= 1 && !MotorOff && !IsLoopReversed && Motor.IsPlain && !Inputs.HasSwitches && Latch is not { IsArmed: true, WaitsForIndex: true };
 
     /// <summary>Moves the switches with the command: in a homing the commanded position operates them, not the motor that trails it.</summary>
-    public void PassSwitches() => Inputs.MoveTo(Position - _shift);
+    public void PassSwitches() => Inputs.MoveTo(Position - Shift);
 
     /// <summary>After every sample: the smoothed output and the motor follow the profile.</summary>
     public void Follow()
@@ -250,8 +260,9 @@ internal sealed class Axis
         _smoothed = Smoothing >= 1 ? Position : _smoothed + ((Position - _smoothed) * Smoothing);
         if (!IsMoving && Math.Abs(Position - _smoothed) < 0.5) _smoothed = Position;
         if (IsStepper) Motor.Define(_smoothed);
+        else if (IsLoopReversed) Motor.RunAway(_smoothed, MotorOff);
         else Motor.Follow(_smoothed, MotorOff);
-        Inputs.MoveTo(Motor.Position - _shift);
+        Inputs.MoveTo(Motor.Position - Shift);
     }
 
     /// <summary>True when the axis moves towards an active limit switch or has reached a software limit.</summary>

@@ -16,13 +16,22 @@ internal sealed class AxisInputs(InputPolarity polarity, AxisSwitches? switches)
 
     public bool HomeGrounded { get; set; }
 
+    /// <summary>Grounds or opens a limit input by hand.</summary>
+    public void Ground(bool forward, bool active)
+    {
+        if (forward) ForwardGrounded = active;
+        else ReverseGrounded = active;
+    }
+
     /// <summary>The limit forbids motion: <c>_LF</c> is 0.</summary>
     public bool ForwardHit => IsGrounded(ForwardGrounded, switches?.ForwardLimitAt is { } at && _place >= at, switches?.ForwardLimitAt) != polarity.LimitsActiveHigh;
 
     public bool ReverseHit => IsGrounded(ReverseGrounded, switches?.ReverseLimitAt is { } at && _place <= at, switches?.ReverseLimitAt) != polarity.LimitsActiveHigh;
 
     /// <summary>What <c>_HM</c> reads (C.2, table).</summary>
-    public bool Home => IsGrounded(HomeGrounded, switches?.HomeAt is { } at && _place >= at, switches?.HomeAt) == polarity.HomeReversed;
+    public bool Home => (HomeGrounded || (switches?.HomeAt is not null && IsOnHome != (switches.AreNormallyClosed || switches.IsHomeNormallyClosed))) == polarity.HomeReversed;
+
+    private bool IsOnHome => switches is { HomeAt: { } at } && (switches.IsHomeBelow ? at - _place : _place - at) is >= 0 and var depth && depth <= switches.HomeReach;
 
     /// <summary>Where the index pulse was passed in the last sample, as a distance from the present position; null when it was not.</summary>
     public double? IndexPassed { get; private set; }

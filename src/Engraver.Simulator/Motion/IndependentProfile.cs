@@ -74,15 +74,15 @@ internal sealed class IndependentProfile(Axis axis)
     {
         const double FarthestPlace = 2e9;
         if (_speed <= 0 || _speed != Commanded || IsEnding || axis.IsStopping || axis.Homing is not null) return 0;
-        var way = _speed * Ramp.Sample;
+        var step = _speed * Ramp.Sample;
         if (axis.CurrentMove == AxisMove.Jog) return Math.Sign(axis.JogSpeed) == Direction ? Samples(FarthestPlace - Math.Abs(axis.Position)) : 0;
         if (axis.CurrentMove is not (AxisMove.Relative or AxisMove.Absolute)) return 0;
         var remaining = (Target - axis.Position) * Direction;
         var samples = Samples(remaining - (_speed * _speed / (2 * axis.Deceleration)));
-        while (samples > 0 && Ramp.Braking(_speed, remaining - ((samples - 1) * way), 0, axis.Deceleration, Ramp.Sample) < _speed) samples /= 2;
+        while (samples > 0 && Ramp.Braking(_speed, remaining - ((samples - 1) * step), 0, axis.Deceleration, Ramp.Sample) < _speed) samples /= 2;
         return samples;
 
-        long Samples(double length) => Math.Min(atMost, (long)Math.Max(0, (length / way) - 3));
+        long Samples(double length) => Math.Min(atMost, (long)Math.Max(0, (length / step) - 3));
     }
 
     /// <summary>Position after so many samples of constant speed.</summary>

@@ -38,6 +38,9 @@ internal sealed class MotionKernel
     /// <summary>The plane that CA selected.</summary>
     public VectorPlane Selected { get; set; }
 
+    /// <summary>Vector segments that were executed since power up, in both planes.</summary>
+    public long SegmentsExecuted => Planes[0].Profile.SegmentsExecuted + Planes[1].Profile.SegmentsExecuted;
+
     /// <summary>Number of moves and sequences that have ended.</summary>
     public long Ends { get; private set; }
 

@@ -4,6 +4,17 @@ namespace Engraver.Simulator.Motion;
 internal sealed class Motor(TimeSpan lag)
 {
     private const double AlmostThere = 0.01;
+
+    /// <summary>Share of its error by which a motor in a loop of the wrong sign goes further in a sample, and the counts that set it going.</summary>
+    private const double RunawayShare = 0.05;
+    private const double RunawayPush = 0.5;
+
+    /// <summary>Counts that such a motor moves in a sample at its full speed.</summary>
+    private const double RunawayStep = 200.0;
+
+    /// <summary>Error at which the axis has run against its end, counts.</summary>
+    private const double RunawayEnd = 100_000.0;
+
     private readonly double _share = lag <= TimeSpan.Zero ? 1 : 1 - Math.Exp(-Ramp.Sample / lag.TotalSeconds);
 
     /// <summary>Encoder position, counts.</summary>
@@ -24,6 +35,17 @@ internal sealed class Motor(TimeSpan lag)
         Position += (commanded - Position) * _share;
         if (Math.Abs(commanded - Position) < AlmostThere) Position = commanded;
     }
+
+    /// <summary>Moves for one sample away from the commanded position: the loop corrects every error in the wrong direction (motor or encoder reversed; galil-dmc.md C, MT and CE).</summary>
+    public void RunAway(double commanded, bool isOff)
+    {
+        if (!WillRunOn(commanded, isOff)) return;
+        var error = Position - commanded;
+        Position += Math.CopySign(Math.Min(RunawayStep, (Math.Abs(error) * RunawayShare) + RunawayPush), error);
+    }
+
+    /// <summary>A motor in a loop of the wrong sign is still on its way.</summary>
+    public bool WillRunOn(double commanded, bool isOff) => !IsHeld && !isOff && Math.Abs(Position - commanded) < RunawayEnd;
 
     /// <summary>It will still move although the commanded position does not change.</summary>
     public bool IsSettling(double commanded, bool isOff) => _share < 1 && !IsHeld && !isOff && Position != commanded;

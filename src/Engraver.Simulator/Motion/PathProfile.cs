@@ -5,6 +5,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
 {
     private double _commanded = 25000;
     private double _earlier;
+    private long _earlierSegments;
     private double _steadyFrom;
     private long _steadySamples;
 
@@ -34,6 +35,9 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     /// <summary>Index of the segment being executed, from 0; after the end of the sequence the number executed: <c>_CSS</c>.</summary>
     public int SegmentIndex { get; private set; }
 
+    /// <summary>Segments that were executed since power up, over all sequences.</summary>
+    public long SegmentsExecuted => _earlierSegments + SegmentIndex;
+
     public bool IsAtSpeed => Speed == Target;
 
     /// <summary>The next sample of a path with segments moves something.</summary>
@@ -52,6 +56,7 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     {
         _steadySamples = 0;
         _earlier += Travelled;
+        _earlierSegments += SegmentIndex;
         SegmentIndex = 0;
         Travelled = 0;
     }
@@ -104,10 +109,10 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     {
         if (Speed <= 0 || Speed != Target || IsStopping || IsEnding) return 0;
         if (_steadySamples == 0) _steadyFrom = Travelled;
-        var way = Speed * Ramp.Sample;
-        var samples = Math.Min(atMost, SamplesOver(Math.Min(segment.EndLength - Travelled, WayToChange(segment)), way));
+        var step = Speed * Ramp.Sample;
+        var samples = Math.Min(atMost, SamplesOver(Math.Min(segment.EndLength - Travelled, DistanceToChange(segment)), step));
         if (samples < SteadyMotion.Shortest) return 0;
-        while (samples > 0 && NextSpeed(segment, Ramp.Sample, Travelled + ((samples - 1) * way)) != Speed) samples /= 2;
+        while (samples > 0 && NextSpeed(segment, Ramp.Sample, Travelled + ((samples - 1) * step)) != Speed) samples /= 2;
         IsEnding = false;
         return samples;
     }
@@ -115,9 +120,9 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     /// <summary>Advances at the present speed by so many samples of <see cref="SteadySamples"/>; the position equals that of single steps to the last bit.</summary>
     public void PassSteady(long samples)
     {
-        var way = Speed * Ramp.Sample;
+        var step = Speed * Ramp.Sample;
         _steadySamples += samples;
-        Travelled = _steadyFrom + (_steadySamples * way);
+        Travelled = _steadyFrom + (_steadySamples * step);
     }
 
     /// <summary>Sets the path length to what it will be after so many samples, so that conditions can be tested; <see cref="PassSteady"/> must follow.</summary>
@@ -127,16 +132,16 @@ internal sealed class PathProfile(SegmentBuffer buffer)
     public double TravelledAfter(long samples) => _steadyFrom + ((_steadySamples + samples) * (Speed * Ramp.Sample));
 
     /// <summary>The terms of <see cref="TravelledAfter"/>: path length at which constant speed began, samples since, distance of one sample.</summary>
-    public (double From, long Samples, double Way) SteadyState => (_steadyFrom, _steadySamples, Speed * Ramp.Sample);
+    public (double From, long Samples, double Step) SteadyState => (_steadyFrom, _steadySamples, Speed * Ramp.Sample);
 
-    private static long SamplesOver(double length, double way)
+    private static long SamplesOver(double length, double step)
     {
         const double Most = 1e15;
-        return (long)Math.Clamp((length / way) - 3, 0, Most);
+        return (long)Math.Clamp((length / step) - 3, 0, Most);
     }
 
     /// <summary>Path length to where braking or the exit speed may change the speed; approximate, the speed itself is then tested.</summary>
-    private double WayToChange(VectorSegment segment)
+    private double DistanceToChange(VectorSegment segment)
     {
         var end = buffer.IsClosed ? buffer.Length - Travelled - (Speed * Speed / (2 * Deceleration)) : double.PositiveInfinity;
         if (segment.ExitSpeed is not { } exit) return end;

@@ -15,13 +15,13 @@ internal abstract class SteadyCourse
 }
 
 /// <summary>An independent move.</summary>
-internal sealed class AxisCourse(int axis, double from, double way, long passed) : SteadyCourse
+internal sealed class AxisCourse(int axis, double from, double step, long passed) : SteadyCourse
 {
     public override void At(long sample, Span<int> positions) => positions[axis] = (int)Math.Round(Place(sample), MidpointRounding.AwayFromZero);
 
     public override void Exactly(long sample, Span<double> positions) => positions[axis] = Place(sample);
 
-    private double Place(long sample) => from + ((passed + sample) * way);
+    private double Place(long sample) => from + ((passed + sample) * step);
 }
 
 /// <summary>A segment of a vector sequence.</summary>
@@ -32,7 +32,7 @@ internal sealed class PathCourse : SteadyCourse
     private readonly int[] _origin;
     private readonly double _firstScale;
     private readonly double _secondScale;
-    private readonly double _way;
+    private readonly double _step;
     private readonly double _from;
     private readonly long _passed;
 
@@ -43,7 +43,7 @@ internal sealed class PathCourse : SteadyCourse
         for (var i = 0; i < _axes.Length; i++) _axes[i] = axes[i].Index;
         _origin = origin[.._axes.Length].ToArray();
         (_firstScale, _secondScale) = (firstScale, secondScale);
-        (_from, _passed, _way) = profile.SteadyState;
+        (_from, _passed, _step) = profile.SteadyState;
     }
 
     public override void At(long sample, Span<int> positions)
@@ -71,7 +71,7 @@ internal sealed class PathCourse : SteadyCourse
         return !isSwapped ? arc : new ArcCourse(arc.CentreY, arc.CentreX, arc.RadiusY, arc.RadiusX, 90 - arc.StartDegrees, -arc.SweepDegrees);
     }
 
-    private double Distance(long sample) => _from + ((_passed + sample) * _way) - _segment.StartLength;
+    private double Distance(long sample) => _from + ((_passed + sample) * _step) - _segment.StartLength;
 
     private double Scale(int slot) => slot == 0 ? _firstScale : slot == 1 ? _secondScale : 1;
 }

@@ -1,15 +1,18 @@
 namespace Engraver.Simulator.Protocol;
 
 /// <summary>Replies that a fault plan delays, in the order in which they were given.</summary>
-internal sealed class DelayedReplies(TimeProvider time, TimeSpan delay)
+/// <param name="usual">By how much every reply is late.</param>
+internal sealed class DelayedReplies(TimeProvider time, TimeSpan usual)
 {
     private readonly Queue<(long Due, Handle Handle, byte[] Bytes)> _waiting = new();
 
     public bool AreWaiting => _waiting.Count > 0;
 
-    public void Send(Handle handle, ReadOnlySpan<byte> bytes)
+    /// <param name="more">By how much this reply is late besides; later ones do not overtake it.</param>
+    public void Send(Handle handle, ReadOnlySpan<byte> bytes, TimeSpan more)
     {
-        if (delay <= TimeSpan.Zero)
+        var delay = usual + more;
+        if (delay <= TimeSpan.Zero && !AreWaiting)
         {
             handle.Emit(bytes);
             return;

@@ -20,7 +20,7 @@ internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool kee
     {
         if (IsMoving || !motion.CanProgress) return;
         var row = Row(sample - 1);
-        if (_last is null || _last.Value with { Sample = row.Sample } != row) Append(row);
+        if (_last is null || _last.Value with { Sample = row.Sample, Error = row.Error } != row) Append(row);
     }
 
     /// <summary>After a sample.</summary>
@@ -55,6 +55,6 @@ internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool kee
     private MotionSample Row(long sample)
     {
         var axes = motion.Axes;
-        return new(sample, axes[0].Reference, axes[1].Reference, axes[2].Reference, axes[3].Reference, io.Outputs);
+        return new(sample, axes[0].Reference, axes[1].Reference, axes[2].Reference, axes[3].Reference, io.Outputs) { Error = (axes[0].Error, axes[1].Error, axes[2].Error, axes[3].Error) };
     }
 }

@@ -82,6 +82,12 @@ public readonly record struct MotionSample(long Sample, int A, int B, int C, int
     /// <summary>Nominal controller time in seconds.</summary>
     public double Seconds => Sample / 1000.0;
 
+    /// <summary>Commanded minus motor position of the first four axes (_TE), counts; 0 in a span, whose motors follow without a lag.</summary>
+    public (int A, int B, int C, int D) Error { get; init; }
+
+    /// <summary>The following error of an axis, from 0 for A.</summary>
+    public int ErrorOf(int axis) => axis switch { 0 => Error.A, 1 => Error.B, 2 => Error.C, 3 => Error.D, _ => 0 };
+
     /// <summary>The place of an axis, from 0 for A.</summary>
     public int this[int axis] => axis switch { 0 => A, 1 => B, 2 => C, 3 => D, _ => 0 };
 }

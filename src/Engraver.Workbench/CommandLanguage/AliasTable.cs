@@ -9,7 +9,7 @@ public sealed class AliasTable
 
     public static AliasTable Empty { get; } = new(new Dictionary<string, string>(StringComparer.OrdinalIgnoreCase), []);
 
-    /// <summary>One sentence for each line that could not be used; a line for a command that this program does not have is passed over in silence (so that people can paste theirs).</summary>
+    /// <summary>One sentence for each line that could not be used; a line for a command that this program does not have is ignored without one, so that a file made for AutoCAD can be used.</summary>
     public IReadOnlyList<string> Findings { get; }
 
     /// <summary>Alias and command, both in capitals.</summary>
@@ -39,7 +39,7 @@ public sealed class AliasTable
 
     public string? CommandOf(string alias) => _commands.GetValueOrDefault(alias);
 
-    /// <summary>External commands of a PGP file (<c>DIR,DIR,8,...</c>) have no star and are not for us.</summary>
+    /// <summary>External commands of a PGP file (<c>DIR,DIR,8,...</c>) have no star and are ignored.</summary>
     private static (string Alias, string Command)? Read(string line)
     {
         var fields = line.Split(',', StringSplitOptions.TrimEntries);

@@ -3,15 +3,15 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for an amount between two limits (both allowed): as a number, or by a place as a <see cref="PointPrompt"/> takes it, to which a way leads that is measured.</summary>
-/// <param name="Measure">What a way means, drawing units.</param>
+/// <summary>Asks for an amount between two limits (both allowed): typed as a number, or shown by two points, each as a <see cref="PointPrompt"/> takes it, whose distance or angle is measured.</summary>
+/// <param name="Measure">Turns the vector from the first point to the second, drawing units, into the amount.</param>
 public sealed record AmountPrompt(string Instruction, Func<Vector2D, double> Measure) : ValuePrompt<Amount>(Instruction)
 {
     public required double Least { get; init; }
 
     public required double Most { get; init; }
 
-    /// <summary>Where the way begins; null when a place is its beginning, and the end is asked for next.</summary>
+    /// <summary>First point of the measured vector, drawing units; null: the point that is given is the first one, and the second is asked for next.</summary>
     public Point2D? From { get; init; }
 
     public override PointAim Aim => new(PointUse.Place, From);
@@ -32,7 +32,7 @@ public sealed record AmountPrompt(string Instruction, Func<Vector2D, double> Mea
     };
 }
 
-/// <summary>How much, as it was answered.</summary>
+/// <summary>The answer to the prompt.</summary>
 public abstract record Amount
 {
     private Amount()
@@ -42,6 +42,6 @@ public abstract record Amount
     /// <summary>In the unit of the prompt: degrees, a length in drawing units, a factor.</summary>
     public sealed record Number(double Of) : Amount;
 
-    /// <summary>The place where the way begins that shows it, drawing units.</summary>
+    /// <summary>The first point of the vector that shows the amount, drawing units.</summary>
     public sealed record Beginning(Point2D At) : Amount;
 }

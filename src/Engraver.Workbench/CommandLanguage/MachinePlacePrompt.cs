@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for a machine position: <c>x,y</c> by the controller's own zero. A place of the drawing is none, so neither a click on the canvas nor <c>@</c> is an answer.</summary>
+/// <summary>Asks for a machine position: <c>x,y</c> by the controller's own zero. A click on the canvas and <c>@</c> are no answers, because they are places of the drawing.</summary>
 public sealed record MachinePlacePrompt(string Instruction) : ValuePrompt<MachinePlace>(Instruction)
 {
     public override Reading<MachinePlace> Read(string typed, Point2D lastPoint)

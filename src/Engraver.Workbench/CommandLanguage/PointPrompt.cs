@@ -9,7 +9,7 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
     /// <summary>What the point is for.</summary>
     public PointUse Use { get; init; }
 
-    /// <summary>Where the way to it begins, or the first corner; null when it stands alone.</summary>
+    /// <summary>Where the line to the point begins, or the first corner, drawing units; null when the point stands alone.</summary>
     public Point2D? From { get; init; }
 
     public override PointAim Aim => new(Use, From);
@@ -40,7 +40,7 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
 }
 
 /// <summary>A place of the drawing that is asked for.</summary>
-/// <param name="From">Where the way to it begins, or the first corner, drawing units; null when it stands alone.</param>
+/// <param name="From">Where the line to the place begins, or the first corner, drawing units; null when the place stands alone.</param>
 public sealed record PointAim(PointUse Use, Point2D? From)
 {
     /// <summary>A place that stands alone.</summary>
@@ -50,15 +50,15 @@ public sealed record PointAim(PointUse Use, Point2D? From)
     public static PointAim FirstCorner { get; } = new(PointUse.Corner, null);
 }
 
-/// <summary>What a place of the drawing is asked for: it decides how a canvas helps to point at it.</summary>
+/// <summary>What a place of the drawing is asked for. It decides how the canvas helps to point at it.</summary>
 public enum PointUse
 {
     /// <summary>A place, exactly: object snaps, the snap raster and ORTHO help.</summary>
     Place,
 
-    /// <summary>A corner of a box: nothing snaps, so that it can stand beside what it is to hold.</summary>
+    /// <summary>A corner of a box: nothing snaps, because the corner stands beside the objects that the box holds.</summary>
     Corner,
 
-    /// <summary>The object there: nothing snaps.</summary>
+    /// <summary>The object at the place: nothing snaps.</summary>
     Object,
 }

@@ -54,7 +54,7 @@ public abstract record Answer<T>
     public sealed record Ended : Answer<T>;
 }
 
-/// <summary>What came of reading a typed value.</summary>
+/// <summary>The result of reading a typed value.</summary>
 public abstract record Reading<T>
 {
     private Reading()

@@ -1,3 +1,4 @@
+using Engraver.Workbench.Commands.Commissioning;
 using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Commands.Files;
 using Engraver.Workbench.Commands.Inquiry;
@@ -9,7 +10,7 @@ using Engraver.Workbench.Commands.View;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>The commands there are. What is not built is not in it.</summary>
+/// <summary>The commands of this program, by name.</summary>
 public sealed class CommandCatalog
 {
     private readonly Dictionary<string, ICommand> _commands;
@@ -32,7 +33,10 @@ public sealed class CommandCatalog
         new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
         new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new PostCommand(), new VerifyCommand(), new PlotCommand(),
-        new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncArmCommand(), new CncRunCommand(), new CncGoToCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncSimCommand(), new CncStopCommand(), new CncAbortCommand(), new AlarmsCommand(), new CncTerminalCommand(), new CncStatusCommand(), new CncProfileCommand(),
+        new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncStatusCommand(), new CncProfileCommand(), new CncCommissionCommand(), new CncOutputCommand(),
+        new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(),
+        new CncSimCommand(), new CncArmCommand(), new CncRunCommand(), new CncHoldCommand(), new CncResumeCommand(), new CncOverrideCommand(), new CncStopCommand(), new CncAbortCommand(),
+        new CncTraceCommand(), new AlarmsCommand(), new CncTerminalCommand(),
         .. SettingCommand.All, .. SystemVariableCommand.All,
     ]);
 }

@@ -11,7 +11,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>What a running command has around it: the document, the machine, and the operator to ask and to tell.</summary>
+/// <summary>What a running command works with: the document, the machine, and the operator whom it asks and tells.</summary>
 public sealed class CommandContext
 {
     private readonly CommandSession _session;
@@ -31,8 +31,11 @@ public sealed class CommandContext
 
     public PlaybackSession Playback => _session.Playback;
 
-    /// <summary>Where a long command says how far it is.</summary>
+    /// <summary>Where a long command reports its progress.</summary>
     public CommandProgress Progress => _session.Progress;
+
+    /// <summary>Where CNCCOMMISSION tells which step it is at.</summary>
+    internal CommissioningCourse Commissioning => _session.Commissioning;
 
     public CommandCatalog Catalog => _session.Catalog;
 
@@ -83,7 +86,7 @@ public sealed class CommandContext
     /// <summary>The value that was used last at a prompt of this name, or a first one.</summary>
     public string Remembered(string prompt, string first) => _session.Memory.GetValueOrDefault(prompt, first);
 
-    /// <summary>The same where there may be none yet.</summary>
+    /// <summary>The value that was used last at a prompt of this name; null when there is none yet.</summary>
     public string? Remembered(string prompt) => _session.Memory.GetValueOrDefault(prompt);
 
     public void Remember(string prompt, string value) => _session.Memory[prompt] = value;
@@ -94,11 +97,16 @@ public sealed class CommandContext
     /// <summary>A file to write, in the working folder.</summary>
     public string FileToWrite(string name) => Path.Combine(_session.Environment.Folder, name);
 
-    /// <summary>The inputs of a script come next.</summary>
-    /// <exception cref="CommandException">Scripts call each other too deep.</exception>
+    /// <summary>Puts the inputs of a script before everything that is queued.</summary>
+    /// <exception cref="CommandException">Scripts call each other more than 16 levels deep.</exception>
     public void QueueScript(string path, string text) => _session.QueueScript(path, text);
 
+    /// <summary>Where journals are for which nobody names a folder; null for the usual one.</summary>
+    internal string? RunJournalFolder => _session.Environment.RunJournalFolder;
+
     internal double SimulatorSpeed => _session.Environment.SimulatorSpeed;
+
+    internal string CommissionedProfile => _session.Environment.CommissionedProfile;
 
     internal bool RunNeedsArming => _session.RunNeedsArming;
 
@@ -107,9 +115,9 @@ public sealed class CommandContext
     internal bool IsScripted => _session.IsScripted;
 
     /// <summary>A path for the journal of a run that starts now.</summary>
-    internal string NewRunJournal(string drawing) => JournalFolder.NewJournal(drawing, _session.Environment.RunJournalFolder, Time);
+    internal string NewRunJournal(string drawing) => _session.NewRunJournal(drawing);
 
-    /// <summary>A bug of ours has ended the command: a job under way is stopped, and an alarm says what happened.</summary>
+    /// <summary>Ends a command that threw what nothing expects, a bug: a job under way is stopped, and an alarm says what happened.</summary>
     internal InputResult Broken(Exception bug)
     {
         var name = _frame.Info.Name;
@@ -137,7 +145,7 @@ public enum MessageKind
     /// <summary>What a command was asked for: figures, lists, program text.</summary>
     Result,
 
-    /// <summary>What a command has to say besides.</summary>
+    /// <summary>What a command says without being asked.</summary>
     Note,
 
     Warning,

@@ -2,7 +2,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>What the commands stand on, so that a test can give them other ground.</summary>
+/// <summary>The folders, files and switches that a command session is given from outside; a test gives it others.</summary>
 public sealed record CommandEnvironment
 {
     public TimeProvider Time { get; init; } = TimeProvider.System;
@@ -13,7 +13,7 @@ public sealed record CommandEnvironment
     /// <summary>The operator's own aliases, over the built-in ones; the file need not exist. Null: none.</summary>
     public string? AliasFile { get; init; }
 
-    /// <summary>Where every input is written, one on a line: a script that does the same again. Null: nowhere.</summary>
+    /// <summary>Where every input is written, one on a line, so that the text is a script that does the same again. Null: nowhere.</summary>
     public TextWriter? Journal { get; init; }
 
     /// <summary>Where run journals go when no file is named; null: the operator's data folder.</summary>
@@ -22,12 +22,15 @@ public sealed record CommandEnvironment
     /// <summary>Where the desktop's settings are kept; null: they live as long as the session.</summary>
     public string? SettingsFile { get; init; }
 
-    /// <summary>Where a bug of ours is reported; null: in the history only.</summary>
+    /// <summary>The file that CNCCOMMISSION offers for the machine profile it ends with.</summary>
+    public string CommissionedProfile { get; init; } = "machine.json";
+
+    /// <summary>Where a bug is reported; null: in the history only.</summary>
     public FailureReports? Failures { get; init; }
 
     /// <summary>How fast a simulated controller runs whose address does not say it: controller seconds per second of the wall, infinity as fast as it can be computed. An operator at a desktop sees the machine move as it would.</summary>
     public double SimulatorSpeed { get; init; } = double.PositiveInfinity;
 
-    /// <summary>True where a person starts by hand: CNCRUN then works only when armed, on a simulated controller too unless a script says it, and no script starts a machine that is not simulated.</summary>
+    /// <summary>True at a desktop, where a person starts jobs: CNCRUN then works only when armed (on a simulated controller a script may run it unarmed), and no script starts a machine that is not simulated.</summary>
     public bool RunNeedsArming { get; init; }
 }

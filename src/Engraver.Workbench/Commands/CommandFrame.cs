@@ -5,7 +5,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>One running command: it either asks, or is at work, or has ended.</summary>
+/// <summary>One running command, which asks, is at work, or has ended.</summary>
 internal sealed class CommandFrame : IDisposable
 {
     private readonly CancellationTokenSource _cancel = new();
@@ -87,7 +87,7 @@ internal sealed class CommandFrame : IDisposable
         {
             return new InputResult.Cancelled();
         }
-        catch (Exception bug) // a command ends here as a job or a window does: whatever it was, it is recorded, nothing moves on, and the operator keeps the desk
+        catch (Exception bug) // any exception is a bug here: it is reported, a job is stopped, and the desktop stays open
         {
             return context.Broken(bug);
         }

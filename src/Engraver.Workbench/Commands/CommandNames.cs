@@ -2,10 +2,10 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>What is meant by a typed name or the beginning of one.</summary>
+/// <summary>Finds the command of a typed name, alias or beginning of one.</summary>
 internal static class CommandNames
 {
-    /// <summary>By name or alias; null for none.</summary>
+    /// <summary>The command of a name or alias; null when there is none.</summary>
     public static ICommand? Find(string input, CommandCatalog catalog, AliasTable aliases)
     {
         var name = CommandWord.Bare(input);

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Commissioning;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
@@ -18,6 +19,7 @@ public sealed class CommandSession : IAsyncDisposable
     private readonly ScriptQueue _scripts = new();
     private readonly SessionTies _ties;
     private ICommand? _last;
+    private CommandFrame? _aside;
 
     public CommandSession(CommandEnvironment environment, CommandCatalog catalog)
     {
@@ -39,20 +41,23 @@ public sealed class CommandSession : IAsyncDisposable
 
     public MachineSession Machine { get; }
 
-    /// <summary>What is looked at and how.</summary>
+    /// <summary>The view and its switches.</summary>
     public ViewSession View { get; } = new();
 
-    /// <summary>What the desktop remembers.</summary>
+    /// <summary>The settings that the desktop keeps between two starts.</summary>
     public SettingsSession Settings { get; }
 
     /// <summary>Strokes, job, findings and plan of the document.</summary>
     public DerivationSession Derivation { get; }
 
-    /// <summary>The planned motion in time, of what was derived last.</summary>
+    /// <summary>Plays the planned motion of the document that was derived last.</summary>
     public PlaybackSession Playback { get; }
 
-    /// <summary>How far the command at work is.</summary>
+    /// <summary>The progress of the command at work.</summary>
     public CommandProgress Progress { get; } = new();
+
+    /// <summary>The steps of CNCCOMMISSION and where they stand.</summary>
+    public CommissioningCourse Commissioning { get; } = new(() => CncCommissionCommand.StepNames);
 
     public CommandCatalog Catalog { get; }
 
@@ -62,7 +67,7 @@ public sealed class CommandSession : IAsyncDisposable
     public bool IsBusy => _frames.Top is { Pending: null };
 
     /// <summary>What is waited for now.</summary>
-    public PromptView Prompt => _frames.Top is { Pending: { } asks } frame
+    public PromptView Prompt => (_aside is { Pending: not null } aside ? aside : _frames.Top) is { Pending: { } asks } frame
         ? new PromptView(frame.Info.Name, _frames.Before + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.Prompt.Aim)
         : PromptView.Idle;
 
@@ -71,10 +76,10 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>A machine that is not simulated moves only after CNCARM, whoever starts it; a simulated one also when a script says so, and where the environment wants no arming.</summary>
     internal bool RunNeedsArming => !Machine.IsSimulation || (Environment.RunNeedsArming && !_scripts.IsRunnable);
 
-    /// <summary>Where a person starts by hand, a script may connect and arm, but the start of a machine that is not simulated is left to the person.</summary>
+    /// <summary>True when a script may not start the machine: at a desktop it may connect and arm, but a machine that is not simulated is started by a person.</summary>
     internal bool StartIsForHands => Environment.RunNeedsArming && _scripts.IsRunnable && !Machine.IsSimulation;
 
-    /// <summary>What is typed comes out of a script.</summary>
+    /// <summary>True while inputs come from a script.</summary>
     internal bool IsScripted => _scripts.IsRunnable;
 
     internal Point2D LastPoint { get; set; }
@@ -113,9 +118,18 @@ public sealed class CommandSession : IAsyncDisposable
         return Told(await RunScriptsAsync(cancellation).ConfigureAwait(false));
     }
 
-    /// <summary>Esc: ends what asks and clears the selection. A command at work is told to end (a job stops the machine first); the caller that entered it is told how.</summary>
+    /// <summary>Esc: ends what asks and clears the selection. A command at work is cancelled (a job stops the machine first); the caller that entered it gets the result.</summary>
     public async Task CancelAsync()
     {
+        if (_aside is { Pending: not null } aside)
+        {
+            aside.Cancel();
+            await aside.Ended.ConfigureAwait(false);
+            _aside = null;
+            aside.Dispose();
+            return;
+        }
+
         if (IsBusy)
         {
             _scripts.Clear();
@@ -145,12 +159,15 @@ public sealed class CommandSession : IAsyncDisposable
 
     internal void Say(MessageKind kind, string text) => Said?.Invoke(this, new CommandMessage(kind, text));
 
-    /// <summary>A blank line at the script's beginning must not start it again.</summary>
+    /// <summary>Queues the inputs of a script. SCRIPT is no command to repeat then, or a blank line at the script's beginning would run it again.</summary>
     internal void QueueScript(string path, string text)
     {
         _scripts.Add(path, text);
         _last = null;
     }
+
+    /// <summary>A path for the journal of a run that starts now.</summary>
+    public string NewRunJournal(string drawing) => Machines.Runs.JournalFolder.NewJournal(drawing, Environment.RunJournalFolder, Environment.Time);
 
     internal string FileToRead(string name) => _scripts.FileToRead(Environment.Folder, name);
 
@@ -158,20 +175,41 @@ public sealed class CommandSession : IAsyncDisposable
 
     private async Task<InputResult> EnterOneAsync(string input, CancellationToken cancellation)
     {
-        if (IsBusy) return await HearAsync(input, cancellation).ConfigureAwait(false);
+        if (IsBusy || _aside is { Pending: not null }) return await HearAsync(input, cancellation).ConfigureAwait(false);
         Echo(input);
         if (_frames.Top is not { } frame) return await BeginAsync(input, cancellation).ConfigureAwait(false);
         if (input.StartsWith('\'') && frame.Pending is not { Prompt.TakesSpaces: true }) return await BeginInsideAsync(frame, input, cancellation).ConfigureAwait(false);
         return frame.Answer(input, LastPoint) is { } wanted ? new InputResult.NotUnderstood(wanted) : await SettleAsync(frame, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>While a command is at work.</summary>
+    /// <summary>Takes an input while a command is at work: only a command that is heard then is run.</summary>
+    /// <remarks>Answers may follow the command's name in the same input; what is still asked then is answered by the next input.</remarks>
     private async Task<InputResult> HearAsync(string input, CancellationToken cancellation)
     {
-        if (Find(input) is not { Info.HeardDuringJob: true } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.CommandWorkOnlyCncstop"));
-        using var frame = new CommandFrame(command.Info);
+        if (_aside is { Pending: not null } asking) return await AnswerAsideAsync(asking, input, cancellation).ConfigureAwait(false);
+        var words = input.Split(' ', StringSplitOptions.RemoveEmptyEntries);
+        if (words.Length == 0 || Find(words[0]) is not { Info.HeardDuringJob: true } command) return new InputResult.NotUnderstood(Wording.Get("CommandSession.CommandWorkOnlyCncstop"));
+        var frame = new CommandFrame(command.Info);
         frame.Start(command, new CommandContext(this, frame));
-        return await frame.Ended.WaitAsync(cancellation).ConfigureAwait(false);
+        var result = await SettleAsideAsync(frame, cancellation).ConfigureAwait(false);
+        foreach (var word in words.Skip(1))
+        {
+            if (result is not InputResult.Asking) return result;
+            result = await AnswerAsideAsync(frame, word, cancellation).ConfigureAwait(false);
+        }
+
+        return result;
+    }
+
+    private async Task<InputResult> AnswerAsideAsync(CommandFrame frame, string answer, CancellationToken cancellation) =>
+        frame.Answer(answer, LastPoint) is { } wanted ? new InputResult.NotUnderstood(wanted) : await SettleAsideAsync(frame, cancellation).ConfigureAwait(false);
+
+    private async Task<InputResult> SettleAsideAsync(CommandFrame frame, CancellationToken cancellation)
+    {
+        var result = await frame.SettledAsync(cancellation).ConfigureAwait(false);
+        _aside = result is InputResult.Asking ? frame : null;
+        if (_aside is null) frame.Dispose();
+        return result;
     }
 
     private async Task<InputResult> BeginAsync(string input, CancellationToken cancellation)

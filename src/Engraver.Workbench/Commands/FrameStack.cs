@@ -21,7 +21,7 @@ internal sealed class FrameStack
         return frame;
     }
 
-    /// <summary>Waits until the command asks or has ended. One that fails in a way nobody expects is over like any other, and the next one can begin.</summary>
+    /// <summary>Waits until the command asks or has ended. A command that ends by an exception is removed too, so that the next one can begin.</summary>
     public async Task<InputResult> SettledAsync(CommandFrame frame, CancellationToken cancellation)
     {
         try

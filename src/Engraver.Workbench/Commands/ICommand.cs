@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Commands;
 
-/// <summary>One thing a person can do. A menu item, a key, a typed word, a script line and a test all run the same one.</summary>
+/// <summary>One command of the operator. A menu item, a key, a typed word, a script line and a test all run the same one.</summary>
 public interface ICommand
 {
     CommandInfo Info { get; }
@@ -30,7 +30,7 @@ public sealed record CommandInfo(string Name, CommandGroup Group)
     /// <summary>One sentence for the help.</summary>
     public string Summary => Wording.Get("Command." + Name);
 
-    /// <summary>True when it may be used inside another command, with an apostrophe before it: it only looks.</summary>
+    /// <summary>True when it may be used inside another command, with an apostrophe before it, because it changes neither the drawing nor the machine.</summary>
     public bool Transparent { get; init; }
 
     /// <summary>True when machine parts may move: Enter never repeats it and no alias under 3 letters may stand for it.</summary>

@@ -10,7 +10,7 @@ public abstract record InputResult
     /// <summary>The command wants more: see the current prompt.</summary>
     public sealed record Asking : InputResult;
 
-    /// <summary>The command is through (or there was nothing to do).</summary>
+    /// <summary>The command has ended as it should, or there was nothing to do.</summary>
     public sealed record Done : InputResult;
 
     /// <summary>Esc, or the operator's stop.</summary>
@@ -22,7 +22,7 @@ public abstract record InputResult
     /// <summary>The command ended without doing what it should.</summary>
     public sealed record Failed(CommandFailure Why, string Sentence) : InputResult
     {
-        /// <summary>What was thrown where nothing should be; null unless <see cref="Why"/> is <see cref="CommandFailure.Internal"/>.</summary>
+        /// <summary>The exception that is a bug; null unless <see cref="Why"/> is <see cref="CommandFailure.Internal"/>.</summary>
         public Exception? Bug { get; init; }
     }
 }

@@ -12,7 +12,7 @@ internal static class ObjectSelection
 
     private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Window", "Crossing", "ALL", "Last", "Previous", "Handle", "LAyer", "Remove", "Add", "Undo");
 
-    /// <summary>What was selected before the command, or what is selected now.</summary>
+    /// <summary>The objects that were selected before the command, else those that the operator selects now.</summary>
     /// <exception cref="CommandException">Nothing is open, or nothing was selected.</exception>
     public static async Task<IReadOnlyList<int>> TakeAsync(CommandContext context)
     {
@@ -23,7 +23,7 @@ internal static class ObjectSelection
         return before;
     }
 
-    /// <summary>Asks until Enter.</summary>
+    /// <summary>Asks for objects again and again until Enter.</summary>
     /// <exception cref="CommandException">Nothing is open, or nothing was selected.</exception>
     public static async Task<IReadOnlyList<int>> PickAsync(CommandContext context)
     {

@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Commands;
 /// <summary>The scripts under way: one that another calls comes first, then the rest of the caller.</summary>
 internal sealed class ScriptQueue
 {
-    /// <summary>A script that calls itself must end.</summary>
+    /// <summary>Deepest nesting of scripts, so that one that calls itself ends.</summary>
     private const int Deepest = 16;
 
     private readonly Stack<(string Path, IEnumerator<ScriptToken> Tokens)> _scripts = new();
@@ -49,7 +49,7 @@ internal sealed class ScriptQueue
 /// <summary>An input of a script with its place, for the sentence that ends the script.</summary>
 internal sealed record ScriptInput(string Path, ScriptToken Token)
 {
-    /// <summary>A result that ends the script, its sentence with the place; what is no failure stays as it is.</summary>
+    /// <summary>The result with the file and line of the input before its sentence; a result that is no failure stays as it is.</summary>
     public InputResult Placed(InputResult result) => result switch
     {
         InputResult.Failed failed => failed with { Sentence = Place(failed.Sentence) },

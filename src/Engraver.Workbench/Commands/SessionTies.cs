@@ -4,7 +4,7 @@ using Engraver.Workbench.Playback;
 
 namespace Engraver.Workbench.Commands;
 
-/// <summary>What follows from a change of one part of a session in the others, from the beginning of the session to its end.</summary>
+/// <summary>Carries changes of one part of a session (document, machine, derivation, playback) to the others, until it is disposed.</summary>
 internal sealed class SessionTies : IDisposable
 {
     private readonly DocumentSession _document;
@@ -27,12 +27,14 @@ internal sealed class SessionTies : IDisposable
         _machine.Changed -= OnMachineChanged;
     }
 
-    /// <summary>The machine is the one of the settings; what was armed from another drawing or other settings is not what would run now.</summary>
+    /// <summary>The machine session gets the profile of the settings. An armed job is disarmed, because another drawing or other settings would run now, and the progress of the last job is no longer shown.</summary>
     private void OnDocumentChanged(object? sender, EventArgs e)
     {
         var state = _document.Current;
         _machine.Profile = state.Settings.Machine;
         if (_machine.Armed is { Job: var job } && (!ReferenceEquals(job.Drawing, state.Drawing) || job.Settings != state.Settings)) _machine.Disarm();
+        if (_machine.Part is { } part && (!ReferenceEquals(part.Drawing, state.Drawing) || part.Settings != state.Settings)) _machine.ChoosePart(null);
+        if (_machine.ShownJob is { } shown && (!ReferenceEquals(shown.Drawing, state.Drawing) || shown.Settings != state.Settings)) _machine.DismissJob();
     }
 
     private void OnDerived(object? sender, EventArgs e)
@@ -40,6 +42,6 @@ internal sealed class SessionTies : IDisposable
         if (!ReferenceEquals(_playback.Motion, _derivation.Current.Motion)) _playback.Load(_derivation.Current.Motion);
     }
 
-    /// <summary>How long the job takes depends on the line it goes over.</summary>
+    /// <summary>The planned time depends on the serial line that the job goes over.</summary>
     private void OnMachineChanged(object? sender, EventArgs e) => _derivation.Line = _machine.Line;
 }

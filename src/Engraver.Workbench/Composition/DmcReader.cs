@@ -11,10 +11,10 @@ namespace Engraver.Workbench.Composition;
 /// <summary>Runs a posted DMC program in a simulated controller of its own, in virtual time: the interpreter and the motion that judge the program share no code with what wrote it.</summary>
 public sealed class DmcReader : IProgramReader
 {
-    /// <summary>A program in which nothing moves for so long is not coming to its end, seconds of controller time.</summary>
+    /// <summary>Longest time without motion, seconds of controller time, after which a program counts as stuck.</summary>
     private const int LongestRest = 60;
 
-    /// <summary>Steps of the simulator between two looks at the stop, some tens of milliseconds.</summary>
+    /// <summary>Steps of the simulator between two looks at the cancellation, some tens of milliseconds of the processor.</summary>
     private const int SliceSteps = 20_000;
 
     private static readonly TimeSpan s_longestRest = TimeSpan.FromSeconds(LongestRest);
@@ -27,7 +27,7 @@ public sealed class DmcReader : IProgramReader
         var program = ReadBackProgram.Parse(text);
         if (program.Diagnostics.Count > 0) return program.Diagnostics;
         var listener = new RecordListener(request.Machine, [.. request.Judges]);
-        listener.Start(-(double)request.Start.X, -(double)request.Start.Y);
+        listener.Start(-(double)request.Start.X, -(double)request.Start.Y, -(double)request.Start.Z);
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = new StandingTime(), KeepsRecord = false, SerialNumber = MachineConnection.SimulatedSerialNumber });
         using var listening = controller.Record.Subscribe(listener);
         await using var channel = new CommandChannel(new StreamLink(controller.OpenConnection(), Wording.Get("ProgramReplayer.SimulatedController")), "A", s_replyTimeout, TimeProvider.System, trace: null);
@@ -49,7 +49,7 @@ public sealed class DmcReader : IProgramReader
         return error ?? (endless is null ? null : VerificationRules.Endless.At(new SourceRef(chunk.FirstLine), endless));
     }
 
-    /// <returns>Null at the end of the program, otherwise why it is not expected any more.</returns>
+    /// <returns>Null at the end of the program, otherwise why the replay gave up before it.</returns>
     private static string? AdvanceToEnd(SimulatedController controller, TimeSpan longest, Action report, CancellationToken cancellation)
     {
         report();

@@ -16,7 +16,7 @@ public sealed class MachineClock : IDisposable
 
     public TimeProvider Time { get; }
 
-    /// <summary>A clock that nobody has to give back.</summary>
+    /// <summary>The system's clock, or a test's; disposing leaves it alone.</summary>
     public static MachineClock FromWall(TimeProvider wall) => new(wall, null, null);
 
     /// <param name="clock">Owned: it is given back with this.</param>
@@ -35,7 +35,7 @@ public sealed class MachineClock : IDisposable
     public async Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, CancellationToken cancellation) =>
         await GalilConnection.OpenAsync(async stop => Over(await connection.OpenLinkAsync(stop).ConfigureAwait(false)), trace?.Wire, Time, cancellation).ConfigureAwait(false);
 
-    /// <summary>Writes every line on the wire down, by this clock.</summary>
+    /// <summary>Begins a trace of every line on the wire, timed by this clock.</summary>
     /// <param name="file">Owned: it is closed with the trace.</param>
     public MachineTrace TraceTo(TextWriter file, TimeProvider wall) => new(new WireTrace(file, Time, wall: wall));
 

@@ -11,7 +11,7 @@ namespace Engraver.Workbench.Composition;
 /// <summary>How links to one machine are opened: over the network, over a serial line, or to a simulated controller that lives in this process and is owned here.</summary>
 public sealed class MachineConnection : IAsyncDisposable
 {
-    /// <summary>The same for every controller in this process, so that the same run is written down the same way.</summary>
+    /// <summary>Serial number of every simulated controller in this process; it is always the same, so that the records of equal runs are equal.</summary>
     internal const int SimulatedSerialNumber = 2143;
 
     private static readonly TimeSpan s_connectTimeout = TimeSpan.FromSeconds(5);
@@ -33,11 +33,12 @@ public sealed class MachineConnection : IAsyncDisposable
     public SimulatedController? Simulator { get; }
 
     /// <exception cref="PlatformNotSupportedException">A serial link on a machine for which it is not built; thrown when the link is opened.</exception>
-    /// <param name="keepsRecord">Whether a simulated controller keeps its record to be read afterwards; its listeners are told in either case.</param>
-    public static MachineConnection To(ControllerAddress address, TimeProvider time, bool keepsRecord = false) => MachineFamilies.Of(address).Connect(address, time, keepsRecord);
+    /// <param name="keepsRecord">Whether a simulated controller keeps its record to be read afterwards; listeners get the motion in either case.</param>
+    /// <param name="profile">Where the switches of a simulated machine lie; null: it has none.</param>
+    public static MachineConnection To(ControllerAddress address, TimeProvider time, bool keepsRecord = false, MachineProfile? profile = null) => MachineFamilies.Of(address).Connect(address, time, keepsRecord, profile);
 
     /// <summary>The entry of the DMC family.</summary>
-    internal static MachineConnection ToGalil(ControllerAddress address, TimeProvider time, bool keepsRecord) => address switch
+    internal static MachineConnection ToGalil(ControllerAddress address, TimeProvider time, bool keepsRecord, MachineProfile? profile) => address switch
     {
         TcpAddress tcp => new MachineConnection(
             $"tcp://{tcp.Host}:{tcp.Port}",
@@ -49,11 +50,11 @@ public sealed class MachineConnection : IAsyncDisposable
             simulator: null,
             _ => Task.FromResult<IControllerLink>(SerialLink.Open(serial, s_writeTimeout, time)),
             () => Offered(serial, time)),
-        SimulatedAddress simulated => Simulate(simulated, time, keepsRecord),
+        SimulatedAddress simulated => Simulate(simulated, time, keepsRecord, profile),
         _ => throw new UnreachableException(),
     };
 
-    /// <summary>A machine behind links that somebody else opens.</summary>
+    /// <summary>A machine whose links are opened by a function of the caller.</summary>
     /// <param name="description">Where it is, for people and for the journal.</param>
     internal static MachineConnection Through(string description, Func<CancellationToken, Task<IControllerLink>> open, Func<MachineClock> takeClock) => new(description, simulator: null, open, takeClock);
 
@@ -75,9 +76,9 @@ public sealed class MachineConnection : IAsyncDisposable
 
     public ValueTask DisposeAsync() => Simulator?.DisposeAsync() ?? ValueTask.CompletedTask;
 
-    private static MachineConnection Simulate(SimulatedAddress address, TimeProvider time, bool keepsRecord)
+    private static MachineConnection Simulate(SimulatedAddress address, TimeProvider time, bool keepsRecord, MachineProfile? profile)
     {
-        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord, SerialNumber = SimulatedSerialNumber });
+        var controller = new SimulatedController(new SimulatorOptions { Speed = address.Speed, Time = time, KeepsRecord = keepsRecord, SerialNumber = SimulatedSerialNumber, Switches = profile is null ? [] : SimulatedMachine.Switches(profile) });
         return new MachineConnection(
             double.IsPositiveInfinity(address.Speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={address.Speed}"),
             controller,

@@ -6,12 +6,12 @@ using Engraver.Galil.Links;
 namespace Engraver.Workbench.Composition;
 
 /// <summary>A family of controllers that this workbench drives.</summary>
-/// <param name="Driver">What it says of itself while none is connected.</param>
+/// <param name="Driver">The family's driver, which answers for it while no controller is connected.</param>
 /// <param name="Takes">Whether an address may be one of its controllers.</param>
 /// <param name="WhyNot">Why such an address cannot be used on this system; null where it can.</param>
-/// <param name="Connect">How a machine at such an address is reached; true asks a simulated one to keep its record.</param>
+/// <param name="Connect">How a machine at such an address is reached; true asks a simulated one to keep its record, the profile says where its switches lie.</param>
 public sealed record MachineFamily(
-    IMachineDriver Driver, Func<ControllerAddress, bool> Takes, Func<ControllerAddress, string?> WhyNot, Func<ControllerAddress, TimeProvider, bool, MachineConnection> Connect);
+    IMachineDriver Driver, Func<ControllerAddress, bool> Takes, Func<ControllerAddress, string?> WhyNot, Func<ControllerAddress, TimeProvider, bool, MachineProfile?, MachineConnection> Connect);
 
 /// <summary>Every family: a new one is its driver and one line here.</summary>
 public static class MachineFamilies
@@ -25,7 +25,7 @@ public static class MachineFamilies
             MachineConnection.ToGalil),
     ];
 
-    /// <summary>The driver by which jobs are prepared while no other is chosen.</summary>
+    /// <summary>The driver by which jobs are prepared: that of the first family.</summary>
     public static IMachineDriver Driver => All[0].Driver;
 
     /// <summary>The family that is reached at an address.</summary>

@@ -29,14 +29,14 @@ public static class PostTable
     /// <summary>The first entry whose files end like this; null for none.</summary>
     public static PostEntry? ForEnding(string ending) => All.FirstOrDefault(entry => entry.Post.Ending == ending);
 
-    /// <summary>Who reads a posted file back: by its ending, and where that says nothing the reader of the first entry.</summary>
+    /// <summary>The reader for a posted file, found by the ending of its name; for an unknown ending the reader of the first entry.</summary>
     public static IProgramReader ReaderFor(string fileName)
     {
         var readable = All.Where(entry => entry.Reader is not null).ToList();
         return (readable.FirstOrDefault(entry => fileName.EndsWith(entry.Post.Ending, StringComparison.OrdinalIgnoreCase)) ?? readable[0]).Reader!;
     }
 
-    /// <summary>docs/posts.md.</summary>
+    /// <summary>The text of docs/posts.md.</summary>
     public static string ToMarkdown()
     {
         var page = new StringBuilder("# Posts\n\nWritten from the program's own table; `./test --update-golden` writes it anew.\n\n");

@@ -6,26 +6,31 @@ using Engraver.Simulator.Motion;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>Tells judges what a simulated controller does, in millimetres of the drawing, while it does it: nothing is kept.</summary>
+/// <summary>Passes the motion of a simulated controller on to judges while it happens, in millimetres of the drawing. Nothing is kept.</summary>
 /// <remarks>Called by the controller under its lock; <see cref="Start"/> and <see cref="Verdicts"/> may come from elsewhere.</remarks>
-internal sealed class RecordListener(MachineProfile profile, params TraceJudge[] judges) : IMotionListener
+internal sealed class RecordListener(MachineProfile profile, params ITraceJudge[] judges) : IMotionListener
 {
     private const double RoundEnough = 1e-9;
     private readonly Lock _gate = new();
-    private readonly int _toolBit = 1 << (profile.ToolOutput - 1);
+    private readonly OutputSwitch _tool = profile.Tool;
+    private readonly int? _z = profile.Height is null || profile.Axes.Z is not { } z ? null : IndexOf(z);
     private readonly double _count = 1.0 / profile.Scale.Largest;
     private readonly int _x = IndexOf(profile.Axes.X);
     private readonly int _y = IndexOf(profile.Axes.Y);
-    private (double X, double Y)? _frame;
+    private (double X, double Y, double Z)? _frame;
 
-    /// <summary>Samples from now on belong to the job; what was before is nobody's.</summary>
+    /// <summary>Keeps the places besides; null for nobody.</summary>
+    public RunTraceBuilder? Places { get; init; }
+
+    /// <summary>Samples from now on belong to the job and are judged; earlier ones are ignored.</summary>
     /// <param name="frameX">Counts of the controller at the drawing's zero, axis of X.</param>
     /// <param name="frameY">The same, axis of Y.</param>
-    public void Start(double frameX, double frameY)
+    /// <param name="frameZ">The same, axis of Z.</param>
+    public void Start(double frameX, double frameY, double frameZ = 0.0)
     {
         lock (_gate)
         {
-            _frame ??= (frameX, frameY);
+            _frame ??= (frameX, frameY, frameZ);
         }
     }
 
@@ -43,9 +48,16 @@ internal sealed class RecordListener(MachineProfile profile, params TraceJudge[]
         lock (_gate)
         {
             if (_frame is not { } frame) return;
-            var place = Place(frame, sample[_x], sample[_y]);
-            var told = new TraceSample(sample.Seconds, place.X, place.Y, IsCutting(sample.Outputs));
-            foreach (var judge in judges) judge.Add(told);
+            Tell(frame, sample);
+        }
+    }
+
+    /// <summary>The places that were kept; null when nobody did.</summary>
+    public RunTrace? Trace()
+    {
+        lock (_gate)
+        {
+            return Places?.ToTrace("record");
         }
     }
 
@@ -54,7 +66,8 @@ internal sealed class RecordListener(MachineProfile profile, params TraceJudge[]
         lock (_gate)
         {
             if (_frame is not { } frame) return;
-            if (span.ArcOf(_x, _y) is { } arc && IsCutting(span.Outputs)) TellArc(frame, span, arc);
+            if (_z is not null) TellEach(frame, span);
+            else if (span.ArcOf(_x, _y) is { } arc && IsCutting(span.Outputs)) TellArc(frame, span, arc);
             else Tell(frame, span, 0, span.Count - 1);
         }
     }
@@ -62,12 +75,28 @@ internal sealed class RecordListener(MachineProfile profile, params TraceJudge[]
     /// <summary>Samples hold the axes in the order of their letters.</summary>
     private static int IndexOf(MachineAxis axis) => axis.Letter - 'A';
 
-    private bool IsCutting(byte outputs) => (outputs & _toolBit) != 0;
+    /// <summary>Of a tool that an axis holds every sample is judged by itself, also where the axes run at constant speed.</summary>
+    private void TellEach((double X, double Y, double Z) frame, MotionSpan span)
+    {
+        for (var i = 0L; i < span.Count; i++) Tell(frame, span[i]);
+    }
 
-    private Point2D Place((double X, double Y) frame, double x, double y) => profile.Scale.ToMillimetres(x - frame.X, y - frame.Y);
+    private void Tell((double X, double Y, double Z) frame, in MotionSample sample)
+    {
+        var place = Place(frame, sample[_x], sample[_y]);
+        var height = _z is { } z ? sample[z] - frame.Z : 0.0;
+        var isCutting = _z is null ? IsCutting(sample.Outputs) : profile.Up * height < profile.Up * (double)profile.RetractCounts;
+        var told = new TraceSample(sample.Seconds, place.X, place.Y, isCutting, profile.Scale.ToMillimetres(height)) { FollowingMm = double.Hypot(sample.ErrorOf(_x) / profile.Scale.X, sample.ErrorOf(_y) / profile.Scale.Y) };
+        foreach (var judge in judges) judge.Add(told);
+        Places?.Add(told);
+    }
 
-    /// <summary>The straight way from one sample of a span to another.</summary>
-    private void Tell((double X, double Y) frame, MotionSpan span, long from, long to)
+    private bool IsCutting(byte outputs) => _tool.IsOn(outputs);
+
+    private Point2D Place((double X, double Y, double Z) frame, double x, double y) => profile.Scale.ToMillimetres(x - frame.X, y - frame.Y);
+
+    /// <summary>Tells the judges of the straight line from one sample of a span to another.</summary>
+    private void Tell((double X, double Y, double Z) frame, MotionSpan span, long from, long to)
     {
         var (first, last) = (span.Exactly(from, _x, _y), span.Exactly(to, _x, _y));
         Tell(span, from, to, Segment.FromLine(Place(frame, first.X, first.Y), Place(frame, last.X, last.Y)));
@@ -75,12 +104,13 @@ internal sealed class RecordListener(MachineProfile profile, params TraceJudge[]
 
     private void Tell(MotionSpan span, long from, long to, Segment path)
     {
-        var told = new TraceSpan(span[from].Seconds, span[to].Seconds, to - from + 1, path, IsCutting(span.Outputs));
+        var told = new TraceSpan(span[from].Seconds, span[to].Seconds, to - from + 1, path, IsCutting(span.Outputs)) { FollowingMm = 0.0 };
         foreach (var judge in judges) judge.Add(told);
+        Places?.Add(told);
     }
 
-    /// <summary>Where the axes' scales make an ellipse of it, which no program of ours asks for, it is told as chords that stay within a twentieth of a count.</summary>
-    private void TellArc((double X, double Y) frame, MotionSpan span, ArcCourse arc)
+    /// <summary>Tells the judges of an arc. Unequal axis scales make it an ellipse, which is told as chords within a twentieth of a count; no post of this program writes such an arc.</summary>
+    private void TellArc((double X, double Y, double Z) frame, MotionSpan span, ArcCourse arc)
     {
         var (radiusX, radiusY) = (arc.RadiusX / profile.Scale.X, arc.RadiusY / profile.Scale.Y);
         var radius = Math.Max(Math.Abs(radiusX), Math.Abs(radiusY));
@@ -95,7 +125,7 @@ internal sealed class RecordListener(MachineProfile profile, params TraceJudge[]
         for (var i = 0L; i < chords; i++) Tell(frame, span, i * (span.Count - 1) / chords, (i + 1) * (span.Count - 1) / chords);
     }
 
-    /// <summary>An axis that counts the other way mirrors the angles.</summary>
+    /// <summary>The arc in drawing angles: an axis with a negative scale mirrors them.</summary>
     private static ArcSegment Unmirrored(ArcSegment arc, bool isXMirrored, bool isYMirrored)
     {
         if (isXMirrored) arc = arc with { Start = Angle.FromDegrees(180.0) - arc.Start, Sweep = -arc.Sweep };

@@ -6,7 +6,7 @@ using Engraver.Simulator;
 
 namespace Engraver.Workbench.Composition;
 
-/// <summary>A simulated controller that programs of others reach: over the network, by datagram, on a serial line.</summary>
+/// <summary>A simulated controller that other programs can connect to: by TCP, by UDP, on a serial line.</summary>
 public sealed class ServedSimulator : IAsyncDisposable
 {
     private readonly SimulatedController _controller;
@@ -22,7 +22,7 @@ public sealed class ServedSimulator : IAsyncDisposable
     /// <summary>Why the record is incomplete; null while all is well.</summary>
     public IOException? RecordFailure => _controller.RecordFailure;
 
-    /// <param name="profile">Its speeds, accelerations and angle quantum are taken as its owner burned them, the rest describes the host's work with it; null for a factory state.</param>
+    /// <param name="profile">Its speeds, accelerations and angle quantum are taken as its owner burned them, its switches lie where its travel and homing say, the rest describes the host's work with it; null for a factory state.</param>
     /// <param name="faults">What shall go wrong on purpose, as JSON (docs/simulator-fidelity.md); null for nothing.</param>
     /// <param name="signColumn">Only the column of the sign divides a negative number in a message from the one before it.</param>
     /// <exception cref="JsonException">The text is no plan of faults.</exception>
@@ -35,10 +35,10 @@ public sealed class ServedSimulator : IAsyncDisposable
             Faults = faults is null ? null : FaultPlan.Parse(faults),
             NumberSpacing = signColumn ? NumberSpacing.SignColumn : NumberSpacing.Blank,
         };
-        return new ServedSimulator(profile is null ? options : options with { AngleQuantumDegrees = profile.AngleQuantumDegrees, Burned = Burned(profile) });
+        return new ServedSimulator(profile is null ? options : options with { AngleQuantumDegrees = profile.AngleQuantumDegrees, Burned = Burned(profile), Switches = SimulatedMachine.Switches(profile) });
     }
 
-    /// <summary>Every motor sample and output change goes there as CSV.</summary>
+    /// <summary>Writes every motor sample and output change to a file as CSV.</summary>
     public void RecordTo(TextWriter csv) => _controller.Record.AttachCsv(csv);
 
     /// <param name="port">On loopback; 0 lets the system pick.</param>

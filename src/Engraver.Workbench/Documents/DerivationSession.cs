@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>Keeps what follows from the document: computed in the background, once for each state, given up when the state changes before it is done.</summary>
+/// <summary>Computes what follows from the document (<see cref="DerivedDocument"/>) in the background, once for each state. The work is given up when the state changes before it is done.</summary>
 /// <remarks>Any thread. Without <see cref="KeepsUp"/> nothing is computed until somebody asks.</remarks>
 public sealed class DerivationSession : IDisposable
 {
@@ -29,7 +29,7 @@ public sealed class DerivationSession : IDisposable
     /// <summary>True when <see cref="Current"/> is of the document as it stands.</summary>
     public bool IsCurrent => IsOf(Current, _document.Current, Mode, Line);
 
-    /// <summary>The way of running that jobs are prepared for.</summary>
+    /// <summary>The execution strategy that jobs are prepared for.</summary>
     public JobMode Mode
     {
         get => _mode;

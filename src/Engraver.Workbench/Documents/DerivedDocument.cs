@@ -13,7 +13,7 @@ namespace Engraver.Workbench.Documents;
 
 /// <summary>Everything that follows from a document: table, strokes, job, findings, plan, program text. Immutable. What could not be made is null, and <see cref="Problem"/> or the findings say why.</summary>
 /// <param name="State">What it was made from (what is selected does not matter).</param>
-/// <param name="Mode">The way of running that the job was prepared for.</param>
+/// <param name="Mode">The execution strategy that the job was prepared for.</param>
 public sealed record DerivedDocument(DocumentState State, JobMode Mode)
 {
     public static DerivedDocument Nothing { get; } = new(DocumentState.Nothing, JobMode.Stream);
@@ -45,7 +45,7 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
     public string? Problem { get; init; }
 
     /// <summary>All stages. Between two of them a cancellation is honoured.</summary>
-    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
+    /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static DerivedDocument Create(DocumentState state, JobMode mode, CancellationToken cancellation)
     {
         var derived = new DerivedDocument(state, mode);
@@ -62,7 +62,7 @@ public sealed record DerivedDocument(DocumentState State, JobMode Mode)
         }
     }
 
-    /// <summary>The same, planned over another line.</summary>
+    /// <summary>The same document with its plan made for another serial line.</summary>
     internal DerivedDocument Over(SerialAddress? line)
     {
         if (line == Line) return this;

@@ -2,7 +2,7 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>What the operator has loaded, and every step that led there. One of the two places that change over time; the states themselves never do.</summary>
+/// <summary>The open drawing with its edits and settings, and every step that led there. One of the two objects that change over time (the other is the machine session); the states themselves never do.</summary>
 /// <remarks>Selecting is no step: it goes with the state in which it was made. Not safe for several threads.</remarks>
 public sealed class DocumentSession
 {
@@ -35,14 +35,14 @@ public sealed class DocumentSession
         Become(next);
     }
 
-    /// <summary>The drawing as it is now stands in a file.</summary>
+    /// <summary>Notes that the drawing as it is now stands in a file.</summary>
     public void MarkKept() => _kept = Current.Edition;
 
     /// <summary>Sets what is selected, without a step.</summary>
     public void Select(IReadOnlyList<int> selection, IReadOnlyList<int> previous) => Become(Current with { Selection = selection, Previous = previous });
 
-    /// <summary>Back to the state before the last step. With a drawing open it never leads to none: from the drawing that was opened first there is no step back, and one that was opened after another
-    /// had been closed gives way to that one.</summary>
+    /// <summary>Goes back to the state before the last step. While a drawing is open, undoing never closes it: the opening of the first drawing cannot be undone, and one that was opened after another
+    /// was closed is replaced by that one.</summary>
     /// <returns>The name of the step, null when there was none.</returns>
     public string? Undo()
     {

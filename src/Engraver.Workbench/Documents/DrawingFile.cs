@@ -5,15 +5,15 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A drawing from a file. Whatever stands there, the answer is a drawing; what is wrong with it is among its diagnostics.</summary>
+/// <summary>Reads a drawing from a file. The answer is a drawing whatever the file holds; what is wrong with the file is among the diagnostics.</summary>
 public static class DrawingFile
 {
-    /// <param name="settings">Of these only what changes what is read: the unit, what else is to be cut.</param>
-    /// <param name="progress">Is told how much has been read, 0 to 1; null: nobody.</param>
+    /// <param name="settings">Only the unit and the choice of what else is cut are looked at.</param>
+    /// <param name="progress">Gets the part that has been read, 0 to 1; null for none.</param>
     public static Drawing Open(string path, DrawingSettings settings, CancellationToken cancellation, IProgress<double>? progress = null) =>
         Open(path, new DxfReadOptions { UnitOverride = settings.Unit, Cut = settings.Cut, Progress = progress }, cancellation);
 
-    /// <summary>Nothing of it could be read. Whatever an earlier drawing was made into must then not be replaced by nothing.</summary>
+    /// <summary>True when nothing of the file could be read. Results of an earlier drawing must then not be overwritten with empty ones.</summary>
     public static bool IsUnreadable(Drawing drawing)
     {
         ArgumentNullException.ThrowIfNull(drawing);

@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
+using Engraver.Core.Verification;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
@@ -16,5 +17,18 @@ public static class DrawingPlot
         return asDrawn
             ? PlotModel.FromDrawing(analysed, title)
             : PlotModel.FromPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, analysed, settings), settings), title);
+    }
+
+    /// <summary>A run over the drawing.</summary>
+    /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
+    /// <exception cref="FormatException">The run is one of another drawing, or its following error was not kept.</exception>
+    public static PlotModel OfRun(Drawing drawing, DrawingSettings settings, RunTrace trace, RunMeasure measure)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        ArgumentNullException.ThrowIfNull(trace);
+        var (analysed, name) = (JobPreparation.Analyse(drawing, settings), Path.GetFileName(drawing.FileName));
+        if (!trace.CanBeOf(DrawnFingerprint.Of(analysed.ToSegments()))) throw new FormatException(Wording.Get("Trace.OtherDrawing", name));
+        if (measure == RunMeasure.Following && !trace.KnowsFollowing) throw new FormatException(Wording.Get("Trace.NoFollowing"));
+        return RunPlot.Create(analysed, trace, measure, name);
     }
 }

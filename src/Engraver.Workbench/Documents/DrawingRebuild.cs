@@ -17,7 +17,7 @@ internal sealed class DrawingRebuild
         for (var index = 0; index < drawing.Entities.Count; index++) _handle = Math.Max(_handle, drawing.Entities[index].Handle);
     }
 
-    /// <summary>How many entities there are by now: the index of the next one.</summary>
+    /// <summary>Number of entities so far, which is the index of the next one.</summary>
     public int Count => _entities.Count;
 
     /// <summary>Takes an entity over as it is.</summary>

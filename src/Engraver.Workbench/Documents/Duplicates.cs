@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Documents;
 /// <summary>Finds what was drawn twice.</summary>
 internal static class Duplicates
 {
-    /// <summary>Of some entities those of which every part lies on a part of another that stays.</summary>
+    /// <summary>Those of some entities that can be erased: every part of them lies on a part of another that stays.</summary>
     /// <param name="tolerance">Drawing units.</param>
     public static IReadOnlyList<int> Find(Drawing drawing, IReadOnlyList<int> indices, double tolerance)
     {

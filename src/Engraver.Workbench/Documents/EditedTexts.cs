@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>What becomes of the texts of a drawing when its curves are edited. Texts cannot be selected: they go along when the edit takes every visible curve, and otherwise stay where they are.</summary>
+/// <summary>Decides what happens to the texts of a drawing when its curves are edited. Texts cannot be selected: they move with an edit of every visible curve, and otherwise stay where they are.</summary>
 internal static class EditedTexts
 {
     /// <summary>The texts that an edit of these curves takes along: all when it takes all curves, those that can be seen when it takes all that can be seen.</summary>

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>After objects were joined, taken apart or erased as doubles: the object that stands where one of them stood.</summary>
+/// <summary>Finds the object that took the place of one that was joined, taken apart or erased as a double.</summary>
 internal static class EnteringSubstitute
 {
     /// <param name="candidates">Objects of the edited drawing that may have taken its place.</param>

@@ -3,6 +3,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Core.Toolpaths;
@@ -12,7 +13,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>The stages from a drawing to its motion program, with the operator's settings spelled for each of them.</summary>
+/// <summary>The stages from a drawing to its motion program, with the operator's settings translated into the options of each.</summary>
 public static class JobPreparation
 {
     /// <summary>The fixed-slot table of the selected layers, arcs analysed, file order.</summary>
@@ -30,9 +31,9 @@ public static class JobPreparation
         if (drawing.Layers.Count > 0 && SelectionOf(settings).UnknownNames(drawing.Layers) is { Count: > 0 } unknown) throw SettingException.UnknownLayers(unknown, drawing.Layers);
     }
 
-    /// <summary>What has to be said of the drawing before it is cut (<see cref="CutFindings"/>).</summary>
+    /// <summary>Findings on the drawing before it is cut (<see cref="CutFindings"/>).</summary>
     public static IReadOnlyList<Diagnostic> Findings(Drawing drawing, DrawingSettings settings) =>
-        CutFindings.Find(drawing, SelectionOf(settings), settings.Start, settings.JoinToleranceMm);
+        CutFindings.Find(drawing, SelectionOf(settings), settings.Start, settings.JoinToleranceMm, cutsHeights: settings.Machine.Height is not null);
 
     /// <summary>The layers that are cut.</summary>
     public static LayerSelection SelectionOf(DrawingSettings settings) => new(settings.Layers ?? [], settings.SkippedLayers);
@@ -42,7 +43,7 @@ public static class JobPreparation
     public static SequencingResult Sequence(Drawing drawing, EntityTable analysed, DrawingSettings settings) =>
         Sequencer.Sequence(analysed, drawing, SequencingFor(drawing, settings));
 
-    /// <summary>The settings in the words of sequencing.</summary>
+    /// <summary>The settings as options of the sequencer.</summary>
     /// <exception cref="SettingException">The entering entity is not in the drawing.</exception>
     public static SequencingOptions SequencingFor(Drawing drawing, DrawingSettings settings) => new()
     {
@@ -53,19 +54,20 @@ public static class JobPreparation
         ToolStart = settings.Start,
         Order = settings.Order,
         Enter = Entering(drawing, settings.Enter),
+        CutsHeights = settings.Machine.Height is not null,
     };
 
     /// <summary>The machine-neutral path from where the tool stands.</summary>
     public static Toolpath PathOf(SequencingResult sequence, DrawingSettings settings) => ToolpathPlanner.Plan(sequence, settings.Start, settings.MaxErrorMm);
 
     /// <summary>All stages.</summary>
-    /// <param name="style">Continuous for the stream and the posted sequences, calls for the paper's way.</param>
+    /// <param name="style">Continuous for the stream and the posted sequences, calls for the subroutine calls of paper 000.</param>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
     public static PreparedJob Prepare(Drawing drawing, DrawingSettings settings, MotionStyle style) => PrepareUnlessCancelled(drawing, settings, style, CancellationToken.None);
 
     /// <summary>All stages; between two of them a cancellation is honoured.</summary>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
-    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
+    /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static PreparedJob PrepareUnlessCancelled(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken cancellation)
     {
         var analysed = Analyse(drawing, settings);
@@ -82,7 +84,7 @@ public static class JobPreparation
     {
         var motion = MachineFamilies.Driver.Generate(toolpath, settings.Machine, settings.MaxErrorMm, drawing.SourceOf, style);
         var faults = motion.Program is null ? [] : FaultsOf(drawing, settings, analysed, toolpath);
-        var program = faults.Count > 0 || motion.Program is not { } made ? null : made with { Finish = made.Start };
+        var program = faults.Count > 0 || motion.Program is not { } made ? null : made with { Finish = settings.Finish == FinishPlace.Origin ? made.Start : null }; // where it parks is a place of the machine, known once the job is placed
         return new PreparedJob(drawing, settings, analysed, sequence, toolpath, motion with { Program = program }) { Faults = faults, Findings = Findings(drawing, settings) };
     }
 

@@ -9,7 +9,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A drawing as a program in one of the formats of the table of posts. Where nothing is cut there is no text, so that no earlier result is replaced by nothing.</summary>
+/// <summary>A drawing as a program in one of the formats of the table of posts. Where nothing is cut there is no text, so that no earlier result is overwritten with an empty one.</summary>
 /// <param name="Text">Null when there is nothing that the machine can cut.</param>
 /// <param name="Diagnostics">Of every stage on the way.</param>
 public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagnostics)
@@ -42,7 +42,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         return new PostedProgram(written.Text, [.. job.Diagnostics, .. written.Diagnostics]);
     }
 
-    /// <summary>What is written from the path in millimetres.</summary>
+    /// <summary>The program of a post that writes the path in millimetres.</summary>
     /// <param name="analysed">The table that was sequenced.</param>
     /// <param name="sequence">Of <paramref name="drawing"/>, with <paramref name="settings"/>.</param>
     public static PostedProgram FromSequence(Drawing drawing, EntityTable analysed, SequencingResult sequence, DrawingSettings settings, IPost post, IReadOnlyDictionary<string, string> options)

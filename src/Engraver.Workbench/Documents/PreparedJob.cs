@@ -8,7 +8,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Documents;
 
-/// <summary>A drawing with everything made of it on the way to the machine. Immutable; every stage's findings are kept apart and together.</summary>
+/// <summary>A drawing with the result of every stage from table to motion program. Immutable; the findings are kept by stage and all together.</summary>
 /// <param name="Analysed">The table of what is to be cut, as drawn: what a run is judged by.</param>
 /// <param name="Sequence">The table chained and ordered.</param>
 /// <param name="Toolpath">Ordered moves, mm.</param>

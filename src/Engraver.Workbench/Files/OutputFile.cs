@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Engraver.Workbench.Files;
 
-/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed. What leads to somebody else, a device or a named pipe, is written as it stands, for a rename would put a file in its place.</summary>
+/// <summary>Writes a result whole or not at all: under a temporary name beside the target, then renamed. A device or a named pipe is opened and written instead, because a rename would put a file in its place.</summary>
 public static class OutputFile
 {
     /// <summary>Writes UTF-8 text with LF line ends.</summary>

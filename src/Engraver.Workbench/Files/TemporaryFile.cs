@@ -1,7 +1,7 @@
 namespace Engraver.Workbench.Files;
 
 /// <summary>A file that is being written beside the place it is for. It is gone when it is disposed of or when the process ends, whatever comes first; only a killed process leaves it.</summary>
-/// <remarks>A program that is stopped ends while a result may be half written on another thread; the end of the process is then the only one who can clear up.</remarks>
+/// <remarks>A program that is stopped may end while another thread has half written a result; only a handler at the end of the process can then delete the file.</remarks>
 internal sealed class TemporaryFile : IDisposable
 {
     private readonly Lock _guard = new();
@@ -9,7 +9,7 @@ internal sealed class TemporaryFile : IDisposable
     private readonly string _path;
     private bool _over;
 
-    /// <summary>Nothing is made yet.</summary>
+    /// <summary>Chooses the temporary name; no file is made yet.</summary>
     public TemporaryFile(string target)
     {
         _target = target;
@@ -29,7 +29,7 @@ internal sealed class TemporaryFile : IDisposable
         }
     }
 
-    /// <summary>What was written takes the place of what stood there.</summary>
+    /// <summary>Replaces the target with what was written.</summary>
     /// <exception cref="IOException">The place cannot be written, or the process ends.</exception>
     public void TakePlace() => File.Move(_path, _target, overwrite: true);
 
@@ -39,7 +39,7 @@ internal sealed class TemporaryFile : IDisposable
         End();
     }
 
-    /// <summary>From now on there is no such file, and none is made.</summary>
+    /// <summary>Deletes the file and lets no new one be made.</summary>
     internal void End()
     {
         lock (_guard)
@@ -57,7 +57,7 @@ internal sealed class TemporaryFile : IDisposable
         }
         catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
         {
-            // The folder is gone or no longer ours: nobody is left who could be told.
+            // The folder is gone or may not be written: the process ends, so nobody can be told.
         }
     }
 }

@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Files;
 
-/// <summary>Where the operator's own files are: one folder for the program in the user's data.</summary>
+/// <summary>Paths of the operator's own files, in one folder of the user's data.</summary>
 public static class UserFiles
 {
     public static string Folder
@@ -12,9 +12,9 @@ public static class UserFiles
         }
     }
 
-    /// <summary>The operator's aliases; the file need not be there.</summary>
+    /// <summary>The operator's aliases; the file need not exist.</summary>
     public static string Aliases => Path.Combine(Folder, "engraver.pgp");
 
-    /// <summary>What the desktop remembers.</summary>
+    /// <summary>The settings that the desktop keeps between two starts.</summary>
     public static string DesktopSettingsFile => Path.Combine(Folder, "desktop.json");
 }

@@ -1,7 +1,7 @@
 namespace Engraver.Workbench.Machines;
 
 /// <summary>The one job that a machine runs at a time, and what ends it before its end.</summary>
-/// <param name="over">Called when a job has ended, however, before anybody hears of it.</param>
+/// <param name="over">Called when a job has ended, in whatever way, before the caller of <see cref="RunAsync{T}"/> is told.</param>
 /// <param name="changed">Called when one has begun and when it is over.</param>
 internal sealed class ActiveJob(Action over, Action changed)
 {

@@ -1,10 +1,11 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Machines.Arming;
+using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>Everything from which a status is made, in the controller's words. Immutable.</summary>
+/// <summary>The values from which a status is made, in the controller's units. Immutable.</summary>
 internal sealed record MachineFacts
 {
     public static MachineFacts None { get; } = new();
@@ -18,7 +19,7 @@ internal sealed record MachineFacts
     /// <summary>The last look; null before the first.</summary>
     public MachineReading? Poll { get; init; }
 
-    /// <summary>A job has moved the machine since the last look.</summary>
+    /// <summary>True when a job has moved the machine since the last look.</summary>
     public bool PollIsOld { get; init; }
 
     /// <summary>Why the link is lost; null while it stands.</summary>
@@ -28,10 +29,32 @@ internal sealed record MachineFacts
 
     public bool Stopping { get; init; }
 
-    /// <summary>The last word of the job on this machine; a move by hand leaves it as it is.</summary>
+    public double FeedRatio { get; init; } = 1.0;
+
+    public double RapidRatio { get; init; } = 1.0;
+
+    /// <summary>Name, for people, of the move by hand under way; null while a job runs or nothing does.</summary>
+    public string? MoveName { get; init; }
+
+    /// <summary>The tool stays off in the job that runs or ran last.</summary>
+    public bool IsDryRun { get; init; }
+
+    /// <summary>Whether the job under way is held.</summary>
+    public HoldPhase Hold { get; init; }
+
+    /// <summary>How the job ended whose progress is known; null while it runs, and once that job is history (<see cref="MachineStatusModel.DismissJob"/>).</summary>
+    public JobOutcome? Ended { get; init; }
+
+    /// <summary>Why the place of the drawing's zero is unknown, and what to do; empty while it is known.</summary>
+    public string OriginMissing { get; init; } = "";
+
+    /// <summary>Whether the machine was homed since power-on; null for one that is not homed at all.</summary>
+    public bool? IsHomed { get; init; }
+
+    /// <summary>The last progress of the last job on this machine; a move by hand does not change it.</summary>
     public JobProgress? Progress { get; init; }
 
-    /// <summary>The last word of the job or the move by hand, whichever came last.</summary>
+    /// <summary>The last progress of the job or the move by hand, whichever came last.</summary>
     public JobProgress? Told { get; init; }
 
     /// <summary>Controller counts at the drawing's zero, by the job that runs or ran last.</summary>
@@ -45,15 +68,15 @@ internal sealed record MachineFacts
     /// <summary>Where that was, also after the connection is gone.</summary>
     public string? LastLink { get; init; }
 
-    /// <summary>What the last look says of now: nothing while a job runs, nothing once the link is lost.</summary>
+    /// <summary>The last look while it describes the present; null while a job runs and once the link is lost.</summary>
     private MachineReading? Now => JobRuns || Lost is not null ? null : Poll;
 
-    /// <summary>When the controller was heard last.</summary>
+    /// <summary>Time of the last answer of the controller.</summary>
     public DateTimeOffset SeenAt { get; init; }
 
     public MachineStatus ToStatus(MachineProfile profile, ArmedJob? armed)
     {
-        if (Link is null) return MachineStatus.Offline with { Time = SeenAt };
+        if (Link is null) return MachineStatus.Offline with { FeedRatio = FeedRatio, FeedInForce = FeedRatio, RapidRatio = RapidRatio, Time = SeenAt };
         var (state, reason) = StateOf(armed);
         var place = PlaceCounts();
         return new MachineStatus
@@ -63,28 +86,35 @@ internal sealed record MachineFacts
             Link = Link,
             Controller = Identity?.Model,
             IsSimulation = IsSimulation,
-            MachinePosition = place is { } at ? Millimetres(profile, at.X, at.Y) : null,
-            WorkPosition = place is { } here && Frame is { } frame ? Millimetres(profile, (double)here.X - frame.X, (double)here.Y - frame.Y) : null,
-            FollowingError = Now is not { } look ? null : Millimetres(profile, look.ErrorX, look.ErrorY) - default(Point2D),
+            MachinePosition = place is { } at ? Millimetres(profile, at) : null,
+            WorkPosition = place is { } here && Frame is { } frame ? Millimetres(profile, here - frame) : null,
+            MachineHeight = place is { } height && profile.Axes.Z is not null ? profile.Scale.ToMillimetres(height.Z) : null,
+            WorkHeight = place is { } tool && Frame is { } zero && profile.Axes.Z is not null ? profile.Scale.ToMillimetres(tool.Z - zero.Z) : null,
+            FollowingError = Now is not { } look ? null : Millimetres(profile, look.Error) - default(Point2D),
             Speed = Now is { Moves: false } ? 0.0 : Now?.Speed / profile.Scale.Largest,
             Inputs = Now?.Inputs,
             Outputs = JobRuns ? Told?.Outputs : Now?.Outputs,
-            ToolCommanded = JobRuns ? Told?.ToolOn : Now?.Outputs is { } outputs ? (outputs & (1 << (profile.ToolOutput - 1))) != 0 : null,
+            ToolCommanded = JobRuns ? Told?.ToolOn : IsToolOn(profile),
             MotorsOn = JobRuns ? true : Now is { } poll ? poll.MotorsOff.Length == 0 : null,
             MotorsOff = Now?.MotorsOff,
             Limit = Now?.Limit ?? "",
             LastRefusal = LastRefusal,
             LastOutcome = LastOutcome,
-            Progress = Progress is { } told ? Engraved(profile, told) : null,
+            Progress = Progress is { } told && state is not (MachineState.Ready or MachineState.Armed or MachineState.NoOrigin) ? Engraved(profile, told) : null,
+            FeedRatio = FeedRatio,
+            FeedInForce = JobRuns && MoveName is null && Told is { } job ? Math.Min(FeedRatio, job.FeedRatio) : FeedRatio,
+            RapidRatio = RapidRatio,
             ArmedUntil = state == MachineState.Armed ? armed?.Until : null,
+            IsDryRun = state == MachineState.Armed ? armed!.DryRun : IsDryRun && (JobRuns || Ended is not null),
+            IsHomed = IsHomed,
+            IsLinkLost = Lost is not null,
+            OriginMissing = OriginMissing,
             Time = SeenAt,
         };
     }
 
-    private (MachineState State, string Reason) StateOf(ArmedJob? armed) => this switch
+    private (MachineState State, string Reason) StateOf(ArmedJob? armed) => JobRuns ? AtWork() : this switch
     {
-        { JobRuns: true, Stopping: true } => (MachineState.Stopping, Wording.Get("MachineFacts.Braking")),
-        { JobRuns: true } => (MachineState.Running, ""),
         { Lost: { } why } => (MachineState.Fault, why),
         { Poll: null } => (MachineState.Connected, ""),
         { Poll.AbortInput: true } => (MachineState.EmergencyStopOpen, Wording.Get("MachineFacts.AbortInputActive")),
@@ -93,16 +123,55 @@ internal sealed record MachineFacts
         { Poll.Moves: true } => (MachineState.Busy, Wording.Get("MachineFacts.SomethingMovesNotOurs")),
         { Poll.ProgramRuns: true } => (MachineState.Busy, Wording.Get("MachineFacts.ProgramRunsControllerNot")),
         { Poll.MotorsOff: { Length: > 0 } axes } => (MachineState.MotorsOff, Wording.Get("MachineFacts.MotorOff", axes)),
-        _ => armed is null ? (MachineState.Ready, "") : (MachineState.Armed, ""),
+        { IsHomed: false } => (MachineState.NotHomed, Wording.Get("MachineFacts.NotHomed")),
+        _ when armed is not null => (MachineState.Armed, armed.DryRun ? Wording.Get("MachineFacts.ToolStaysOff") : ""),
+        { Ended: JobOutcome.Complete } => (MachineState.Complete, IsDryRun ? Wording.Get("MachineFacts.DryRunCutNothing") : ""),
+        { Ended: JobOutcome.Deviated } => (MachineState.Deviated, Wording.Get("MachineFacts.NotWhatIsDrawn")),
+        { Ended: { } outcome } => (MachineState.Stopped, OutcomeText.Said(outcome)),
+        { OriginMissing.Length: > 0 } => (MachineState.NoOrigin, OriginMissing),
+        _ => (MachineState.Ready, ""),
     };
 
-    /// <summary>Controller's counts; the last that is known, also when the link is lost.</summary>
+    /// <summary>The state while a job or a move of this program is under way; each says whether the tool stays off.</summary>
+    private (MachineState State, string Reason) AtWork()
+    {
+        var dry = IsDryRun && MoveName is null ? Wording.Get("MachineFacts.ToolStaysOff") : "";
+        return this switch
+        {
+            { Stopping: true } => (MachineState.Stopping, dry.Length > 0 ? Wording.Get("MachineFacts.BrakingDry") : Wording.Get("MachineFacts.Braking")),
+            { Hold: HoldPhase.Braking } => (MachineState.Holding, dry.Length > 0 ? Wording.Get("MachineFacts.BrakingDry") : Wording.Get("MachineFacts.Braking")),
+            { Hold: HoldPhase.Held } => (MachineState.Held, dry),
+            { MoveName: { } move } => (MachineState.Moving, move),
+            { IsDryRun: true } => (MachineState.DryRun, dry),
+            _ => (MachineState.Running, ""),
+        };
+    }
+
+    /// <summary>By the last look: the tool's output, or its height below the retract height; null where neither is known.</summary>
+    private bool? IsToolOn(MachineProfile profile) => profile.Height is null
+        ? Now?.Outputs is { } outputs ? profile.Tool.IsOn(outputs) : null
+        : Now is { } look && Frame is { } frame ? profile.IsLower(look.Position.Z - frame.Z, profile.RetractCounts) : null;
+
+    /// <summary>Position in controller counts; the last known one when the link is lost.</summary>
     private CountsPoint? PlaceCounts() => (JobRuns || PollIsOld) && Told is { } told
-        ? new CountsPoint(told.X + (Frame?.X ?? 0), told.Y + (Frame?.Y ?? 0)) // without a frame only a move by hand tells, by the controller's zero
-        : Poll is { } look ? new CountsPoint(look.X, look.Y) : null;
+        ? told.Place + (Frame ?? default) // without a frame only a move by hand reports positions, by the controller's zero
+        : Poll?.Position;
 
     private static EngravedProgress Engraved(MachineProfile profile, in JobProgress told) =>
-        new(told.Stroke, told.SegmentsExecuted, told.SegmentCount, Millimetres(profile, told.X, told.Y), told.ToolOn, told.Seconds);
+        new(told.Stroke, told.SegmentsExecuted, told.SegmentCount, Millimetres(profile, told.Place), told.ToolOn, told.Seconds);
 
-    private static Point2D Millimetres(MachineProfile profile, double x, double y) => profile.Scale.ToMillimetres(x, y);
+    private static Point2D Millimetres(MachineProfile profile, CountsPoint counts) => profile.Scale.ToMillimetres(counts.X, counts.Y);
+}
+
+/// <summary>How far a hold of the job under way has come.</summary>
+internal enum HoldPhase
+{
+    /// <summary>The job runs.</summary>
+    None,
+
+    /// <summary>A hold was asked for; the machine brakes.</summary>
+    Braking,
+
+    /// <summary>The machine stands.</summary>
+    Held,
 }

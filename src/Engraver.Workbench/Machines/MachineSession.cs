@@ -8,17 +8,19 @@ using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Machines.Terminals;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The machine the operator works with: one controller, and what it is doing. The other of the two places that change over time.</summary>
+/// <summary>The machine the operator works with: one controller, and what it is doing. One of the two objects that change over time (the other is the document session).</summary>
 /// <remarks>While connected the controller is looked at ten times a second over handles of the session's own; while a job runs the job tells. Status, stop and abort may be used from any thread.</remarks>
-public sealed class MachineSession : IAsyncDisposable
+public sealed partial class MachineSession : IAsyncDisposable
 {
     private readonly TimeProvider _time;
     private readonly MachineStatusModel _status;
     private readonly ActiveJob _work;
     private readonly WatchedConnection _watched;
+    private readonly OperatorOverrides _overrides = new();
     private ControllerPlace? _place;
 
     public MachineSession(TimeProvider time)
@@ -33,25 +35,25 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>Raised when a connection or a job begins or ends, with each look at the controller and each progress; on any thread.</summary>
     public event EventHandler? Changed;
 
-    /// <summary>What is known now.</summary>
+    /// <summary>What is known of the machine now.</summary>
     public MachineStatus Status => _status.Status;
 
     public AlarmLog Alarms => _status.Alarms;
 
-    /// <summary>The terminal's page.</summary>
+    /// <summary>The lines of the terminal page.</summary>
     public LiveTerminal Terminal { get; }
 
-    /// <summary>The machine by which counts become millimetres and the tool's output is known. Another one disarms.</summary>
+    /// <summary>The machine profile, by which counts become millimetres and the tool's output is known. Setting another one disarms.</summary>
     public MachineProfile Profile
     {
         get => _status.Profile;
         set => _status.Profile = value;
     }
 
-    /// <summary>What START would run; null while nothing is armed.</summary>
+    /// <summary>The job that START would run; null while nothing is armed.</summary>
     public ArmedJob? Armed => _status.Arming.Armed;
 
-    /// <summary>Where the controller is; null while none is connected.</summary>
+    /// <summary>The address of the controller; null while none is connected.</summary>
     public string? Description => _watched.Connection?.Description;
 
     /// <summary>The serial line it is connected by; null for none or another link.</summary>
@@ -65,17 +67,43 @@ public sealed class MachineSession : IAsyncDisposable
     /// <summary>Where the work origins of machines are kept between two sessions; null: nowhere. A simulated machine ends with its connection, and so does what is known of it.</summary>
     public string? OriginsFolder { get; init; }
 
-    /// <summary>The connected machine in this host's hands, with its work origins; null while none is connected.</summary>
+    /// <summary>The reservation of the connected machine, with its work origins; null while none is connected.</summary>
     public MachineHold? Hold { get; private set; }
 
-    public bool IsRunning => _work.Stop is not null;
+    /// <summary>A job or a move is under way.</summary>
+    public bool IsRunning => _work.Stop is not null && !IsKeptReady;
 
-    /// <summary>The last word of the job under way or just ended; null before the first.</summary>
+    /// <summary>The last progress of the job under way or just ended; null before the first.</summary>
     public JobProgress? Progress { get; private set; }
 
     public MachineRunReport? LastRun { get; private set; }
 
-    /// <summary>Shakes hands with a controller and watches it from then on; one that was connected before is let go.</summary>
+    /// <summary>The job whose progress the status shows, under way or ended; null before the first and after <see cref="DismissJob"/>.</summary>
+    public PreparedJob? ShownJob { get; private set; }
+
+    /// <summary>What START would cut where it is not the whole drawing; null for all of it.</summary>
+    public JobPart? Part { get; private set; }
+
+    /// <summary>Chooses what START cuts. Disarms.</summary>
+    /// <param name="part">Null for the whole drawing.</param>
+    public void ChoosePart(JobPart? part)
+    {
+        if (Part == part) return;
+        Disarm();
+        Part = part;
+        RaiseChanged();
+    }
+
+    /// <summary>Forgets the job that ended last, so that its progress is not shown with another drawing. Does nothing while a job runs.</summary>
+    public void DismissJob()
+    {
+        if (IsRunning) return;
+        ShownJob = null;
+        _status.DismissJob();
+        RaiseChanged();
+    }
+
+    /// <summary>Connects to a controller and watches it from then on; one that was connected before is disconnected.</summary>
     /// <exception cref="ControllerException">Nobody answers there.</exception>
     /// <exception cref="InvalidOperationException">A job runs.</exception>
     public async Task<MachineIdentity> ConnectAsync(ControllerAddress address, CancellationToken cancellation)
@@ -83,23 +111,24 @@ public sealed class MachineSession : IAsyncDisposable
         ArgumentNullException.ThrowIfNull(address);
         if (IsRunning) throw new InvalidOperationException("A job runs.");
         await DisconnectAsync().ConfigureAwait(false);
-        var poll = await _watched.OpenAsync(address, cancellation).ConfigureAwait(false);
+        var poll = await _watched.OpenAsync(address, Profile, cancellation).ConfigureAwait(false);
         var identity = _watched.Identity!;
         await TakeAsync(identity, cancellation).ConfigureAwait(false);
         _status.Connected(_watched.Connection!.Description, IsSimulation, identity);
         _status.Placed(Hold?.Memory.ActiveOrigin?.Plane);
-        _status.Seen(poll);
+        Seen(poll);
         _watched.Resume();
         return identity;
     }
 
-    /// <summary>The machine is taken before anybody is told that it is connected; when another host has it, the connection is let go.</summary>
+    /// <summary>Reserves the machine before <see cref="Changed"/> is raised; when another host has it, the connection is closed.</summary>
     private async Task TakeAsync(MachineIdentity identity, CancellationToken cancellation)
     {
         try
         {
             var place = _place = await _watched.Watch!.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
             Hold = new MachineMemories(IsSimulation ? null : OriginsFolder).Take(_watched.Connection!.Description, identity, place, MachineHolder.Describe("CncEngraver", _time));
+            Hold.Recognise(place);
         }
         catch (ControllerException)
         {
@@ -108,9 +137,10 @@ public sealed class MachineSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Lets the controller go; nothing when none is connected.</summary>
+    /// <summary>Disconnects the controller; does nothing when none is connected.</summary>
     public async Task DisconnectAsync()
     {
+        await FreeAsync().ConfigureAwait(false);
         Hold?.Dispose();
         (Hold, _place) = (null, null);
         if (_watched.Take() is not var (connection, watch)) return;
@@ -120,70 +150,106 @@ public sealed class MachineSession : IAsyncDisposable
         RaiseChanged();
     }
 
-    /// <summary>Lets START work for a minute, or until the machine or what was prepared changes.</summary>
+    /// <summary>Arms a job: START works for a minute, or until the machine, the drawing or a setting changes.</summary>
     /// <exception cref="InvalidOperationException">Something on the checklist has not passed.</exception>
     public ArmedJob Arm(PreparedJob job, JobMode mode, bool dryRun, ArmingChecklist checklist)
     {
         ArgumentNullException.ThrowIfNull(checklist);
-        return checklist.Passed && Status.State is MachineState.Ready or MachineState.Armed
-            ? _status.Arming.Arm(job, mode, dryRun, checklist)
-            : throw new InvalidOperationException("What was not checked cannot be armed.");
+        if (!checklist.Passed || !Status.State.IsReady()) throw new InvalidOperationException("What was not checked cannot be armed.");
+        DismissJob();
+        return _status.Arming.Arm(job, mode, dryRun, checklist);
     }
 
-    /// <summary>Takes START back.</summary>
+    /// <summary>Disarms.</summary>
     /// <returns>False when nothing was armed.</returns>
     public bool Disarm() => _status.Arming.Disarm();
 
-    /// <summary>A program as it can be run over the link that stands.</summary>
+    /// <summary>The program with its feed fitted to the present link.</summary>
     public LinkFeedFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => JobPlan.FitToLink(program, _watched.Address, mode, drawing);
 
-    /// <summary>The axes of a connected machine are told to brake; a job under way has a stop of its own (<see cref="Stop"/>).</summary>
-    public Task BrakeAsync() => IsRunning ? Task.CompletedTask : _watched.StopAsync(Profile.ToolOutput);
+    /// <summary>Brakes the axes of a connected machine; a job under way is left to its own stop (<see cref="Stop"/>).</summary>
+    public async Task BrakeAsync()
+    {
+        await FreeAsync().ConfigureAwait(false);
+        if (!IsRunning) await _watched.StopAsync(Profile.OffAtStop).ConfigureAwait(false);
+    }
 
     /// <summary>Runs a job on the connected controller. One at a time.</summary>
-    /// <param name="options">How; the address is that of the session.</param>
+    /// <param name="options">Gives the options of the run for the address of the session.</param>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
     /// <exception cref="ControllerException">The link never came up.</exception>
     public async Task<MachineRunReport> RunAsync(PreparedJob job, MotionProgram program, Func<ControllerAddress, MachineRunOptions> options, CancellationToken cancellation)
     {
+        await FreeAsync().ConfigureAwait(false);
         if (_watched is not { Connection: { } connection, Address: { } address }) throw new InvalidOperationException("No controller is connected.");
         return await WithStopAsync(stop => RunWatchedAsync(connection, job, program, options(address), stop), cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Where the active work origin puts a job on the connected machine, asked of the controller now.</summary>
+    /// <summary>Where the active work origin puts a job on the connected machine, by the position that the controller reports now.</summary>
     /// <returns>Null while none is connected, or while a job has the wire.</returns>
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<PlacementResult?> PlaceAsync(MotionProgram program, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(program);
+        await FreeAsync().ConfigureAwait(false);
         if (_watched.Watch is not { } watch || Hold is not { } hold) return null;
         var place = _place = await watch.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
-        return WorkPlacement.Find(hold.Memory, place, new OriginRequest.Work(), program.Profile, program.Start);
+        hold.Recognise(place);
+        return Placed(program, hold.Memory, place);
     }
 
-    /// <summary>The same by what the watch saw last, for a list that is shown all the time; nothing is asked.</summary>
+    /// <summary>Where the active origin puts a job; a job that would leave the travel there has no place.</summary>
+    private static PlacementResult Placed(MotionProgram program, MachineMemory memory, ControllerPlace place)
+    {
+        var found = WorkPlacement.Find(memory, place, new OriginRequest.Work(), program.Profile, program.Start);
+        return program.Strokes.Count == 0 ? found : WorkPlacement.Within(found, program, memory, place);
+    }
+
+    /// <summary>Looks at the controller now and finds where the active work origin puts a job. That nobody answers is told by the status.</summary>
+    /// <returns>Null while none is connected, while a job has the wire, or when nobody answers.</returns>
+    public async Task<PlacementResult?> AskAsync(MotionProgram program, CancellationToken cancellation)
+    {
+        await FreeAsync().ConfigureAwait(false);
+        if (_watched.Watch is not { } watch || IsRunning) return null;
+        try
+        {
+            Seen(await watch.LookAsync(cancellation).ConfigureAwait(false));
+            return await PlaceAsync(program, cancellation).ConfigureAwait(false);
+        }
+        catch (ControllerException failure)
+        {
+            _status.Lost(failure);
+            return null;
+        }
+    }
+
+    /// <summary>The same by the position that the watch saw last, for a list that is always shown; the controller is not asked.</summary>
     /// <returns>Null while no controller is connected, or before it was looked at.</returns>
     public PlacementResult? LastPlacement(MotionProgram program)
     {
         ArgumentNullException.ThrowIfNull(program);
-        if (_place is not { } place || Hold is not { } hold || Status.MachinePosition is not { } at) return null;
-        return WorkPlacement.Find(hold.Memory, place with { Mark = hold.Memory.Mark ?? place.Mark, Position = program.Profile.Scale.ToCounts(at) }, new OriginRequest.Work(), program.Profile, program.Start);
+        var scale = program.Profile.Scale;
+        return Status.MachinePosition is { } at ? LastPlacement(program, scale.ToCounts(at) with { Z = scale.ToHeight(Status.MachineHeight ?? 0.0) }) : null;
     }
+
+    private PlacementResult? LastPlacement(MotionProgram program, CountsPoint at) => _place is { } place && Hold is { } hold
+        ? Placed(program, hold.Memory, place with { Mark = hold.KnowsZero ? hold.Memory.Mark : null, Clock = null, Position = at })
+        : null;
 
     /// <summary>Changes the work origins, with the machine's position as the controller tells it now. Disarms.</summary>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
     /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
     public async Task<MachineMemory> SetOriginAsync(Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation)
     {
+        await FreeAsync().ConfigureAwait(false);
         if (_watched.Watch is not { } watch || Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
         var memory = await watch.SetOriginAsync(Profile.Axes, hold, set, cancellation).ConfigureAwait(false);
-        _status.Placed(memory.ActiveOrigin?.Plane);
-        RaiseChanged();
+        OriginChanged(hold);
         return memory;
     }
 
-    /// <summary>Jobs use another work origin from now on. Disarms.</summary>
+    /// <summary>Chooses the work origin that jobs use from now on. Disarms.</summary>
     /// <param name="name">One of <see cref="WorkOriginNames"/>.</param>
     /// <returns>Why it could not be kept; null when it was.</returns>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
@@ -191,31 +257,9 @@ public sealed class MachineSession : IAsyncDisposable
     {
         if (Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
-        var failure = hold.Keep(memory => memory with { Active = name });
-        _status.Placed(hold.Memory.ActiveOrigin?.Plane);
-        RaiseChanged();
+        var failure = hold.Set(memory => memory with { Active = name });
+        OriginChanged(hold);
         return failure;
-    }
-
-    /// <summary>Moves the connected machine with the tool off, at the profile's rapid speed, and disarms. It is stopped as a job is.</summary>
-    /// <param name="goal">The controller's own counts.</param>
-    /// <param name="journal">Where what is found in the controller is written down.</param>
-    /// <param name="feed">Speed of each axis, mm/min; null for the profile's rapid speed.</param>
-    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
-    /// <exception cref="ControllerException">The link never came up.</exception>
-    public async Task<JobResult> GoToAsync(CountsPoint goal, string journal, double? feed, CancellationToken cancellation)
-    {
-        if (_watched.Connection is not { } connection) throw new InvalidOperationException("No controller is connected.");
-        return await _work.RunAsync(stop => GoToWatchedAsync(connection, feed is { } speed ? Profile with { RapidMmPerMinute = speed } : Profile, goal, journal, stop), cancellation).ConfigureAwait(false);
-    }
-
-    /// <summary>Runs a job on a simulated controller of its own, at full speed; what is connected is left alone.</summary>
-    /// <exception cref="InvalidOperationException">A job runs already.</exception>
-    public async Task<MachineRunReport> SimulateAsync(PreparedJob job, MotionProgram program, Func<ControllerAddress, MachineRunOptions> options, CancellationToken cancellation)
-    {
-        var address = new SimulatedAddress(double.PositiveInfinity);
-        await using var connection = MachineConnection.To(address, _time);
-        return await WithStopAsync(stop => MachineRun.RunAsync(job, program, connection, options(address), _time, Listener(null), stop), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Stops the job under way: the machine brakes, the tool goes off, the job ends as stopped. With no job the axes of a connected machine brake all the same. Never waits, from any thread.</summary>
@@ -224,19 +268,39 @@ public sealed class MachineSession : IAsyncDisposable
     {
         var (job, watch) = AtWork();
         if (job is not null) UrgentThread.Run(job.Cancel);
-        else if (watch is not null) _watched.ActUrgently(watch, one => one.StopAsync(Profile.ToolOutput));
+        else if (watch is not null) _watched.ActUrgently(watch, one => one.StopAsync(Profile.OffAtStop));
         _status.StopSent();
         return job is not null;
     }
 
     /// <summary>Halts every motion at once, without braking, and switches the motors off; a job ends as stopped. Never waits, from any thread.</summary>
-    /// <remarks>On a serial line, whose one wire the job has, a job is stopped as by <see cref="Stop"/>: its axes brake, and the motors stay as they are.</remarks>
+    /// <remarks>On a serial line, whose one wire the job uses, a job is stopped as by <see cref="Stop"/>: its axes brake, and the motors stay as they are.</remarks>
     public void Abort()
     {
         var (job, watch) = AtWork();
-        if (watch is not null) _watched.ActUrgently(watch, one => one.AbortAsync(Profile.ToolOutput));
+        if (watch is not null) _watched.ActUrgently(watch, one => one.AbortAsync(Profile.OffAtAbort));
         if (job is not null) UrgentThread.Run(job.Cancel);
         _status.StopSent();
+    }
+
+    /// <summary>Holds the job under way: it brakes on its path, and the tool goes off once it stands. Never waits, from any thread.</summary>
+    /// <returns>False when nothing runs that can be held; a stop is what is left then.</returns>
+    public bool HoldJob() => Control(control => control.Hold(), held: true);
+
+    /// <summary>Lets a held job go on.</summary>
+    /// <returns>False when no job is held.</returns>
+    public bool ResumeJob() => _overrides.Control is { IsHoldWanted: true } && Control(control => control.Resume(), held: false);
+
+    /// <summary>Factors of feed and rapid speed for the job under way and those that follow.</summary>
+    /// <param name="feed">Null leaves it as it is.</param>
+    /// <param name="rapid">Null leaves it as it is.</param>
+    /// <returns>What is asked for now.</returns>
+    public (double Feed, double Rapid) Override(double? feed, double? rapid)
+    {
+        var set = _overrides.Set(feed, rapid);
+        _status.Overridden(set.Feed, set.Rapid);
+        RaiseChanged();
+        return set;
     }
 
     /// <summary>Switches the motors of both axes on or off.</summary>
@@ -245,6 +309,7 @@ public sealed class MachineSession : IAsyncDisposable
     /// <exception cref="ControllerException">The link failed.</exception>
     public async Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation)
     {
+        await FreeAsync().ConfigureAwait(false);
         if (_watched.Watch is not { } watch || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
         Disarm();
         var refused = await watch.SetMotorsAsync(on, cancellation).ConfigureAwait(false);
@@ -258,6 +323,15 @@ public sealed class MachineSession : IAsyncDisposable
         await _work.EndAsync().ConfigureAwait(false);
         await DisconnectAsync().ConfigureAwait(false);
         _status.Dispose();
+    }
+
+    private bool Control(Action<JobControl> act, bool held)
+    {
+        if (_overrides.Control is not { } control || _work.Stop is not { IsCancellationRequested: false }) return false;
+        act(control);
+        _status.HoldAsked(held);
+        RaiseChanged();
+        return true;
     }
 
     private (CancellationTokenSource? Job, MachineWatch? Watch) AtWork()
@@ -277,27 +351,38 @@ public sealed class MachineSession : IAsyncDisposable
 
     private async Task<MachineRunReport> RunWatchedAsync(MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, CancellationToken stop)
     {
-        _status.JobBegins();
+        ShownJob = job;
+        Recorded = null;
+        var live = LiveTrace.Of(job, options.DryRun);
+        _status.JobBegins(options.DryRun);
         await _watched.GiveWayAsync().ConfigureAwait(false);
         try
         {
-            var report = await MachineRun.RunAsync(job, program, connection, options with { Hold = Hold, Placed = frame => _status.Placed(frame) }, _time, Listener(_status), stop).ConfigureAwait(false);
+            var report = await MachineRun.RunAsync(job, program, connection, options with { Hold = Hold, Control = _overrides.Begin(), Placed = frame => _status.Placed(frame) }, _time, Listener(_status, live), stop).ConfigureAwait(false);
+            Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;
             _status.JobEnds(report.Result);
+            if (report.Result.Outcome == JobOutcome.Complete && !options.DryRun) Part = null;
             return report;
         }
         finally
         {
+            _overrides.End();
             await _watched.ResumeAsync(connection).ConfigureAwait(false);
         }
     }
 
-    private async Task<JobResult> GoToWatchedAsync(MachineConnection connection, MachineProfile profile, CountsPoint goal, string journal, CancellationToken stop)
+    private Task<JobResult> MoveWatchedAsync(MachineConnection connection, MachineProfile profile, MachineMove move, CancellationToken stop) =>
+        WatchedAsync(connection, move.Doing, () => move.RunAsync(connection, Hold!, profile, _status.Here, stop));
+
+    /// <summary>A motion by hand, before which the watch makes way.</summary>
+    /// <param name="doing">For the state, while it lasts.</param>
+    private async Task<JobResult> WatchedAsync(MachineConnection connection, string doing, Func<Task<JobResult>> move)
     {
-        _status.MoveBegins();
+        _status.MoveBegins(doing);
         await _watched.GiveWayAsync().ConfigureAwait(false);
         try
         {
-            var result = await MachineMove.ToAsync(connection, Hold!, profile, _status.Here, goal, journal, new JobListener(TellMove), stop).ConfigureAwait(false);
+            var result = await move().ConfigureAwait(false);
             _status.MoveEnds(result);
             return result;
         }
@@ -307,24 +392,31 @@ public sealed class MachineSession : IAsyncDisposable
         }
     }
 
+    /// <summary>Takes the new place of the drawing's zero and forgets the last job, which was cut elsewhere, and what START should cut of it.</summary>
+    private void OriginChanged(MachineHold hold)
+    {
+        Part = null;
+        _status.Placed(hold.Memory.ActiveOrigin?.Plane);
+        if (Status.MachinePosition is { } at) _status.OriginIs(OriginMissing(Profile.Scale.ToCounts(at) with { Z = Profile.Scale.ToHeight(Status.MachineHeight ?? 0.0) }));
+        DismissJob();
+    }
+
     private void Seen(MachineReading poll)
     {
         while (_watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message);
-        KeepRest(poll);
+        if (!IsRunning) Hold?.KeepSeen(poll.Position, poll.Moves);
+        if (_place is { } place && string.Concat(poll.MotorsOff.Intersect(place.Uncounted)) is { Length: > 0 } off) Hold?.KeepLost(Wording.Get("Origins.StepperWasOff", off));
+        _status.OriginIs(OriginMissing(poll.Position)); // a job under way is not watched: this is the look before or behind it
+        _status.HomedIs(IsHomed);
         _status.Seen(poll);
     }
 
-    /// <summary>Whoever moves the machine, a typed line or another host: where it rests is kept, for by that it is known after a power cycle whether its zero can be the same.</summary>
-    private void KeepRest(MachineReading poll)
-    {
-        if (Hold is not { Memory: { Mark: not null } memory } hold || IsRunning) return;
-        var at = new CountsPoint(poll.X, poll.Y);
-        if (poll.Moves ? memory.IsMoving : !memory.IsMoving && memory.Rest == at) return;
-        hold.Keep(before => before with { IsMoving = poll.Moves, Rest = poll.Moves ? null : at });
-    }
+    /// <summary>Why the active origin gives no place for a job, by what the watch saw; empty when it gives one.</summary>
+    private string OriginMissing(CountsPoint at) => LastPlacement(new MotionProgram(Profile, default, []), at)?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message : "";
 
     private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {
+        await FreeAsync().ConfigureAwait(false);
         if (_watched.Watch is not { } watch) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("Common.NoControllerConnectedCncconnect"))];
         if (IsRunning) return [new TerminalAnswer(TerminalAnswerKind.Withheld, Wording.Get("MachineSession.JobRunsNothingSent"))];
         Disarm();
@@ -334,9 +426,11 @@ public sealed class MachineSession : IAsyncDisposable
     }
 
     /// <param name="status">Null for a job that does not run on the connected machine.</param>
-    private JobListener Listener(MachineStatusModel? status) => new(value =>
+    /// <param name="live">Null where the places are not collected meanwhile.</param>
+    private JobListener Listener(MachineStatusModel? status, LiveTrace? live = null) => new(value =>
     {
         Progress = value;
+        if (live?.Add(value) is { } sofar) Recorded = sofar;
         status?.JobTells(value);
         RaiseChanged();
     });

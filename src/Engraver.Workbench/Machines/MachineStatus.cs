@@ -3,17 +3,17 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>What is known of the machine at one moment. Immutable; null is what nobody knows.</summary>
+/// <summary>What is known of the machine at one moment. Immutable; null is unknown.</summary>
 public sealed record MachineStatus
 {
     public static MachineStatus Offline { get; } = new();
 
     public MachineState State { get; init; }
 
-    /// <summary>Why the state is what it is, where that needs a word (a limit switch, a lost link); empty otherwise.</summary>
+    /// <summary>The reason of the state where it has one (a limit switch, a lost link); empty otherwise.</summary>
     public string Reason { get; init; } = "";
 
-    /// <summary>Where the controller is; null while none is connected.</summary>
+    /// <summary>The address of the controller; null while none is connected.</summary>
     public string? Link { get; init; }
 
     /// <summary>The model as the controller names itself.</summary>
@@ -25,13 +25,19 @@ public sealed record MachineStatus
     /// <summary>The commanded position by the controller's own zero (_RPA, _RPB), mm; the last that is known once the link is lost, when everything else is null.</summary>
     public Point2D? MachinePosition { get; init; }
 
-    /// <summary>In the drawing's millimetres, by the frame of the job that runs or ran last; null before the first.</summary>
+    /// <summary>Of the Z axis by the controller's own zero, mm; null on a machine without one.</summary>
+    public double? MachineHeight { get; init; }
+
+    /// <summary>The tool's height over the drawing's zero, mm; null where <see cref="WorkPosition"/> is, and on a machine without a Z axis.</summary>
+    public double? WorkHeight { get; init; }
+
+    /// <summary>Position in drawing millimetres, by the frame of the job that runs or ran last; null before the first.</summary>
     public Point2D? WorkPosition { get; init; }
 
     /// <summary>How far the motors are from their command (_TEA, _TEB), mm; known while no job runs.</summary>
     public Vector2D? FollowingError { get; init; }
 
-    /// <summary>Along the path, mm/s; 0 at rest.</summary>
+    /// <summary>Speed along the path, mm/s; 0 at rest.</summary>
     public double? Speed { get; init; }
 
     /// <summary>Inputs 1 to 8, bit 0 is input 1 (_TI0).</summary>
@@ -43,10 +49,10 @@ public sealed record MachineStatus
     /// <summary>Whether the tool output is switched on; what the tool does is not wired back.</summary>
     public bool? ToolCommanded { get; init; }
 
-    /// <summary>Motors of both axes are on.</summary>
+    /// <summary>Motors of all axes are on.</summary>
     public bool? MotorsOn { get; init; }
 
-    /// <summary>The controller's letters of the axes whose motor is off; null while nobody knows.</summary>
+    /// <summary>The controller's letters of the axes whose motor is off; null when unknown.</summary>
     public string? MotorsOff { get; init; }
 
     /// <summary>The limit that is hit, for example "forward limit of axis A"; empty when none is.</summary>
@@ -58,17 +64,38 @@ public sealed record MachineStatus
     /// <summary>How the last job on this controller ended; null before the first.</summary>
     public JobOutcome? LastOutcome { get; init; }
 
-    /// <summary>The last word of the job that runs or ran last; null before the first.</summary>
+    /// <summary>The last progress of the job that runs, or that has ended and is still shown; null otherwise, so never that of another drawing.</summary>
     public EngravedProgress? Progress { get; init; }
 
-    /// <summary>Until when START works; null while not armed.</summary>
+    /// <summary>Factor of the programmed feed that the operator asked for.</summary>
+    public double FeedRatio { get; init; } = 1.0;
+
+    /// <summary>The factor that is in force: less than asked for where arcs and bends of the job under way do not bear it.</summary>
+    public double FeedInForce { get; init; } = 1.0;
+
+    /// <summary>Factor of the rapid speed.</summary>
+    public double RapidRatio { get; init; } = 1.0;
+
+    /// <summary>Time at which arming ends; null while not armed.</summary>
     public DateTimeOffset? ArmedUntil { get; init; }
 
-    /// <summary>When the controller said so last.</summary>
+    /// <summary>True when the tool stays off in the job that is armed, runs or has just ended.</summary>
+    public bool IsDryRun { get; init; }
+
+    /// <summary>Whether the machine was homed since power-on; null for one that is not homed at all.</summary>
+    public bool? IsHomed { get; init; }
+
+    /// <summary>True when the controller answers no more; the other values are then the last known ones.</summary>
+    public bool IsLinkLost { get; init; }
+
+    /// <summary>Why the place of the drawing's zero is unknown, and what to do; empty while it is known.</summary>
+    public string OriginMissing { get; init; } = "";
+
+    /// <summary>Time of the last answer of the controller.</summary>
     public DateTimeOffset Time { get; init; }
 }
 
-/// <summary>How far a job has come, by the controller's own count: what lies before is engraved, what lies behind is still to do.</summary>
+/// <summary>The progress of a job by the controller's own count of segments: earlier ones are engraved, later ones are still to do.</summary>
 /// <param name="Stroke">Place in <see cref="Engraver.Core.Machines.MotionProgram.Strokes"/> of the stroke under way.</param>
 /// <param name="SegmentsDone">Segments of the whole motion program that are done, in the order of cutting.</param>
 /// <param name="SegmentCount">How many there are.</param>
@@ -77,6 +104,6 @@ public sealed record MachineStatus
 /// <param name="Seconds">Controller time since the job began.</param>
 public sealed record EngravedProgress(int Stroke, int SegmentsDone, int SegmentCount, Point2D Position, bool ToolOn, double Seconds)
 {
-    /// <summary>0 to 1, by segments.</summary>
+    /// <summary>Progress from Progress from 0 to 1, by segments.</summary>
     public double Fraction => SegmentCount == 0 ? 0.0 : (double)SegmentsDone / SegmentCount;
 }

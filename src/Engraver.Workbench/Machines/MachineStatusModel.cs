@@ -13,6 +13,12 @@ internal sealed class MachineStatusModel : IDisposable
     private MachineFacts _facts = MachineFacts.None;
     private MachineProfile _profile = MachineProfile.Default;
 
+    /// <summary>A job that has ended and whose alarm waits for the next look at the controller: that shows whether a limit or an input ended it, which is then the only alarm.</summary>
+    private JobResult? _ended;
+
+    /// <summary>True once the alarm of a lost link was raised, by the job or by the watch.</summary>
+    private volatile bool _lossIsTold;
+
     public MachineStatusModel(TimeProvider time, Action changed)
     {
         (_time, _changed) = (time, changed);
@@ -32,7 +38,7 @@ internal sealed class MachineStatusModel : IDisposable
         }
     }
 
-    /// <summary>Another one disarms.</summary>
+    /// <summary>The machine profile; setting another one disarms.</summary>
     public MachineProfile Profile
     {
         get
@@ -61,9 +67,11 @@ internal sealed class MachineStatusModel : IDisposable
         }
     }
 
-    /// <summary>A simulated controller is a new one each time; of another one it is remembered how its last job ended.</summary>
+    /// <summary>Notes a new connection. The outcome of the last job is kept when the address is the same, but not that of a simulated controller, which is new each time.</summary>
     public void Connected(string link, bool isSimulation, MachineIdentity identity) => Change(before => new MachineFacts
     {
+        FeedRatio = before.FeedRatio,
+        RapidRatio = before.RapidRatio,
         Link = link,
         IsSimulation = isSimulation,
         Identity = identity,
@@ -74,11 +82,11 @@ internal sealed class MachineStatusModel : IDisposable
 
     public void Disconnected()
     {
-        Change(before => MachineFacts.None with { SeenAt = _time.GetUtcNow(), LastLink = before.LastLink, LastOutcome = before.LastOutcome });
+        Change(before => MachineFacts.None with { FeedRatio = before.FeedRatio, RapidRatio = before.RapidRatio, SeenAt = _time.GetUtcNow(), LastLink = before.LastLink, LastOutcome = before.LastOutcome });
         DisarmOrTell();
     }
 
-    /// <summary>The watch has looked. What differs from before disarms.</summary>
+    /// <summary>Takes a look of the watch; a difference from the one before disarms.</summary>
     public void Seen(MachineReading poll)
     {
         MachineReading? before;
@@ -89,7 +97,8 @@ internal sealed class MachineStatusModel : IDisposable
             _facts = _facts with { Poll = poll, PollIsOld = false, Lost = null, SeenAt = _time.GetUtcNow() };
         }
 
-        MachineAlarms.Seen(Alarms, poll, Link);
+        MachineAlarms.Seen(Alarms, poll, Link, Interlocked.Exchange(ref _ended, null));
+        _lossIsTold = false;
         if (before is not null && poll.DiffersFrom(before)) DisarmOrTell();
         else _changed();
     }
@@ -102,51 +111,89 @@ internal sealed class MachineStatusModel : IDisposable
             _facts = _facts with { Lost = failure.Message };
         }
 
-        MachineAlarms.LinkLost(Alarms, Link, failure.Message);
+        if (Interlocked.Exchange(ref _ended, null) is { } ended) MachineAlarms.Ended(Alarms, ended, Link);
+        if (!_lossIsTold) MachineAlarms.LinkLost(Alarms, Link, failure.Message);
+        _lossIsTold = true;
         DisarmOrTell();
     }
 
-    /// <summary>A command of the operator's was refused.</summary>
+    /// <summary>Raises the alarm of a refused command of the operator.</summary>
     public void Refused(MachineRefusal refused)
     {
         NoteRefusal(refused.Sentence);
         MachineAlarms.Refused(Alarms, refused, Link);
     }
 
-    /// <summary>A typed line was refused: the operator sees it where it was typed, it is no alarm.</summary>
+    /// <summary>Notes the refusal of a typed line. It raises no alarm, because the operator sees it where it was typed.</summary>
     public void NoteRefusal(string text) => Change(facts => facts with { LastRefusal = text });
 
-    public void JobBegins() => Begins(facts => facts with { Progress = null });
+    public void JobBegins(bool isDryRun) => Begins(facts => facts with { Progress = null, Ended = null, IsDryRun = isDryRun, MoveName = null });
 
-    /// <summary>A move by hand begins: how far the last job came stays known.</summary>
-    public void MoveBegins() => Begins(facts => facts);
+    /// <summary>Notes the begin of a move by hand; the progress of the last job stays known.</summary>
+    /// <param name="name">The name of the move, for people.</param>
+    public void MoveBegins(string name) => Begins(facts => facts with { MoveName = name });
+
+    /// <summary>The job under way is asked to hold, or to go on; once it stands, and once it goes on, it says so itself.</summary>
+    public void HoldAsked(bool held) => Change(facts => facts with { Hold = (facts.Hold, held) switch { (HoldPhase.None, true) when facts.JobRuns => HoldPhase.Braking, (HoldPhase.Braking, false) => HoldPhase.None, _ => facts.Hold } });
+
+    /// <summary>Forgets the job that ended last, because another one is armed, or another drawing or origin is shown.</summary>
+    public void DismissJob() => Change(facts => facts.JobRuns ? facts : facts with { Progress = null, Ended = null, IsDryRun = false });
+
+    /// <summary>Notes whether the place of the drawing's zero is known.</summary>
+    /// <param name="missing">Why it is unknown and what to do; empty when it is known.</param>
+    public void OriginIs(string missing) => Change(facts => facts with { OriginMissing = missing });
+
+    /// <param name="isHomed">Null for a machine that is not homed at all.</param>
+    public void HomedIs(bool? isHomed) => Change(facts => facts with { IsHomed = isHomed });
 
     private void Begins(Func<MachineFacts, MachineFacts> also)
     {
-        Change(facts => also(facts) with { JobRuns = true, PollIsOld = true, Stopping = false, Told = null });
+        Change(facts => also(facts) with { JobRuns = true, PollIsOld = true, Stopping = false, Hold = HoldPhase.None, Told = null });
         MachineAlarms.Begun(Alarms);
         DisarmOrTell();
     }
 
-    /// <summary>The drawing's zero lies here.</summary>
-    /// <param name="frame">Controller counts; null while nobody knows.</param>
+    /// <summary>Notes the place of the drawing's zero.</summary>
+    /// <param name="frame">Controller counts; null when unknown.</param>
     public void Placed(CountsPoint? frame) => Change(facts => facts with { Frame = frame });
 
-    public void JobTells(JobProgress progress) => Change(facts => facts with { Progress = progress, Told = progress, SeenAt = _time.GetUtcNow() });
+    public void JobTells(JobProgress progress) => Change(facts => facts with { Progress = progress, Told = progress, SeenAt = _time.GetUtcNow(), Hold = HoldOf(facts.Hold, progress.Phase) });
+
+    /// <summary>A hold that was asked for and that the job has not noticed yet stays asked for.</summary>
+    private static HoldPhase HoldOf(HoldPhase before, JobPhase phase) => phase switch
+    {
+        JobPhase.Held => HoldPhase.Held,
+        JobPhase.Holding => HoldPhase.Braking,
+        JobPhase.Running when before == HoldPhase.Braking => HoldPhase.Braking,
+        _ => HoldPhase.None,
+    };
 
     public void MoveTells(JobProgress progress) => Change(facts => facts with { Told = progress, SeenAt = _time.GetUtcNow() });
 
     public void JobEnds(JobResult result)
     {
-        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal, LastOutcome = result.Outcome });
-        MachineAlarms.Ended(Alarms, result, Link);
+        Change(facts => facts with { Frame = result.FrameOrigin ?? facts.Frame, LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal, LastOutcome = result.FrameOrigin is null ? facts.LastOutcome : result.Outcome, Ended = result.FrameOrigin is null ? null : result.Outcome });
+        TellEnd(result);
     }
 
-    /// <summary>A move by hand has ended: the place of the drawing and the end of the last job are as they were.</summary>
+    /// <summary>Raises the alarm of a job's end: of a lost link at once, of any other end after the next look.</summary>
+    private void TellEnd(JobResult result)
+    {
+        if (result.Outcome != JobOutcome.LinkLost)
+        {
+            _ended = result;
+            return;
+        }
+
+        MachineAlarms.Ended(Alarms, result, Link);
+        _lossIsTold = true;
+    }
+
+    /// <summary>Notes the end of a move by hand; frame and outcome of the last job stay known.</summary>
     public void MoveEnds(JobResult result)
     {
         Change(facts => facts with { LastRefusal = result.Refusal?.Sentence ?? facts.LastRefusal });
-        MachineAlarms.Ended(Alarms, result, Link);
+        TellEnd(result);
     }
 
     /// <summary>Where the machine stands in the frame of the last job, or by its own zero before the first.</summary>
@@ -154,17 +201,20 @@ internal sealed class MachineStatusModel : IDisposable
     {
         get
         {
-            lock (_guard) return _facts.Poll is { } at ? new CountsPoint(at.X - (_facts.Frame?.X ?? 0), at.Y - (_facts.Frame?.Y ?? 0)) : default;
+            lock (_guard) return _facts.Poll is { } at ? at.Position - (_facts.Frame ?? default) : default;
         }
     }
 
-    /// <summary>The machine is nobody's again.</summary>
-    public void JobIsOver() => Change(facts => facts with { JobRuns = false, Stopping = false });
+    /// <summary>Notes that no job or move is under way any more.</summary>
+    public void JobIsOver() => Change(facts => facts with { JobRuns = false, Stopping = false, Hold = HoldPhase.None, MoveName = null });
 
-    /// <summary>A stop is asked for. Nobody is told yet: the stop itself comes first (<see cref="StopSent"/>).</summary>
+    /// <summary>The operator wants another speed.</summary>
+    public void Overridden(double feed, double rapid) => Change(facts => facts with { FeedRatio = feed, RapidRatio = rapid });
+
+    /// <summary>Notes that a stop was requested. The change is raised later, by <see cref="StopSent"/>, because sending the stop comes first.</summary>
     public void StopAsked() => Change(facts => facts with { Stopping = facts.JobRuns });
 
-    /// <summary>The stop is on its way.</summary>
+    /// <summary>Notes that the stop was sent.</summary>
     public void StopSent() => DisarmOrTell();
 
     public void Dispose() => Arming.Dispose();
@@ -174,7 +224,7 @@ internal sealed class MachineStatusModel : IDisposable
         lock (_guard) _facts = change(_facts);
     }
 
-    /// <summary>Disarming tells by itself.</summary>
+    /// <summary>Disarms, which raises the change, or raises it.</summary>
     private void DisarmOrTell()
     {
         if (!Arming.Disarm()) _changed();

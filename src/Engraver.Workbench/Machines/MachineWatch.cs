@@ -1,6 +1,7 @@
 using System.Diagnostics.CodeAnalysis;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
+using Engraver.Core.Machines.Setup;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Machines.Origins;
 
@@ -28,6 +29,9 @@ internal sealed class MachineWatch : IAsyncDisposable
 
     public bool IsBroken => _machine.IsBroken;
 
+    /// <summary>Null where the controller's wiring cannot be told.</summary>
+    public IMachineSetup? Setup => _machine.Setup;
+
     /// <param name="axes">Those that a job would move, as the profile of the moment has them.</param>
     /// <exception cref="ControllerException">Nobody answers.</exception>
     public static async Task<MachineWatch> OpenAsync(MachineConnection connection, Func<MachineAxes> axes, TimeProvider time, CancellationToken cancellation) =>
@@ -52,7 +56,7 @@ internal sealed class MachineWatch : IAsyncDisposable
         _looking = LookOnAsync(seen, lost, _stopLooking.Token);
     }
 
-    /// <summary>Returns when nothing is asked any more.</summary>
+    /// <summary>Stops looking; returns when the last question has been answered.</summary>
     public async Task PauseAsync()
     {
         if (_stopLooking is not { } looking) return;
@@ -62,22 +66,30 @@ internal sealed class MachineWatch : IAsyncDisposable
         looking.Dispose();
     }
 
-    /// <summary>Text that programs have printed since the last time.</summary>
+    /// <summary>Takes the next text that programs of the controller have printed.</summary>
     public bool TryTakeMessage([NotNullWhen(true)] out string? message) => _machine.TryTakeMessage(out message);
 
     /// <summary>The operator's typed line.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation) => _machine.AnswerAsync(line, cancellation);
 
+    /// <summary>Where an interrupted job is to go on.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public Task<ResumePlace> FindResumeAsync(MotionProgram program, JobMode mode, string journal, CancellationToken cancellation) => _machine.FindResumeAsync(program, mode, journal, cancellation);
+
     /// <summary>Tool off, the path and every axis brake.</summary>
-    public Task StopAsync(int toolOutput) => _machine.StopAsync(toolOutput);
+    public Task StopAsync(IReadOnlyList<OutputSwitch> outputs) => _machine.StopAsync(outputs);
 
     /// <summary>Every motion halts at once and every program ends, tool off, motors off.</summary>
-    public Task AbortAsync(int toolOutput) => _machine.AbortAsync(toolOutput);
+    public Task AbortAsync(IReadOnlyList<OutputSwitch> outputs) => _machine.AbortAsync(outputs);
 
     /// <summary>Switches the motors of both axes.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation) => _machine.SetMotorsAsync(_axes(), on, cancellation);
+
+    /// <summary>Switches one output.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public Task<MachineRefusal?> SetOutputAsync(int output, bool on, CancellationToken cancellation) => _machine.SetOutputAsync(output, on, cancellation);
 
     public async ValueTask DisposeAsync()
     {

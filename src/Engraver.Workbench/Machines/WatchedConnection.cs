@@ -3,8 +3,8 @@ using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The controller that a machine session has, and the watch that looks at it while no job runs. Nothing is connected at first.</summary>
-/// <remarks>What it has may be asked from any thread; connecting, letting go and making way for a job are the session's, one after the other.</remarks>
+/// <summary>The connection of a machine session and the watch that polls the controller while no job runs. Nothing is connected at first.</summary>
+/// <remarks>Properties may be read from any thread; the session connects, disconnects and pauses for a job, one call after the other.</remarks>
 /// <param name="axes">Those that a job would move, as the profile of the moment has them.</param>
 internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axes, Action<MachineReading> seen, Action<ControllerException> lost)
 {
@@ -28,10 +28,11 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
     }
 
     /// <summary>Shakes hands and looks once; watching begins with <see cref="ResumeAsync"/> or <see cref="Resume"/>.</summary>
+    /// <param name="profile">Where the switches of a simulated machine lie.</param>
     /// <exception cref="ControllerException">Nobody answers there; nothing is connected then.</exception>
-    public async Task<MachineReading> OpenAsync(ControllerAddress address, CancellationToken cancellation)
+    public async Task<MachineReading> OpenAsync(ControllerAddress address, MachineProfile profile, CancellationToken cancellation)
     {
-        var connection = MachineConnection.To(address, time);
+        var connection = MachineConnection.To(address, time, profile: profile);
         MachineWatch? watch = null;
         try
         {
@@ -47,7 +48,7 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         }
     }
 
-    /// <summary>From now on it is looked at again and again.</summary>
+    /// <summary>Begins to poll the controller.</summary>
     public void Resume() => Watch?.Resume(seen, lost);
 
     /// <summary>From now on nothing is connected; what was is still open and is the caller's.</summary>
@@ -63,7 +64,7 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         }
     }
 
-    /// <summary>For a job: the watch falls silent, and on a single wire goes.</summary>
+    /// <summary>Pauses the watch for a job; on a single wire closes it.</summary>
     public async Task GiveWayAsync()
     {
         if (Watch is not { } watch) return;
@@ -87,7 +88,7 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         }
     }
 
-    /// <summary>A watch that rested does not know that its link was cut until it asks.</summary>
+    /// <summary>One look after a pause, which shows whether the link was cut meanwhile.</summary>
     /// <returns>Null when it is lost.</returns>
     private async Task<MachineReading?> LookAgainAsync()
     {
@@ -109,11 +110,11 @@ internal sealed class WatchedConnection(TimeProvider time, Func<MachineAxes> axe
         return await watch.LookAsync(CancellationToken.None).ConfigureAwait(false);
     }
 
-    /// <summary>An act over the watch that nobody waits for; its failure is told while that watch is still the one in use.</summary>
+    /// <summary>Runs an act over the watch without waiting for it; a failure is reported if that watch is still in use.</summary>
     public void ActUrgently(MachineWatch watch, Func<MachineWatch, Task> act) => UrgentThread.Run(() => _ = UrgentlyAsync(watch, act));
 
-    /// <summary>The axes brake and the tool goes off; nothing when nobody watches. A failure is told.</summary>
-    public Task StopAsync(int toolOutput) => Watch is { } watch ? UrgentlyAsync(watch, one => one.StopAsync(toolOutput)) : Task.CompletedTask;
+    /// <summary>Brakes the axes and switches the tool off; does nothing without a watch. A failure is reported.</summary>
+    public Task StopAsync(IReadOnlyList<OutputSwitch> outputs) => Watch is { } watch ? UrgentlyAsync(watch, one => one.StopAsync(outputs)) : Task.CompletedTask;
 
     private async Task UrgentlyAsync(MachineWatch watch, Func<MachineWatch, Task> act)
     {

@@ -181,7 +181,8 @@ public sealed class PlannedMotion
 
     private PlaybackMoment Rapid(in MotionSpan span, double since)
     {
-        var (x, y) = _timeline.RapidOf(span);
+        var axes = _timeline.RapidOf(span);
+        var (x, y) = (axes[0], axes[1]);
         var place = Millimetres(
             span.From.X + (Math.Sign((long)span.To.X - span.From.X) * x.DistanceAt(since)),
             span.From.Y + (Math.Sign((long)span.To.Y - span.From.Y) * y.DistanceAt(since)));
@@ -189,7 +190,7 @@ public sealed class PlannedMotion
         return Moment(span, since, _firstSegments[span.Stroke][0] + StandsBehind(span), place, speed);
     }
 
-    /// <summary>The settle at the end of a stroke and the way to the finish belong to its last segment, every other standstill and rapid to the segment that comes.</summary>
+    /// <summary>Place in its stroke of the segment that a standstill or rapid belongs to: the settle at the end of a stroke and the rapid to the finish belong to the segment before, every other one to the segment after.</summary>
     private int StandsBehind(in MotionSpan span)
     {
         var sequence = _program.Strokes[span.Stroke].Sequences[span.Sequence];

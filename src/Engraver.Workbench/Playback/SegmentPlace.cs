@@ -3,7 +3,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Playback;
 
-/// <summary>Places inside one segment of a motion program, counts of the job frame.</summary>
+/// <summary>Finds places inside one segment of a motion program, counts of the job frame.</summary>
 internal static class SegmentPlace
 {
     /// <param name="from">Where the segment begins.</param>

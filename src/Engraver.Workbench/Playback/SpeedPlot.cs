@@ -2,7 +2,7 @@ using Engraver.Core.Motion;
 
 namespace Engraver.Workbench.Playback;
 
-/// <summary>Planned speed over time and path, for the plots palette.</summary>
+/// <summary>Samples of the planned speed over time and path, for the palette of plots.</summary>
 public static class SpeedPlot
 {
     /// <summary>Corners of every ramp; of a job with more corners than wanted, samples at equal times, so that the plot costs what it shows.</summary>
@@ -42,7 +42,7 @@ public static class SpeedPlot
         yield return motion.DurationSeconds;
     }
 
-    private static SpeedTrapezoid Longest((SpeedTrapezoid X, SpeedTrapezoid Y) axes) => axes.X.Seconds >= axes.Y.Seconds ? axes.X : axes.Y;
+    private static SpeedTrapezoid Longest(IReadOnlyList<SpeedTrapezoid> axes) => axes.MaxBy(axis => axis.Seconds);
 }
 
 /// <summary>A corner of the speed plot; between two of them the speed is a straight line over time.</summary>

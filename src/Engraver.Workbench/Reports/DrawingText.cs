@@ -33,7 +33,7 @@ public static class DrawingText
         }
     }
 
-    /// <summary>Neither its version nor its unit is known then, and to count nothing would say that it was looked at.</summary>
+    /// <summary>True when nothing could be read: version and unit are unknown then, and counts of 0 would pretend that the drawing is empty.</summary>
     private static bool IsUnusable(Drawing drawing) => drawing is { HasErrors: true, DxfVersion.Length: 0, Layers.Count: 0, Balance.Read: 0 };
 
     private static string Bytes(Drawing drawing) => drawing.Bytes == 0 ? "" : Wording.Get(drawing.Bytes == 1 ? "DrawingText.Bytes.One" : "DrawingText.Bytes.Many", drawing.Bytes);

@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Reports;
 /// <param name="folder">Where they are kept; made when it is missing.</param>
 public sealed class FailureReports(string folder, TimeProvider time)
 {
-    /// <summary>What fails again and again fills no disk.</summary>
+    /// <summary>Most reports of one session, so that a repeated failure does not fill the disk.</summary>
     private const int MostReports = 20;
 
     private int _reports;
@@ -29,7 +29,7 @@ public sealed class FailureReports(string folder, TimeProvider time)
         }
         catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
         {
-            return null; // the alarm says what happened all the same
+            return null; // the alarm names the failure without a report too
         }
     }
 }

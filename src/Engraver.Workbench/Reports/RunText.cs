@@ -1,25 +1,31 @@
 using Engraver.Core.EntityTables;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>How a run is told to people.</summary>
+/// <summary>Reports of a run for people.</summary>
 public static class RunText
 {
-    public static string Sentence(PreparedJob job, MachineRunReport report)
+    /// <param name="spell">Names settings as they are given here (<see cref="SettingWording"/>).</param>
+    public static string Sentence(PreparedJob job, MachineRunReport report, Func<string, string> spell)
     {
+        ArgumentNullException.ThrowIfNull(spell);
         var result = report.Result;
         var planned = job.Motion.Program?.SegmentCount ?? 0;
-        return Wording.Get("RunText.SegmentsCutMachineTime", OutcomeText.Word(result.Outcome), result.SegmentsExecuted, planned, result.Seconds, Verdict(report.Judgement, LeftOut(job), job.NotCut));
+        return Wording.Get(report.IsDryRun ? "RunText.SegmentsGone" : "RunText.SegmentsCutMachineTime", OutcomeText.Said(result.Outcome), result.SegmentsExecuted, planned, result.Seconds, spell(report.IsDryRun ? Wording.Get("RunText.DryRun", Unseen(job.NotCut)) : Verdict(report.Judgement, LeftOut(job), job.NotCut)));
     }
 
     /// <summary>Entities of the drawing, in its blocks too, that gave no curve though they should have.</summary>
     public static int LeftOut(PreparedJob job) => job.Drawing.Balance.Refused.Count + job.Drawing.Balance.RefusedInBlocks.Count;
 
+    /// <summary>What is seen and not cut, and how to have it cut; empty when there is nothing of the kind.</summary>
+    private static string Unseen(NotCutFindings notCut) => notCut.Counts.Count == 0 ? "" : $"; {notCut.Clause}: {notCut.HowTo}";
+
     private static string Verdict(RunJudgement judgement, int leftOut, NotCutFindings notCut)
     {
-        var unseen = notCut.Counts.Count == 0 ? "" : $"; {notCut.Clause}";
+        var unseen = Unseen(notCut);
         if (judgement.MaxDeviationMm is not { } deviation) return Wording.Get("RunText.NothingKnownAboutCut", unseen);
         var who = judgement.Source == "record" ? Wording.Get("RunText.SimulatedMotors") : Wording.Get("RunText.PolledPositions");
         var missing = judgement.MissingLengthMm switch

@@ -4,7 +4,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Reports;
 
-/// <summary>How sequencing is told to people.</summary>
+/// <summary>Reports of sequencing for people.</summary>
 public static class SequenceText
 {
     public static void Write(TextWriter output, SequencingResult result)

@@ -41,7 +41,7 @@ public sealed record DesktopSettings
     /// <summary>The view that each recent file was left with.</summary>
     public IReadOnlyDictionary<string, SavedView> Views { get; init; } = new Dictionary<string, SavedView>();
 
-    /// <summary>With a file at the head of the recent ones; views of files that drop out of the list are forgotten.</summary>
+    /// <summary>These settings with a file at the head of the recent ones; views of files that drop out of the list are forgotten.</summary>
     public DesktopSettings WithRecent(string path)
     {
         var recent = RecentFiles.Where(file => file != path).Prepend(path).Take(MostRecentFiles).ToList();

@@ -2,6 +2,7 @@ using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Workbench.Settings;
@@ -29,6 +30,9 @@ public sealed record DrawingSettings
 
     /// <summary>Drawing point where the tool stands when the job starts, mm.</summary>
     public Point2D Start { get; init; }
+
+    /// <summary>Where the machine goes behind the last stroke, tool off.</summary>
+    public FinishPlace Finish { get; init; }
 
     /// <summary>Where cutting must begin; null: free choice.</summary>
     public EnteringPlace? Enter { get; init; }

@@ -4,7 +4,7 @@ namespace Engraver.Workbench.Settings;
 /// <param name="Key">Permanent name; advice names a setting by it, in brackets.</param>
 public sealed record SettingDescription(string Key)
 {
-    /// <summary>What it is called in a list.</summary>
+    /// <summary>Its name in lists.</summary>
     public string Name => Wording.Get("Setting." + Key);
 
     /// <summary>One sentence with a full stop; other settings in brackets.</summary>
@@ -22,7 +22,7 @@ public sealed record SettingDescription(string Key)
     /// <summary>Only whole numbers.</summary>
     public bool Whole { get; init; }
 
-    /// <summary>The value without any choice of the operator; a text of the resources where it is said in words.</summary>
+    /// <summary>The value before the operator chooses one; a text of the resources where it is said in words.</summary>
     public string Default
     {
         get => Wording.Find($"Setting.{Key}.Default") ?? field;
@@ -32,7 +32,7 @@ public sealed record SettingDescription(string Key)
     /// <summary>Option of the console; null where there is none.</summary>
     public string? Flag { get; init; }
 
-    /// <summary>What stands behind the option, as its help shows it; null for a switch.</summary>
+    /// <summary>The value behind the option, as its help shows it; null for a switch.</summary>
     public string? Argument { get; init; }
 
     /// <summary>What is typed at the command line of the desktop, with its value where one choice is meant; null where there is nothing to type.</summary>

@@ -37,6 +37,8 @@ public static class SettingTable
 
     public static SettingDescription Start { get; } = new("start") { Unit = "mm", Flag = "--start", Argument = "X,Y", Command = "TOOLSTART", Default = "0,0" };
 
+    public static SettingDescription Finish { get; } = new("finish") { Flag = "--finish", Argument = "origin|stay|park", Command = "CNCFINISH", Default = "origin" };
+
     public static SettingDescription Enter { get; } = new("enter") { Flag = "--enter", Argument = "HANDLE|X,Y", Command = "ENTER" };
 
     public static SettingDescription Order { get; } = new("order")
@@ -74,9 +76,9 @@ public static class SettingTable
     };
 
     public static IReadOnlyList<SettingDescription> All { get; } =
-        [Layers, SkippedLayers, Units, Cut, JoinTolerance, MaxError, Start, Enter, Order, KeepDuplicates, RecoverArcs, Machine, Feed, VectorSpeed, Rapid, Acceleration];
+        [Layers, SkippedLayers, Units, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Machine, Feed, VectorSpeed, Rapid, Acceleration];
 
-    /// <summary>docs/settings.md.</summary>
+    /// <summary>The text of docs/settings.md.</summary>
     public static string ToMarkdown()
     {
         var page = new StringBuilder("# Settings\n\nWritten from the program's own table; `./test --update-golden` writes it anew. Findings name a setting in brackets by its key, and the console or the desktop puts its option or command there.\n\n");

@@ -4,17 +4,19 @@ using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.Settings;
 
-/// <summary>Advice as it is followed where it is read: findings name settings by their keys, <c>[max-error]</c>, and here those become options of the console or commands of the desktop. <c>[+key]</c> and <c>[-key]</c> are a switch given and not given.</summary>
+/// <summary>Puts advice into the words of where it is read: findings name settings by their keys, <c>[max-error]</c>, and here those become options of the console or commands of the desktop. <c>[+key]</c> and <c>[-key]</c> are a switch given and not given.</summary>
 public static partial class SettingWording
 {
-    /// <summary>What no single setting says: a choice of one, or a command that looks.</summary>
+    /// <summary>Keys that stand for more than the name of a setting: a setting with a value, or a command that shows something.</summary>
     private static readonly Dictionary<string, (string Console, string Desktop)> s_phrases = new(StringComparer.Ordinal)
     {
         ["units-mm"] = ("--units mm", "CNCUNITS 4"),
         ["units-inch"] = ("--units inch", "CNCUNITS 1"),
-        ["look"] = ("engraver info", "CHECK"),
+        ["look"] = (Verb("info"), "CHECK"),
         ["cut"] = ("--cut", "CNCCUT"),
-        ["zero"] = ("engraver zero", "CNCZERO"),
+        ["zero"] = (Verb("zero"), "CNCZERO"),
+        ["home"] = (Verb("home"), "CNCHOME"),
+        ["motors"] = (Verb("motors"), "CNCMOTORS"),
         ["origin-here"] = ("--origin here", "CNCZERO Point"),
     };
 
@@ -29,6 +31,8 @@ public static partial class SettingWording
 
     /// <summary>A text of the desktop with its settings named as commands.</summary>
     public static string AtCommandLine(string text) => Key().Replace(text, key => Desktop(key.Groups["sign"].Value, key.Groups["key"].Value));
+
+    private static string Verb(string name) => $"engraver {name}";
 
     private static Diagnostic Translate(Diagnostic finding, Func<string, string, string> spell)
     {

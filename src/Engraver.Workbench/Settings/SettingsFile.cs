@@ -48,7 +48,7 @@ public static class SettingsFile
         }
     }
 
-    /// <summary>Null where JSON says null or nothing; sizes that no window can have.</summary>
+    /// <summary>The settings with their defaults where JSON says null, and with window sizes and scales in their ranges.</summary>
     private static DesktopSettings Checked(DesktopSettings read) => read with
     {
         RecentFiles = [.. (read.RecentFiles ?? []).OfType<string>().Take(DesktopSettings.MostRecentFiles)],

@@ -10,7 +10,7 @@ public sealed class SettingsSession
     public SettingsSession(string? path, TimeProvider time)
     {
         (Current, Finding) = path is null ? (DesktopSettings.Default, null) : SettingsFile.Load(path, time);
-        _path = Finding is not null && File.Exists(path) ? null : path; // what could be neither read nor set aside is not written over
+        _path = Finding is not null && File.Exists(path) ? null : path; // a file that could be neither read nor set aside is not overwritten
     }
 
     /// <summary>Raised after a setting has changed, on the thread of the change.</summary>
@@ -21,7 +21,7 @@ public sealed class SettingsSession
     /// <summary>A sentence for the operator when the file could not be read or written; null while all is well.</summary>
     public string? Finding { get; private set; }
 
-    /// <summary>Changes the settings and keeps them. That the file cannot be written is said in <see cref="Finding"/> and stops nobody.</summary>
+    /// <summary>Changes the settings and keeps them. When the file cannot be written, <see cref="Finding"/> says so and the change holds for the session.</summary>
     public void Change(Func<DesktopSettings, DesktopSettings> change)
     {
         ArgumentNullException.ThrowIfNull(change);

@@ -11,10 +11,10 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Verification;
 
-/// <summary>Reads a posted program back and holds what it does against a drawing, both ways.</summary>
+/// <summary>Reads a posted program back and compares what it cuts with a drawing, in both directions.</summary>
 public static class ProgramVerification
 {
-    /// <summary>A program may take this much longer than the slowest way of cutting the drawing, and this many seconds on top.</summary>
+    /// <summary>A program may take this many times as long as the slowest execution strategy, and <see cref="PatienceSeconds"/> more.</summary>
     private const double Patience = 4.0;
     private const double PatienceSeconds = 60.0;
 
@@ -22,12 +22,12 @@ public static class ProgramVerification
     /// <param name="reader">Of the language that the program is written in.</param>
     /// <param name="settings">As the program was posted: layers, units, start and machine decide what is compared with what.</param>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
-    /// <exception cref="OperationCanceledException">It is not wanted any more.</exception>
+    /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static async Task<VerificationReport> VerifyAsync(ReadBackFile program, IProgramReader reader, Drawing drawing, DrawingSettings settings, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
     {
         var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, MotionStyle.Calls, cancellation);
         var bridges = BridgedGaps.Beyond(job.Toolpath, RunJudge.Tolerances(job).Deviation);
-        TraceJudge[] judges = bridges.Count == 0 ? [RunJudge.JudgeOf(job)] : [RunJudge.JudgeOf(job), RunJudge.JudgeOf(job, bridges)];
+        ITraceJudge[] judges = bridges.Count == 0 ? [RunJudge.JudgeOf(job)] : [RunJudge.JudgeOf(job), RunJudge.JudgeOf(job, bridges)];
         var machine = job.Settings.Machine;
         var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
         var request = new ReplayRequest(machine, machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * expected), judges);
@@ -50,7 +50,7 @@ public static class ProgramVerification
         return new VerificationReport(deviation, allowed, found.MissingLength, judged.ExtraLength, ok, findings);
     }
 
-    /// <remarks>What is missing and shorter than what a cut may be beside the drawing is no fault: a stroke shorter than a count (MOT0004) cannot be cut.</remarks>
+    /// <remarks>A missing length below the allowed deviation is no fault: a stroke shorter than a count (MOT0004) cannot be cut.</remarks>
     private static IEnumerable<Diagnostic> Differences(TraceVerdict found, double tolerance)
     {
         if (found.MaxDeviation > tolerance && found.DeviationAt is { } worst)

@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Verification;
 /// <param name="Text">Null when the file cannot be read; then <paramref name="Diagnostics"/> say why.</param>
 public sealed record ReadBackFile(string? Text, IReadOnlyList<Diagnostic> Diagnostics)
 {
-    /// <summary>Whatever stands there; what is wrong with it is the reader's to say.</summary>
+    /// <summary>Reads the text of any file; whether it is a program is for its reader to judge.</summary>
     public static ReadBackFile Open(string path)
     {
         try

@@ -1,6 +1,6 @@
 namespace Engraver.Workbench.Views;
 
-/// <summary>The layers of meaning over the drawing, each with a switch.</summary>
+/// <summary>The overlays of the drawing, each with a switch (SHOW).</summary>
 [Flags]
 public enum CanvasLayers
 {
@@ -22,17 +22,20 @@ public enum CanvasLayers
     /// <summary>The path coloured by planned speed.</summary>
     CutPath = 32,
 
-    /// <summary>Discontinuities and the doctor's findings.</summary>
+    /// <summary>Discontinuities and the findings of CHECK.</summary>
     Findings = 64,
 
-    /// <summary>Where the machine is, and its work origin.</summary>
+    /// <summary>The machine envelope: how far it reaches.</summary>
     Machine = 128,
 
-    /// <summary>Engraved so far against still to do.</summary>
+    /// <summary>What is engraved so far, in another colour than what is still to do.</summary>
     Engraved = 256,
 
     /// <summary>Where the machine really was.</summary>
     Recorded = 512,
 
-    All = 1023,
+    /// <summary>Where the drawing's zero lies on the machine.</summary>
+    WorkOrigin = 1024,
+
+    All = 2047,
 }

@@ -6,7 +6,7 @@ namespace Engraver.Workbench.Views;
 /// <summary>Extents of a drawing in plan, drawing units.</summary>
 public static class DrawingExtents
 {
-    /// <summary>Tight box of every curve that can be seen: hidden ones and those on a frozen or switched-off layer do not count. Empty when nothing is to be seen.</summary>
+    /// <summary>Tight box of every visible curve: hidden ones and those on a frozen or switched-off layer do not count. Empty when nothing is visible.</summary>
     public static Bounds2D Measure(Drawing drawing) => Measure(drawing, DrawingPick.Visible(drawing));
 
     /// <summary>Tight box of some curves; empty for none.</summary>

@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.Workbench.Views;
 
-/// <summary>The view and its switches. It changes beside the document and the machine; a change of view is no step that UNDO takes back.</summary>
+/// <summary>The view and its switches. They are no part of the document: UNDO does not take back a change of view.</summary>
 /// <remarks>May be used from any thread; the event comes on the thread of the change.</remarks>
 public sealed class ViewSession
 {
@@ -31,7 +31,7 @@ public sealed class ViewSession
         if (aspect > 0.0 && double.IsFinite(aspect)) Change(state => state with { Aspect = aspect });
     }
 
-    /// <summary>Switches, layers of meaning, theme: whatever is no movement of the view.</summary>
+    /// <summary>Changes switches, overlays or theme; the part of the drawing that is seen stays.</summary>
     public void Change(Func<ViewState, ViewState> change)
     {
         ArgumentNullException.ThrowIfNull(change);
@@ -45,7 +45,7 @@ public sealed class ViewSession
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>A movement by mouse: the place stays where it is on the canvas. A factor above 1 comes nearer. Not remembered for Previous: a wheel turns often.</summary>
+    /// <summary>Zooms by the mouse: the place stays where it is on the canvas. A factor above 1 enlarges. Not remembered for Previous: a wheel turns often.</summary>
     public void ZoomAbout(Point2D place, double factor)
     {
         if (!(factor > 0.0) || !double.IsFinite(factor) || !place.IsFinite) return;
@@ -56,7 +56,7 @@ public sealed class ViewSession
         });
     }
 
-    /// <summary>Moves what is seen by a way in drawing units: the drawing goes with the hand.</summary>
+    /// <summary>Moves the drawing on the canvas by a vector, drawing units, as if it were pushed by hand.</summary>
     public void PanBy(Vector2D way)
     {
         if (double.IsFinite(way.X) && double.IsFinite(way.Y)) Change(state => state with { Centre = state.Centre - way });
@@ -115,14 +115,14 @@ public sealed class ViewSession
         Change(state => state with { Focus = focus, Centre = focus.Place, Height = height is { } wanted ? Math.Clamp(wanted, SmallestHeight, LargestHeight) : state.Height });
     }
 
-    /// <summary>Everybody draws anew, and nothing is pointed at any more.</summary>
+    /// <summary>Raises <see cref="Changed"/>, so that everything is drawn anew, and removes the mark of <see cref="FocusOn"/>.</summary>
     public void Regenerate()
     {
         lock (_guard) (Current, _extents) = (Current with { Focus = null }, null);
         Changed?.Invoke(this, EventArgs.Empty);
     }
 
-    /// <summary>The box of what can be seen, kept for the drawing that was asked about last.</summary>
+    /// <summary>The box of the visible curves, kept for the drawing that was asked about last.</summary>
     public Bounds2D ExtentsOf(Drawing drawing)
     {
         lock (_guard)

@@ -38,11 +38,11 @@ public sealed record ViewState
     public double SnapSpacing { get; init; } = 10.0;
 
     public CanvasLayers Shown { get; init; } =
-        CanvasLayers.Drawing | CanvasLayers.Rapids | CanvasLayers.StartPoints | CanvasLayers.Findings | CanvasLayers.Machine | CanvasLayers.Engraved;
+        CanvasLayers.Drawing | CanvasLayers.Rapids | CanvasLayers.StartPoints | CanvasLayers.Findings | CanvasLayers.Machine | CanvasLayers.WorkOrigin | CanvasLayers.Engraved;
 
     public DesktopTheme Theme { get; init; }
 
-    /// <summary>Place to point at; null: none.</summary>
+    /// <summary>Place that the canvas marks; null: none.</summary>
     public ViewFocus? Focus { get; init; }
 
     public double Width => Height * Aspect;
@@ -51,7 +51,7 @@ public sealed record ViewState
     public Bounds2D Window => new(Centre.X - (Width / 2.0), Centre.Y - (Height / 2.0), Centre.X + (Width / 2.0), Centre.Y + (Height / 2.0));
 }
 
-/// <summary>A place that the canvas points at until the view changes by hand or another place is named.</summary>
+/// <summary>A place that the canvas marks until the view changes by hand or another place is named.</summary>
 /// <param name="Place">Drawing units.</param>
 /// <param name="Text">What is there; may be empty.</param>
 public sealed record ViewFocus(Point2D Place, string Text);

@@ -1,4 +1,5 @@
 using Avalonia.Controls;
+using Engraver.TestKit;
 
 namespace Engraver.App.Tests.Findings;
 
@@ -17,5 +18,27 @@ public sealed class FindingsTests(DesktopFixture fixture)
 
         Assert.NotNull(here.Commands.View.Current.Focus);
         Assert.True(here.Commands.View.Current.Height < before);
+    });
+
+    /// <summary>The break is at the end of a line, 40 mm from where its entity begins.</summary>
+    [Fact]
+    public Task The_marker_of_a_break_stands_at_the_break_and_the_list_goes_there() => fixture.WithOperator(here =>
+    {
+        var folder = Directory.CreateTempSubdirectory("engraver-break-");
+        var file = Path.Combine(folder.FullName, "break.dxf");
+        File.WriteAllBytes(file, DxfText.WithEntities((0, "LINE"), (8, "0"), (5, "A1"), (10, 0.0), (20, 0.0), (11, 40.0), (21, 0.0), (0, "LINE"), (8, "0"), (5, "A2"), (10, 40.3), (20, 0.0), (11, 40.3), (21, 30.0)).ToAscii());
+        here.Enter("OPEN", file);
+        here.Rest();
+        here.Show("Findings");
+        var rows = (Engraver.App.Findings.FindingsModel)here.Find<ListBox>("FindingList").DataContext!;
+        var gap = rows.Rows.First(row => row.Id == "SEQ0003");
+        rows.Chosen = gap;
+        here.Rest();
+
+        var focus = here.Commands.View.Current.Focus!.Place;
+        Assert.InRange(focus.X, 40.0, 40.3);
+        Assert.Equal(0.0, focus.Y, 6);
+        Assert.NotNull(here.Window.Canvas.Overlay!.FindingNear(focus, 1e-6));
+        folder.Delete(recursive: true);
     });
 }

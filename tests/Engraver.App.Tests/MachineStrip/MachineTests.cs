@@ -44,7 +44,56 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
         Assert.Equal(1.0, here.Window.Model.Machine.Progress);
         Assert.Equal(here.Window.Canvas.Overlay!.MoveCount, here.Window.Canvas.EngravedMoves);
-        Assert.Equal("READY", here.Find<TextBlock>("StateText").Text);
+        Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
+    });
+
+    /// <summary>What was cut of one drawing is not told under another one, nor under ARMED.</summary>
+    [Fact]
+    public Task Progress_ends_with_the_drawing_it_is_of_and_with_the_next_arming() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("CNCCONNECT", "sim:", "CNCARM", "Stream", "CNCRUN");
+        here.Rest();
+        Assert.Equal(("DONE", 1.0), (here.Find<TextBlock>("StateText").Text, here.Window.Model.Machine.Progress));
+        here.Enter("CNCARM", "Stream");
+        here.Rest();
+        Assert.Equal(("ARMED", 0.0, "", 0), (here.Find<TextBlock>("StateText").Text, here.Window.Model.Machine.Progress, here.Window.Model.Machine.SegmentsText, here.Window.Canvas.EngravedMoves));
+        here.Enter("CNCRUN");
+        here.Rest();
+        Assert.True(here.Window.Canvas.EngravedMoves > 0);
+        here.Open("gasket.dxf");
+        here.Rest();
+
+        Assert.Equal(("READY", 0.0, "", ""), (here.Find<TextBlock>("StateText").Text, here.Window.Model.Machine.Progress, here.Window.Model.Machine.SegmentsText, here.Window.Model.Machine.TimeLeft));
+        Assert.Equal(0, here.Window.Canvas.EngravedMoves);
+    });
+
+    [Fact]
+    public Task A_dry_run_is_a_state_of_its_own_armed_running_and_done() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCARM", "Dryrun", "Stream");
+        Assert.Contains("dry run", here.Find<TextBlock>("ReasonText").Text, StringComparison.Ordinal);
+        here.Hands.Type("CNCRUN");
+        here.Hands.Press(Key.Enter);
+        here.Until(() => here.Commands.Machine.Status is { State: MachineState.DryRun, Progress: not null }); // the job stands on the machine and has told where it is
+        here.Step();
+        Assert.Equal(("DRY RUN", "ActLampBrush", "Shape.DryRun"), (here.Find<TextBlock>("StateText").Text, here.Window.Model.Machine.LampKey, here.Window.Model.Machine.ShapeKey));
+        Assert.Contains("DRY RUN", here.Window.Title, StringComparison.Ordinal);
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+        Assert.Equal("STOPPED", here.Find<TextBlock>("StateText").Text);
+    });
+
+    [Fact]
+    public Task A_dry_run_leaves_nothing_that_looks_engraved() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", "sim:", "CNCARM", "Dryrun", "Stream", "CNCRUN");
+        here.Rest();
+        Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
+        Assert.Equal(0, here.Window.Canvas.EngravedMoves);
+        Assert.Contains(here.History, line => line.Contains("segments gone through", StringComparison.Ordinal) && line.Contains("nothing was cut", StringComparison.Ordinal));
     });
 
     [Fact]
@@ -69,7 +118,6 @@ public sealed class MachineTests(DesktopFixture fixture)
     [Theory]
     [InlineData(Key.Pause, RawInputModifiers.None)]
     [InlineData(Key.Space, RawInputModifiers.Control)]
-    [InlineData(Key.Escape, RawInputModifiers.None)]
     public Task A_stop_key_stops_a_job(Key key, RawInputModifiers modifiers) => fixture.WithOperator(here =>
     {
         StartSlowly(here);
@@ -77,6 +125,99 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Rest();
 
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
+    });
+
+    [Fact]
+    public Task Escape_holds_a_job_and_the_start_key_lets_it_go_on() => fixture.WithOperator(here =>
+    {
+        StartSlowly(here);
+        Assert.Equal("START", here.Find<Button>("StartKey").Content);
+        here.Hands.Press(Key.Escape);
+        here.Until(() => here.Find<TextBlock>("StateText").Text == "HELD");
+        Assert.False(here.Commands.Machine.Status.ToolCommanded);
+        Assert.False(here.Find<Button>("HoldKey").IsEffectivelyEnabled);
+        Assert.Equal("RESUME", here.Find<Button>("StartKey").Content);
+        here.Hands.Press(Key.Escape); // a second time it is held already
+        here.Step();
+        Assert.Equal("HELD", here.Find<TextBlock>("StateText").Text);
+        here.Click(here.Find<Button>("StartKey"));
+        here.Until(() => here.Find<TextBlock>("StateText").Text == "RUNNING");
+        here.Click(here.Find<Button>("HoldKey"));
+        here.Until(() => here.Find<TextBlock>("StateText").Text == "HELD");
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+
+        Assert.Equal((JobOutcome.Stopped, 2), (here.Commands.Machine.LastRun!.Result.Outcome, here.Commands.Machine.LastRun.Result.Holds));
+    });
+
+    [Fact]
+    public Task What_will_not_be_cut_again_is_shown_as_done_before_it_is_armed() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCCONNECT", "sim:");
+        Assert.Equal(0, here.Window.Canvas.EngravedMoves);
+        here.Enter("CNCRESUME", "Contour", "2");
+        Assert.InRange(here.Window.Canvas.EngravedMoves, 1, here.Window.Canvas.Overlay!.MoveCount - 1);
+        here.Enter("CNCRESUME", "Whole");
+
+        Assert.Equal(0, here.Window.Canvas.EngravedMoves);
+    });
+
+    [Fact]
+    public Task The_feed_override_stands_in_the_strip_and_its_keys_change_it() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("CNCCONNECT", "sim:");
+        Assert.Equal("100 %", here.Find<TextBlock>("OverrideText").Text);
+        here.Click(here.Find<Button>("SlowerKey"));
+        here.Click(here.Find<Button>("SlowerKey"));
+        here.Step();
+        Assert.Equal("80 %", here.Find<TextBlock>("OverrideText").Text);
+        here.Enter("CNCOVERRIDE", "Rapid", "50");
+        Assert.Equal(("80 %", "R 50 %"), (here.Find<TextBlock>("OverrideText").Text, here.Find<TextBlock>("RapidsText").Text));
+        here.Click(here.Find<Button>("FasterKey"));
+        here.Click(here.Find<Button>("RapidsSlowerKey"));
+        here.Click(here.Find<Button>("RapidsSlowerKey"));
+        here.Click(here.Find<Button>("RapidsFasterKey"));
+        here.Step();
+        Assert.Equal((0.9, 0.4), Asked(here));
+    });
+
+    [Theory]
+    [InlineData("none")]
+    [InlineData("a job")]
+    public Task Keys_change_feed_and_rapids_and_type_nothing(string runs) => fixture.WithOperator(here =>
+    {
+        if (runs == "a job") StartSlowly(here);
+        else here.Enter("CNCCONNECT", "sim:");
+        here.Hands.Press(Key.OemPlus, RawInputModifiers.Control);
+        here.Hands.Press(Key.Add, RawInputModifiers.Control);
+        here.Hands.Press(Key.OemMinus, RawInputModifiers.Control);
+        here.Hands.Press(Key.OemComma, RawInputModifiers.Control);
+        here.Hands.Press(Key.OemComma, RawInputModifiers.Control);
+        here.Hands.Press(Key.OemComma, RawInputModifiers.Control);
+        here.Hands.Press(Key.OemPeriod, RawInputModifiers.Control);
+        here.Until(() => Asked(here) == (1.1, 0.8));
+        Assert.Equal("", here.Window.Model.Command.Line);
+        for (var presses = 0; presses < 20; presses++) here.Hands.Press(Key.OemPeriod, RawInputModifiers.Control);
+        here.Step();
+        Assert.Equal((1.1, 1.0), Asked(here)); // not above the rapids of the plan
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+    });
+
+    [Fact]
+    public Task The_strip_shows_the_height_of_a_machine_that_has_one() => fixture.WithOperator(here =>
+    {
+        here.Enter("CNCCONNECT", "sim:");
+        Assert.False(here.Find<TextBlock>("ZText").IsEffectivelyVisible);
+        here.Enter("CNCDISCONNECT", "CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "Z+", "7.5");
+        here.Enter("CNCZERO", "All", "CNCJOG", "Z-", "2.25");
+        here.Until(() => here.Commands.Machine.Status.WorkHeight == -2.25);
+        here.Step();
+
+        Assert.True(here.Find<TextBlock>("ZText").IsEffectivelyVisible);
+        Assert.Equal(("-2.250", "/ 5.250 mm"), (here.Find<TextBlock>("ZText").Text, here.Find<TextBlock>("MachineHeightText").Text));
     });
 
     [Fact]
@@ -168,7 +309,76 @@ public sealed class MachineTests(DesktopFixture fixture)
         here.Rest();
 
         Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
-        Assert.Contains("READY", here.Window.Title, StringComparison.Ordinal);
+        Assert.Contains("DONE", here.Window.Title, StringComparison.Ordinal);
+    });
+
+    /// <summary>What was recorded stays until another drawing is shown; the origin is marked while it is known, and the way to the finish is drawn.</summary>
+    [Fact]
+    public Task The_canvas_shows_where_the_machine_was_where_its_origin_lies_and_where_it_goes_at_the_end() => fixture.WithOperator(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Rest();
+        Assert.Empty(here.Window.Canvas.Overlay!.OriginMarks);
+        Assert.Equal(1, here.Window.Canvas.Overlay!.Finish.Count);
+        here.Enter("CNCFINISH", "Stay");
+        here.Rest();
+        Assert.Equal(0, here.Window.Canvas.Overlay!.Finish.Count);
+        here.Enter("CNCCONNECT", "sim:", "CNCGOTO", "5,5", "CNCZERO", "All");
+        here.Rest();
+        Assert.Equal(default, Assert.Single(here.Window.Canvas.Overlay!.OriginMarks).Place);
+
+        here.Enter("CNCARM", "Stream", "CNCRUN");
+        here.Rest();
+        var recorded = here.Window.Canvas.Overlay!.Recorded;
+        Assert.True(recorded.Count > 10);
+        Assert.All(recorded.Primitives, line => Assert.Equal(0, (int)line.Colour)); // a perfect motor has no following error
+        here.Enter("CNCTRACE", "Colour", "Speed");
+        here.Rest();
+        Assert.True(here.Window.Canvas.Overlay!.Recorded.Primitives.Select(line => line.Colour).Distinct().Count() > 3);
+        here.Enter("CNCTRACE", "Off");
+        here.Rest();
+        Assert.Equal(0, here.Window.Canvas.Overlay!.Recorded.Count);
+        here.Enter("CNCTRACE", "LAst");
+        here.Rest();
+        Assert.Equal(recorded.Count, here.Window.Canvas.Overlay!.Recorded.Count);
+        here.Open("gasket.dxf");
+        here.Rest();
+        Assert.Equal(0, here.Window.Canvas.Overlay!.Recorded.Count);
+    });
+
+    /// <summary>By the simulator's counts: three times with START, and once more after STOP in the middle of a cut.</summary>
+    [Fact]
+    public Task START_cuts_in_the_same_place_again_also_after_STOP() => fixture.WithOperator(here =>
+    {
+        using var wire = new ServedMachine(here, speed: 20);
+        here.Open("paper-001.dxf");
+        here.Enter("CNCCONNECT", wire.Address, "CNCGOTO", "12.5,-7.25", "CNCZERO", "All");
+        here.Rest();
+
+        var first = Cut();
+        Assert.Equal(first, Cut());
+        here.Click(here.Find<Button>("ArmKey"));
+        here.Rest();
+        here.Click(here.Find<Button>("StartKey"));
+        here.Until(() => here.Commands.Machine.Status is { ToolCommanded: true, Progress.SegmentsDone: > 0 });
+        here.Hands.Press(Key.Pause);
+        here.Rest();
+        Assert.Equal("STOPPED", here.Find<TextBlock>("StateText").Text);
+
+        Assert.Equal(first, Cut());
+        Assert.Equal((12500, -7250), ((int)wire.Record[wire.Record.Count - 1].A, (int)wire.Record[wire.Record.Count - 1].B));
+
+        (double, double, double, double) Cut()
+        {
+            var before = (int)wire.Record.Count;
+            here.Click(here.Find<Button>("ArmKey"));
+            here.Rest();
+            here.Click(here.Find<Button>("StartKey"));
+            here.Rest();
+            Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
+            var rows = wire.Record.Snapshot().Skip(before).Where(row => row.Outputs != 0).ToList();
+            return (rows.Min(row => (double)row.A), rows.Min(row => (double)row.B), rows.Max(row => (double)row.A), rows.Max(row => (double)row.B));
+        }
     });
 
     [Fact]
@@ -261,6 +471,8 @@ public sealed class MachineTests(DesktopFixture fixture)
         Assert.Contains(here.Commands.Machine.Terminal.Lines, line => line.Text.Contains("5.0000", StringComparison.Ordinal));
         Assert.Equal("", here.Window.Model.Command.Line);
     });
+
+    private static (double Feed, double Rapid) Asked(Operator here) => (here.Commands.Machine.Status.FeedRatio, here.Commands.Machine.Status.RapidRatio);
 
     private static void Press(Operator here, Point? stop)
     {

@@ -1,5 +1,6 @@
-using Engraver.Benchmarks.Desktop;
+using Engraver.Benchmarks.Stops;
 using Engraver.Simulator;
+using Engraver.Simulator.Motion;
 
 namespace Engraver.App.Tests.MachineStrip;
 
@@ -25,6 +26,9 @@ internal sealed class ServedMachine : IDisposable
 
     /// <summary>What is on its way to the controller; on a thread of the pool.</summary>
     public event Action<string>? Heard;
+
+    /// <summary>What the motors did.</summary>
+    public MotionRecord Record => _controller.Record;
 
     public string Address => _wire.Address + _clock;
 

@@ -28,7 +28,7 @@ public sealed class RealJobTests(DesktopFixture fixture)
         desktop.Press("Return"); // starts nothing: there is one journal in the end
         desktop.Press("Escape");
         desktop.Click(start);
-        desktop.WaitForTitle("nameplate.dxf - READY");
+        desktop.WaitForTitle("nameplate.dxf - DONE");
 
         var journal = Assert.Single(Directory.GetFiles(desktop.Journals, "nameplate-*.jsonl"));
         var end = File.ReadLines(journal).Last();

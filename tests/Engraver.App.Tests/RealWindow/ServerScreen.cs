@@ -1,4 +1,7 @@
 using System.Buffers.Binary;
+using System.Runtime.InteropServices;
+using Avalonia;
+using Engraver.SoftwarePlatform.Bitmaps;
 
 namespace Engraver.App.Tests.RealWindow;
 
@@ -32,6 +35,28 @@ internal sealed class ServerScreen
 
     /// <summary>0xRRGGBB.</summary>
     public int At(int x, int y) => BinaryPrimitives.ReadInt32LittleEndian(_dump.AsSpan(_pixels + (y * _lineBytes) + (x * sizeof(int)))) & 0xFFFFFF;
+
+    /// <summary>Writes a rectangle as a picture with a table of colours, if it has few enough.</summary>
+    public byte[] Png(PixelRect part)
+    {
+        using var picture = new SoftwareBitmap(part.Size, new Vector(96, 96));
+        using (var pixels = picture.Lock())
+        {
+            var row = new int[part.Width];
+            for (var y = 0; y < part.Height; y++)
+            {
+                for (var x = 0; x < part.Width; x++) row[x] = At(part.X + x, part.Y + y) | unchecked((int)0xFF000000);
+                Marshal.Copy(row, 0, pixels.Address + (y * pixels.RowBytes), row.Length);
+            }
+        }
+
+        using var file = new MemoryStream();
+        PngFile.WriteIndexed(file, picture);
+        return file.ToArray();
+    }
+
+    /// <summary>The same in every pixel.</summary>
+    public bool Equals(ServerScreen other) => _dump.AsSpan().SequenceEqual(other._dump);
 
     /// <summary>How many pixels of a rectangle have another colour than its first.</summary>
     public int Drawn(int left, int top, int width, int height)

@@ -2,23 +2,36 @@ using System.Globalization;
 using Avalonia;
 using Engraver.App.Tests.Start;
 using Engraver.SoftwarePlatform.Tests.X11;
+using Engraver.TestKit;
 
 namespace Engraver.App.Tests.RealWindow;
 
 /// <summary>The desktop as a process of its own on an X server, with a person before it. What it does is read off its title, as the task bar shows it.</summary>
 internal sealed class ShownDesktop : IDisposable
 {
-    private readonly TemporaryDesktopFolder _folder = new();
+    private readonly TemporaryDesktopFolder? _ownFolder;
+    private readonly string _folder;
     private readonly TemporaryDesktopFolder _screen = new();
+    private static readonly TimeSpan s_untilAgain = TimeSpan.FromSeconds(3);
+    private static readonly TimeSpan s_untilTypedAgain = TimeSpan.FromSeconds(10);
+
+    /// <summary>A window that looks the same so often has nothing left to paint.</summary>
+    private const int LooksAtRest = 60;
+
+    private const int MostLooks = 500;
+
     private readonly XServer _server;
     private readonly ToldProcess _desktop;
     private readonly ToldProcess _titles;
 
-    public ShownDesktop()
+    /// <param name="folder">Where the operator's files are, which another desktop may have left there; null: a new one.</param>
+    public ShownDesktop(string? folder = null)
     {
+        _ownFolder = folder is null ? new TemporaryDesktopFolder() : null;
+        _folder = folder ?? _ownFolder!.Path;
         _server = new XServer(screenFolder: _screen.Path);
         var program = Path.Combine(AppContext.BaseDirectory, "engraver-desktop.dll");
-        _desktop = new ToldProcess("env", _server.Display, $"XDG_DATA_HOME={_folder.Path}", "dotnet", program, "--size", "1200x760", "--scale", "1");
+        _desktop = new ToldProcess("env", _server.Display, $"XDG_DATA_HOME={_folder}", "dotnet", program, "--size", "1200x760", "--scale", "1");
         Id = _server.Run("xdotool", "search", "--sync", "--onlyvisible", "--name", "CNC Engraver").Trim();
         _server.Run("xdotool", "windowactivate", "--sync", Id);
         _titles = new ToldProcess("xprop", _server.Display, "-id", Id, "-spy", "_NET_WM_NAME");
@@ -27,7 +40,7 @@ internal sealed class ShownDesktop : IDisposable
     /// <summary>The window's number on the server.</summary>
     public string Id { get; }
 
-    public string Journals => Path.Combine(_folder.Path, "CncEngraver", "journals");
+    public string Journals => Path.Combine(_folder, "CncEngraver", "journals");
 
     /// <summary>Every title so far.</summary>
     public IEnumerable<string> Titles => _titles.Heard;
@@ -44,20 +57,93 @@ internal sealed class ShownDesktop : IDisposable
         }
     }
 
+    /// <summary>Types words until the window is called so: what is typed while a command is at work is refused, and an operator types it again.</summary>
+    public void EnterUntil(string beginning, params ReadOnlySpan<string> words)
+    {
+        for (var tries = 0; tries < 5; tries++)
+        {
+            Settle();
+            Enter(words);
+            if (_titles.HearsWithin(Title(beginning), s_untilTypedAgain)) return;
+            Press("Escape");
+        }
+
+        WaitForTitle(beginning);
+    }
+
+    /// <summary>Waits until nothing is painted any more: the last command has said all that it says.</summary>
+    public void Settle() => _ = Picture();
+
     public void Press(string key) => _server.Press(key);
 
     public void Click(Point place) => _server.Run("xdotool", "mousemove", "--window", Id, Whole(place.X), Whole(place.Y), "click", "1");
 
-    /// <summary>Ends when the window is called so.</summary>
-    public void WaitForTitle(string beginning) => _titles.WaitFor($"_NET_WM_NAME(UTF8_STRING) = \"{beginning}");
+    /// <summary>Clicks until the window is called so: what is clicked while a command is at work is not heard, and an operator clicks again.</summary>
+    public void ClickUntil(Point place, string beginning)
+    {
+        for (var tries = 0; tries < 10; tries++)
+        {
+            Click(place);
+            if (_titles.HearsWithin(Title(beginning), s_untilAgain)) return;
+        }
 
-    /// <summary>Where the window's upper left corner stands on the screen.</summary>
+        WaitForTitle(beginning);
+    }
+
+    /// <summary>Presses the mouse button and keeps it down.</summary>
+    public void HoldDown(Point place) => _server.Run("xdotool", "mousemove", "--window", Id, Whole(place.X), Whole(place.Y), "mousedown", "1");
+
+    public void LetGo() => _server.Run("xdotool", "mouseup", "1");
+
+    /// <summary>The program dies at once: nothing of it is run any more.</summary>
+    public void Kill()
+    {
+        _desktop.Kill();
+        _desktop.WaitForExit();
+    }
+
+    /// <summary>What the operator sees when the window has come to rest, without the frame of the window manager.</summary>
+    public byte[] Picture()
+    {
+        var (last, same) = (Screen(), 0);
+        for (var looks = 0; looks < MostLooks && same < LooksAtRest; looks++)
+        {
+            var now = Screen();
+            same = now.Equals(last) ? same + 1 : 0;
+            last = now;
+        }
+
+        return last.Png(new PixelRect(Corner(), Size));
+    }
+
+    /// <summary>The size that the desktop is started with.</summary>
+    public static PixelSize Size { get; } = new(1200, 760);
+
+    /// <summary>Ends when the window is called so.</summary>
+    /// <exception cref="InvalidOperationException">It never was; what the window showed instead is kept with the results of the build.</exception>
+    public void WaitForTitle(string beginning)
+    {
+        try
+        {
+            _titles.WaitFor(Title(beginning));
+        }
+        catch (InvalidOperationException)
+        {
+            File.WriteAllBytes(Path.Combine(Pictures, "failed.png"), Picture());
+            throw;
+        }
+    }
+
+    /// <summary>Where pictures are kept: in the folder of ENGRAVER_PICTURES, else with the results of the build.</summary>
+    public static string Pictures => Environment.GetEnvironmentVariable("ENGRAVER_PICTURES") ?? Directory.CreateDirectory(Path.Combine(RepositoryFolder.Root, "artifacts", "pictures")).FullName;
+
+    /// <summary>Where the window's upper left corner stands on the screen, inside the frame of the window manager.</summary>
     public PixelPoint Corner()
     {
-        var lines = _server.Run("xdotool", "getwindowgeometry", "--shell", Id).Split('\n');
-        return new PixelPoint(Value("X="), Value("Y="));
+        var lines = _server.Run("xwininfo", "-id", Id).Split('\n');
+        return new PixelPoint(Value("Absolute upper-left X:"), Value("Absolute upper-left Y:"));
 
-        int Value(string name) => int.Parse(lines.First(line => line.StartsWith(name, StringComparison.Ordinal))[name.Length..], CultureInfo.InvariantCulture);
+        int Value(string name) => int.Parse(lines.Select(line => line.Trim()).First(line => line.StartsWith(name, StringComparison.Ordinal))[name.Length..], CultureInfo.InvariantCulture);
     }
 
     /// <summary>Closes the window with its key.</summary>
@@ -74,8 +160,10 @@ internal sealed class ShownDesktop : IDisposable
         _desktop.Dispose();
         _server.Dispose();
         _screen.Dispose();
-        _folder.Dispose();
+        _ownFolder?.Dispose();
     }
+
+    private static string Title(string beginning) => $"_NET_WM_NAME(UTF8_STRING) = \"{beginning}";
 
     private static string Whole(double number) => Math.Round(number).ToString(CultureInfo.InvariantCulture);
 }

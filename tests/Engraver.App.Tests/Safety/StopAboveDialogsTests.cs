@@ -27,7 +27,10 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
         Assert.NotSame(here.Hands, front);
         Press(here, front, key);
 
+        if (key == Key.Escape) here.Until(() => here.Commands.Machine.Status.State == MachineState.Held);
+        if (key == Key.Escape) here.Commands.Machine.Stop();
         here.Until(() => here.Commands.Machine.LastRun is not null);
+        Assert.Equal(key == Key.Escape ? 1 : 0, here.Commands.Machine.LastRun!.Result.Holds);
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
         Assert.False(shown.IsCompleted);
         dialog.Close();
@@ -45,7 +48,10 @@ public sealed class StopAboveDialogsTests(DesktopFixture fixture)
         here.Step();
         Press(here, here.Hands, key);
 
+        if (key == Key.Escape) here.Until(() => here.Commands.Machine.Status.State == MachineState.Held);
+        if (key == Key.Escape) here.Commands.Machine.Stop();
         here.Until(() => here.Commands.Machine.LastRun is not null);
+        Assert.Equal(key == Key.Escape ? 1 : 0, here.Commands.Machine.LastRun!.Result.Holds);
         Assert.Equal(JobOutcome.Stopped, here.Commands.Machine.LastRun!.Result.Outcome);
         Assert.True(here.Window.Model.Connect.IsOpen);
         here.Rest();

@@ -304,6 +304,24 @@ public sealed class ShellTests(DesktopFixture fixture)
         here.Step();
     });
 
+    [Fact]
+    public Task The_smallest_window_has_room_for_a_z_axis_and_both_overrides() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1024, 700));
+        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCGOTO", "-123.456,-234.567", "CNCJOG", "Z-", "112.345", "CNCJOG", "X+", "123.456", "CNCJOG", "Y+", "234.567", "CNCZERO", "X", "CNCZERO", "Y");
+        var strip = here.Find<Control>("MachineStrip");
+        foreach (var name in new[] { "ZText", "MachineHeightText", "OverrideText", "RapidsText", "RapidsSlowerKey", "RapidsFasterKey", "SlowerKey", "FasterKey", "FeedText", "StopKey" })
+        {
+            var control = here.Find<Control>(name);
+            var box = new Rect(control.Bounds.Size).TransformToAABB(control.TransformToVisual(strip)!.Value);
+            Assert.True(box is { Width: > 0, Height: > 8 } && new Rect(strip.Bounds.Size).Contains(box), $"{name} at {box}");
+        }
+
+        Assert.Equal(("R 100 %", "/ -108.345 mm"), (here.Find<TextBlock>("RapidsText").Text, here.Find<TextBlock>("MachineHeightText").Text));
+        Assert.All(strip.GetVisualDescendants().OfType<TextBlock>().Where(text => text.IsEffectivelyVisible && text.Name != "ReasonText"), text => Assert.True(text.Bounds.Width <= ((Control)text.GetVisualParent()!).Bounds.Width + 0.5 && !text.TextLayout.TextLines.Any(line => line.HasCollapsed || line.HasOverflowed), text.Text));
+        Assert.Equal("", CutOff(here));
+    });
+
     /// <summary>Pages and palettes that were drawn large in a large window take no more than there is, and have their size again when there is room.</summary>
     [Fact]
     public Task A_smaller_window_takes_from_the_panels_before_the_canvas_is_gone() => fixture.WithOperator(here =>

@@ -1,6 +1,7 @@
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Engraver.TestKit;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Tests.Texts;
 
@@ -45,12 +46,11 @@ public sealed class TextsTests
     {
         var names = Names;
         var icons = File.ReadAllText(Path.Combine(s_app, "Theme", "Icons.axaml"));
-        foreach (var state in Enum.GetNames<Engraver.Workbench.Machines.MachineState>())
+        Assert.All(Enum.GetValues<Engraver.Workbench.Machines.MachineState>(), state =>
         {
-            Assert.Contains("State." + state, names);
+            Assert.Equal(state.Word(), state.Said());
             Assert.Contains($"\"Shape.{state}\"", icons, StringComparison.Ordinal);
-        }
-
+        });
         Assert.All(Enum.GetNames<Engraver.Workbench.Machines.Alarms.AlarmState>(), state => Assert.Contains("AlarmState." + state, names));
         Assert.All(Enum.GetNames<Engraver.Core.Diagnostics.Severity>(), severity => Assert.Contains("Severity." + severity, names));
     }

@@ -10,7 +10,7 @@ public partial class WordingTests
 {
     private const string ListName = "tests/Engraver.Architecture.Tests/House/words.txt";
 
-    public static TheoryData<string> Projects => ["Core", "Galil", "Workbench", "Cli", "App"];
+    public static TheoryData<string> Projects => ["Core", "Galil", "Workbench", "Cli", "App", "tools"];
 
     [Theory]
     [MemberData(nameof(Projects))]
@@ -49,7 +49,7 @@ public partial class WordingTests
     {
         var known = File.ReadAllLines(Path.Combine(RepositoryFolder.Root, ListName)).Where(line => line.Length > 0 && line[0] != '#').Select(line => line.Split(' ', 3)).ToDictionary(words => words[0], words => int.Parse(words[1], System.Globalization.CultureInfo.InvariantCulture));
         var found = Sources(project).Select(file => (file.Name, Sentences: Sentences(file).ToList())).Where(file => file.Sentences.Count != known.GetValueOrDefault(file.Name)).ToList();
-        var gone = known.Keys.Where(name => name.StartsWith($"src/Engraver.{project}/", StringComparison.Ordinal) && !Sources(project).Any(file => file.Name == name));
+        var gone = known.Keys.Where(name => name.StartsWith(Folder(project) + "/", StringComparison.Ordinal) && !Sources(project).Any(file => file.Name == name));
 
         Assert.True(found.Count == 0, $"Texts for people belong into Texts.resx. Where there are fewer than {ListName} says, lower the number there:\n{string.Join('\n', found.Select(file => $"{file.Name} {file.Sentences.Count} (known: {known.GetValueOrDefault(file.Name)})\n    {string.Join("\n    ", file.Sentences)}"))}");
         Assert.Empty(gone);
@@ -74,11 +74,13 @@ public partial class WordingTests
     [InlineData("Text.Get(\"A.B\", list[1, 2])", 1)]
     public void Facts_are_counted(string code, int facts) => Assert.Equal([facts], Calls(new SourceFile("src/P/One.cs", code)).Select(call => call.Facts));
 
-    /// <summary>The engines in tools are compiled into the runner.</summary>
-    private static IReadOnlyList<SourceFile> Sources(string project) => [.. SourceFile.Under("src/Engraver." + project, ".cs"), .. project == "Cli" ? SourceFile.Under("tools", ".cs") : []];
+    /// <summary>The engines in tools are compiled into several programs, with texts of their own.</summary>
+    private static string Folder(string project) => project == "tools" ? project : "src/Engraver." + project;
+
+    private static IReadOnlyList<SourceFile> Sources(string project) => SourceFile.Under(Folder(project), ".cs");
 
     private static Dictionary<string, string> Texts(string project) =>
-        XDocument.Load(Path.Combine(RepositoryFolder.Root, "src", "Engraver." + project, project == "App" ? "Texts" : "", "Texts.resx")).Root!.Elements("data").ToDictionary(data => data.Attribute("name")!.Value, data => data.Element("value")!.Value);
+        XDocument.Load(Path.Combine(RepositoryFolder.Root, Folder(project), project == "App" ? "Texts" : "", "Texts.resx")).Root!.Elements("data").ToDictionary(data => data.Attribute("name")!.Value, data => data.Element("value")!.Value);
 
     private static int Places(string text) => Place().Matches(text).Select(place => int.Parse(place.Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture) + 1).DefaultIfEmpty(0).Max();
 

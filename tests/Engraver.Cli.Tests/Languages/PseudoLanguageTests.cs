@@ -3,6 +3,7 @@ using System.CommandLine.Help;
 using System.Globalization;
 using Engraver.Cli.Options;
 using Engraver.Core.Languages;
+using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Languages;
 
@@ -21,7 +22,8 @@ public class PseudoLanguageTests
         "verify {folder}/b.dmc --against {gasket}", "verify none.dmc --against {gasket}", "table {gasket} --format csv -o", "minimise {gasket} --keep DXF0001", "minimise {gasket} --keep soup", "minimise none.dxf --keep crash",
         "run {paper-001} --connect sim:", "run {paper-001} --connect sim: --dry-run --mode calls", "run {empty} --connect sim:", "run {paper-001} --connect tcp://127.0.0.1:1", "run {paper-001} --connect sim: --trace {folder}/none/t", "run {paper-001} --connect sim: --mode walk",
         "simulate --tcp 99999", "simulate --baud 9600", "simulate --speed slow", "simulate --numbers none", "simulate --faults none.json", "terminal --connect nowhere", "terminal --connect tcp://127.0.0.1:1",
-        "script {folder}/none.scr", "script {folder}/a.scr", "desktop --soup", "bench 0", "inof", "soup", "info", "info --culture",
+        "info {folder}/repaired.dxf --twice", "info {folder}/damaged.dxf --twice", "info {folder}/array.dxf --twice", "info {folder}/circle.dxf --twice",
+        "commission --connect nowhere", "commission --connect sim:", "commission --connect sim: --machine none.json", "script {folder}/none.scr", "script {folder}/a.scr", "desktop --soup", "bench 0", "inof", "soup", "info", "info --culture",
     ];
 
     [Fact]
@@ -52,11 +54,16 @@ public class PseudoLanguageTests
         folder.WithFile("empty.dxf", "");
         folder.WithFile("b.dmc", "#JOB\nSOUP\nEN\n");
         folder.WithFile("a.scr", "LINE\nMOVE\n");
+        folder.WithFile("repaired.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n1,5\n20\n0\n11\n3\n21\n0\n0\nENDSEC\n0\nEOF\n");
+        folder.WithFile("damaged.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n10\n0\n0\nEOF\n");
+        folder.WithFile("array.dxf", "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n0\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\nB\n10\n0\n20\n0\n70\n32000\n71\n32000\n0\nENDSEC\n0\nEOF\n");
+        folder.WithFile("circle.dxf", "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n0\nINSERT\n2\nB\n10\n0\n20\n0\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\nB\n10\n0\n20\n0\n0\nENDSEC\n0\nEOF\n");
         string[] args = [.. words.Split(' ').Select(word => word.Replace("{folder}", folder.PathOf(""), StringComparison.Ordinal).Replace("{empty}", folder.PathOf("empty.dxf"), StringComparison.Ordinal)).Select(word => word.StartsWith('{') ? SampleDrawing.PathOf(word.Trim('{', '}')) : word)];
         var run = await CliRun.RunAsync([.. args, "--culture", PseudoLanguage.CultureName]);
 
         var shown = run.Error.Split('\n').Concat(words.StartsWith("table", StringComparison.Ordinal) ? [] : run.Out.Split('\n')).ToList();
         Assert.DoesNotContain(shown, IsForeign);
+        Assert.DoesNotContain(shown, HiddenSentence.IsIn);
         Assert.True(words.StartsWith('p') || shown.Any(line => line.AsSpan().ContainsAny('⟦', '‹')), "nothing was said");
     }
 

@@ -105,7 +105,7 @@ public class NetworkRunTests
     {
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 5 });
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 20 });
         Assert.Equal(":::::::", await AskAsync(controller, "DL\r#OWNER\rMG 1\rEN\r\\VSS=6002;VAS=51200;SPA=1234;VR 0.3;CW 2\r", patience.Token));
         const string Questions = "MG _VSS,_VAS,_SPA,_VRS{$8.4},_CW\rUL\r";
         var before = await AskAsync(controller, Questions, patience.Token);
@@ -134,11 +134,14 @@ public class NetworkRunTests
         Assert.DoesNotContain("   at ", run.Error, StringComparison.Ordinal);
     }
 
+    /// <summary>Bytes of the session up to the start list, and some of the job's preparation.</summary>
+    private const long BehindTheList = 2_000;
+
     [Fact]
     public async Task A_refused_command_is_exit_3_and_says_which_and_why()
     {
         await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
-        controller.SetLimitSwitch(axis: 0, forward: true, active: true);
+        controller.Schedule(new ScheduledFault { Kind = FaultKind.LimitSwitch, Axis = "A", Forward = true, AtByte = BehindTheList }); // one that is hit before finds a start list that does not pass
         using var folder = new TemporaryFolder();
         var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", await AddressAsync(controller) + await ClockAsync(controller), "--json", "--journal", folder.PathOf("run.jsonl"));
 

@@ -122,7 +122,7 @@ public class SignalTests
         if (OperatingSystem.IsWindows()) return; // no signals
         using var folder = new TemporaryFolder();
         using var patience = new CancellationTokenSource(s_patience);
-        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 1.0 });
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = 3.0 });
         var clock = await controller.ListenClockAsync(patience.Token); // the host takes it, so that a busy computer does not set off the dead man
         var place = await controller.ListenTcpAsync(0, patience.Token);
         var slow = folder.WithFile("slow.json", """{ "accelerationCounts": 10240 }""");

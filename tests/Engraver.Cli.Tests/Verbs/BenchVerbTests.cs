@@ -18,4 +18,43 @@ public class BenchVerbTests
     [InlineData("-5")]
     [InlineData("many")]
     public async Task A_size_that_is_no_number_of_lines_is_a_usage_error(string size) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", size)).ExitCode);
+
+    /// <summary>No time is looked at: every fault has its row, and where the link stands the stop was heard on the wire.</summary>
+    [Fact]
+    public async Task A_stop_is_measured_under_the_faults_that_are_asked_for()
+    {
+        var run = await CliRun.RunAsync("bench", "stop", "--presses", "1", "--fault", "dropReply", "--fault", "reset");
+
+        Assert.True(run.ExitCode == ExitCode.Done, run.Error);
+        var rows = run.Out.TrimEnd('\n').Split('\n')[2..].Select(line => line.Split('|', StringSplitOptions.TrimEntries)).ToList();
+        Assert.Equal(["dropReply", "reset"], rows.Select(row => row[1]));
+        Assert.Equal(("1", "0"), (rows[0][2], rows[0][4]));
+        Assert.Equal("1", rows[1][2]);
+    }
+
+    [Theory]
+    [InlineData("--presses", "0")]
+    [InlineData("--fault", "flood")]
+    public async Task What_is_no_number_of_presses_and_no_fault_is_a_usage_error(string option, string value) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", "stop", option, value)).ExitCode);
+
+    [Fact]
+    public async Task Trajectories_are_measured_on_every_shape_and_no_deviation_is_beyond_its_bound()
+    {
+        var run = await CliRun.RunAsync("bench", "trajectories", "--curves", "2");
+        var rows = run.Out.Split('\n').Where(line => line.Split('|').Length == 11).Skip(2).Select(line => line.Split('|')).ToList();
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal(18, rows.Count);
+        Assert.All(rows, row => Assert.InRange(Number(row[7]), 1e-4, Number(row[6])));
+        Assert.All(rows, row => Assert.InRange(Number(row[6]), 0.0, Number(row[2])));
+        Assert.All(rows, row => Assert.True(Number(row[4]) > Number(row[2]), "The plug-in breaks the error on each of these shapes."));
+        Assert.Contains("| 2 | 0 |", run.Out, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("0")]
+    [InlineData("many")]
+    public async Task What_is_no_number_of_curves_is_a_usage_error(string curves) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", "trajectories", "--curves", curves)).ExitCode);
+
+    private static double Number(string cell) => double.Parse(cell, System.Globalization.CultureInfo.InvariantCulture);
 }

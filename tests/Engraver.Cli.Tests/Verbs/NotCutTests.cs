@@ -23,8 +23,20 @@ public sealed class NotCutTests
 
         Assert.Equal(0, json.ExitCode);
         Assert.Equal("""{"TEXT":1}""", Compact(JsonText.Of(json).GetProperty("notCut")));
-        Assert.Contains("1 TEXT is visible and NOT CUT", said.Out, StringComparison.Ordinal);
+        Assert.Contains("1 TEXT is visible and NOT CUT: to have it cut, turn texts into lines in the CAD program", said.Out, StringComparison.Ordinal);
         Assert.DoesNotContain("nothing of it is missing", said.Out, StringComparison.Ordinal);
+    }
+
+    /// <summary>The plan says it too, and the last line of a dry run that nothing was cut.</summary>
+    [Fact]
+    public async Task The_plan_counts_it_and_a_hatch_is_told_with_the_option_that_cuts_it()
+    {
+        using var folder = new TemporaryFolder();
+        var file = Written(folder, [.. s_line, (0, "HATCH"), (8, "0")]);
+
+        Assert.Equal("""{"HATCH":1}""", Compact(JsonText.Of(await CliRun.RunAsync("plan", file, "--json")).GetProperty("notCut")));
+        var said = await CliRun.RunAsync("run", file, "--connect", "sim:", "--dry-run", "--quiet", "--journal", folder.PathOf("k"));
+        Assert.Contains("a DRY RUN, the tool stayed off and nothing was cut; 1 HATCH is visible and NOT CUT: to have it cut, name it with --cut", said.Out, StringComparison.Ordinal);
     }
 
     [Theory]

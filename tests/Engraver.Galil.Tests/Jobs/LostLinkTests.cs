@@ -48,16 +48,9 @@ public class LostLinkTests
     public async Task A_controller_that_freezes_is_given_up_after_the_time_out()
     {
         await using var bench = new SimulatedBench(new() { FreezeAfterCommands = 200 });
-        await using var session = await bench.OpenAsync();
 
-        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, null, CancellationToken.None);
-        while (!running.IsCompleted)
-        {
-            bench.Controller.Advance(TimeSpan.FromSeconds(1));
-            await Task.Yield();
-        }
+        var result = await bench.RunAsync(MotionPrograms.LongLine(200000), SimulatedBench.Job);
 
-        var result = await running;
         Assert.Equal(JobOutcome.LinkLost, result.Outcome);
         Assert.Contains("did not answer", result.Sentence, StringComparison.Ordinal);
     }

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Galil.Jobs;
 
 namespace Engraver.Galil.Tests.Jobs;
 
@@ -23,5 +24,50 @@ public class MotorFaultTests
         Assert.NotEqual(JobOutcome.Complete, result.Outcome);
         Assert.Contains("position error", result.Sentence, StringComparison.Ordinal);
         Assert.Equal((0, 0, false), (bench.Controller.Status.Outputs, bench.Controller.Status.RunningThreads, bench.Controller.Status.IsMoving));
+    }
+
+    /// <summary>The factory's ER is 16384 counts: of an axis that stands 8 mm beside its place the controller says nothing by itself.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task A_job_at_whose_end_a_motor_stands_beside_its_place_by_less_than_ER_is_not_called_complete(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        var jam = new CancelWhen(progress => progress.X > 50000, () => bench.Controller.HoldMotor(0, true));
+
+        var result = await bench.RunAsync(MotionPrograms.LongLine(60000), SimulatedBench.Job with { Mode = mode }, jam);
+
+        Assert.Equal(JobOutcome.Deviated, result.Outcome);
+        Assert.Contains("could not follow", result.Sentence, StringComparison.Ordinal);
+        Assert.Contains("A is ", result.Sentence, StringComparison.Ordinal);
+        Assert.NotEqual("", result.PositionDoubt);
+        Assert.Equal(0, (int)bench.Controller.Status.Outputs);
+    }
+
+    [Fact]
+    public async Task A_move_by_hand_whose_motor_did_not_come_along_is_not_called_done()
+    {
+        await using var bench = new SimulatedBench();
+        bench.Controller.HoldMotor(1, true);
+        await using var session = await bench.OpenAsync();
+
+        var result = await JobRunner.GoToAsync(MotionPrograms.LongLine(1000), new CountsPoint(3000, 9000), session, SimulatedBench.Job, null, CancellationToken.None);
+
+        Assert.Equal(JobOutcome.Refused, result.Outcome);
+        Assert.Contains("B is 9000", result.Sentence, StringComparison.Ordinal);
+        Assert.NotEqual("", result.PositionDoubt);
+    }
+
+    /// <summary>A servo that trails its command by a time constant comes to its place behind the end of the motion, and is waited for.</summary>
+    [Fact]
+    public async Task A_motor_that_settles_late_is_waited_for()
+    {
+        await using var bench = new SimulatedBench(lag: TimeSpan.FromMilliseconds(60));
+        await using var session = await bench.OpenAsync();
+
+        var result = await JobRunner.GoToAsync(MotionPrograms.LongLine(1000), new CountsPoint(30000, 9000), session, SimulatedBench.Job, null, CancellationToken.None);
+
+        Assert.True(result.Outcome == JobOutcome.Complete, result.Sentence);
     }
 }

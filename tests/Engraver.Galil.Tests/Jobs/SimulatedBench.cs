@@ -1,6 +1,7 @@
 using System.Text;
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Language;
 using Engraver.Galil.Links;
 using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
@@ -19,8 +20,9 @@ internal sealed class SimulatedBench : IAsyncDisposable
 
     /// <param name="clock">The controller's wall clock: where one stands, silence of the host lets no time pass, however long this computer is held up.</param>
     /// <param name="spacing">What divides a negative number from the one before it.</param>
-    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null, NumberSpacing spacing = NumberSpacing.Blank) => Controller = new SimulatedController(
-        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System, NumberSpacing = spacing });
+    /// <param name="lag">By which the motors trail their commands.</param>
+    public SimulatedBench(FaultPlan? faults = null, int programLines = 1000, TimeProvider? clock = null, NumberSpacing spacing = NumberSpacing.Blank, TimeSpan lag = default, params AxisSwitches[] switches) => Controller = new SimulatedController(
+        new SimulatorOptions { Speed = double.PositiveInfinity, Faults = faults, ProgramLines = programLines, Time = clock ?? TimeProvider.System, NumberSpacing = spacing, ServoLag = lag, Switches = switches });
 
     public SimulatedController Controller { get; }
 
@@ -80,6 +82,13 @@ internal sealed class SimulatedBench : IAsyncDisposable
 
     /// <summary>VF as it stands, with one digit behind the point.</summary>
     public Task<string> NumberFormatAsync() => AskAsync("_VF{F3.1}");
+
+    /// <summary>A number with a decimal where it has one, whatever VF is.</summary>
+    public async Task<string> NumberAsync(string operand)
+    {
+        await using var channel = OpenChannel();
+        return DmcFormat.Number((await channel.ReadAsync(operand + "{F10.1}", CancellationToken.None)).Values[0]);
+    }
 
     /// <summary>A whole number, whatever VF is.</summary>
     public Task<string> WholeAsync(string operand) => AskAsync(operand + "{F10.0}");

@@ -8,6 +8,7 @@ namespace Engraver.Galil.Tests.Links;
 internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
 {
     private readonly TaskCompletionSource _waiting = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly TaskCompletionSource _released = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private volatile bool _withhold;
 
     public string Description => inner.Description;
@@ -18,6 +19,13 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
     public Task SomebodyWaits => _waiting.Task;
 
     public void Withhold() => _withhold = true;
+
+    /// <summary>What was held back comes now, and from here on everything.</summary>
+    public void Release()
+    {
+        _withhold = false;
+        _released.TrySetResult();
+    }
 
     /// <summary>Called with each line before it goes out.</summary>
     public Action<string>? Sending { get; set; }
@@ -38,10 +46,9 @@ internal sealed class WithheldLink(IControllerLink inner) : IControllerLink
     public async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation)
     {
         if (!_withhold) return Mended(buffer, await inner.ReadAsync(buffer, cancellation));
-        var never = new TaskCompletionSource<int>();
-        using var registration = cancellation.Register(() => never.TrySetCanceled(cancellation));
         _waiting.TrySetResult();
-        return await never.Task;
+        await _released.Task.WaitAsync(cancellation);
+        return Mended(buffer, await inner.ReadAsync(buffer, cancellation));
     }
 
     private int Mended(Memory<byte> buffer, int count) =>

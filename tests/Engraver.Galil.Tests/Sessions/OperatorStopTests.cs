@@ -1,5 +1,6 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Protocol;
 using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Jobs;
 using Engraver.Galil.Tests.Links;
@@ -98,20 +99,73 @@ public class OperatorStopTests
             MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 50000, links[0].Withhold), stop.Token);
         await links[0].SomebodyWaits;
 
+        var braked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        var answers = 0;
+        links[1].Mend = text =>
+        {
+            answers += text.Count(sign => sign == ':');
+            if (answers == 4) braked.TrySetResult(); // the whole stop in one line; CB, STS and ST of the second pass
+            return text;
+        };
         await stop.CancelAsync();
         var pressedAt = bench.Controller.Status.Sample;
         var atOnce = bench.Controller.Status.Outputs;
         var rests = bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
         var feederWaits = !running.IsCompleted;
-        while (!running.IsCompleted)
-        {
-            bench.Controller.Advance(TimeSpan.FromMilliseconds(2));
-            await Task.Yield();
-        }
+        await braked.Task;
+        bench.Controller.Advance(new SessionOptions().ReplyTimeout);
 
         Assert.Equal((0, true, true), (atOnce, rests, feederWaits));
         Assert.Equal(new CountsPoint(bench.Last.A, bench.Last.B), (await running).FinalPosition);
         CutRecord.AssertSafeAfter(bench, pressedAt, toolSeconds: 0.01, restSeconds: 0.5);
+    }
+
+    /// <summary>A job tries its stop handle from time to time. Where that answer is late or lost, the stop does not wait for it.</summary>
+    [Fact]
+    public async Task Stop_is_on_the_wire_at_once_while_its_own_handle_waits_for_an_answer()
+    {
+        await using var bench = new SimulatedBench();
+        var links = new List<WithheldLink>();
+        await using var session = await bench.OpenAsync(opened: links.Add);
+        using var stop = new CancellationTokenSource();
+        var trial = new CancelWhen(progress => progress.X > 50000, () =>
+        {
+            links[1].Withhold();
+            _ = session.CheckStopHandleAsync(CancellationToken.None);
+            links[0].Withhold(); // the feeder waits too, so that no time passes before the press
+        });
+        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job, trial, stop.Token);
+        await links[1].SomebodyWaits;
+        await links[0].SomebodyWaits;
+
+        await stop.CancelAsync();
+        var atOnce = bench.Controller.Status.Outputs;
+        var rests = bench.Controller.AdvanceUntil(status => !status.IsMoving, TimeSpan.FromSeconds(0.5));
+        while (!running.IsCompleted)
+        {
+            bench.Controller.Advance(TimeSpan.FromSeconds(1)); // both handles are given up
+            await Task.Yield();
+        }
+
+        Assert.Equal((0, true, JobOutcome.LinkLost), (atOnce, rests, (await running).Outcome));
+    }
+
+    [Fact]
+    public async Task Behind_an_urgent_line_every_command_has_its_own_answer()
+    {
+        await using var bench = new SimulatedBench();
+        var links = new List<WithheldLink>();
+        await using var session = await bench.OpenAsync(opened: links.Add);
+        links[0].Withhold();
+        var late = session.Commands.SendAsync("MG 1", CancellationToken.None).AsTask();
+
+        await session.Commands.UrgeAsync("x=2;MG x");
+        links[0].Release();
+
+        Assert.Equal("1.0000", Assert.IsType<Accepted>(await late).Data);
+        Assert.Equal("4.0000", Assert.IsType<Accepted>(await session.Commands.SendAsync("MG x+2", CancellationToken.None)).Data);
+        await session.Commands.UrgeAsync("x=7"); // nobody waits: it goes in its turn
+        Assert.Equal("2.0000", Assert.IsType<Accepted>(await session.Commands.SendAsync("MG x", CancellationToken.None)).Data);
     }
 
     [Fact]
@@ -123,9 +177,9 @@ public class OperatorStopTests
         bench.Controller.Advance(TimeSpan.FromSeconds(1));
         Assert.True(bench.Controller.Status.IsSequenceOpen);
 
-        var standstill = await new OperatorStop(session, 1, [], "AB").FinishAsync(TimeSpan.Zero, CancellationToken.None);
+        var standstill = await new OperatorStop(session, [1], [], "AB").FinishAsync(TimeSpan.Zero, CancellationToken.None);
 
-        Assert.Equal((100, 0), (standstill.X, standstill.Y));
+        Assert.Equal((100, 0), (standstill.Position.X, standstill.Position.Y));
         Assert.False(bench.Controller.Status.IsSequenceOpen);
     }
 
@@ -135,9 +189,9 @@ public class OperatorStopTests
         await using var bench = new SimulatedBench();
         await using var session = await bench.OpenAsync(opened: link => link.Harm = line => line.Replace("MG _BGS,_BGA", "MG _BGS,1", StringComparison.Ordinal));
 
-        var standstill = await new OperatorStop(session, 1, [], "AB").FinishAsync(TimeSpan.Zero, CancellationToken.None).WaitAsync(TimeSpan.FromMinutes(1));
+        var standstill = await new OperatorStop(session, [1], [], "AB").FinishAsync(TimeSpan.Zero, CancellationToken.None).WaitAsync(TimeSpan.FromMinutes(1));
 
-        Assert.Equal((0, 0), (standstill.X, standstill.Y));
+        Assert.Equal((0, 0), (standstill.Position.X, standstill.Position.Y));
     }
 
     private static (MotionProgram Program, int Far) Job(string place) => place switch

@@ -52,6 +52,24 @@ internal sealed class ToldProcess : IDisposable
         }
     }
 
+    /// <summary>Whether a line that begins so is said in this time; those before it are passed over.</summary>
+    public bool HearsWithin(string beginning, TimeSpan time)
+    {
+        using var patience = new CancellationTokenSource(time);
+        try
+        {
+            while (!_lines.Take(patience.Token).StartsWith(beginning, StringComparison.Ordinal))
+            {
+            }
+
+            return true;
+        }
+        catch (Exception e) when (e is OperationCanceledException or InvalidOperationException)
+        {
+            return false;
+        }
+    }
+
     public int WaitForExit()
     {
         if (!_process.WaitForExit(Patience)) throw new InvalidOperationException($"The program does not end. Heard: {string.Join(" / ", _heard)}");

@@ -4,7 +4,7 @@ namespace Engraver.SoftwarePlatform.Tests.X11;
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class XServerFactAttribute : FactAttribute
 {
-    private static readonly string[] s_programs = ["Xvfb", "openbox", "xdotool", "xclip", "setxkbmap", "xprop"];
+    private static readonly string[] s_programs = ["Xvfb", "openbox", "xdotool", "xclip", "setxkbmap", "xprop", "xwininfo"];
 
     public XServerFactAttribute()
     {

@@ -63,6 +63,73 @@ public sealed class GoToCommandTests : IAsyncDisposable
         Assert.Equal(0, Moves(_controller.Record.Snapshot()));
     }
 
+    [Fact]
+    public async Task A_place_of_the_drawing_is_refused_when_the_controller_no_longer_counts_from_the_origins_zero()
+    {
+        await using var session = await ConnectedAsync();
+        await TypeAsync(session, "CNCGOTO", "12,-4");
+        await TypeAsync(session, "CNCZERO", "All");
+        await session.Machine.Terminal.TypeAsync("cncmark=7", _limit.Token); // as a power cycle leaves it: not ours
+        var rows = _controller.Record.Snapshot().Count;
+
+        Assert.Contains("G54", await FailedAsync(session, "CNCGOTO", "Work", "3,5"), StringComparison.Ordinal);
+        Assert.Contains("G54", await FailedAsync(session, "CNCGOTO", "Start"), StringComparison.Ordinal);
+        Assert.Equal(0, Moves(_controller.Record.Snapshot().Skip(rows)));
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "11,-4")); // a machine position needs no origin
+    }
+
+    [Fact]
+    public async Task CNCGOTO_Clearance_raises_a_tool_that_an_axis_holds_and_says_so_where_none_does()
+    {
+        await using var session = await ConnectedAsync();
+        await TypeAsync(session, "CNCGOTO", "12,-4");
+        Assert.Contains("no clearance height", await FailedAsync(session, "CNCGOTO", "Clearance"), StringComparison.Ordinal);
+        await TypeAsync(session, "CNCPROFILE", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"));
+        await TypeAsync(session, "CNCZERO", "All");
+
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "Clearance"));
+        var rest = _controller.Record.Snapshot()[^1];
+        Assert.Equal((12000L, -4000L, 3200L), ((long)rest.A, (long)rest.B, (long)rest.C));
+    }
+
+    [Theory]
+    [InlineData("Work", "30,0")]
+    [InlineData("42,-4")]
+    public async Task A_tool_that_an_axis_holds_is_at_its_clearance_height_before_it_travels_over_the_work(params string[] place)
+    {
+        await using var session = await ConnectedAsync();
+        await TypeAsync(session, "CNCGOTO", "12,-4");
+        await TypeAsync(session, "CNCPROFILE", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"));
+        await TypeAsync(session, "CNCZERO", "All");
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCJOG", "Z-", "2"));
+        var rows = _controller.Record.Snapshot().Count;
+
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, ["CNCGOTO", .. place]));
+
+        var way = _controller.Record.Snapshot().Skip(rows).ToList();
+        Assert.Equal((42000L, -4000L, 3200L), ((long)way[^1].A, (long)way[^1].B, (long)way[^1].C));
+        Assert.All(way.Where(sample => sample.A is > 12000 and < 42000), sample => Assert.Equal(3200, sample.C));
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCJOG", "Z+", "6"));
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "Start"));
+        Assert.Equal(8000, _controller.Record.Snapshot()[^1].C); // higher is not lowered
+    }
+
+    [Fact]
+    public async Task Over_work_whose_height_nobody_set_a_tool_that_an_axis_holds_does_not_travel()
+    {
+        await using var session = await ConnectedAsync();
+        await TypeAsync(session, "CNCPROFILE", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"));
+        await TypeAsync(session, "CNCZERO", "X");
+        await TypeAsync(session, "CNCJOG", "Z-", "2");
+        var rows = _controller.Record.Snapshot().Count;
+
+        Assert.Contains("CNCZERO Z", await FailedAsync(session, "CNCGOTO", "30,0"), StringComparison.Ordinal);
+        Assert.Equal(0, Moves(_controller.Record.Snapshot().Skip(rows)));
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCJOG", "1,0"));
+        await TypeAsync(session, "CNCZERO", "Z");
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "30,0"));
+    }
+
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
@@ -86,7 +153,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
         _controller = new SimulatedController(new SimulatorOptions { Speed = 1 });
         await using var session = await ConnectedAsync();
         var moving = TypeAsync(session, "CNCGOTO", "100,0");
-        await SeenAsync(session.Machine, status => status is { State: MachineState.Running, MachinePosition.X: > 5 });
+        await SeenAsync(session.Machine, status => status is { State: MachineState.Moving, MachinePosition.X: > 5 });
 
         foreach (var meanwhile in (string[])["CNCGOTO", "CNCZERO", "CNCORIGIN"]) Assert.IsType<InputResult.NotUnderstood>(await session.EnterAsync(meanwhile, CancellationToken.None));
         Assert.True(session.Machine.Stop());
@@ -102,12 +169,12 @@ public sealed class GoToCommandTests : IAsyncDisposable
         _controller = new SimulatedController(new SimulatorOptions { Speed = 1 });
         await using var session = await ConnectedAsync();
         var moving = TypeAsync(session, "CNCGOTO", "500,0");
-        await SeenAsync(session.Machine, status => status is { State: MachineState.Running, MachinePosition.X: > 5 });
+        await SeenAsync(session.Machine, status => status is { State: MachineState.Moving, MachinePosition.X: > 5 });
 
         _controller.DropConnections();
 
         Assert.Equal(CommandFailure.LinkLost, Assert.IsType<InputResult.Failed>(await moving.WaitAsync(_limit.Token)).Why);
-        await SeenAsync(session.Machine, status => status.State == MachineState.Ready); // the watch, whose links were cut too, is opened anew
+        await SeenAsync(session.Machine, status => status.State == MachineState.NoOrigin); // the watch, whose links were cut too, is opened anew
         Assert.InRange(At(session).X, 5.0, 499.0);
         Assert.Equal(0, (int)_controller.Status.Outputs);
     }

@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Commands;
 
@@ -77,6 +78,89 @@ public class JobCommandTests
         Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job.WaitAsync(limit.Token)).Why);
         Assert.False(talk.Session.Machine.IsRunning);
         Assert.Contains("RUNNING", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_job_is_held_overridden_and_resumed_by_commands_that_are_heard_beside_it()
+    {
+        await using var talk = new CommandTalk();
+        using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", SlowMachine.Address);
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCHOLD"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRESUME", "Whole")); // with none held it chooses what START cuts
+        await talk.TypeAsync("CNCOVERRIDE", "50", "CNCRUN");
+        var job = talk.TypeAsync("Yes");
+        await UntilAsync(talk, () => talk.Session.Machine.Progress is not null, limit.Token);
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCHOLD"));
+        await UntilAsync(talk, () => talk.Session.Machine.Status.State == MachineState.Held, limit.Token);
+        Assert.Equal(0.5, talk.Session.Machine.Progress!.Value.FeedRatio);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCOVERRIDE 80"));
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCOVERRIDE"));
+        Assert.StartsWith("Enter feed in percent", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("900"));
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("Rapid"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("30"));
+        Assert.Equal((0.8, 0.3), (talk.Session.Machine.Status.FeedRatio, talk.Session.Machine.Status.RapidRatio));
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCOVERRIDE"));
+        await talk.Session.CancelAsync(); // ends the question, not the job
+        Assert.True(talk.Session.IsBusy);
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRESUME"));
+        await UntilAsync(talk, () => talk.Session.Machine.Status.State == MachineState.Running, limit.Token);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCHOLD"));
+        await UntilAsync(talk, () => talk.Session.Machine.Status.State == MachineState.Held, limit.Token);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSTOP"));
+        Assert.Equal(CommandFailure.Stopped, Assert.IsType<InputResult.Failed>(await job.WaitAsync(limit.Token)).Why);
+        Assert.Equal((2, false), (talk.Session.Machine.LastRun!.Result.Holds, talk.Session.Machine.IsRunning));
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCRESUME"));
+        Assert.Equal(talk.Session.Machine.LastRun.Journal, talk.Session.Prompt.Default);
+    }
+
+    [Fact]
+    public async Task A_held_job_lets_CNCJOG_move_the_machine_and_comes_back_before_it_goes_on()
+    {
+        await using var talk = new CommandTalk();
+        using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        await talk.TypeAsync("OPEN", CommandTalk.Sample("paper-001.dxf"), "CNCCONNECT", SlowMachine.Address, "CNCRUN");
+        var job = talk.TypeAsync("Yes");
+        await UntilAsync(talk, () => talk.Session.Machine.Progress is not null, limit.Token);
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCJOG 1,0")).Why);
+        Assert.Contains("hold the job (CNCHOLD)", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("CNCHOLD");
+        await UntilAsync(talk, () => talk.Session.Machine.Status.State == MachineState.Held, limit.Token);
+        var held = talk.Session.Machine.Status.MachinePosition!.Value;
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCJOG 2,-1"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCJOG Y+ 0.5"));
+
+        var away = talk.Session.Machine.Status.MachinePosition!.Value;
+        Assert.Equal((2.0, -0.5), (Math.Round(away.X - held.X, 2), Math.Round(away.Y - held.Y, 2)));
+        Assert.Equal(MachineState.Held, talk.Session.Machine.Status.State);
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCJOG X+ Continuous"));
+        await UntilAsync(talk, () => talk.Session.Machine.Status.MachinePosition!.Value.X > away.X + 1.0, limit.Token);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCOVERRIDE 200"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRESUME"));
+        Assert.IsType<InputResult.Done>(await job.WaitAsync(limit.Token));
+
+        var run = talk.Session.Machine.LastRun!;
+        Assert.Equal((JobOutcome.Complete, 1, 0.0), (run.Result.Outcome, run.Result.Holds, run.Judgement.MissingLengthMm));
+        Assert.InRange(run.Judgement.MaxDeviationMm!.Value, 0.0, 0.0035);
+    }
+
+    private static async Task UntilAsync(CommandTalk talk, Func<bool> condition, CancellationToken limit)
+    {
+        var met = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);
+        void Look(object? sender, EventArgs e)
+        {
+            if (condition()) met.TrySetResult();
+        }
+
+        talk.Session.Machine.Changed += Look;
+        Look(null, EventArgs.Empty);
+        await met.Task.WaitAsync(limit);
+        talk.Session.Machine.Changed -= Look;
     }
 
     [Fact]

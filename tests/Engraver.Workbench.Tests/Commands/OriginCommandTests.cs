@@ -42,6 +42,47 @@ public class OriginCommandTests
         Assert.Equal(new Point2D(workX, workY), talk.Session.Machine.Status.WorkPosition);
     }
 
+    /// <summary>The tool stands outside of the work piece: its zero is a radius farther in.</summary>
+    [Theory]
+    [InlineData("Left", 13500, 0, 12.0, 0.0)]
+    [InlineData("Right", 10500, 0, 12.0, 0.0)]
+    [InlineData("Bottom", 0, -2500, 0.0, -4.0)]
+    [InlineData("Top", 0, -5500, 0.0, -4.0)]
+    public async Task The_zero_lies_on_the_edge_that_the_tool_touches(string edge, int x, int y, double atX, double atY)
+    {
+        await using var talk = await StandingAsync("12,-4");
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Edges", edge, "1.5"));
+        var origin = talk.Session.Machine.Hold!.Memory.ActiveOrigin!;
+        Assert.Equal((atX != 0 ? x : (int?)null, atY != 0 ? y : (int?)null), (origin.X, origin.Y));
+    }
+
+    [Fact]
+    public async Task Two_edges_give_both_axes_and_the_machine_is_moved_between_them()
+    {
+        await using var talk = await StandingAsync("12,-4");
+        await talk.TypeAsync("CNCZERO", "Edges", "Left", "1.5", "CNCGOTO", "30,-10");
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Edges", "", "")); // the bottom is next, the radius is the same
+
+        Assert.Equal((13500, -8500), Active(talk));
+    }
+
+    [Fact]
+    public async Task The_zero_lies_in_the_middle_of_two_touches()
+    {
+        await using var talk = await StandingAsync("12,-4");
+        await talk.TypeAsync("CNCZERO", "Centre");
+        Assert.Contains("First touch at 12,-4 mm of the machine", talk.Said, StringComparison.Ordinal);
+        Assert.Empty(talk.Session.Machine.Hold!.Memory.Origins);
+        await talk.TypeAsync("CNCGOTO", "20,5.001");
+
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Centre", "", "All"));
+        Assert.Equal((16000, 501), Active(talk)); // half a count is rounded away from zero
+        Assert.Null(talk.Session.Machine.FirstTouch);
+        await talk.TypeAsync("CNCZERO", "Centre", "CNCDISCONNECT", "CNCCONNECT", "sim:");
+        Assert.Null(talk.Session.Machine.FirstTouch); // another controller, another zero
+    }
+
     [Fact]
     public async Task A_place_that_is_typed_is_where_the_machine_stands_in_the_drawing()
     {
@@ -50,6 +91,15 @@ public class OriginCommandTests
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Point", "2,1"));
         Assert.Equal((10000, -5000), Active(talk));
         Assert.Equal(new Point2D(2, 1), talk.Session.Machine.Status.WorkPosition);
+    }
+
+    [Fact]
+    public async Task A_place_that_nobody_can_count_to_is_said_and_sets_nothing()
+    {
+        await using var talk = await StandingAsync("12,-4");
+
+        Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Point", "1e12,0")).Sentence, StringComparison.Ordinal);
+        Assert.Empty(talk.Session.Machine.Hold!.Memory.Origins);
     }
 
     [Fact]
@@ -139,6 +189,18 @@ public class OriginCommandTests
         Assert.Equal((12000, -4000), Active(talk));
         await talk.TypeAsync("CNCTERMINAL", "SHA");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
+    }
+
+    [Fact]
+    public async Task On_a_machine_with_a_z_axis_every_sentence_of_an_origin_tells_its_height()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCGOTO", "12,-4", "CNCJOG", "Z+", "2.5");
+
+        await talk.TypeAsync("CNCZERO", "Z");
+        Assert.EndsWith("G54: the drawing's zero lies at X (not set), Y (not set), Z 6.5 mm of the machine.", talk.Said, StringComparison.Ordinal);
+        await talk.TypeAsync("CNCZERO", "All", "Yes", "CNCORIGIN", "List");
+        Assert.Contains("G54: the drawing's zero lies at X 12 mm, Y -4 mm, Z 6.5 mm of the machine.", talk.Said, StringComparison.Ordinal);
     }
 
     private static (int?, int?) Active(CommandTalk talk) => (talk.Session.Machine.Hold!.Memory.ActiveOrigin?.X, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Y);

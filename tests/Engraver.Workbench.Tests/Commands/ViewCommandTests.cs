@@ -106,6 +106,7 @@ public class ViewCommandTests
     [InlineData("M", CanvasLayers.Machine)]
     [InlineData("E", CanvasLayers.Engraved)]
     [InlineData("recorded", CanvasLayers.Recorded)]
+    [InlineData("WO", CanvasLayers.WorkOrigin)]
     public async Task Every_layer_of_meaning_has_a_switch(string typed, CanvasLayers layer)
     {
         await using var talk = CommandTalk.WithDrawing();

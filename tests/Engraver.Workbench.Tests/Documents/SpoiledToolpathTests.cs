@@ -42,14 +42,14 @@ public class SpoiledToolpathTests
         var job = Spoiled(how, 0);
         var posted = PostedProgram.FromJob(job, PostTable.Find("galil").Post, PostedProgram.NoOptions);
         var ready = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true };
-        var checklist = ArmingChecklist.Create(job, ready, errorsAccepted: true, MachineBench.Placed);
+        var checklist = ArmingChecklist.Create(job, ready, errorsAccepted: true, MachineBench.Placed, default);
 
         Assert.Null(posted.Text);
         Assert.Contains(job.Faults[0].Id, posted.WithoutProgram, StringComparison.Ordinal);
         Assert.Contains(job.Faults[0], posted.Diagnostics);
         Assert.False(checklist.Passed);
         Assert.Contains(checklist.Checks, check => !check.Passed && check.Sentence.Contains(job.Faults[0].Id, StringComparison.Ordinal));
-        Assert.True(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, MachineBench.Placed).Passed);
+        Assert.True(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, MachineBench.Placed, default).Passed);
     }
 
     [Fact]
@@ -76,11 +76,12 @@ public class SpoiledToolpathTests
     }
 
     [CorpusFact]
-    public void Every_drawing_of_the_corpus_passes()
+    public void Drawings_of_the_corpus_pass()
     {
         var files = Directory.GetFiles(Path.Combine(RepositoryFolder.Corpus!, "files"), "*.dxf", SearchOption.AllDirectories).Where(file => new FileInfo(file).Length < 300_000).Order(StringComparer.Ordinal).ToArray();
         Assert.InRange(files.Length, 100, 400);
-        foreach (var file in files) AssertPasses(file, s_settings);
+        var step = TestExtent.IsFull ? 1 : 3; // a commit takes every third
+        foreach (var file in files.Where((_, i) => i % step == 0)) AssertPasses(file, s_settings);
     }
 
     private static void AssertPasses(string file, DrawingSettings settings)

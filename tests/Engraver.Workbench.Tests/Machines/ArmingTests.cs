@@ -68,13 +68,63 @@ public class ArmingTests
     public void The_checklist_names_what_is_missing()
     {
         var nothing = JobPreparation.Prepare(new DrawingBuilder().Build(), new DrawingSettings(), MotionStyle.Continuous);
-        var offline = ArmingChecklist.Create(nothing, MachineStatus.Offline, errorsAccepted: false, MachineBench.Placed);
-        var limit = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit of axis A" }, errorsAccepted: false, MachineBench.Placed);
-        var ready = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true }, errorsAccepted: false, MachineBench.Placed);
+        var offline = ArmingChecklist.Create(nothing, MachineStatus.Offline, errorsAccepted: false, MachineBench.Placed, default);
+        var limit = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Fault, Link = "x", MotorsOn = true, Limit = "the forward limit of axis A" }, errorsAccepted: false, MachineBench.Placed, default);
+        var ready = ArmingChecklist.Create(MachineBench.Job(), new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true }, errorsAccepted: false, MachineBench.Placed, default);
 
-        Assert.Equal([true, false, false, false, false, true, true], offline.Checks.Select(check => check.Passed));
-        Assert.Equal([true, true, true, false, true, false, true], limit.Checks.Select(check => check.Passed));
+        Assert.Equal([true, false, false, true], offline.Checks.Select(check => check.Passed));
+        Assert.Equal([true, true, true, false, true, false, true, true], limit.Checks.Select(check => check.Passed));
         Assert.True(ready.Passed);
+    }
+
+    /// <summary>A tick stands for what was asked just now: of a dead link nothing is known, whatever it said before.</summary>
+    [Fact]
+    public void Nothing_that_a_dead_or_silent_link_said_has_a_tick()
+    {
+        var ready = new MachineStatus { State = MachineState.Ready, Link = "tcp://x", MotorsOn = true };
+        var lost = ArmingChecklist.Create(MachineBench.Job(), ready with { State = MachineState.Fault, IsLinkLost = true }, errorsAccepted: false, MachineBench.Placed, default);
+        var silent = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, MachineBench.Placed, default(DateTimeOffset) + TimeSpan.FromSeconds(5.5));
+
+        Assert.Contains(lost.Checks, check => check is { Passed: false, IsAsked: true } && check.Sentence.StartsWith("The link to tcp://x is lost; ", StringComparison.Ordinal));
+        Assert.Contains(silent.Checks, check => check is { Passed: false, IsAsked: true } && check.Sentence.StartsWith("tcp://x has not answered for 5 s; ", StringComparison.Ordinal));
+        foreach (var list in new[] { lost, silent })
+        {
+            Assert.Equal(5, list.Checks.Count(check => check is { Passed: false, IsAsked: false } && check.Sentence.StartsWith("Not known now; ", StringComparison.Ordinal)));
+            Assert.Equal(["The drawing has no errors.", "The job has 2 segments."], list.Checks.Where(check => check.Passed).Select(check => check.Sentence));
+        }
+    }
+
+    [Fact]
+    public async Task ARM_asks_the_controller_and_a_dead_link_is_found_then()
+    {
+        await using var bench = await MachineBench.ConnectedAsync();
+        var job = MachineBench.Job();
+        Assert.NotNull(await bench.Machine.AskAsync(job.Motion.Program!, bench.Limit));
+        await bench.Controller.DisposeAsync();
+
+        Assert.Null(await bench.Machine.AskAsync(job.Motion.Program!, bench.Limit)); // nobody has looked since
+        Assert.Equal((MachineState.Fault, true), (bench.Machine.Status.State, bench.Machine.Status.IsLinkLost));
+    }
+
+    [Fact]
+    public async Task The_status_goes_through_the_same_list_with_what_to_do()
+    {
+        await using var talk = new Commands.CommandTalk();
+        await talk.TypeAsync("CNCCONNECT", "sim:", "CNCMOTORS", "OFF", "CNCSTATUS");
+        Assert.Contains("ok     The link to sim: stands; the controller has answered just now.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("NOT OK The motors are off; CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("ok     The abort input is not active.", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Units_that_were_assumed_are_on_the_list()
+    {
+        await using var talk = new Commands.CommandTalk();
+        var file = Path.Combine(Directory.CreateTempSubdirectory("engraver-units-").FullName, "no-unit.dxf");
+        await File.WriteAllTextAsync(file, (await File.ReadAllTextAsync(Commands.CommandTalk.Sample("paper-001.dxf"))).Replace("$INSUNITS", "$NOUNITS", StringComparison.Ordinal));
+        await talk.TypeAsync("OPEN", file, "CNCCONNECT", "sim:", "CNCARM", "Stream");
+        Assert.Contains(talk.Said.Split('\n'), line => line.StartsWith("LOOK   The drawing does not say its unit", StringComparison.Ordinal));
+        Directory.Delete(Path.GetDirectoryName(file)!, recursive: true);
     }
 
     [Fact]
@@ -93,7 +143,7 @@ public class ArmingTests
 
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
         var said = talk.Said.Split('\n').Last(line => line.StartsWith("LOOK", StringComparison.Ordinal));
-        Assert.Contains("The last job on this machine ended early (stopped).", said, StringComparison.Ordinal);
+        Assert.Contains("The last job on this machine ended early (stopped by the operator).", said, StringComparison.Ordinal);
         Assert.Contains("The drawing's zero lies at 0,0 mm of the machine.", talk.Said, StringComparison.Ordinal); // set by the first job, wherever the stop left the machine
         Assert.True(Assert.Single(talk.Session.Machine.Armed!.Checklist.Checks, check => check.IsWarning).Passed);
     }
@@ -105,12 +155,12 @@ public class ArmingTests
         var nowhere = WorkPlacement.Find(MachineMemory.Empty, stands, new OriginRequest.Work(), MachineProfile.Default, default);
         var ready = new MachineStatus { State = MachineState.Ready, Link = "x", MotorsOn = true };
 
-        var refused = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, nowhere);
+        var refused = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, nowhere, default);
         Assert.False(refused.Passed);
         Assert.Contains("G54 is not set on this machine, and the machine stands at 5, 0 mm", Assert.Single(refused.Checks, check => !check.Passed).Sentence, StringComparison.Ordinal);
         Assert.Contains("CNCZERO", Assert.Single(refused.Checks, check => !check.Passed).Sentence, StringComparison.Ordinal);
-        Assert.False(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, placement: null).Passed);
-        var placed = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, new PlacementResult(new CountsPoint(12500, -3000), OriginSource.Work, null));
+        Assert.False(ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, placement: null, default).Passed);
+        var placed = ArmingChecklist.Create(MachineBench.Job(), ready, errorsAccepted: false, new PlacementResult(new CountsPoint(12500, -3000), OriginSource.Work, null), default);
         Assert.True(placed.Passed);
         Assert.Contains(placed.Checks, check => check.Sentence.Contains("zero lies at 12.5,-3 mm of the machine", StringComparison.Ordinal));
     }
@@ -160,7 +210,7 @@ public class ArmingTests
 
         Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCARM", "Stream")).Why);
         await talk.TypeAsync("CNCSTATUS");
-        Assert.Contains("state MotorsOff (motor off: AB), machine 0,0 mm", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("state MOTORS OFF (motor off: AB), machine 0,0 mm", talk.Said, StringComparison.Ordinal);
         Assert.Contains("NOT OK The motors are off; CNCMOTORS ON.", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCMOTORS", "ON");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCARM", "Stream"));
@@ -171,7 +221,7 @@ public class ArmingTests
     private static void Arm(MachineBench bench)
     {
         var job = MachineBench.Job();
-        bench.Machine.Arm(job, JobMode.Stream, dryRun: false, ArmingChecklist.Create(job, bench.Machine.Status, errorsAccepted: false, MachineBench.Placed));
+        bench.Machine.Arm(job, JobMode.Stream, dryRun: false, ArmingChecklist.Create(job, bench.Machine.Status, errorsAccepted: false, MachineBench.Placed, bench.Time.GetUtcNow()));
         Assert.Equal(MachineState.Armed, bench.Machine.Status.State);
     }
 }

@@ -99,6 +99,27 @@ public sealed class HarmedByteTests : IDisposable
         Assert.True(wrong.Count == 0, string.Join('\n', wrong));
     }
 
+    /// <summary>Each command that switches the tool off arrives as one that switches it on, also those of the stop before and behind the job.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task A_tool_that_a_damaged_command_leaves_on_is_told_and_off_in_the_end(JobMode mode)
+    {
+        var wrong = new List<string>();
+        var which = 1;
+        for (var isHarmed = true; isHarmed; which++)
+        {
+            var wire = new SwitchWire(which);
+            var run = await RunAsync(mode, wire);
+            isHarmed = wire.Harmed is not null;
+            if (run.IsToolOn || run is { Outcome: "complete", IsCutRight: false }) wrong.Add(Text($"{which} '{wire.Harmed?.Was}': tool on {run.IsToolOn} {run}"));
+        }
+
+        Assert.True(wrong.Count == 0, string.Join('\n', wrong));
+        Assert.InRange(which, 5, 100);
+    }
+
     [Fact]
     public async Task No_harmed_byte_ends_as_complete_with_another_part_and_none_hangs()
     {
@@ -110,7 +131,7 @@ public sealed class HarmedByteTests : IDisposable
             lines[mode] = wire.Harmable;
         }
 
-        var (first, cases) = (TestExtent.Number("ENGRAVER_HARM_FIRST", 1), TestExtent.Cases(perCommit: 200, full: 1_000, "ENGRAVER_HARM_CASES"));
+        var (first, cases) = (TestExtent.Number("ENGRAVER_HARM_FIRST", 1), TestExtent.Cases(perCommit: 120, full: 1_000, "ENGRAVER_HARM_CASES"));
         var wrong = new List<string>();
         var outcomes = new SortedDictionary<string, int>(StringComparer.Ordinal);
         for (var seed = first; seed < first + cases; seed++)
@@ -135,7 +156,7 @@ public sealed class HarmedByteTests : IDisposable
         try
         {
             var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, null, CancellationToken.None);
-            return new HarmedRun(OutcomeText.Word(report.Result.Outcome), report.Result.Sentence, RecordJudgement.Of(job, controller.Record.Snapshot(), 0, 0), RunJudge.Tolerances(job).Deviation);
+            return new HarmedRun(OutcomeText.Word(report.Result.Outcome), report.Result.Sentence, RecordJudgement.Of(job, controller.Record.Snapshot(), 0, 0), RunJudge.Tolerances(job).Deviation) { IsToolOn = (controller.Status.Outputs & 1) != 0 };
         }
         catch (Engraver.Core.Machines.ControllerException unconnected)
         {
@@ -182,6 +203,9 @@ public sealed class HarmedByteTests : IDisposable
     /// <summary>How a run ended by its own account, and what the motors did.</summary>
     private sealed record HarmedRun(string Outcome, string Sentence, RunJudgement Record, double Tolerance)
     {
+        /// <summary>When the host has gone.</summary>
+        public bool IsToolOn { get; init; }
+
         public bool IsCutRight => Record is { MaxDeviationMm: { } deviation, MissingLengthMm: { } missing } && deviation <= Tolerance && missing <= Tolerance;
     }
 
@@ -196,6 +220,14 @@ public sealed class HarmedByteTests : IDisposable
             var digit = line.IndexOfAny([.. "0123456789"]) + 1;
             return line.Insert(digit, "0");
         }
+    }
+
+    /// <summary>Makes one command that switches the tool off one that switches it on.</summary>
+    private sealed class SwitchWire(int which) : HarmingWire(-1, 0)
+    {
+        private int _seen;
+
+        protected override string? Harm(string line) => line.StartsWith("CB 1", StringComparison.Ordinal) && ++_seen == which ? "SB" + line[2..] : null;
     }
 
     /// <summary>Moves one vertex of a line by whole counts.</summary>

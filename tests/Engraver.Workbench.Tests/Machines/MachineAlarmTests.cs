@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Protocol;
 using Engraver.TestKit;
+using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;
 
 namespace Engraver.Workbench.Tests.Machines;
@@ -53,7 +54,7 @@ public class MachineAlarmTests
         Assert.Contains("cable", alarm.ToDo, StringComparison.Ordinal);
         Assert.Contains("CNCCONNECT", alarm.ToDo, StringComparison.Ordinal);
 
-        MachineAlarms.Seen(log, new MachineReading(0, 0, 0, 0, Moves: false, MotorsOff: ""), Link);
+        MachineAlarms.Seen(log, new MachineReading(default, default, Moves: false, MotorsOff: ""), Link);
         Assert.Equal(AlarmState.ClearedUnacknowledged, log.All[0].State);
     }
 
@@ -66,6 +67,51 @@ public class MachineAlarmTests
         MachineAlarms.Begun(log);
 
         Assert.Equal([AlarmState.ClearedUnacknowledged, AlarmState.Unacknowledged], log.All.Select(alarm => alarm.State));
+    }
+
+    /// <summary>A limit ended the job: one event, one alarm, which says both.</summary>
+    [Theory]
+    [InlineData("the forward limit of axis A", false, "", AlarmCause.Limit)]
+    [InlineData("", true, "", AlarmCause.AbortInput)]
+    [InlineData("", false, "B", AlarmCause.FollowingError)]
+    public void What_ended_a_job_and_its_end_are_one_alarm(string limit, bool abort, string lost, AlarmCause cause)
+    {
+        var log = new AlarmLog(new ManualTimeProvider());
+        var poll = new MachineReading(default, default, Moves: false, MotorsOff: "") { Limit = limit, AbortInput = abort, LostPosition = lost };
+
+        MachineAlarms.Seen(log, poll, Link, Result(JobOutcome.Refused) with { Sentence = "The job stands in stroke 2.", SegmentsExecuted = 3 });
+
+        var alarm = Assert.Single(log.All);
+        Assert.Equal((cause, $"{Link}, after 3 segments"), (alarm.Cause, alarm.Where));
+        Assert.EndsWith(" The job stands in stroke 2.", alarm.What, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_limit_that_stood_before_did_not_end_the_job()
+    {
+        var log = new AlarmLog(new ManualTimeProvider());
+        var poll = new MachineReading(default, default, Moves: false, MotorsOff: "") { Limit = "the forward limit of axis A" };
+        MachineAlarms.Seen(log, poll, Link);
+        MachineAlarms.Seen(log, poll, Link, Result(JobOutcome.Stopped));
+        Assert.Equal([AlarmCause.Limit, AlarmCause.JobStopped], log.All.Select(alarm => alarm.Cause));
+    }
+
+    /// <summary>The job says that the link is lost, and then the watch finds nobody: the same event.</summary>
+    [Theory]
+    [InlineData(LinkLoss.Link, AlarmCause.LinkLost)]
+    [InlineData(LinkLoss.Watchdog, AlarmCause.WatchdogTripped)]
+    public void A_link_lost_in_a_job_is_one_alarm_and_a_later_loss_another(LinkLoss loss, AlarmCause cause)
+    {
+        using var model = new MachineStatusModel(new ManualTimeProvider(), () => { });
+        model.Connected(Link, isSimulation: false, new MachineIdentity("DMC2143", 4));
+        model.JobEnds(Result(JobOutcome.LinkLost) with { Loss = loss });
+        model.Lost(new ControllerLinkException("Nobody answers."));
+        Assert.Equal((cause, 1), (Assert.Single(model.Alarms.All).Cause, model.Alarms.All[0].Count));
+
+        model.Seen(new MachineReading(default, default, Moves: false, MotorsOff: ""));
+        model.Alarms.AcknowledgeAll();
+        model.Lost(new ControllerLinkException("Nobody answers."));
+        Assert.Equal(AlarmCause.LinkLost, Assert.Single(model.Alarms.All, alarm => alarm.IsActive && alarm.NeedsAcknowledging).Cause);
     }
 
     private static JobResult Result(JobOutcome outcome) => JobResult.NotStarted(0, "It ended.") with { Outcome = outcome };

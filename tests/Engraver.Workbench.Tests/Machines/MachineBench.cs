@@ -43,7 +43,7 @@ internal sealed class MachineBench : IAsyncDisposable
     }
 
     /// <summary>A line of 20 mm and a circle.</summary>
-    public static PreparedJob Job() => JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Circle(40, 0, 5).Build(), new DrawingSettings(), MotionStyle.Continuous);
+    public static PreparedJob Job(MachineProfile? profile = null) => JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 20, 0).Circle(40, 0, 5).Build(), new DrawingSettings { Machine = profile ?? MachineProfile.Default }, MotionStyle.Continuous);
 
     /// <summary>Moves the clock on, look by look, until the status is as wanted.</summary>
     public async Task<MachineStatus> UntilAsync(Func<MachineStatus, bool> wanted)

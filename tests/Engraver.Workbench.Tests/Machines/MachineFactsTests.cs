@@ -9,8 +9,8 @@ namespace Engraver.Workbench.Tests.Machines;
 
 public class MachineFactsTests
 {
-    private static readonly JobProgress s_told = new(2, 9, 7, 20, 3000, 4000, true, 1.5, Outputs: 5);
-    private static readonly MachineReading s_rest = new(0, 0, 0, 0, Moves: false, MotorsOff: "");
+    private static readonly JobProgress s_told = new(2, 9, 7, 20, new CountsPoint(3000, 4000), true, 1.5, Outputs: 5);
+    private static readonly MachineReading s_rest = new(default, default, Moves: false, MotorsOff: "");
 
     private static readonly MachineFacts s_idle = new() { Link = "tcp://a", Poll = s_rest };
 
@@ -29,6 +29,57 @@ public class MachineFactsTests
         Assert.Equal(MachineState.Fault, State(s_idle with { Lost = "gone" }));
         Assert.Equal(MachineState.Running, State(s_idle with { Lost = "gone", JobRuns = true }));
         Assert.Equal(MachineState.Stopping, State(s_idle with { JobRuns = true, Stopping = true }));
+        Assert.Equal(MachineState.NotHomed, State(s_idle with { IsHomed = false, OriginMissing = "nowhere" }));
+        Assert.Equal(MachineState.NoOrigin, State(s_idle with { IsHomed = true, OriginMissing = "nowhere" }));
+        Assert.Equal(MachineState.MotorsOff, State(With(s_rest with { MotorsOff = "A" }) with { OriginMissing = "nowhere", IsHomed = false }));
+    }
+
+    [Fact]
+    public void A_job_a_dry_run_a_hold_and_a_move_by_hand_are_states_of_their_own()
+    {
+        var runs = s_idle with { JobRuns = true };
+        Assert.Equal(MachineState.Running, State(runs));
+        Assert.Equal(MachineState.DryRun, State(runs with { IsDryRun = true }));
+        Assert.Equal(MachineState.Holding, State(runs with { Hold = HoldPhase.Braking }));
+        Assert.Equal(MachineState.Held, State(runs with { Hold = HoldPhase.Held }));
+        Assert.Equal(MachineState.Stopping, State(runs with { Hold = HoldPhase.Held, Stopping = true }));
+        Assert.Equal((MachineState.Moving, "a jog"), (State(runs with { MoveName = "a jog" }), Status(runs with { MoveName = "a jog", IsDryRun = true }).Reason));
+        foreach (var dry in new[] { runs, runs with { Hold = HoldPhase.Braking }, runs with { Hold = HoldPhase.Held }, runs with { Stopping = true } })
+            Assert.Contains("dry run", Status(dry with { IsDryRun = true }).Reason, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(JobOutcome.Complete, MachineState.Complete, "")]
+    [InlineData(JobOutcome.Deviated, MachineState.Deviated, "what was cut is not what is drawn; the alarm says where")]
+    [InlineData(JobOutcome.Stopped, MachineState.Stopped, "stopped by the operator")]
+    [InlineData(JobOutcome.LinkLost, MachineState.Stopped, "the link was lost")]
+    [InlineData(JobOutcome.Refused, MachineState.Stopped, "the controller refused to go on")]
+    public void How_a_job_ended_is_the_state_until_the_job_is_history(JobOutcome outcome, MachineState state, string reason)
+    {
+        var ended = s_idle with { Ended = outcome, Progress = s_told, Told = s_told };
+        Assert.Equal((state, reason, 7), (Status(ended).State, Status(ended).Reason, Status(ended).Progress!.SegmentsDone));
+        Assert.True(state.IsReady());
+    }
+
+    [Fact]
+    public void Progress_never_stands_under_ready_armed_or_a_missing_origin()
+    {
+        var job = JobPreparation.Prepare(new DrawingBuilder().Line(0, 0, 1, 0).Build(), new DrawingSettings(), MotionStyle.Continuous);
+        var armed = new ArmedJob(job, JobMode.Stream, true, new ArmingChecklist([]), DateTimeOffset.UnixEpoch);
+        var old = s_idle with { Progress = s_told, Told = s_told };
+        Assert.Equal((MachineState.Ready, null), (Status(old).State, Status(old).Progress));
+        Assert.Equal((MachineState.NoOrigin, null), (State(old with { OriginMissing = "nowhere" }), Status(old with { OriginMissing = "nowhere" }).Progress));
+        var waiting = (old with { Ended = JobOutcome.Stopped }).ToStatus(MachineProfile.Default, armed);
+        Assert.Equal((MachineState.Armed, null, true, "dry run: the tool stays off"), (waiting.State, waiting.Progress, waiting.IsDryRun, waiting.Reason));
+    }
+
+    [Fact]
+    public void Every_state_has_its_words_for_people_and_for_programs()
+    {
+        var states = Enum.GetValues<MachineState>();
+        Assert.Equal(states.Length, states.Select(state => state.Word()).Distinct().Count());
+        Assert.All(states, state => Assert.Equal(state.Word(), state.Said()));
+        Assert.All(states, state => Assert.Equal(state.Word().ToUpperInvariant(), state.Word()));
     }
 
     [Fact]
@@ -46,7 +97,7 @@ public class MachineFactsTests
     public void Counts_become_millimetres_of_the_profile_with_its_mirrored_axis()
     {
         var profile = MachineProfile.Default with { Axes = MachineAxes.FromScale(-500, 2000), ToolOutput = 3 };
-        var status = (With(new MachineReading(1000, 4000, 5, -20, false, "") { Outputs = 4, Speed = 2000, Inputs = 255 }) with { Frame = new CountsPoint(500, 2000) }).ToStatus(profile, null);
+        var status = (With(new MachineReading(new CountsPoint(1000, 4000), new CountsPoint(5, -20), false, "") { Outputs = 4, Speed = 2000, Inputs = 255 }) with { Frame = new CountsPoint(500, 2000) }).ToStatus(profile, null);
 
         Assert.Equal((-2.0, 2.0), (status.MachinePosition!.Value.X, status.MachinePosition.Value.Y));
         Assert.Equal((-1.0, 1.0), (status.WorkPosition!.Value.X, status.WorkPosition.Value.Y));
@@ -69,7 +120,7 @@ public class MachineFactsTests
     [Fact]
     public void Once_the_link_is_lost_only_the_last_place_is_known()
     {
-        var watched = With(s_rest with { X = 7000, Outputs = 0, Inputs = 255, Speed = 0.0 }) with { Lost = "gone" };
+        var watched = With(s_rest with { Position = new CountsPoint(7000, 0), Outputs = 0, Inputs = 255, Speed = 0.0 }) with { Lost = "gone" };
         var told = watched with { PollIsOld = true, Frame = new CountsPoint(10_000, 0), Progress = s_told, Told = s_told };
         foreach (var (facts, x) in new[] { (watched, 7.0), (told, 13.0) })
         {
@@ -82,6 +133,8 @@ public class MachineFactsTests
     }
 
     private static MachineFacts With(MachineReading poll) => s_idle with { Poll = poll };
+
+    private static MachineStatus Status(MachineFacts facts) => facts.ToStatus(MachineProfile.Default, null);
 
     private static MachineState State(MachineFacts facts) => facts.ToStatus(MachineProfile.Default, null).State;
 }

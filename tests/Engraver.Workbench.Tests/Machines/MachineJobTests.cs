@@ -37,7 +37,7 @@ public sealed class MachineJobTests : IDisposable
         }
 
         var rest = machine.Status;
-        Assert.Equal((MachineState.Ready, 1.0, true), (rest.State, rest.Progress!.Fraction, rest.IsSimulation));
+        Assert.Equal((MachineState.Complete, 1.0, true), (rest.State, rest.Progress!.Fraction, rest.IsSimulation));
         Assert.Equal(rest.WorkPosition, rest.MachinePosition); // the job began at the controller's zero
         Assert.Empty(machine.Alarms.All);
     }
@@ -70,7 +70,7 @@ public sealed class MachineJobTests : IDisposable
         input.Join();
         Assert.True(stopped);
         Assert.Equal(JobOutcome.Stopped, (await running.WaitAsync(_limit.Token)).Result.Outcome);
-        Assert.Equal((MachineState.Ready, false), (machine.Status.State, machine.Status.ToolCommanded!.Value));
+        Assert.Equal((MachineState.Stopped, false), (machine.Status.State, machine.Status.ToolCommanded!.Value));
         Assert.Equal((AlarmCause.JobStopped, AlarmState.Unacknowledged), (machine.Alarms.All.Single().Cause, machine.Alarms.All.Single().State));
     }
 
@@ -87,7 +87,7 @@ public sealed class MachineJobTests : IDisposable
         await told;
         await running.WaitAsync(_limit.Token);
 
-        Assert.Equal(MachineState.Ready, machine.Status.State);
+        Assert.Equal(MachineState.Stopped, machine.Status.State);
     }
 
     [Fact]

@@ -8,7 +8,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Machines;
 
-/// <summary>A simulated controller at full speed behind a socket or a pseudo-terminal, and its record held against a drawing.</summary>
+/// <summary>A simulated controller at full speed in this process or behind a socket or a pseudo-terminal, and its record held against a drawing.</summary>
 /// <remarks>The wall stands, and the host takes the controller's clock: no run depends on the computer.</remarks>
 internal sealed class ServedController : IAsyncDisposable
 {
@@ -17,10 +17,10 @@ internal sealed class ServedController : IAsyncDisposable
 
     private readonly ManualTimeProvider _clock;
     private readonly DirectoryInfo _folder;
-    private readonly SimulatedController _controller;
+    private readonly SimulatedController? _controller;
     private readonly ControllerAddress _address;
 
-    private ServedController(ManualTimeProvider clock, DirectoryInfo folder, SimulatedController controller, ControllerAddress address)
+    private ServedController(ManualTimeProvider clock, DirectoryInfo folder, SimulatedController? controller, ControllerAddress address)
     {
         _clock = clock;
         _folder = folder;
@@ -28,11 +28,12 @@ internal sealed class ServedController : IAsyncDisposable
         _address = address;
     }
 
-    /// <param name="link">tcp or serial.</param>
+    /// <param name="link">tcp, serial, or sim for a controller that the run itself makes and judges.</param>
     public static async Task<ServedController> StartAsync(string link)
     {
         var clock = new ManualTimeProvider();
         var folder = Directory.CreateTempSubdirectory("engraver-test-");
+        if (link == "sim") return new ServedController(clock, folder, null, new SimulatedAddress(double.PositiveInfinity));
         var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, Time = clock });
         var address = link == "tcp" ? await ListenAsync(controller) : await ServeSerialAsync(controller, Path.Combine(folder.FullName, "tty"));
         Assert.True(ControllerAddress.TryParse(address, out var parsed));
@@ -46,12 +47,12 @@ internal sealed class ServedController : IAsyncDisposable
         var options = new MachineRunOptions(_address, mode) { JournalPath = Path.Combine(_folder.FullName, "run.jsonl") };
         var program = JobPlan.FitToLink(job.Motion.Program!, _address, mode, job.Drawing).Program;
         var report = await MachineRun.RunAsync(job, program, options, _clock, null, CancellationToken.None);
-        return (report.Result, RecordJudgement.Of(job, _controller.Record.Snapshot(), 0, 0));
+        return (report.Result, _controller is { } served ? RecordJudgement.Of(job, served.Record.Snapshot(), 0, 0) : report.Judgement);
     }
 
     public async ValueTask DisposeAsync()
     {
-        await _controller.DisposeAsync();
+        if (_controller is { } served) await served.DisposeAsync();
         _folder.Delete(recursive: true);
     }
 

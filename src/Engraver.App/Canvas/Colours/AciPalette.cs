@@ -17,7 +17,7 @@ public static class AciPalette
     private static readonly double[] s_values = [255.0, 165.0, 127.0, 76.0, 38.0];
 
     /// <param name="index">0 to 255.</param>
-    /// <param name="foreground">What index 0 and 7 are on this background.</param>
+    /// <param name="foreground">The colour of the indices 0 and 7 on this background, 0xAARRGGBB.</param>
     public static uint ColourOf(int index, uint foreground)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(index);
@@ -41,6 +41,6 @@ public static class AciPalette
         }
     }
 
-    /// <summary>How much of red there is at a place on the colour hexagon: all around red, none around cyan.</summary>
+    /// <summary>The part of red (0 to 1) at a place on the colour hexagon, in sixths of the circle: 1 around red, 0 around cyan.</summary>
     private static double Part(double sixths) => Math.Clamp(Math.Abs(sixths - 3.0) - 1.0, 0.0, 1.0);
 }

@@ -22,7 +22,7 @@ public sealed record CanvasTheme
 
     public required uint Background { get; init; }
 
-    /// <summary>What ACI 7 is on this background.</summary>
+    /// <summary>The colour of ACI 7 on this background.</summary>
     public required uint Foreground { get; init; }
 
     public required uint MinorGrid { get; init; }
@@ -61,7 +61,7 @@ public sealed record CanvasTheme
     /// <summary>Machine envelope and work origin.</summary>
     public required uint Machine { get; init; }
 
-    /// <summary>Discontinuities and the doctor's findings.</summary>
+    /// <summary>Discontinuities and the findings of CHECK.</summary>
     public required uint Finding { get; init; }
 
     public required uint Engraved { get; init; }

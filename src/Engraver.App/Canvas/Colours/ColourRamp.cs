@@ -1,6 +1,6 @@
 namespace Engraver.App.Canvas.Colours;
 
-/// <summary>Colours from one to another, in equal steps.</summary>
+/// <summary>Mixes the colours from one to another in equal steps.</summary>
 internal static class ColourRamp
 {
     public static uint[] Between(uint from, uint to, int steps)

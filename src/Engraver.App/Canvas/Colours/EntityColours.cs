@@ -2,7 +2,7 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.App.Canvas.Colours;
 
-/// <summary>The resolved colour of every entity as an index into a palette: 1 to 255 are those of AutoCAD, what follows are the true colours of this drawing.</summary>
+/// <summary>The resolved colour of every entity as an index into a palette: 1 to 255 are the AutoCAD colour index, higher ones the true colours of this drawing.</summary>
 public sealed class EntityColours
 {
     private const int MostColours = ushort.MaxValue;
@@ -35,7 +35,7 @@ public sealed class EntityColours
         return new EntityColours(indices, [.. known.OrderBy(pair => pair.Value).Select(pair => pair.Key)]);
     }
 
-    /// <summary>What each palette index looks like on a background.</summary>
+    /// <summary>The colour of each palette index on a background, 0xAARRGGBB.</summary>
     /// <param name="foreground">0xAARRGGBB of index 7.</param>
     public uint[] PaletteFor(uint foreground)
     {

@@ -24,15 +24,15 @@ internal static class SegmentFlattener
         where TSink : struct, IChordSink
     {
         var (from, to) = (new Point2D(frame.X(line.Start.X), frame.Y(line.Start.Y)), new Point2D(frame.X(line.End.X), frame.Y(line.End.Y)));
-        var way = to - from;
+        var vector = to - from;
         var (first, last) = (0.0, 1.0);
-        if (!Cut(-way.X, from.X - clip.MinX, ref first, ref last) || !Cut(way.X, clip.MaxX - from.X, ref first, ref last)) return;
-        if (!Cut(-way.Y, from.Y - clip.MinY, ref first, ref last) || !Cut(way.Y, clip.MaxY - from.Y, ref first, ref last)) return;
-        var (a, b) = (from + (way * first), from + (way * last));
+        if (!Cut(-vector.X, from.X - clip.MinX, ref first, ref last) || !Cut(vector.X, clip.MaxX - from.X, ref first, ref last)) return;
+        if (!Cut(-vector.Y, from.Y - clip.MinY, ref first, ref last) || !Cut(vector.Y, clip.MaxY - from.Y, ref first, ref last)) return;
+        var (a, b) = (from + (vector * first), from + (vector * last));
         sink.Chord(a.X, a.Y, b.X, b.Y);
     }
 
-    /// <summary>Liang and Barsky: what of a line lies on the inner side of one border.</summary>
+    /// <summary>One border of the clipping by Liang and Barsky (1984): narrows the part of a line, first to last as fractions of it, to the inner side. False when nothing is left.</summary>
     private static bool Cut(double outward, double room, ref double first, ref double last)
     {
         if (outward == 0.0) return room >= 0.0;

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Interaction;
 
-/// <summary>What a movement of the mouse or a key means. Places are pixels of the canvas.</summary>
+/// <summary>What a mouse event or a key means on the canvas. Places are pixels of the canvas.</summary>
 internal abstract record CanvasIntent
 {
     private CanvasIntent()
@@ -13,10 +13,10 @@ internal abstract record CanvasIntent
 
     public sealed record Nothing : CanvasIntent;
 
-    /// <summary>The drawing goes with the hand by so many pixels.</summary>
+    /// <summary>Moves the drawing by so many pixels.</summary>
     public sealed record Pan(Vector2D By) : CanvasIntent;
 
-    /// <summary>Larger (factor above 1) or smaller, the place under the cursor staying.</summary>
+    /// <summary>Enlarges (factor above 1) or shrinks the view about the place under the cursor.</summary>
     public sealed record Zoom(Point2D About, double Factor) : CanvasIntent;
 
     public sealed record ZoomExtents : CanvasIntent;
@@ -30,15 +30,15 @@ internal abstract record CanvasIntent
     /// <summary>The point that a command asked for.</summary>
     public sealed record GivePoint(Point2D At) : CanvasIntent;
 
-    /// <summary>Clicked twice: a finding comes near.</summary>
+    /// <summary>Double click: centres the finding at the place and zooms in.</summary>
     public sealed record Open(Point2D At) : CanvasIntent;
 
     /// <summary>The cursor stands here.</summary>
     public sealed record Hover(Point2D At) : CanvasIntent;
 
-    /// <summary>Enter, as a click with the right button means to a command that runs, or a menu.</summary>
+    /// <summary>Click with the right button: Enter for a command that runs, else the menu.</summary>
     public sealed record Menu(Point2D At) : CanvasIntent;
 
-    /// <summary>Esc with nothing of the canvas's own to end: the command, then the selection.</summary>
+    /// <summary>Esc while no box is drawn: ends the command, else clears the selection.</summary>
     public sealed record Cancel : CanvasIntent;
 }

@@ -2,11 +2,11 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Interaction;
 
-/// <summary>From presses, movements and the wheel to what they mean, with AutoCAD's habits: the wheel zooms about the cursor, pressed it pans, clicked twice it shows everything;
+/// <summary>Turns presses, movements and the wheel into intents, as AutoCAD does: the wheel zooms about the cursor, pressed it pans, clicked twice it shows everything;
 /// a click picks what is under it, a click on nothing begins a box that a second click (or letting go after a drag) ends.</summary>
 internal sealed class PointerMachine
 {
-    /// <summary>Pixels that the hand may tremble before a press is a drag.</summary>
+    /// <summary>Pixels that the pointer may move before a press becomes a drag.</summary>
     private const double DragDistance = 4.0;
 
     private Point2D? _panFrom;
@@ -26,7 +26,7 @@ internal sealed class PointerMachine
 
     public bool IsPanning => _panFrom is not null;
 
-    /// <param name="hits">Is there something under the pickbox? Asked only where it matters.</param>
+    /// <param name="hits">Whether something lies under the pickbox; called only where it matters.</param>
     /// <param name="clicks">2 for the second click of a double click.</param>
     public CanvasIntent Press(Point2D at, PointerButton button, bool shift, int clicks, Func<bool> hits)
     {
@@ -73,7 +73,7 @@ internal sealed class PointerMachine
         return CanvasIntent.None;
     }
 
-    /// <summary>The mouse was taken away (another window, a lost capture): nothing stays pressed.</summary>
+    /// <summary>The canvas lost the mouse (another window, a lost capture): no button counts as pressed.</summary>
     public void Lost()
     {
         _panFrom = null;

@@ -5,7 +5,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Marks;
 
-/// <summary>The marks of one view. Where they would cover each other only the first of their order stands: zooming in brings the others.</summary>
+/// <summary>The marks of one view. Where they would cover each other only the first in their order is drawn; zooming in brings the others.</summary>
 internal sealed class MarkLayer : IPictureLayer
 {
     private const double CellSize = 8.0;
@@ -73,7 +73,7 @@ internal sealed class MarkLayer : IPictureLayer
     }
 }
 
-/// <summary>A sign at a place of the drawing.</summary>
+/// <summary>A mark at a place of the drawing.</summary>
 /// <param name="Place">Drawing units.</param>
 /// <param name="Direction">Of travel, for an arrow; zero for none.</param>
 /// <param name="Number">Written beside it where the kind has a number.</param>

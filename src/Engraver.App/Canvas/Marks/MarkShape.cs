@@ -4,7 +4,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Marks;
 
-/// <summary>What each kind of mark looks like, in pixels about its place.</summary>
+/// <summary>Draws the shape of each kind of mark, in pixels about its place.</summary>
 internal static class MarkShape
 {
     private const double ArrowLength = 11.0;
@@ -46,11 +46,11 @@ internal static class MarkShape
         }
     }
 
-    private static void Arrow<TSink>(Point2D from, Vector2D way, double scale, ref TSink sink)
+    private static void Arrow<TSink>(Point2D from, Vector2D direction, double scale, ref TSink sink)
         where TSink : struct, IChordSink
     {
-        var tip = from + (way * (ArrowLength * scale));
-        var (back, side) = (way * (-ArrowHead * scale), new Vector2D(-way.Y, way.X) * (ArrowHead * 0.6 * scale));
+        var tip = from + (direction * (ArrowLength * scale));
+        var (back, side) = (direction * (-ArrowHead * scale), new Vector2D(-direction.Y, direction.X) * (ArrowHead * 0.6 * scale));
         Line(from, tip, ref sink);
         Line(tip, tip + back + side, ref sink);
         Line(tip, tip + back - side, ref sink);

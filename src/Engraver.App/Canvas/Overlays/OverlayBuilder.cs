@@ -20,8 +20,22 @@ internal static class OverlayBuilder
         OrderMarks = [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Order, stroke.Moves[0].Segment.StartTangent, stroke.Index + 1))],
         StartMarks = [.. toolpath.Strokes.Select(stroke => new SceneMark(Scaled(stroke.Start, scale), MarkKind.Start))],
         FindingMarks = [.. sequence.Discontinuities.Select(end => new SceneMark(Scaled(end.Place, scale), MarkKind.Finding)), .. inputs.Findings.Select(place => new SceneMark(place, MarkKind.Finding))],
-        OriginMarks = inputs.WorkOrigin is { } origin ? [new SceneMark(origin, MarkKind.Origin)] : [],
+        OriginMarks = OriginMark(inputs.WorkOrigin),
+        LastEnd = LastEndOf(toolpath, scale),
+        Finish = WayTo(LastEndOf(toolpath, scale), inputs.Finish),
     };
+
+    public static IReadOnlyList<SceneMark> OriginMark(Point2D? origin) => origin is { } place ? [new SceneMark(place, MarkKind.Origin)] : [];
+
+    /// <summary>The way after the last stroke; nothing where either end is not known.</summary>
+    public static PrimitiveStore WayTo(Point2D? from, Point2D? to)
+    {
+        var store = new PrimitiveStoreBuilder();
+        if (from is { } start && to is { } end && start != end) store.Add(Segment.FromLine(start, end), 0, 0);
+        return store.Build();
+    }
+
+    private static Point2D? LastEndOf(Toolpath toolpath, double scale) => toolpath.Strokes is [.., var last] ? Scaled(last.End, scale) : null;
 
     /// <summary>Lines between the polled places while the tool is on.</summary>
     public static PrimitiveStore RecordedPath(IReadOnlyList<RecordedPlace> places)
@@ -71,7 +85,7 @@ internal static class OverlayBuilder
         return store.Build();
     }
 
-    private static PrimitiveStore Envelope(Bounds2D? box)
+    public static PrimitiveStore Envelope(Bounds2D? box)
     {
         var store = new PrimitiveStoreBuilder();
         if (box is not { IsEmpty: false } known) return PrimitiveStore.Empty;

@@ -5,10 +5,10 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.App.Canvas.Overlays;
 
-/// <summary>The layers of meaning over a drawing, made ready for the canvas. Immutable; drawing units.</summary>
+/// <summary>The overlays of a drawing, made ready for the canvas. Immutable; drawing units.</summary>
 public sealed class OverlayScene
 {
-    /// <summary>Steps of the colours of speed and of following error.</summary>
+    /// <summary>Steps of the colours of speed and of a run.</summary>
     internal const int RampSteps = 64;
 
     internal const ushort ClosedOutside = 0;
@@ -19,7 +19,7 @@ public sealed class OverlayScene
     {
     }
 
-    /// <summary>No layers.</summary>
+    /// <summary>No overlays.</summary>
     public static OverlayScene Empty { get; } = new();
 
     /// <summary>Cutting moves of the job; the numbers of the engraved layer run from 0 to it.</summary>
@@ -33,11 +33,14 @@ public sealed class OverlayScene
     /// <summary>The moves as they are cut; the entity of a primitive is the number of the move in the whole job, the colour its speed.</summary>
     internal PrimitiveStore CutPath { get; init; } = PrimitiveStore.Empty;
 
-    /// <summary>Colour: following error.</summary>
+    /// <summary>Colour: what the operator chose (CNCTRACE).</summary>
     internal PrimitiveStore Recorded { get; init; } = PrimitiveStore.Empty;
 
     /// <summary>The machine envelope.</summary>
     internal PrimitiveStore Machine { get; init; } = PrimitiveStore.Empty;
+
+    /// <summary>The way to where the machine goes after the last stroke.</summary>
+    internal PrimitiveStore Finish { get; init; } = PrimitiveStore.Empty;
 
     internal IReadOnlyList<SceneMark> OrderMarks { get; init; } = [];
 
@@ -47,7 +50,7 @@ public sealed class OverlayScene
 
     internal IReadOnlyList<SceneMark> OriginMarks { get; init; } = [];
 
-    /// <summary>Everything a prepared job says, and what else is known.</summary>
+    /// <summary>The overlays of a prepared job and of the other inputs.</summary>
     public static OverlayScene From(PreparedJob job, OverlayInputs? inputs = null)
     {
         ArgumentNullException.ThrowIfNull(job);
@@ -68,20 +71,27 @@ public sealed class OverlayScene
         return nearest;
     }
 
-    /// <summary>The same scene with other recorded positions: what a running machine adds to.</summary>
-    public OverlayScene WithRecorded(IReadOnlyList<RecordedPlace> places)
+    /// <summary>The same scene with what else is known of the machine now.</summary>
+    /// <param name="inputs">Of these the envelope, the origin, the finish and the recorded places.</param>
+    public OverlayScene WithMachine(OverlayInputs inputs)
     {
-        ArgumentNullException.ThrowIfNull(places);
+        ArgumentNullException.ThrowIfNull(inputs);
         return new OverlayScene
         {
-            Contours = Contours, Rapids = Rapids, CutPath = CutPath, Machine = Machine, Recorded = OverlayBuilder.RecordedPath(places),
-            OrderMarks = OrderMarks, StartMarks = StartMarks, FindingMarks = FindingMarks, OriginMarks = OriginMarks,
+            Contours = Contours, Rapids = Rapids, CutPath = CutPath, OrderMarks = OrderMarks, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
+            Machine = OverlayBuilder.Envelope(inputs.MachineEnvelope),
+            OriginMarks = OverlayBuilder.OriginMark(inputs.WorkOrigin),
+            Finish = OverlayBuilder.WayTo(LastEnd, inputs.Finish),
+            Recorded = OverlayBuilder.RecordedPath(inputs.Recorded),
         };
     }
+
+    /// <summary>Where the last stroke ends, drawing units; null when there is none.</summary>
+    internal Point2D? LastEnd { get; init; }
 }
 
-/// <summary>Where the machine really was.</summary>
+/// <summary>A recorded position of the machine.</summary>
 /// <param name="Place">Drawing units.</param>
-/// <param name="ErrorFraction">Following error as a part of what is tolerated: 0 none, 1 and above all of it.</param>
+/// <param name="ErrorFraction">What is coloured, as a part of what is tolerated or of the largest: 0 none, 1 and above all of it.</param>
 /// <param name="ToolOn">False where the tool was up: the line to it is left out.</param>
 public readonly record struct RecordedPlace(Point2D Place, double ErrorFraction, bool ToolOn);

@@ -76,9 +76,9 @@ public static class ObjectSnap
         /// <summary>The nearest counts; of two in one place that with the lower number (an end before an intersection).</summary>
         public void Offer(SnapPoint point)
         {
-            var way = point.Place - place;
-            if (Math.Abs(way.X) > aperture || Math.Abs(way.Y) > aperture) return;
-            var distance = way.Length;
+            var offset = point.Place - place;
+            if (Math.Abs(offset.X) > aperture || Math.Abs(offset.Y) > aperture) return;
+            var distance = offset.Length;
             var tie = Math.Abs(distance - _distance) <= 1e-9 * aperture;
             if (tie ? Best is { } best && point.Kind >= best.Kind : distance > _distance) return;
             (Best, _distance) = (point, distance);

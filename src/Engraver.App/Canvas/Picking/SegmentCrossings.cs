@@ -55,9 +55,9 @@ internal static class SegmentCrossings
         if (distance == 0.0 || distance > a.Radius + b.Radius || distance < Math.Abs(a.Radius - b.Radius)) yield break;
         var along = ((a.Radius * a.Radius) - (b.Radius * b.Radius) + (distance * distance)) / (2.0 * distance);
         var half = Math.Sqrt(Math.Max(0.0, (a.Radius - along) * (a.Radius + along)));
-        var way = between * (1.0 / distance);
-        var foot = a.Centre + (way * along);
-        yield return foot + new Vector2D(-way.Y * half, way.X * half);
-        yield return foot - new Vector2D(-way.Y * half, way.X * half);
+        var direction = between * (1.0 / distance);
+        var foot = a.Centre + (direction * along);
+        yield return foot + new Vector2D(-direction.Y * half, direction.X * half);
+        yield return foot - new Vector2D(-direction.Y * half, direction.X * half);
     }
 }

@@ -5,7 +5,7 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.App.Canvas.Pictures;
 
-/// <summary>Everything that a picture shows, apart from the view. Immutable: a picture is drawn from it on other threads.</summary>
+/// <summary>Everything that a picture shows, except the view. Immutable, because the picture is drawn on other threads.</summary>
 internal sealed record CanvasContent
 {
     public CanvasScene? Scene { get; init; }
@@ -21,7 +21,7 @@ internal sealed record CanvasContent
     /// <summary>Selected entities of the drawing, by index; null: none.</summary>
     public bool[]? Selected { get; init; }
 
-    /// <summary>Moves of the job that are engraved.</summary>
+    /// <summary>How many moves of the job are engraved, from the first on.</summary>
     public int EngravedMoves { get; init; }
 
     /// <summary>Pixels of the screen for a pixel of the design.</summary>

@@ -37,6 +37,7 @@ internal static class LayerStack
         Add(CanvasLayers.Engraved, () => new PrimitiveLayer(overlay.CutPath, [theme.Engraved, theme.Remaining], new LinePen(2.0 * scale)) { Done = content.EngravedMoves }, content.EngravedMoves > 0);
         Add(CanvasLayers.Recorded, () => new PrimitiveLayer(overlay.Recorded, ColourRamp.Between(theme.Engraved, theme.Finding, OverlayScene.RampSteps), line));
         Add(CanvasLayers.Rapids, () => new PrimitiveLayer(overlay.Rapids, [theme.Rapid], new LinePen(scale, 5.0 * scale, 4.0 * scale)));
+        Add(CanvasLayers.Rapids, () => new PrimitiveLayer(overlay.Finish, [theme.Rapid], new LinePen(scale, 5.0 * scale, 4.0 * scale)));
 
         void Add(CanvasLayers kind, Func<IPictureLayer> make, bool wanted = true)
         {
@@ -49,7 +50,7 @@ internal static class LayerStack
         var (overlay, theme) = (content.Overlay, content.Theme);
         Add(CanvasLayers.StartPoints, overlay.StartMarks, theme.Start);
         Add(CanvasLayers.OrderNumbers, overlay.OrderMarks, theme.Direction);
-        Add(CanvasLayers.Machine, overlay.OriginMarks, theme.Machine);
+        Add(CanvasLayers.WorkOrigin, overlay.OriginMarks, theme.Machine);
         Add(CanvasLayers.Findings, overlay.FindingMarks, theme.Finding);
 
         void Add(CanvasLayers kind, IReadOnlyList<SceneMark> marks, uint colour)

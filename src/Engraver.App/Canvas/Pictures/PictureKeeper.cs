@@ -3,7 +3,7 @@ using Engraver.App.Canvas.Views;
 
 namespace Engraver.App.Canvas.Pictures;
 
-/// <summary>Keeps the last finished picture and what is wanted now: the old one is shown moved at once, the new one is drawn behind it.</summary>
+/// <summary>Keeps the last finished picture and draws the wanted one. Until that is ready, the finished one is shown, moved and scaled to the wanted view.</summary>
 /// <remarks>Called from one thread (that of the window); only the drawing itself runs on others.</remarks>
 internal sealed class PictureKeeper
 {
@@ -30,7 +30,7 @@ internal sealed class PictureKeeper
     /// <summary>There is a finished picture of this scene.</summary>
     public bool HasPictureOf(Scenes.CanvasScene? scene) => _picture is not null && ReferenceEquals(_drawnContent.Scene, scene);
 
-    /// <summary>Writes what can be shown at once, which takes no longer for a large drawing than for a small one.</summary>
+    /// <summary>Writes what can be shown at once. The time does not depend on the size of the drawing.</summary>
     /// <param name="target">Pixels 0xAARRGGBB.</param>
     /// <param name="stride">Pixels to a row of the target.</param>
     public void Show(Span<uint> target, int stride)

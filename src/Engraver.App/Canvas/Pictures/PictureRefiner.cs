@@ -2,7 +2,7 @@ using Avalonia.Threading;
 
 namespace Engraver.App.Canvas.Pictures;
 
-/// <summary>When a picture is drawn anew: while the hand moves the last one is shown moved, and the wanted one is drawn once the hand is still.</summary>
+/// <summary>Decides when a picture is drawn anew: while the view moves the last picture is shown moved, and the wanted one is drawn once the view rests.</summary>
 internal sealed class PictureRefiner
 {
     private readonly PictureKeeper _keeper;
@@ -14,21 +14,21 @@ internal sealed class PictureRefiner
         _still.Tick += (_, _) => StandStill();
     }
 
-    /// <summary>How long nothing must move until the hand counts as still.</summary>
+    /// <summary>How long the view must not move until it counts as resting.</summary>
     public TimeSpan Stillness
     {
         get => _still.Interval;
         set => _still.Interval = value;
     }
 
-    /// <summary>The view moves: what is being drawn is wanted no longer.</summary>
+    /// <summary>The view moves: stops the picture that is being drawn.</summary>
     public void WaitForHand()
     {
         Rest();
         DrawSoon();
     }
 
-    /// <summary>Nothing to wait for before the first picture; a picture that is being drawn is finished first, so that steady changes (a running machine) cannot starve it.</summary>
+    /// <summary>Draws the wanted picture once the view rests, the first one of all at once. A picture that is being drawn is finished first, so that steady changes (a running machine) cannot starve it.</summary>
     public void DrawSoon()
     {
         if (_keeper.IsDrawing) return;
@@ -43,7 +43,7 @@ internal sealed class PictureRefiner
         if (_keeper.View.Size.Width > 0) _keeper.Refine(CancellationToken.None);
     }
 
-    /// <summary>Draws nothing until something is wanted again.</summary>
+    /// <summary>Stops drawing until another picture is wanted.</summary>
     public void Rest()
     {
         _still.Stop();

@@ -2,7 +2,7 @@ namespace Engraver.App.Canvas.Rasterising;
 
 /// <summary>Distance of the grid lines at a scale: 1, 2 or 5 times a power of ten, so that they never lie closer than <see cref="FewestPixels"/>.</summary>
 /// <param name="Minor">Drawing units.</param>
-/// <param name="MinorPerMajor">Every so many lines one is stronger.</param>
+/// <param name="MinorPerMajor">Every line of this number is drawn stronger.</param>
 internal readonly record struct GridStep(double Minor, int MinorPerMajor)
 {
     public const double FewestPixels = 10.0;

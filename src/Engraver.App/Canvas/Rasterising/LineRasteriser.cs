@@ -7,7 +7,7 @@ namespace Engraver.App.Canvas.Rasterising;
 /// <remarks>A pixel's coverage depends on the line alone, not on where the tile begins, so tiles meet without a seam. Works in double: ends may lie a billion pixels away.</remarks>
 internal static class LineRasteriser
 {
-    /// <summary>Lines no longer than this in x and y go the short way, pixels.</summary>
+    /// <summary>Lines no longer than this in x and y are drawn by <see cref="DrawShort"/>, pixels.</summary>
     private const double ShortLine = 3.0;
 
     /// <summary>Pixel coordinates of the picture; colour 0xAARRGGBB with A = 255.</summary>

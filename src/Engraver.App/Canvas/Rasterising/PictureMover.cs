@@ -3,7 +3,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Rasterising;
 
-/// <summary>The last picture moved or scaled to another view: what is shown at once while a new one is drawn.</summary>
+/// <summary>Moves and scales the last picture to another view; the result is shown while a new one is drawn.</summary>
 internal static class PictureMover
 {
     /// <summary>Every pixel takes the one that lies under its centre in the old picture; where there was none, the background.</summary>

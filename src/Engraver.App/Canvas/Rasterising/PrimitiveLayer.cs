@@ -16,7 +16,7 @@ internal sealed class PrimitiveLayer(PrimitiveStore store, uint[] palette, LineP
     /// <summary>Only entities for which this is true (by entity index; what lies beyond is left out); null: all.</summary>
     public bool[]? Only { get; init; }
 
-    /// <summary>Entities from this one on take the last colour of the palette, those before it the first: what is engraved against what is still to do. Null: every primitive has its own colour.</summary>
+    /// <summary>Entities from this one on take the last colour of the palette (still to do), those before it the first (engraved). Null: every primitive has its own colour.</summary>
     public int? Done { get; init; }
 
     private LinePen Pen => pen;

@@ -10,10 +10,10 @@ internal static class NeighbourOrder
     private const int Digits = 3;
     private const double LastCell = 32767.0;
 
-    /// <summary>Parts of the frame that part the classes: what is longer than a quarter, a sixteenth, a 64th of it does not share a block with smaller things.</summary>
+    /// <summary>Borders between the size classes, as parts of the frame: what is longer than a quarter, a sixteenth, a 64th of it does not share a block with smaller things.</summary>
     private static readonly double[] s_classes = [1.0 / 4.0, 1.0 / 16.0, 1.0 / 64.0];
 
-    /// <summary>For each place in memory the primitive that belongs there.</summary>
+    /// <summary>The order in memory: for each place the index of its primitive.</summary>
     public static int[] Sort(ReadOnlyMemory<Bounds2D> boxes)
     {
         var frame = FrameOf(boxes.Span);

@@ -2,7 +2,7 @@ using Engraver.Core.Geometry;
 
 namespace Engraver.App.Canvas.Scenes;
 
-/// <summary>Collects primitives in the order of the drawing and makes the store of them. For small scenes and overlays; a drawing's own parts go the faster way of <see cref="DrawingPrimitives"/>.</summary>
+/// <summary>Collects primitives in the order of the drawing and makes the store of them. For small scenes and overlays; the parts of a drawing are collected faster by <see cref="DrawingPrimitives"/>.</summary>
 internal sealed class PrimitiveStoreBuilder
 {
     private readonly List<ScenePrimitive> _primitives = [];

@@ -10,7 +10,7 @@ public readonly record struct CanvasView(Point2D Centre, double UnitsPerPixel, P
 {
     public double PixelsPerUnit => 1.0 / UnitsPerPixel;
 
-    /// <summary>What is seen.</summary>
+    /// <summary>The part of the drawing that is seen, drawing units.</summary>
     public Bounds2D Window => WindowOf(0.0, 0.0, Size.Width, Size.Height);
 
     /// <summary>The view in which a box fills the picture but for a margin. An empty or point-like box is shown as if it were one unit wide.</summary>
@@ -36,13 +36,13 @@ public readonly record struct CanvasView(Point2D Centre, double UnitsPerPixel, P
     public Bounds2D WindowOf(double left, double top, double width, double height) =>
         Bounds2D.FromCorners(ToDrawing(new Point2D(left, top)), ToDrawing(new Point2D(left + width, top + height)));
 
-    /// <summary>Larger (factor above 1) or smaller, the place under the pixel staying where it is.</summary>
+    /// <summary>The view enlarged (factor above 1) or shrunk about the place under a pixel.</summary>
     public CanvasView ZoomedAbout(Point2D pixel, double factor)
     {
         var place = ToDrawing(pixel);
         return new CanvasView(place + ((Centre - place) * (1.0 / factor)), UnitsPerPixel / factor, Size);
     }
 
-    /// <summary>The drawing moved under the window by so many pixels.</summary>
+    /// <summary>The view after the drawing was moved by so many pixels.</summary>
     public CanvasView PannedBy(Vector2D pixels) => this with { Centre = Centre + new Vector2D(-pixels.X * UnitsPerPixel, pixels.Y * UnitsPerPixel) };
 }

@@ -6,4 +6,8 @@ namespace Engraver.Core.Machines.Origins;
 /// <param name="Mark">The number that an earlier session left in a variable of the controller, which forgets it at power-off; null when there is none.</param>
 /// <param name="Clock">The controller's own clock since power-on, in its ticks; null where it has none. A smaller number than before means that it was switched off or reset.</param>
 /// <param name="Doubt">Why the position may be wrong although the controller was not switched off ("the stepper motor of axis A is off"); empty for no doubt.</param>
-public sealed record ControllerPlace(CountsPoint Position, long? Serial = null, int? Mark = null, double? Clock = null, string Doubt = "");
+public sealed record ControllerPlace(CountsPoint Position, long? Serial = null, int? Mark = null, double? Clock = null, string Doubt = "")
+{
+    /// <summary>The letters of those axes whose position is lost when their motor is off, because nothing counts how they are moved then.</summary>
+    public string Uncounted { get; init; } = "";
+}

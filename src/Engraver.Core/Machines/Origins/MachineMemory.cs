@@ -18,6 +18,9 @@ public sealed record MachineMemory
     /// <summary>The controller's clock when it was heard last, in its ticks.</summary>
     public double? Clock { get; init; }
 
+    /// <summary>A number to leave in a controller: from 1, and another one each millisecond, so that no two sessions leave the same; a whole number that the controller keeps exactly.</summary>
+    public static int NewMark(DateTimeOffset now) => (int)(now.ToUnixTimeMilliseconds() % 1_999_999_999) + 1;
+
     /// <summary>Where it came to rest last; null before the first motion, and while nobody knows (a job under way, a lost link).</summary>
     public CountsPoint? Rest { get; init; }
 
@@ -26,6 +29,25 @@ public sealed record MachineMemory
 
     /// <summary>Why the position has not been known since ("a position error of axis A"), until an origin is set again; empty while it is known.</summary>
     public string Lost { get; init; } = "";
+
+    /// <summary>How the machine was homed whose zero is kept (<see cref="MachineProfile.HomedAs"/>): that zero is the same place of the machine each time it is homed so. Empty: the zero is wherever the controller was switched on.</summary>
+    public string HomedAs { get; init; } = "";
+
+    /// <summary>True when the machine was homed and the controller still counts from there.</summary>
+    public bool IsHomedAt(MachineProfile profile, ControllerPlace place)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        ArgumentNullException.ThrowIfNull(place);
+        return profile.HasHoming && HomedAs == profile.HomedAs && Lost.Length == 0 && place.Doubt.Length == 0 && IsSameZero(place);
+    }
+
+    /// <summary>True when the travel of the profile means places of this machine: it was homed, or it has no homing and its zero is where its owner switches it on.</summary>
+    public bool KnowsTravel(MachineProfile profile, ControllerPlace place)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        ArgumentNullException.ThrowIfNull(place);
+        return profile.HasHoming ? IsHomedAt(profile, place) : Lost.Length == 0 && place.Doubt.Length == 0;
+    }
 
     /// <summary>The active origin; null while it is not set.</summary>
     public WorkOrigin? ActiveOrigin => Origins.GetValueOrDefault(Active);
@@ -48,10 +70,23 @@ public sealed record MachineMemory
     }
 
     /// <summary>With the place at which the controller counts 0 as the active origin, as long as nobody sets one.</summary>
-    public MachineMemory AssumeZero() => With(Active, new WorkOrigin(0, 0) { IsAssumed = true });
+    /// <param name="hasHeight">The machine has a Z axis.</param>
+    public MachineMemory AssumeZero(bool hasHeight = false) => With(Active, new WorkOrigin(0, 0, hasHeight ? 0 : null) { IsAssumed = true });
 
     /// <summary>Without the origins: the controller counts from another zero now, and what they told is nowhere.</summary>
-    public MachineMemory Forget() => this with { Origins = new Dictionary<string, WorkOrigin>(), Lost = "" };
+    public MachineMemory Forget() => this with { Origins = new Dictionary<string, WorkOrigin>(), Lost = "", HomedAs = "" };
+
+    /// <summary>The machine was homed: the controller counts from the zero of the homing now.</summary>
+    /// <param name="homedAs">How (<see cref="MachineProfile.HomedAs"/>).</param>
+    /// <param name="shift">What the homing added to the counts of each axis, in the order of <see cref="MachineAxes.All"/>; null when the controller's zero before it was not that of this memory.</param>
+    /// <remarks>Origins that were set by the same homing are the same places again, whatever happened between. Others move with the counts, or are nowhere.</remarks>
+    public MachineMemory Homed(string homedAs, IReadOnlyList<int>? shift)
+    {
+        var origins = HomedAs == homedAs ? Origins
+            : shift is null ? new Dictionary<string, WorkOrigin>()
+            : Origins.ToDictionary(entry => entry.Key, entry => entry.Value with { X = entry.Value.X + shift[0], Y = entry.Value.Y + shift[1], Z = shift.Count > 2 ? entry.Value.Z + shift[2] : entry.Value.Z });
+        return this with { Origins = origins, HomedAs = homedAs, Lost = "" };
+    }
 
     private MachineMemory With(string name, WorkOrigin origin) => this with { Origins = new Dictionary<string, WorkOrigin>(Origins) { [name] = origin } };
 }

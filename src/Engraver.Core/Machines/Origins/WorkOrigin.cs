@@ -9,8 +9,8 @@ public sealed record WorkOrigin(int? X, int? Y, int? Z = null)
     /// <summary>Nobody set it: the controller's position was 0 when the first job began, as behind power-on.</summary>
     public bool IsAssumed { get; init; }
 
-    /// <summary>The place of both plane axes; null while one of them is not set.</summary>
-    public CountsPoint? Plane => X is { } x && Y is { } y ? new CountsPoint(x, y) : null;
+    /// <summary>The place of both plane axes; null while one of them is not set. A height that is not set counts 0.</summary>
+    public CountsPoint? Plane => X is { } x && Y is { } y ? new CountsPoint(x, y, Z ?? 0) : null;
 }
 
 /// <summary>The names of work origins, as G-code has them.</summary>

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Core.Machines.Origins;
 
@@ -14,13 +15,24 @@ public static class WorkPlacement
     {
         ArgumentNullException.ThrowIfNull(memory);
         ArgumentNullException.ThrowIfNull(place);
+        ArgumentNullException.ThrowIfNull(profile);
+        if (profile.HasHoming && !memory.IsHomedAt(profile, place)) return Refused(place.Doubt.Length > 0 ? PreparationRules.PositionDoubted.At(default, place.Doubt) : PreparationRules.NotHomed.At(default));
         return request switch
         {
-            OriginRequest.PresentPlace => Placed(new CountsPoint(place.Position.X - start.X, place.Position.Y - start.Y), OriginSource.Here),
-            OriginRequest.Given { Machine: var at } => Given(place, at, profile),
+            OriginRequest.PresentPlace => Present(place, profile, start),
+            OriginRequest.Given { Machine: var at } => Given(memory, place, at, profile),
             OriginRequest.Work => Work(memory, place, profile),
             _ => throw new ArgumentOutOfRangeException(nameof(request)),
         };
+    }
+
+    /// <summary>The same place, unless the job that is placed there leaves the machine's travel.</summary>
+    public static PlacementResult Within(PlacementResult found, MotionProgram program, MachineMemory memory, ControllerPlace place)
+    {
+        ArgumentNullException.ThrowIfNull(found);
+        ArgumentNullException.ThrowIfNull(program);
+        ArgumentNullException.ThrowIfNull(memory);
+        return found.Frame is { } frame && memory.KnowsTravel(program.Profile, place) && TravelLimits.Refusal(program, frame) is { } outside ? found with { Frame = null, Refusal = outside } : found;
     }
 
     /// <summary>Why the controller's position cannot be trusted by what is kept; null when it can.</summary>
@@ -31,22 +43,64 @@ public static class WorkPlacement
         var doubt = place.Doubt.Length > 0 ? place.Doubt : memory.Lost;
         if (doubt.Length > 0) return PreparationRules.PositionDoubted.At(default, doubt);
         if (memory.IsSameZero(place) || memory.Mark is null) return null;
-        return memory.ActiveOrigin is null or { IsAssumed: true } && memory.RestsAtZero && place.Position == default ? null : PreparationRules.ZeroLost.At(default, memory.Active);
+        return memory.HomedAs.Length == 0 && memory.Origins.Values.All(origin => origin.IsAssumed) && memory.RestsAtZero && place.Position == default ? null : PreparationRules.ZeroLost.At(default, memory.Active);
     }
 
-    private static PlacementResult Given(ControllerPlace place, Point2D at, MachineProfile profile)
+    /// <summary>The height at which a tool that an axis holds travels over the work: where it stands, or at its clearance height where it stands lower.</summary>
+    /// <param name="profile">Of a machine with <see cref="MachineProfile.Height"/>.</param>
+    /// <returns>Counts by the controller's own zero; or why nobody can say how high the work is.</returns>
+    public static (int? Height, Diagnostic? Refusal) Over(MachineMemory memory, ControllerPlace place, MachineProfile profile)
     {
-        if (place.Doubt.Length > 0) return Refused(PreparationRules.PositionDoubted.At(default, place.Doubt));
-        return profile.Scale.Holds(Bounds2D.FromCorners(at, at), default)
-            ? Placed(profile.Scale.ToCounts(at), OriginSource.Given)
-            : Refused(PreparationRules.OriginTooFar.At(default, Number(at.X), Number(at.Y)));
+        ArgumentNullException.ThrowIfNull(memory);
+        ArgumentNullException.ThrowIfNull(place);
+        ArgumentNullException.ThrowIfNull(profile);
+        if (LossOf(memory, place) is { } lost) return (null, lost);
+        if (memory.ActiveOrigin?.Z is null && memory.IsHomedAt(profile, place) && IsAtTop(place, profile)) return (place.Position.Z, null);
+        if (HeightOf(memory.ActiveOrigin, place) is not { } work) return (null, PreparationRules.HeightNotSet.At(default, memory.Active));
+        var clearance = work + profile.ClearanceCounts;
+        return (profile.IsLower(place.Position.Z, clearance) ? clearance : place.Position.Z, null);
     }
+
+    /// <summary>Whether the tool stands as high as the homing leaves it, on a machine that homes it upwards: there it is over any work.</summary>
+    private static bool IsAtTop(ControllerPlace place, MachineProfile profile)
+    {
+        if (profile.Axes.Z?.Homing is not { } homing) return false;
+        var mark = profile.Scale.ToHeight(homing.Zero);
+        var home = profile.Scale.ToHeight(homing.Zero - (homing.Plus ? homing.BackOff : -homing.BackOff));
+        return profile.IsLower(home, mark) && !profile.IsLower(place.Position.Z, home);
+    }
+
+    private static PlacementResult Present(ControllerPlace place, MachineProfile profile, CountsPoint start)
+    {
+        var (x, y) = ((long)place.Position.X - start.X, (long)place.Position.Y - start.Y);
+        return x == (int)x && y == (int)y
+            ? Placed(new CountsPoint((int)x, (int)y, place.Position.Z), OriginSource.Here)
+            : Refused(PreparationRules.OriginTooFar.At(default, Number(x / profile.Scale.X), Number(y / profile.Scale.Y)));
+    }
+
+    /// <summary>The place in plan is typed; the height is that of the active work origin.</summary>
+    private static PlacementResult Given(MachineMemory memory, ControllerPlace place, Point2D at, MachineProfile profile)
+    {
+        if ((place.Doubt.Length > 0 ? place.Doubt : memory.Lost) is { Length: > 0 } doubt) return Refused(PreparationRules.PositionDoubted.At(default, doubt));
+        if (!profile.Scale.Holds(Bounds2D.FromCorners(at, at), default)) return Refused(PreparationRules.OriginTooFar.At(default, Number(at.X), Number(at.Y)));
+        if (profile.Height is null) return Placed(profile.Scale.ToCounts(at), OriginSource.Given);
+        if (memory.ActiveOrigin is { Z: not null } && LossOf(memory, place) is { } lost) return Refused(lost);
+        return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
+    }
+
+    /// <summary>Where nobody set a height and the controller counts 0 there, that is the height, as for the places in plan; otherwise null.</summary>
+    private static int? HeightOf(WorkOrigin? origin, ControllerPlace place) => origin?.Z ?? (place.Position.Z == 0 && origin is null or { IsAssumed: true } ? 0 : null);
 
     private static PlacementResult Work(MachineMemory memory, ControllerPlace place, MachineProfile profile)
     {
         if (LossOf(memory, place) is { } lost) return Refused(lost);
         if (memory.ActiveOrigin is { } origin)
-            return origin.Plane is { } set ? Placed(set, OriginSource.Work) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, origin.X is null ? "X" : "Y"));
+        {
+            if (origin.Plane is not { } set) return Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, origin.X is null ? "X" : "Y"));
+            if (profile.Height is null) return Placed(set with { Z = 0 }, OriginSource.Work);
+            return HeightOf(origin, place) is { } height ? Placed(set with { Z = height }, OriginSource.Work) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
+        }
+
         if (place.Position == default) return Placed(default, OriginSource.Work) with { IsAssumed = true };
         var scale = profile.Scale;
         return Refused(PreparationRules.NoOrigin.At(default, memory.Active, Number(place.Position.X / scale.X), Number(place.Position.Y / scale.Y)));
@@ -92,7 +146,7 @@ public abstract record OriginRequest
     /// <summary>The active work origin of the machine.</summary>
     public sealed record Work : OriginRequest;
 
-    /// <summary>The machine stands at the drawing's start point.</summary>
+    /// <summary>The machine stands at the drawing's start point, and with a Z axis its tool at the height 0 of the drawing.</summary>
     public sealed record PresentPlace : OriginRequest;
 
     /// <summary>A machine position.</summary>

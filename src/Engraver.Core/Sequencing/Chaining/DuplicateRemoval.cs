@@ -1,3 +1,4 @@
+using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 
 namespace Engraver.Core.Sequencing.Chaining;
@@ -12,8 +13,14 @@ public static class DuplicateRemoval
     /// <param name="segments">Rows by index.</param>
     /// <param name="tolerance">Millimetres. Ends and midpoint must agree within it (of circles the distance of the centres and the difference of the radii, together), or within a hundredth of the segment's length when
     /// that is less, so that a curve of tiny steps keeps every step. What is left out lies no farther than this from what stays.</param>
-    public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance)
+    public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance) => Keep(segments, tolerance, EndHeights.Flat);
+
+    /// <param name="segments">Rows by index.</param>
+    /// <param name="tolerance">As above.</param>
+    /// <param name="heights">Of their ends: segments at different levels are not the same.</param>
+    public static int[] Keep(ReadOnlySpan<Segment> segments, double tolerance, EndHeights heights)
     {
+        ArgumentNullException.ThrowIfNull(heights);
         var middles = new Point2D[segments.Length];
         for (var row = 0; row < middles.Length; row++) middles[row] = MiddleOf(segments[row]);
         var grid = new EndGrid(middles, tolerance);
@@ -28,13 +35,20 @@ public static class DuplicateRemoval
             grid.Near(middles[row], near);
             foreach (var other in near)
             {
-                if (!AreSame(segments[row], segments[other], middles[row].DistanceTo(middles[other]), tolerance)) continue;
+                if (!AreAsHigh(heights, row, other) || !AreSame(segments[row], segments[other], middles[row].DistanceTo(middles[other]), tolerance)) continue;
                 isDuplicate[other] = true;
                 grid.Take(other);
             }
         }
 
         return [.. kept];
+    }
+
+    /// <summary>At both ends, in the same or the opposite direction.</summary>
+    private static bool AreAsHigh(EndHeights heights, int row, int other)
+    {
+        var (start, end, otherStart, otherEnd) = (heights.LevelOf(2 * row), heights.LevelOf((2 * row) + 1), heights.LevelOf(2 * other), heights.LevelOf((2 * other) + 1));
+        return (start == otherStart && end == otherEnd) || (start == otherEnd && end == otherStart);
     }
 
     /// <summary>The midpoint; of a circle its left quadrant point, because concentric circles must not all lie in one cell of the grid.</summary>

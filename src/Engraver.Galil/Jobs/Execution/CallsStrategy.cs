@@ -19,6 +19,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
     {
         if (await machine.AwaitAsync(ResidentProgram.Variables.Done, value => value != 0).ConfigureAwait(false) is { Ends: true } end) return end;
         if (await machine.SendAsync(ResidentServer.GoCommand).ConfigureAwait(false) is { Ends: true } refused) return refused;
+        machine.Hold.AwaitIdle = () => machine.AwaitAsync(ResidentProgram.Variables.Done, value => value != 0);
         return await machine.PollUntilAsync(state => state.Calls != 0).ConfigureAwait(false);
     }
 
@@ -26,6 +27,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
     {
         if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } end) return end;
         var start = sequence.Start;
+        machine.Hold.Speed.Bear(machine.Profile, [sequence], hostFeeds: false);
         foreach (var segment in sequence.Segments)
         {
             if (await CallAsync(segment, start, sequence.Speed).ConfigureAwait(false) is { Ends: true } broken) return broken;
@@ -42,7 +44,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
 
     private async ValueTask<JobStep> CallAsync(VectorSegment planned, CountsPoint start, int speed)
     {
-        var here = machine.Here;
+        var here = machine.Here with { Z = start.Z }; // the tool is brought to this height before the call
         var segment = SegmentFromHere.Aim(planned, start, here, _quantum);
         if (segment.Kind == VectorSegmentKind.Line && segment.End == here)
         {
@@ -54,8 +56,11 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         var where = Wording.Get("Execution.DrawingEntity", segment.EntityIndex);
         if (await machine.SendAsync(arguments, where).ConfigureAwait(false) is { Ends: true } refused) return refused;
         if (await SettingCheck.ReadBackAsync(machine, ResidentServer.Held(segment, here, speed)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
-        if (await machine.Tool.OnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.Hold.ToolOnAsync(start).ConfigureAwait(false) is { Ends: true } end) return end;
         var calls = machine.State.Calls;
+        var before = ledger.Executed;
+        if (await machine.OpenAsync(before, [0, 1], calls).ConfigureAwait(false) is { Ends: true } unopened) return unopened;
+        machine.SegmentsDone = state => before + (state.Calls != calls && state.StopCode == StopCodes.SequenceEnded ? 1 : 0);
         if (await machine.SendAsync(ResidentServer.GoCommand, where).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         ledger.Sent++;
         var watch = machine.Watch(here, [segment], speed);
@@ -67,6 +72,7 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
         finally
         {
             machine.Expectation = null;
+            machine.SegmentsDone = null;
         }
 
         return Check(segment, watch);

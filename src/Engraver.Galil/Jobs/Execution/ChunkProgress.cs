@@ -28,10 +28,19 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
     /// <param name="counter">_CSS; belongs to a sequence only while one is being cut.</param>
     public int Executed(int mark, int counter)
     {
-        var sequence = Math.Clamp(mark / 2, 0, _sequenceStarts.Length - 1);
-        var within = mark % 2 != 0 && !IsEnd(mark) ? Math.Clamp(counter, 0, _sequenceStarts[sequence + 1] - _sequenceStarts[sequence]) : 0;
-        return before + _sequenceStarts[sequence] + within;
+        return before + Within(_sequenceStarts, mark, counter);
     }
+
+    /// <summary>The same within the chunk.</summary>
+    /// <param name="starts">Segments before each of its sequences, and at last all of them.</param>
+    public static int Within(IReadOnlyList<int> starts, int mark, int counter)
+    {
+        var sequence = Math.Clamp(mark / 2, 0, starts.Count - 1);
+        return starts[sequence] + (mark % 2 != 0 && sequence + 1 < starts.Count ? Math.Clamp(counter, 0, starts[sequence + 1] - starts[sequence]) : 0);
+    }
+
+    /// <summary>Segments before each sequence of the chunk, and at last all of them.</summary>
+    public IReadOnlyList<int> SequenceStarts => _sequenceStarts;
 
     /// <summary>The entity of the present sequence, as a sentence of its own.</summary>
     public string PlaceAt(int mark) => Entity(_sequenceStarts[Math.Clamp(mark / 2, 0, _sequenceStarts.Length - 1)]);
@@ -48,7 +57,7 @@ internal sealed class ChunkProgress(ProgramChunk chunk, int before)
 
     private string Entity(int segment) => segment < _segments.Length ? Wording.Get("Execution.DrawingEntity", _segments[segment].EntityIndex) : "";
 
-    private static int Segments(string line) => line.Split(';').Count(statement => statement.StartsWith("VP ", StringComparison.Ordinal) || statement.StartsWith("CR ", StringComparison.Ordinal));
+    private static int Segments(string line) => line.Split(';').Count(statement => statement.StartsWith("VP ", StringComparison.Ordinal) || statement.StartsWith("CR ", StringComparison.Ordinal) || statement.StartsWith("LI ", StringComparison.Ordinal));
 
     private static int[] Starts(ProgramChunk chunk)
     {

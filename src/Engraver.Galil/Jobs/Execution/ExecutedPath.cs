@@ -5,6 +5,7 @@ namespace Engraver.Galil.Jobs.Execution;
 /// <summary>Follows a motion program in the order of cutting, as far as the controller has confirmed it.</summary>
 internal sealed class ExecutedPath(MotionProgram program, JobLedger ledger, JobLog log)
 {
+    private readonly int _segments = program.SegmentCount;
     private int _stroke;
     private int _sequence;
     private int _segment;
@@ -15,7 +16,7 @@ internal sealed class ExecutedPath(MotionProgram program, JobLedger ledger, JobL
     /// <summary>Confirms every segment before <paramref name="count"/>, each once, and writes each sequence that is thereby complete to the journal.</summary>
     public void ConfirmUpTo(int count)
     {
-        while (Count < Math.Min(count, ledger.SegmentCount)) ConfirmNext();
+        while (Count < Math.Min(count, _segments)) ConfirmNext();
     }
 
     private void ConfirmNext()
@@ -28,6 +29,6 @@ internal sealed class ExecutedPath(MotionProgram program, JobLedger ledger, JobL
         log.SequenceDone();
         _segment = 0;
         if (++_sequence == stroke.Sequences.Count) (_stroke, _sequence) = (_stroke + 1, 0);
-        if (_stroke < program.Strokes.Count) (ledger.Stroke, ledger.Sequence) = (_stroke, _sequence);
+        if (_stroke < program.Strokes.Count) ledger.Enter(_stroke, _sequence);
     }
 }

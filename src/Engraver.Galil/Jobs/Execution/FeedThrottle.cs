@@ -1,6 +1,6 @@
 namespace Engraver.Galil.Jobs.Execution;
 
-/// <summary>Slows the path down by VR when few sent segments are left to execute (a short lead), instead of letting the buffer run dry (galil-dmc.md F.1, J 7).</summary>
+/// <summary>Says how much slower the path has to be when few sent segments are left to execute (a short lead), instead of letting the buffer run dry (galil-dmc.md F.1, J 7). <see cref="SpeedRatio"/> makes VR of it.</summary>
 /// <param name="reactionSeconds">Delay between detecting a short lead and the command reaching the controller.</param>
 /// <param name="rampSeconds">Time of the path from full speed to rest: VR acts no faster than VA and VD allow, so it must be sent that much earlier.</param>
 internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
@@ -19,9 +19,6 @@ internal sealed class FeedThrottle(double rampSeconds, double reactionSeconds)
     private double _now = Full;
 
     private double ShortSeconds => rampSeconds + reactionSeconds;
-
-    /// <summary>The command that sets the ratio.</summary>
-    public static string Command(double ratio) => JobMachine.Text($"VR {ratio}");
 
     /// <summary>The new ratio for this lead, or null when it does not change.</summary>
     /// <param name="lead">Number of segments sent and not yet executed.</param>

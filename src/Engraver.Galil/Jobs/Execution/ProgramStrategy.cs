@@ -16,9 +16,14 @@ namespace Engraver.Galil.Jobs.Execution;
 /// </remarks>
 internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine, JobLedger ledger, JobLog log, ProgramMemory memory, JobOptions options) : IJobStrategy
 {
+    /// <summary>The override is fitted to the sequences that may be run before it can be changed again, seconds at the fastest override.</summary>
+    private const double SecondsAhead = 1.5;
+
     private readonly ExecutedPath _path = new(program, ledger, log);
     private int _memoryLines = DmcLimits.ProgramLines;
     private ChunkProgress? _chunk;
+    private IReadOnlyList<VectorSequence> _sequences = [];
+    private int _borne = -1;
 
     public ValueTask<JobStep> StartAsync() => new(JobStep.Done);
 
@@ -29,6 +34,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         var waiting = Packed(job, program.Strokes);
         while (waiting.TryPeek(out var chunk))
         {
+            if (await machine.Hold.GateAsync().ConfigureAwait(false) is { Ends: true } held) return held;
             if (await LoadAsync(chunk).ConfigureAwait(false) is not { Ends: true } loaded) waiting.Dequeue();
             else if (IsTooLong(loaded) && _memoryLines / 2 >= job.FewestLines)
             {
@@ -77,10 +83,16 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
     private async ValueTask<JobStep> RunAsync(ProgramChunk chunk)
     {
         var progress = new ChunkProgress(chunk, _path.Count);
+        if (await machine.OpenAsync(ledger.SegmentsBefore + _path.Count, progress.SequenceStarts, 0).ConfigureAwait(false) is { Ends: true } unopened) return unopened;
         machine.PlaceInProgram = progress.PlaceOf;
         machine.Tool.WantedByProgram = ChunkProgress.IsToolWanted;
-        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Profile), Text($"XQ {SupervisedProgram.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Profile), ResidentServer.MarkCommand(machine.Mark), .. ResidentServer.DefineHeight(machine.Profile, machine.Frame, machine.Lift, isCut: true), Text($"XQ {SupervisedProgram.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         _chunk = progress;
+        machine.SegmentsDone = state => ledger.SegmentsBefore + progress.Executed(state.Calls, state.SequenceRunning ? state.Counter : 0);
+        (_sequences, _borne) = ([.. chunk.Parts.SelectMany(part => part.Sequences)], -1);
+        BearFrom(0);
+        machine.Hold.RapidsAreAsPlanned();
+        machine.Hold.HasProgramEnded = state => progress.IsEnd(state.Calls);
         ledger.Sent += chunk.Segments.Count();
         if (await machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
         var end = await WatchedAsync(chunk).ConfigureAwait(false);
@@ -95,12 +107,29 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         try
         {
             var end = await machine.PollUntilAsync(IsDone, Seconds(chunk)).ConfigureAwait(false);
-            return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here);
+            return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here with { Z = chunk.Parts[^1].Sequences[^1].End.Z }); // a tool that an axis holds is up again by now
         }
         finally
         {
             machine.Expectation = null;
+            machine.Hold.HasProgramEnded = null;
+            machine.SegmentsDone = null;
         }
+    }
+
+    /// <summary>The controller is at this sequence: it and those that may come before the next look must bear the override.</summary>
+    private void BearFrom(int sequence)
+    {
+        if (sequence == _borne || sequence >= _sequences.Count) return;
+        _borne = sequence;
+        var (ahead, seconds) = (new List<VectorSequence>(), 0.0);
+        for (var i = sequence; i < _sequences.Count && (i == sequence || seconds < SecondsAhead); i++)
+        {
+            ahead.Add(_sequences[i]);
+            if (i > sequence) seconds += SpeedTrapezoid.Time(_sequences[i].Length, _sequences[i].Speed * JobControl.FeedRange.Fastest, program.Profile.AccelerationCounts);
+        }
+
+        machine.Hold.Speed.Bear(machine.Profile, ahead, hostFeeds: false);
     }
 
     /// <summary>Shortest time of the chunk, seconds: the motion of its sequences, without rapids and settle times.</summary>
@@ -111,6 +140,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
 
     private bool IsDone(MachineState state)
     {
+        BearFrom(state.Calls / 2);
         _path.ConfirmUpTo(_chunk!.Executed(state.Calls, state.SequenceRunning ? state.Counter : 0));
         return _chunk.IsEnd(state.Calls);
     }

@@ -41,7 +41,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private const double LengthPerSegment = 0.5;
 
     private readonly FeedPace _pace = FeedPace.From(machine.Line);
-    private readonly FeedThrottle _throttle = new((double)sequence.Speed / machine.Profile.AccelerationCounts, FeedPace.From(machine.Line).ReactionSeconds);
+    private readonly FeedThrottle _throttle = new(Math.Max(1.0, machine.Hold.Speed.Override) * sequence.Speed / machine.Profile.AccelerationCounts, FeedPace.From(machine.Line).ReactionSeconds);
     private long _begunAt;
     private int _capacity;
     private int _sent;
@@ -58,8 +58,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     /// <summary>Index of the first segment that is neither skipped nor executed.</summary>
     public int Next => first + _skipped + _executed;
 
-    /// <summary>Duration of the buffered motion at full speed.</summary>
-    private double SecondsAhead => _countsAhead / sequence.Speed;
+    /// <summary>Duration of the buffered motion at the speed that the operator wants.</summary>
+    private double SecondsAhead => _countsAhead / (sequence.Speed * machine.Hold.Speed.Override);
 
     /// <summary>Seconds until the end of the path, by the trapezoid of the whole path and the time since its beginning.</summary>
     private double SecondsLeft => SpeedTrapezoid.Time(Ahead.Sum(segment => segment.Length), sequence.Speed, machine.Profile.AccelerationCounts) - machine.Time.GetElapsedTime(_begunAt).TotalSeconds;
@@ -75,6 +75,9 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         finally
         {
             machine.Expectation = null;
+            machine.SegmentsDone = null;
+            machine.Hold.WillMove = _ => true;
+            machine.Hold.Speed.Throttle = 1.0;
         }
     }
 
@@ -105,7 +108,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     }
 
     /// <summary>True every few segments; and when this computer was delayed for so long that the buffer may have run dry, which the next segment would hide.</summary>
-    private bool IsTimeToWatch => _begun && (_sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds + UsualSeconds));
+    private bool IsTimeToWatch => _begun && (machine.Hold.IsAsked || _sent - _sentAtWatch >= _pace.SegmentsBetweenPolls || machine.SincePoll.TotalSeconds > Math.Max(SecondsAhead / 2, HeldUpSeconds + UsualSeconds));
 
     /// <summary>Time that the commands since the last poll need on a serial line, with a heartbeat for each at worst: that long is not a delay.</summary>
     private double UsualSeconds => machine.Line is { } line ? 2.0 * line.Time(_bytesSinceWatch).TotalSeconds : 0.0;
@@ -120,16 +123,17 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private async ValueTask<JobStep> OpenAsync()
     {
         if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } end) return end;
-        _origin = machine.Here;
+        _origin = machine.Here with { Z = first == 0 ? sequence.Start.Z : sequence.Segments[first - 1].End.Z }; // the tool is brought to this height before the motion
         while (_skipped < sequence.Segments.Count - first && IsAlreadyThere(sequence.Segments[first + _skipped])) SkipOne();
         if (Remaining == 0) return JobStep.Done;
         var ahead = Ahead;
-        _byIncrements = machine.Line is null && DmcAxes.AreFirst(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
+        _byIncrements = !sequence.ChangesHeight && machine.Line is null && DmcAxes.AreFirst(machine.Profile.Axes) && ahead.All(segment => segment.Kind == VectorSegmentKind.Line) && ahead.Sum(segment => segment.Length) < DmcLimits.LongestIncrements;
         var acceleration = machine.Profile.AccelerationCounts;
-        var opened = await machine.SendAllAsync(["CSS", (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.Letters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1"]).ConfigureAwait(false);
+        var opened = await machine.SendAllAsync(["CSS", sequence.ChangesHeight ? "LM" + machine.Profile.Axes.Letters : (_byIncrements ? "LM" : "VM") + machine.Profile.Axes.PlaneLetters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}")]).ConfigureAwait(false);
         if (opened.Ends) return opened;
         if (await SettingCheck.ReadBackAsync(
-            machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration), ("_VRS", 1.0, SettingCheck.Exact)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+            machine, ("_VSS", sequence.Speed, SettingCheck.Speed), ("_VAS", acceleration, SettingCheck.Acceleration), ("_VDS", acceleration, SettingCheck.Acceleration)).ConfigureAwait(false) is { Ends: true } harmed) return harmed;
+        if (await machine.Hold.SendRatioAsync().ConfigureAwait(false) is { Ends: true } another) return another;
         return await AskCapacityAsync().ConfigureAwait(false);
     }
 
@@ -154,7 +158,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private async ValueTask<JobStep> SendNextAsync()
     {
         var segment = sequence.Segments[first + _skipped + _sent];
-        var command = _byIncrements ? DmcFormat.Increment(_sent == 0 ? _origin : sequence.Segments[first + _skipped + _sent - 1].End, segment.End) : DmcFormat.Command(segment, _origin);
+        var from = _sent == 0 ? _origin : sequence.Segments[first + _skipped + _sent - 1].End;
+        var command = sequence.ChangesHeight ? DmcFormat.Increment(machine.Profile.Axes, from, segment.End) : _byIncrements ? DmcFormat.Increment(from, segment.End) : DmcFormat.Command(segment, _origin);
         while (true)
         {
             while (_begun && _capacity - (_sent - _executed) < SpareSegments)
@@ -178,7 +183,12 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
     private async ValueTask<JobStep> BeginAsync()
     {
-        if (await machine.Tool.OnAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        if (await machine.Hold.ToolOnAsync(_origin).ConfigureAwait(false) is { Ends: true } end) return end;
+        if (machine.Hold.IsAsked && await machine.Hold.SendRatioAsync().ConfigureAwait(false) is { Ends: true } unset) return unset;
+        var before = ledger.Executed - _executed;
+        machine.SegmentsDone = state => before + Math.Clamp(state.Counter, _executed, Math.Max(_executed, _sent));
+        if (await machine.OpenAsync(before, [0, sequence.Segments.Count - first - _skipped], machine.State.Calls).ConfigureAwait(false) is { Ends: true } unopened) return unopened;
+        machine.Hold.WillMove = state => state.Counter < _sent;
         _watch = machine.Watch(_origin, Ahead, sequence.Speed);
         machine.Expectation = OnPath;
         _begun = true;
@@ -210,8 +220,8 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
 
     private async ValueTask<JobStep> ThrottleAsync(double ratio)
     {
-        if (await machine.SendAsync(FeedThrottle.Command(ratio)).ConfigureAwait(false) is { Ends: true } refused) return refused;
-        return await SettingCheck.ReadBackAsync(machine, ("_VRS", ratio, SettingCheck.Exact)).ConfigureAwait(false);
+        machine.Hold.Speed.Throttle = ratio;
+        return await machine.Hold.AttendAsync().ConfigureAwait(false);
     }
 
     /// <summary>Compares the position at the end with the planned one, and the length of the path too: a closed contour ends where it began, even if nothing of it was cut or a turn was too short
@@ -238,12 +248,14 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
     private async ValueTask<JobStep> CloseDryAsync()
     {
         ledger.Underruns++;
-        if (await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } end) return end;
+        var isHeld = machine.Profile.Height is not null; // by an axis of the open sequence, which cannot begin a move of its own before that is ended
+        if (!isHeld && await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         var cut = await CheckCutAsync().ConfigureAwait(false);
         if (!cut.Ends) ConfirmUpTo(_sent);
         if (await machine.SendAsync("AB 1").ConfigureAwait(false) is { Ends: true } refused) return refused;
         if (await machine.PollUntilAsync(state => state.Stands).ConfigureAwait(false) is { Ends: true } broken) return broken;
-        return cut;
+        machine.Expectation = null;
+        return isHeld && await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } down ? down : cut;
     }
 
     private JobStep EndedEarly()

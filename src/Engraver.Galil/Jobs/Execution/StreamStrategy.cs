@@ -12,6 +12,7 @@ internal sealed class StreamStrategy(JobMachine machine, JobLedger ledger) : ISe
     public async ValueTask<JobStep> CutAsync(VectorSequence sequence)
     {
         var next = 0;
+        machine.Hold.Speed.Bear(machine.Profile, [sequence], hostFeeds: true);
         while (next < sequence.Segments.Count)
         {
             _feed = new SequenceFeed(machine, ledger, sequence, next);

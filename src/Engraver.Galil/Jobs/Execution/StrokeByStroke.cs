@@ -11,8 +11,7 @@ internal sealed class StrokeByStroke(MotionProgram program, JobMachine machine, 
     {
         for (var stroke = 0; stroke < program.Strokes.Count; stroke++)
         {
-            ledger.Stroke = stroke;
-            if (await CutAsync(program.Strokes[stroke]).ConfigureAwait(false) is { Ends: true } end) return end;
+            if (await CutAsync(stroke).ConfigureAwait(false) is { Ends: true } end) return end;
         }
 
         return JobStep.Done;
@@ -24,13 +23,14 @@ internal sealed class StrokeByStroke(MotionProgram program, JobMachine machine, 
         return ValueTask.CompletedTask;
     }
 
-    private async ValueTask<JobStep> CutAsync(MotionStroke stroke)
+    private async ValueTask<JobStep> CutAsync(int index)
     {
-        ledger.Sequence = 0;
+        var stroke = program.Strokes[index];
+        ledger.Enter(index, 0);
         if (await RapidMove.ToAsync(machine, stroke.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
         for (var i = 0; i < stroke.Sequences.Count; i++)
         {
-            ledger.Sequence = i;
+            ledger.Enter(index, i);
             if (await sequences.CutAsync(stroke.Sequences[i]).ConfigureAwait(false) is { Ends: true } end) return end;
             log.SequenceDone();
         }

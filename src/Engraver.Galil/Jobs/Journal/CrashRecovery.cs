@@ -52,7 +52,7 @@ internal sealed record CrashRecovery(string JournalPath, JournalFound Found, str
     }
 
     /// <summary>The kind of a line; null for half a line, as a crash may leave it.</summary>
-    private static string? Kind(string line)
+    internal static string? Kind(string line)
     {
         try
         {

@@ -11,7 +11,7 @@ internal sealed class JobJournal : IDisposable
     /// <summary>Generated at build time: reflection at the first use would delay the heartbeat.</summary>
     private static readonly JsonSerializerOptions Json = new(JsonSerializerDefaults.Web)
     {
-        Converters = { new JsonStringEnumConverter<JobMode>(JsonNamingPolicy.CamelCase), new JsonStringEnumConverter<JobOutcome>(JsonNamingPolicy.CamelCase) },
+        Converters = { new JsonStringEnumConverter<JobMode>(JsonNamingPolicy.CamelCase), new JsonStringEnumConverter<JobOutcome>(JsonNamingPolicy.CamelCase), new JsonStringEnumConverter<JobPhase>(JsonNamingPolicy.CamelCase) },
         TypeInfoResolver = JournalJson.Default,
     };
 
@@ -49,6 +49,12 @@ internal sealed class JobJournal : IDisposable
 public sealed record JournalEnd(JobOutcome Outcome, string Sentence, int SegmentsExecuted, int? X, int? Y, double Time, bool LeftAsFound)
 {
     public string Kind { get; } = "end";
+
+    /// <summary>Segments that were cut whole for certain.</summary>
+    public int Cut { get; init; }
+
+    /// <summary>Counts along the next one that were cut too.</summary>
+    public double Along { get; init; }
 }
 
 /// <summary>The controller's state before a job, written before anything in it is changed: if this program dies, the next run restores it (<see cref="CrashRecovery"/>).</summary>
@@ -71,6 +77,16 @@ public sealed record JournalGivenBack(string By)
     public string Kind { get; } = "givenBack";
 }
 
+/// <summary>The operator held the job or let it go on, or changed an override.</summary>
+/// <param name="Feed">Factor of the programmed feed.</param>
+/// <param name="Rapid">Factor of the rapid speed.</param>
+/// <param name="X">_RPA.</param>
+/// <param name="Time">Controller seconds since the job began.</param>
+public sealed record JournalControl(JobPhase Phase, double Feed, double Rapid, int X, int Y, double Time)
+{
+    public string Kind { get; } = "control";
+}
+
 /// <summary>The lines of the journal.</summary>
 [JsonSourceGenerationOptions(GenerationMode = JsonSourceGenerationMode.Metadata)]
 [JsonSerializable(typeof(JournalHeader))]
@@ -78,6 +94,8 @@ public sealed record JournalGivenBack(string By)
 [JsonSerializable(typeof(JournalEnd))]
 [JsonSerializable(typeof(JournalFound))]
 [JsonSerializable(typeof(JournalGivenBack))]
+[JsonSerializable(typeof(JournalControl))]
+[JsonSerializable(typeof(JournalOpened))]
 internal sealed partial class JournalJson : JsonSerializerContext;
 
 /// <summary>A sequence that is complete, or the progress of a long one.</summary>
@@ -89,4 +107,19 @@ internal sealed partial class JournalJson : JsonSerializerContext;
 public sealed record JournalProgress(int Stroke, int Sequence, int Entity, int SegmentsExecuted, int X, int Y, double Time)
 {
     public string Kind { get; } = "progress";
+
+    /// <summary>Segments that are cut whole for certain.</summary>
+    public int Cut { get; init; }
+
+    /// <summary>Counts along the next one that are cut too.</summary>
+    public double Along { get; init; }
+}
+
+/// <summary>A sequence, a call or a program is about to begin: what the controller counts from now on belongs to it.</summary>
+/// <param name="First">Its first segment, in the order of cutting of the whole program.</param>
+/// <param name="Starts">Segments before each of its sequences, and at last all of them.</param>
+/// <param name="Calls">seq before it.</param>
+public sealed record JournalOpened(int First, IReadOnlyList<int> Starts, int Calls)
+{
+    public string Kind { get; } = "opened";
 }

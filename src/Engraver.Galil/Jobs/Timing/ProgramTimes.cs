@@ -19,6 +19,9 @@ internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
     /// <summary>Statements of a tool change: SB or CB, and WT.</summary>
     private const int ToolStatements = 2;
 
+    /// <summary>Statements of a move of the tool's axis (SP, PA, BG, AM), and as many around the subprogram that makes it.</summary>
+    private const int HeightStatements = 4;
+
     /// <summary>Statements of a sequence: CSS, the mark, VM, VS, VE, BGS, JS#CUT and its five lines.</summary>
     private const int SequenceStatements = 12;
 
@@ -35,5 +38,7 @@ internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
     public override double Sequence(VectorSequence sequence, double moving, MotionProgram program) =>
         (SequenceStatements + Math.Min(sequence.Segments.Count, SequenceWriter.SentBeforeStart)) * SecondsPerStatement;
 
-    public override double Tool(CountsPoint at, MotionProgram program) => (program.Profile.SettleMilliseconds() / 1000.0) + (ToolStatements * SecondsPerStatement);
+    public override double Tool(CountsPoint at, bool on, double moving, MotionProgram program) => program.Profile.Height is null
+        ? (program.Profile.SettleMilliseconds(on) / 1000.0) + (ToolStatements * SecondsPerStatement)
+        : ((MovesOfTool(on) * HeightStatements) + HeightStatements) * SecondsPerStatement;
 }

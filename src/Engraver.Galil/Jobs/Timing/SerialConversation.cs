@@ -23,7 +23,7 @@ internal sealed class SerialConversation(SerialLine line)
     private const int ThreadLineDigits = 2;
 
     /// <summary>Letters do not matter: only the length of a question does.</summary>
-    private static readonly StateQuestions s_questions = new(MachineAxes.Default);
+    private static readonly StateQuestions s_questions = new(MachineAxes.Default, isSlow: true);
 
     private readonly double _byteSeconds = line.ByteSeconds;
     private double _beaten;
@@ -95,8 +95,8 @@ internal sealed class SerialConversation(SerialLine line)
 
     private double AskProgram()
     {
-        BeatBefore(2 * s_questions.Program.Length);
-        Pass(Question(s_questions.Program));
+        BeatBefore(2 * s_questions.Program.Text.Length);
+        Pass(Question(s_questions.Program.Text));
         var asked = Now;
         _axesSeenMoving = asked < _movingUntil;
         Pass(Answer(1, 1, Digits(Calls), ThreadLineDigits, ThreadLineDigits, 1));
@@ -105,8 +105,8 @@ internal sealed class SerialConversation(SerialLine line)
 
     private double AskMotion(CountsPoint at)
     {
-        BeatBefore(2 * s_questions.Motion.Length);
-        Pass(Question(s_questions.Motion));
+        BeatBefore(2 * s_questions.Motion.Text.Length);
+        Pass(Question(s_questions.Motion.Text));
         var (asked, moves) = (Now, Now < _movingUntil);
         Pass(Answer(1, Digits(Counter), moves ? Digits(_speed) : 1, Digits(at.X), Digits(at.Y), Digits((asked + (BytesBeforeJob * _byteSeconds)) / DmcTimes.SampleSeconds), Digits(moves ? RunningCode : StopCode), 1, 1));
         return asked;

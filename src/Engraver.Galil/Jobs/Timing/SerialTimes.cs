@@ -24,7 +24,7 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
         _talk.Poll(from);
         if (from == to) return _talk.Now - begun;
         var axes = RapidMove.Moving(program.Profile.Axes, from, to);
-        foreach (var (axis, goal) in axes) SayAll([.. RapidMove.Commands(program.Profile, axis, goal)]);
+        foreach (var (axis, goal) in axes) SayAll([.. RapidMove.Commands(axis, goal, program.Profile.RapidSpeed(axis))]);
         _talk.Command("BG" + string.Concat(axes.Select(moving => moving.Axis.Letter)));
         var end = _talk.Heard + moving;
         _talk.Moves(end, 0);
@@ -43,13 +43,27 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
         return _talk.Now - begun - moving;
     }
 
-    public override double Tool(CountsPoint at, MotionProgram program)
+    public override double Tool(CountsPoint at, bool on, double moving, MotionProgram program)
     {
         var begun = _talk.Now;
+        if (program.Profile.Axes.Z is { } z && program.Profile.Height is not null)
+        {
+            for (var move = 0; move < MovesOfTool(on); move++)
+            {
+                SayAll([.. RapidMove.Commands(z, at.Z, program.Profile.RapidSpeed(z)), "BG" + z.Letter]);
+                var end = _talk.Heard + (moving / MovesOfTool(on));
+                _talk.Moves(end, 0);
+                PollUntil(at, end, moving / MovesOfTool(on));
+            }
+
+            return _talk.Now - begun - moving;
+        }
+
+        var seconds = on ? program.Profile.ToolSettleSeconds : program.Profile.OffSettleSeconds;
         _talk.Command("SB 1");
         var switched = _talk.Glance(at).At;
-        var (pause, start) = (Pause(program.Profile.ToolSettleSeconds), _talk.Now);
-        while (_talk.Glance(at).At - switched < Settle(program)) _talk.Rest(pause.Next(_talk.Now - start));
+        var (pause, start) = (Pause(seconds), _talk.Now);
+        while (_talk.Glance(at).At - switched < Settle(program, on)) _talk.Rest(pause.Next(_talk.Now - start));
         return _talk.Now - begun;
     }
 
@@ -67,16 +81,16 @@ internal sealed class SerialTimes(SerialLine line) : DmcTimes
     private void Stream(VectorSequence sequence, double moving, MachineProfile profile)
     {
         var acceleration = profile.AccelerationCounts;
-        SayAll("CSS", "VM" + profile.Axes.Letters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1");
+        SayAll("CSS", sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, Text($"VSS={sequence.Speed}"), Text($"VAS={acceleration}"), Text($"VDS={acceleration}"), "VR 1");
         _talk.Ask("_LMS", CapacityDigits);
         _talk.Counter = 0;
         var fits = sequence.Segments.Count <= LinkFeedLimit.Places;
-        foreach (var segment in sequence.Segments.Take(LinkFeedLimit.Places)) _talk.Command(DmcFormat.Command(segment, sequence.Start));
+        foreach (var command in DmcFormat.Commands(sequence, profile.Axes).Take(LinkFeedLimit.Places)) _talk.Command(command);
         if (fits) _talk.Command("VE");
         var begun = _talk.Now;
         _talk.Command("BGS");
         _talk.Moves(_talk.Heard + moving, sequence.Speed);
-        foreach (var segment in sequence.Segments.Skip(LinkFeedLimit.Places)) _talk.Command(DmcFormat.Command(segment, sequence.Start));
+        foreach (var command in DmcFormat.Commands(sequence, profile.Axes).Skip(LinkFeedLimit.Places)) _talk.Command(command);
         if (!fits) _talk.Command("VE");
         _talk.Counter = sequence.Segments.Count;
         var (pause, start) = (Pause(moving - (_talk.Now - begun)), _talk.Now);

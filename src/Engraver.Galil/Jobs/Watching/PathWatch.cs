@@ -13,8 +13,9 @@ namespace Engraver.Galil.Jobs.Watching;
 /// <param name="start">Where the first segment begins, job frame.</param>
 /// <param name="segments">In the order of cutting.</param>
 /// <param name="speed">VS, counts/s.</param>
+/// <param name="followsHeight">An axis holds the tool: heights are compared too.</param>
 /// <param name="sampleSeconds">Sample time of the controller's motion.</param>
-internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed, double sampleSeconds)
+internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> segments, int speed, double sampleSeconds, bool followsHeight = false)
 {
     /// <summary>Largest distance of a correct point from the planned path, counts: the position is rounded in both axes, and so is the assumed start of an arc.</summary>
     public const double Allowance = 2.0;
@@ -31,7 +32,7 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
     /// <param name="place">Position, job frame.</param>
     public JobStep Look(int executed, CountsPoint place)
     {
-        var (off, explained) = Nearest(Math.Clamp(executed, 0, segments.Count - 1), new Point2D(place.X, place.Y));
+        var (off, explained) = Nearest(Math.Clamp(executed, 0, segments.Count - 1), place);
         if (off <= Allowance) _inARow = 0;
         else if (off > Allowance + explained || ++_inARow >= MostInARow) return Left(off, place, segments[Math.Clamp(executed, 0, segments.Count - 1)].EntityIndex);
         return JobStep.Done;
@@ -44,15 +45,16 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
     public JobStep LookAtEnd(int executed, CountsPoint place)
     {
         var last = segments[executed - 1];
-        var off = new Point2D(place.X, place.Y).DistanceTo(new Point2D(last.End.X, last.End.Y));
+        var off = double.Hypot(new Point2D(place.X, place.Y).DistanceTo(new Point2D(last.End.X, last.End.Y)), followsHeight ? (double)place.Z - last.End.Z : 0.0);
         return off <= Allowance ? JobStep.Done : Left(off, place, last.EntityIndex);
     }
 
     private static JobStep Left(double off, CountsPoint place, int entity) => JobStep.Deviated(Wording.Get("PathWatch.MachineStoodDrawingCounts", place.X, place.Y, off, entity));
 
     /// <summary>Distance to the path near where the machine should be, and the part of it that two readings at different times explain.</summary>
-    private (double Off, double Explained) Nearest(int at, Point2D place)
+    private (double Off, double Explained) Nearest(int at, CountsPoint counts)
     {
+        var place = new Point2D(counts.X, counts.Y);
         var (off, explained) = (double.PositiveInfinity, 0.0);
         var ahead = -2.0 * speed * LongestReply;
         for (var i = Math.Max(0, at - 1); i < segments.Count && ahead <= 0.0; i++)
@@ -60,13 +62,27 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
             var segment = segments[i];
             var from = i == 0 ? start : segments[i - 1].End;
             var piece = Piece(new Point2D(from.X, from.Y), segment);
-            var distance = piece.DistanceTo(place);
-            if (distance < off) (off, explained) = (distance, Explained(piece, place));
+            var distance = !followsHeight ? piece.DistanceTo(place) : from.Z == segment.End.Z ? double.Hypot(piece.DistanceTo(place), counts.Z - from.Z) : DistanceInSpace(from, segment.End, counts);
+            if (distance < off) (off, explained) = (distance, Explained(piece, place) + RiseInASample(from, segment.End));
             if (i >= at) ahead += segment.Length;
         }
 
         return (off, explained);
     }
+
+    /// <summary>Distance from a line that rises or falls, or stands upright.</summary>
+    private static double DistanceInSpace(CountsPoint from, CountsPoint to, CountsPoint place)
+    {
+        var (way, spoke) = (to - from, place - from);
+        var length = LengthOf(way);
+        var fraction = Math.Clamp((((double)way.X * spoke.X) + ((double)way.Y * spoke.Y) + ((double)way.Z * spoke.Z)) / (length * length), 0.0, 1.0);
+        return double.Hypot(double.Hypot(spoke.X - (fraction * way.X), spoke.Y - (fraction * way.Y)), spoke.Z - (fraction * way.Z));
+    }
+
+    /// <summary>How far a line rises on the way of one sample: so far the height may have been read too late.</summary>
+    private double RiseInASample(CountsPoint from, CountsPoint to) => from.Z == to.Z ? 0.0 : speed * sampleSeconds * Math.Abs((double)to.Z - from.Z) / LengthOf(to - from);
+
+    private static double LengthOf(CountsPoint way) => double.Hypot(double.Hypot(way.X, way.Y), way.Z);
 
     private static Segment Piece(Point2D from, in VectorSegment segment)
     {
@@ -77,11 +93,11 @@ internal sealed class PathWatch(CountsPoint start, IReadOnlyList<VectorSegment> 
 
     private double Explained(Segment piece, Point2D place)
     {
-        var way = speed * sampleSeconds;
+        var step = speed * sampleSeconds;
         var (begin, end) = (piece.PointAt(0.0), piece.PointAt(1.0));
-        if (Math.Min(begin.DistanceTo(place), end.DistanceTo(place)) <= 2.0 * way) return way / 2.0;
+        if (Math.Min(begin.DistanceTo(place), end.DistanceTo(place)) <= 2.0 * step) return step / 2.0;
         var direction = piece.Kind == SegmentKind.Line ? end - begin : place - piece.Arc.Centre;
         var length = direction.Length;
-        return length == 0.0 ? way / 2.0 : way * Math.Abs(direction.X * direction.Y) / (length * length);
+        return length == 0.0 ? step / 2.0 : step * Math.Abs(direction.X * direction.Y) / (length * length);
     }
 }

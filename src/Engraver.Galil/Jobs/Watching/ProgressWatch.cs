@@ -39,9 +39,14 @@ internal static class StandstillLimit
     private const double WatchdogSeconds = 6.0;
     private const double TickSeconds = 0.05;
 
+    /// <summary>More than an hour; so that the line that assigns it stays one line.</summary>
+    private const double MostTicks = 99_999.0;
+
     /// <summary>Time without progress after which a job is given up.</summary>
-    public static double Seconds(MachineProfile profile) => JobSeconds + profile.ToolSettleSeconds;
+    public static double Seconds(MachineProfile profile) => JobSeconds + LongestWait(profile);
+
+    private static double LongestWait(MachineProfile profile) => Math.Max(Math.Max(profile.ToolSettleSeconds, profile.OffSettleSeconds), profile.Spindle?.SpinUpSeconds ?? 0.0);
 
     /// <summary>Ticks of the watchdog in the controller for which the tool may be on while nothing moves.</summary>
-    public static int ControllerTicks(MachineProfile profile) => (int)Math.Min(1e9, Math.Ceiling((WatchdogSeconds + profile.ToolSettleSeconds) / TickSeconds));
+    public static int ControllerTicks(MachineProfile profile) => (int)Math.Min(MostTicks, Math.Ceiling((WatchdogSeconds + profile.ToolSettleSeconds) / TickSeconds));
 }

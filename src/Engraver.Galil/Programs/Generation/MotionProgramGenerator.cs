@@ -34,16 +34,23 @@ public static class MotionProgramGenerator
         var start = profile.Scale.ToCounts(toolpath.ToolStart);
         SourceRef Source(int entity) => sourceOf?.Invoke(entity) ?? default;
         findings.AddRange(toolpath.Strokes.SelectMany(stroke => stroke.Moves).Select(move => Refusal(move, profile.Scale, start, Source)).OfType<Diagnostic>());
-        if (findings.Count == 0 && ChordBudget.Refusal(toolpath, profile.Scale, maxErrorMm, Source) is { } unbounded) findings.Add(unbounded);
-        if (findings.Count > 0) return new MotionGeneration(null, findings);
+        if (profile.Height is { } drive) findings.AddRange(DrawnHeights.Findings(toolpath, drive, profile.Scale, Source));
+        var isRefused = findings.Any(finding => finding.Severity == Severity.Error);
+        if (!isRefused && ChordBudget.Refusal(toolpath, profile.Scale, maxErrorMm, Source) is { } unbounded)
+        {
+            findings.Add(unbounded);
+            isRefused = true;
+        }
+
+        if (isRefused) return new MotionGeneration(null, findings);
 
         if (BridgedGaps.Warning(toolpath, AllowedDeviation(profile, maxErrorMm), Source) is { } beside) findings.Add(beside);
         if (!profile.Scale.KeepsCircles && HasArcs(toolpath)) findings.Add(ChordsNote(profile.Scale, maxErrorMm));
         var strokes = new List<MotionStroke>(toolpath.Strokes.Count);
         foreach (var stroke in toolpath.Strokes)
         {
-            var motion = StrokeGenerator.Generate(stroke, profile, maxErrorMm, style);
-            if (motion.Sequences.Count > 0) strokes.Add(motion);
+            var passes = DrawnHeights.Lifts(stroke, profile).Select(lift => StrokeGenerator.Generate(stroke, profile, maxErrorMm, style, lift)).Where(motion => motion.Sequences.Count > 0).ToList();
+            if (passes.Count > 0) strokes.AddRange(passes);
             else findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), Text(stroke.Start.X), Text(stroke.Start.Y)));
         }
 

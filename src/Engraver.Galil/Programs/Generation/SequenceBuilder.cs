@@ -6,9 +6,10 @@ namespace Engraver.Galil.Programs.Generation;
 
 /// <summary>Collects the segments of one stroke into sequences and tracks the controller's predicted position after each.</summary>
 /// <param name="start">Where the stroke begins.</param>
-/// <param name="wantedSpeed">VS, unless a sequence needs a lower one.</param>
+/// <param name="wantedSpeed">VS in plan, unless a sequence needs a lower one.</param>
+/// <param name="slope">Speed of lines that rise or fall.</param>
 /// <param name="style">With Calls the sequence ends after every segment.</param>
-internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, MotionStyle style)
+internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, SlopeSpeed slope, MotionStyle style)
 {
     /// <summary>Counts. The controller may refuse a shorter segment (TC 30).</summary>
     private const double ShortestLine = 1.0;
@@ -17,9 +18,17 @@ internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, Motion
     private List<VectorSegment> _segments = [];
     private CountsPoint _start = start;
     private double _length;
+    private int _slopeSpeed = int.MaxValue;
+    private bool _hasArcs;
+
+    /// <summary>A line of this sequence rises or falls.</summary>
+    private bool ChangesHeight => _slopeSpeed < int.MaxValue;
 
     /// <summary>Predicted position: whole counts after VP, the real end point after CR.</summary>
     public Point2D Position { get; private set; } = new(start.X, start.Y);
+
+    /// <summary>Height of the tool, counts.</summary>
+    public int Height { get; private set; } = start.Z;
 
     /// <summary>The stroke's sequences; none when everything was shorter than a count.</summary>
     public IReadOnlyList<VectorSequence> Finish()
@@ -32,41 +41,63 @@ internal sealed class SequenceBuilder(CountsPoint start, int wantedSpeed, Motion
     public void EndSequence()
     {
         if (_segments.Count == 0) return;
-        _finished.Add(new VectorSequence(_start, FeedLimit.For(_segments, wantedSpeed), _segments));
+        _finished.Add(new VectorSequence(_start, FeedLimit.For(_segments, Math.Min(wantedSpeed, _slopeSpeed)), _segments) { ChangesHeight = ChangesHeight });
         _start = _segments[^1].End;
         Position = new Point2D(_start.X, _start.Y);
         _segments = [];
-        _length = 0.0;
+        (_length, _slopeSpeed, _hasArcs) = (0.0, int.MaxValue, false);
     }
 
     /// <summary>Adds VP, in equal pieces when it is too long for one. A target less than a count away is not sent.</summary>
     public void Line(CountsPoint target, int entity)
     {
+        if (target.Z != Height && _hasArcs) EndSequence(); // LM takes no arcs (galil-dmc.md B.7)
         var from = Position;
         var way = new Point2D(target.X, target.Y) - from;
-        if (way.Length < ShortestLine) return;
-        var pieces = (int)Math.Ceiling(way.Length / (DmcLimits.LongestSegment - 2.0));
-        for (var i = 1; i < pieces; i++) Piece(CountsScale.Round(from + (way * ((double)i / pieces))), entity);
+        if (target.Z != Height) _slopeSpeed = Math.Min(_slopeSpeed, slope.Of(way, target.Z - Height));
+        var (rise, length) = ((double)target.Z - Height, double.Hypot(way.Length, (double)target.Z - Height));
+        if (length < ShortestLine) return;
+        var (pieces, height) = ((int)Math.Ceiling(length / (DmcLimits.LongestSegment - 2.0)), Height);
+        for (var i = 1; i < pieces; i++) Piece(CountsScale.Round(from + (way * ((double)i / pieces))) with { Z = height + (int)Math.Round(rise * i / pieces) }, entity);
         Piece(target, entity);
     }
 
     /// <summary>Adds CR.</summary>
     public void Arc(ArcPrediction arc, int entity)
     {
-        Add(new VectorSegment(VectorSegmentKind.Arc, CountsScale.Round(arc.End), arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, entity, arc.Length), arc.End);
+        if (ChangesHeight) EndSequence();
+        _hasArcs = true;
+        Add(new VectorSegment(VectorSegmentKind.Arc, CountsScale.Round(arc.End) with { Z = Height }, arc.Radius, arc.ThetaDegrees, arc.DeltaDegrees, entity, arc.Length), arc.End);
     }
 
     private void Piece(CountsPoint target, int entity)
     {
         var end = new Point2D(target.X, target.Y);
-        Add(new VectorSegment(VectorSegmentKind.Line, target, 0, 0.0, 0.0, entity, Position.DistanceTo(end)), end);
+        Add(new VectorSegment(VectorSegmentKind.Line, target, 0, 0.0, 0.0, entity, target.Z == Height ? Position.DistanceTo(end) : double.Hypot(Position.DistanceTo(end), (double)target.Z - Height)), end);
     }
 
     private void Add(in VectorSegment segment, Point2D end)
     {
         _segments.Add(segment);
         _length += segment.Length;
-        Position = end;
-        if (style == MotionStyle.Calls || _length + (2.0 * DmcLimits.LongestSegment) > DmcLimits.LongestSequence) EndSequence();
+        (Position, Height) = (end, segment.End.Z);
+        if (style == MotionStyle.Calls || _length + (2.0 * DmcLimits.LongestSegment) > (ChangesHeight ? DmcLimits.LongestIncrements : DmcLimits.LongestSequence)) EndSequence();
+    }
+}
+
+/// <summary>VS of lines in three axes: the feed along the path in millimetres, whatever the axes' counts (galil-dmc.md B.5: VS is the root of the sum over all axes of LM), and downwards no faster than the plunge feed.</summary>
+internal readonly record struct SlopeSpeed(MachineProfile Profile)
+{
+    /// <param name="way">In plan, counts.</param>
+    /// <param name="rise">Counts of the Z axis, not 0.</param>
+    /// <returns>Even counts/s.</returns>
+    public int Of(Vector2D way, int rise)
+    {
+        var scale = Profile.Scale;
+        var up = rise / scale.Z;
+        var (millimetres, counts) = (double.Hypot(double.Hypot(way.X / scale.X, way.Y / scale.Y), up), double.Hypot(way.Length, rise));
+        var perSecond = Profile.FeedMmPerMinute / 60.0 * counts / millimetres;
+        if (up < 0.0 && Profile.Height is { } drive) perSecond = Math.Min(perSecond, drive.PlungeMmPerMinute / 60.0 * counts / -up);
+        return Math.Max(DmcLimits.SlowestSpeed, 2 * (int)Math.Floor(Math.Min(perSecond, DmcLimits.FastestSpeed) / 2.0));
     }
 }

@@ -20,24 +20,29 @@ internal sealed class StrokeGenerator
     private readonly ArcAim _aim;
     private readonly SequenceBuilder _builder;
     private readonly CornerDetector _corners;
+    private readonly MachineProfile _profile;
+    private readonly double _lift;
     private CountsPoint _reached;
     private int _entity;
+    private double? _slope;
 
-    private StrokeGenerator(CountsPoint start, MachineProfile profile, double maxErrorMm, MotionStyle style)
+    private StrokeGenerator(CountsPoint start, MachineProfile profile, double maxErrorMm, MotionStyle style, double lift)
     {
+        (_profile, _lift) = (profile, lift);
         _scale = profile.Scale;
         _maxErrorMm = ArcChords.ErrorOf(maxErrorMm, _scale);
         _aim = new ArcAim(new AngleQuantum(profile.AngleQuantumDegrees));
-        _builder = new SequenceBuilder(start, profile.VectorSpeed(), style);
+        _builder = new SequenceBuilder(start, profile.VectorSpeed(), new SlopeSpeed(profile), style);
         _corners = new CornerDetector(profile, profile.VectorSpeed());
         _reached = start;
     }
 
     /// <summary>The stroke in counts; without sequences when all of it is shorter than a count.</summary>
-    public static MotionStroke Generate(ToolpathStroke stroke, MachineProfile profile, double maxErrorMm, MotionStyle style)
+    /// <param name="lift">How far above its depth the pass runs, millimetres; 0 for the last one, and for a machine without a tool axis.</param>
+    public static MotionStroke Generate(ToolpathStroke stroke, MachineProfile profile, double maxErrorMm, MotionStyle style, double lift = 0.0)
     {
-        var start = profile.Scale.ToCounts(stroke.Start);
-        var generator = new StrokeGenerator(start, profile, maxErrorMm, style);
+        var start = profile.Scale.ToCounts(stroke.Start) with { Z = HeightOf(stroke.Moves[0].StartZ, profile, lift) };
+        var generator = new StrokeGenerator(start, profile, maxErrorMm, style, lift);
         foreach (var move in stroke.Moves) generator.Move(move);
         return new MotionStroke(stroke.Index, start, generator._builder.Finish());
     }
@@ -45,19 +50,34 @@ internal sealed class StrokeGenerator
     private void Move(in StrokeMove move)
     {
         var segment = move.Segment;
-        if (Vanishes(segment))
+        var (from, to) = (Place(segment.Start, move.StartZ), Place(segment.End, move.EndZ));
+        if (Vanishes(segment) && to.Z == _builder.Height)
         {
             _corners.Skip(segment);
             return;
         }
 
         _entity = move.EntityIndex;
-        if (_corners.IsCornerBefore(segment)) _builder.EndSequence();
-        BridgeGapTo(_scale.ToCounts(segment.Start));
-        Cut(segment);
-        _reached = _scale.ToCounts(segment.End);
+        if (IsBentUpOrDown(move) | _corners.IsCornerBefore(segment)) _builder.EndSequence(); // both take note of the move
+        BridgeGapTo(from);
+        Cut(segment, from.Z, to);
+        _reached = to;
         _corners.Cut(segment);
     }
+
+    /// <summary>A change of slope is a corner like one in plan.</summary>
+    private bool IsBentUpOrDown(in StrokeMove move)
+    {
+        var slope = Math.Atan2(move.EndZ - move.StartZ, move.Segment.Length) * (180.0 / Math.PI);
+        var bend = _slope is { } before ? Math.Abs(slope - before) : 0.0;
+        _slope = slope;
+        return _profile.Height is not null && bend > _profile.SharpCornerDegrees;
+    }
+
+    private CountsPoint Place(Point2D millimetres, double z) => _scale.ToCounts(millimetres) with { Z = HeightOf(z, _profile, _lift) };
+
+    /// <summary>Where an axis brings the tool to the work it cuts below the drawn height; otherwise heights are not cut.</summary>
+    private static int HeightOf(double drawn, MachineProfile profile, double lift) => profile.Height is { } drive ? profile.Scale.ToHeight(drawn - drive.CutDepth + lift) : 0;
 
     /// <summary>True when the move is shorter than a count and does not complete a count together with those before.</summary>
     private bool Vanishes(in Segment segment) =>
@@ -69,15 +89,15 @@ internal sealed class StrokeGenerator
         if (start != _reached) _builder.Line(start, _entity);
     }
 
-    private void Cut(in Segment segment)
+    private void Cut(in Segment segment, int height, CountsPoint end)
     {
         if (segment.Kind == SegmentKind.Line)
         {
-            _builder.Line(_scale.ToCounts(segment.End), _entity);
+            _builder.Line(end, _entity);
         }
         else if (!_scale.KeepsCircles)
         {
-            foreach (var vertex in ArcChords.Vertices(segment.Arc, _maxErrorMm)) _builder.Line(_scale.ToCounts(vertex), _entity);
+            foreach (var vertex in ArcChords.Vertices(segment.Arc, _maxErrorMm)) _builder.Line(_scale.ToCounts(vertex) with { Z = height }, _entity);
         }
         else
         {
@@ -129,7 +149,7 @@ internal sealed class StrokeGenerator
 
     private void Chords(ArcSegment wanted)
     {
-        foreach (var vertex in ArcChords.Vertices(wanted, _maxErrorMm * _scale.Largest)) _builder.Line(CountsScale.Round(vertex), _entity);
+        foreach (var vertex in ArcChords.Vertices(wanted, _maxErrorMm * _scale.Largest)) _builder.Line(CountsScale.Round(vertex) with { Z = _builder.Height }, _entity);
     }
 
     private static bool CanHalve(ArcSegment wanted, int halvings) => halvings > 0 && wanted.Length >= 2.0 * ShortestPiece;

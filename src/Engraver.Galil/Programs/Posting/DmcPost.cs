@@ -21,7 +21,7 @@ public static class DmcPost
     public static PostText Calls(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         if (program.Style != MotionStyle.Calls) throw new ArgumentException("The program was not generated for calls.", nameof(program));
-        var form = new PostForm(done => CallsOpening(program, done), stroke => CallsStroke(stroke, FromStart(program)), CallsClosing(program));
+        var form = new PostForm(done => CallsOpening(program, done), stroke => CallsStroke(program, stroke, FromStart(program)), CallsClosing(program));
         return Posted(program, form, options, sourceOf);
     }
 
@@ -29,8 +29,9 @@ public static class DmcPost
     public static PostText Sequences(MotionProgram program, DmcPostOptions options, Func<int, SourceRef>? sourceOf = null)
     {
         var axes = program.Profile.Axes;
+        var (toolOn, toolOff) = SequenceSpelling.ToolOf(program.Profile, dryRun: false, height => Text($"oz{height:+0;-0}"));
         var spelling = new SequenceSpelling(
-            string.Empty, "AMS", place => $"{TargetLine(program.Profile, Text($"ox{place.X:+0;-0}"), Text($"oy{place.Y:+0;-0}"))};BG{axes.Letters};AM{axes.Letters}", [ToolOn(program.Profile), Settle(program.Profile)]);
+            string.Empty, "AMS", place => $"{TargetLine(program.Profile, Text($"ox{place.X:+0;-0}"), Text($"oy{place.Y:+0;-0}"))};BG{axes.PlaneLetters};AM{axes.PlaneLetters}", toolOn, toolOff);
         var writer = new SequenceWriter(program.Profile, FromStart(program), spelling);
         var form = new PostForm(done => Opening(program, done, string.Empty), writer.Stroke, SequencesClosing(program));
         return Posted(program, form, options, sourceOf);
@@ -45,28 +46,36 @@ public static class DmcPost
     /// <summary>Places relative to where the machine stands when the job starts.</summary>
     private static ControllerFrame FromStart(MotionProgram program) => new(program.Start, default);
 
+    /// <param name="variables">Their first values; #UP counts as well, so that they are set before it and behind it.</param>
     private static IReadOnlyList<string> Opening(MotionProgram program, int done, string variables)
     {
         var lines = new ProgramLines().Line("#JOB").Line(ToolOff(program.Profile), "SH" + program.Profile.Axes.Letters, done == 0 ? TakeOrigin(program.Profile.Axes) : string.Empty);
         foreach (var line in SetUpLines(program.Profile)) lines.Line(line);
+        if (program.Profile.Height is not null) lines.Line(variables).Line(Text($"{ClearanceHeight}=oz{program.Profile.ClearanceCounts:+0;-0};zr=oz{program.Profile.RetractCounts:+0;-0}"), "JS" + Up);
+        if (program.Profile.Spindle is { } spindle) lines.Line([.. SpindleOn(spindle), spindle.SpinUpSeconds > 0.0 ? Text($"WT {DmcProfile.EvenMilliseconds(spindle.SpinUpSeconds)}") : string.Empty]);
         return lines.Line(variables).Lines;
     }
 
-    private static string TakeOrigin(MachineAxes axes) => $"ox=_RP{axes.X.Letter};oy=_RP{axes.Y.Letter}";
+    private static string TakeOrigin(MachineAxes axes) => string.Join(';', "xyz".Zip(axes.All, (name, axis) => $"o{name}=_RP{axis.Letter}"));
 
     private static IReadOnlyList<string> CallsOpening(MotionProgram program, int done) => Opening(program, done, Text($"f={program.Profile.VectorSpeed()};seq={done}"));
 
-    private static IReadOnlyList<string> CallsStroke(MotionStroke stroke, ControllerFrame frame)
+    private static IReadOnlyList<string> CallsStroke(MotionProgram program, MotionStroke stroke, ControllerFrame frame)
     {
-        var (x, y) = frame.Of(stroke.Start);
-        var lines = new ProgramLines().Line(Text($"x={x}"), Text($"y={y}"), $"JS{Rapid}").Line("JS#TOOLON");
+        var (x, y, z) = frame.Of(stroke.Start);
+        var isHeld = program.Profile.Height is not null;
+        var lines = new ProgramLines().Line(Text($"x={x}"), Text($"y={y}"), $"JS{Rapid}").Line(isHeld ? [Text($"z=oz{z:+0;-0}"), "JS" + Down] : ["JS#TOOLON"]);
         foreach (var sequence in stroke.Sequences)
         {
-            foreach (var segment in sequence.Segments) lines.Line(Call(segment, sequence.Start));
+            foreach (var segment in sequence.Segments) lines.Line(sequence.ChangesHeight ? SlopeCall(segment, sequence) : Call(segment, sequence.Start));
         }
 
-        return lines.Line("JS#TOOLOFF").Lines;
+        return lines.Line(isHeld ? "JS" + Up : "JS#TOOLOFF").Lines;
     }
+
+    /// <summary>A slope has a speed of its own; behind it f is as before.</summary>
+    private static string SlopeCall(in VectorSegment segment, VectorSequence sequence) => Text(
+        $"x={(long)segment.End.X - sequence.Start.X};y={(long)segment.End.Y - sequence.Start.Y};z={(long)segment.End.Z - sequence.Start.Z};f={sequence.Speed};JS{Slope}");
 
     private static string Call(in VectorSegment segment, CountsPoint start) => segment.Kind == VectorSegmentKind.Line
         ? Text($"x={(long)segment.End.X - start.X};y={(long)segment.End.Y - start.Y};JS{Linear}")
@@ -81,19 +90,30 @@ public static class DmcPost
             .. LinearLines(profile, CountCall),
             .. CircLines(profile, CountCall),
             .. RapidLines(profile, TargetLine(profile, "ox+x", "oy+y"), CountCall),
-            .. new ProgramLines().Line("#TOOLON").Line(ToolOn(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
-            .. new ProgramLines().Line("#TOOLOFF").Line(ToolOff(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
+            .. profile.Height is null ? ToolLines(profile) : [.. SlopeLines(profile, Text($"f={profile.VectorSpeed()};{CountCall}")), .. DownLines(profile, string.Empty, CountCall), .. UpLines(profile, CountCall)],
             .. CommandErrorEndsTheJob(program),
         ];
     }
 
-    private static IReadOnlyList<string> SequencesClosing(MotionProgram program) => [.. End(program), .. SequenceWriter.RoomLines(string.Empty), .. CommandErrorEndsTheJob(program)];
+    private static IReadOnlyList<string> ToolLines(MachineProfile profile) =>
+    [
+        .. new ProgramLines().Line("#TOOLON").Line(ToolOn(profile), Settle(profile)).Line(CountCall).Line("EN").Lines,
+        .. new ProgramLines().Line("#TOOLOFF").Line(ToolOff(profile), Settle(profile, on: false)).Line(CountCall).Line("EN").Lines,
+    ];
 
-    private static IReadOnlyList<string> End(MotionProgram program) => new ProgramLines().Line(ToolOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
+    private static IReadOnlyList<string> SequencesClosing(MotionProgram program) =>
+    [
+        .. End(program),
+        .. program.Profile.Height is null ? [] : (IReadOnlyList<string>)[.. DownLines(program.Profile, string.Empty, string.Empty), .. UpLines(program.Profile, string.Empty)],
+        .. SequenceWriter.RoomLines(string.Empty),
+        .. CommandErrorEndsTheJob(program),
+    ];
+
+    private static IReadOnlyList<string> End(MotionProgram program) => new ProgramLines().Line(ToolOff(program.Profile)).Line(SpindleOff(program.Profile)).Line("MG \"DONE\"").Line("EN").Lines;
 
     /// <summary>Without HX0 the controller would go on behind the refused command, from a place the program does not expect (galil-dmc.md C.3).</summary>
     private static IReadOnlyList<string> CommandErrorEndsTheJob(MotionProgram program) =>
-        new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line("HX0").Line("EN").Lines;
+        new ProgramLines().Line(CommandError).Line(StopEverything(program.Profile)).Line(program.Profile.Height is null ? string.Empty : SpindleOff(program.Profile)).Line("MG \"CMDERR\",_ED,_TC").Line("HX0").Line("EN").Lines;
 }
 
 /// <summary>What a post needs to know beside the motion program.</summary>

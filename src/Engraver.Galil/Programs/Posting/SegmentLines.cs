@@ -2,11 +2,11 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Galil.Programs.Posting;
 
-/// <summary>Which line of a posted program commands each segment: its VP and CR, or its calls of #LINEAR and #CIRC, stand in the order of cutting.</summary>
+/// <summary>Which line of a posted program commands each segment: its VP, CR and LI, or its calls of #LINEAR, #CIRC and #SLOPE, stand in the order of cutting.</summary>
 public static class SegmentLines
 {
-    private static readonly SearchStarts s_segments = new("VP ", "CR ");
-    private static readonly SearchStarts s_calls = new("JS" + Subprograms.Linear, "JS" + Subprograms.Circ);
+    private static readonly SearchStarts s_segments = new("VP ", "CR ", "LI ");
+    private static readonly SearchStarts s_calls = new("JS" + Subprograms.Linear, "JS" + Subprograms.Circ, "JS" + Subprograms.Slope);
 
     /// <returns>Line numbers from 1, one for each segment.</returns>
     public static int[] Map(string text, MotionStyle style)
@@ -29,12 +29,12 @@ public static class SegmentLines
         foreach (var part in line.Split(';'))
         {
             var command = line[part];
-            if (command.StartsWith(starts.Line, StringComparison.Ordinal) || command.StartsWith(starts.Arc, StringComparison.Ordinal)) count++;
+            if (command.StartsWith(starts.Line, StringComparison.Ordinal) || command.StartsWith(starts.Arc, StringComparison.Ordinal) || command.StartsWith(starts.Slope, StringComparison.Ordinal)) count++;
         }
 
         return count;
     }
 
-    /// <summary>How the commands of the two kinds of segment begin.</summary>
-    private sealed record SearchStarts(string Line, string Arc);
+    /// <summary>How the commands of the kinds of segment begin.</summary>
+    private sealed record SearchStarts(string Line, string Arc, string Slope);
 }

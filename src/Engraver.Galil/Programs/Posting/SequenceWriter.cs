@@ -21,13 +21,13 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
     public IReadOnlyList<string> Stroke(MotionStroke stroke)
     {
         var lines = new ProgramLines().Line(spelling.Rapid(frame.Of(stroke.Start)));
-        for (var i = 0; i < stroke.Sequences.Count; i++) Sequence(lines, stroke.Sequences[i], i == 0 ? spelling.ToolOn : []);
-        return lines.Line(ToolOff(profile), Settle(profile)).Lines;
+        for (var i = 0; i < stroke.Sequences.Count; i++) Sequence(lines, stroke.Sequences[i], i == 0 ? spelling.ToolOn(frame.Of(stroke.Start)) : []);
+        return lines.Line([.. spelling.ToolOff]).Lines;
     }
 
     private void Sequence(ProgramLines lines, VectorSequence sequence, IReadOnlyList<string> toolOn)
     {
-        lines.Line(spelling.Open, "VM" + profile.Axes.Letters, Text($"VS {sequence.Speed}"));
+        lines.Line(spelling.Open, sequence.ChangesHeight ? "LM" + profile.Axes.Letters : "VM" + profile.Axes.PlaneLetters, Text($"VS {sequence.Speed}"));
         var (sent, sinceRoom, started) = (0, 0, false);
         foreach (var group in Groups(sequence))
         {
@@ -52,13 +52,12 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
     }
 
     /// <summary>The segments' commands, as many together as a line holds.</summary>
-    private static IEnumerable<List<string>> Groups(VectorSequence sequence)
+    private IEnumerable<List<string>> Groups(VectorSequence sequence)
     {
         var group = new List<string>();
         var length = -1;
-        foreach (var segment in sequence.Segments)
+        foreach (var command in DmcFormat.Commands(sequence, profile.Axes))
         {
-            var command = DmcFormat.Command(segment, sequence.Start);
             if (length + 1 + command.Length > DmcLimits.LineLength)
             {
                 yield return group;
@@ -80,17 +79,28 @@ internal sealed class SequenceWriter(MachineProfile profile, ControllerFrame fra
 public readonly record struct ControllerFrame(CountsPoint JobStart, CountsPoint ControllerAtStart)
 {
     /// <summary>True when the controller can count to this place of the job's frame.</summary>
-    public bool Holds(CountsPoint job) => Math.Max(Math.Abs((long)job.X - JobStart.X + ControllerAtStart.X), Math.Abs((long)job.Y - JobStart.Y + ControllerAtStart.Y)) <= int.MaxValue;
+    public bool Holds(CountsPoint job) => Holds(job, 0) && Holds(job, 1) && Holds(job, 2);
 
     /// <summary>Throws <see cref="OverflowException"/> when the controller could not count that far from where it stands.</summary>
     public CountsPoint Of(CountsPoint job) => new(
         checked((int)((long)job.X - JobStart.X + ControllerAtStart.X)),
-        checked((int)((long)job.Y - JobStart.Y + ControllerAtStart.Y)));
+        checked((int)((long)job.Y - JobStart.Y + ControllerAtStart.Y)),
+        checked((int)((long)job.Z - JobStart.Z + ControllerAtStart.Z)));
+
+    private bool Holds(CountsPoint job, int axis) => Math.Abs((long)job[axis] - JobStart[axis] + ControllerAtStart[axis]) <= int.MaxValue;
 }
 
 /// <summary>Where two ways of writing vector sequences differ.</summary>
 /// <param name="Open">Statements before VM; may be empty.</param>
 /// <param name="AwaitEnd">The statement that waits for the end of the sequence.</param>
 /// <param name="Rapid">The line that travels to a place in the controller's coordinates, tool off, and waits.</param>
-/// <param name="ToolOn">Tool on and its settle; empty for a dry run.</param>
-internal sealed record SequenceSpelling(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, IReadOnlyList<string> ToolOn);
+/// <param name="ToolOn">The statements that bring the tool to a place in the controller's coordinates; empty for a dry run of a tool that is switched.</param>
+/// <param name="ToolOff">The statements that take it away.</param>
+internal sealed record SequenceSpelling(string Open, string AwaitEnd, Func<CountsPoint, string> Rapid, Func<CountsPoint, IReadOnlyList<string>> ToolOn, IReadOnlyList<string> ToolOff)
+{
+    /// <summary>The statements of the profile's tool drive: the output with its settle, or the subprograms that move the axis.</summary>
+    /// <param name="height">Spells a height of the controller.</param>
+    public static (Func<CountsPoint, IReadOnlyList<string>> On, IReadOnlyList<string> Off) ToolOf(MachineProfile profile, bool dryRun, Func<int, string> height) => profile.Height is null
+        ? (_ => dryRun ? [] : [Subprograms.ToolOn(profile), Settle(profile)], [Subprograms.ToolOff(profile), Settle(profile, on: false)])
+        : (place => [$"z={height(place.Z)}", "JS" + Down], ["JS" + Up]);
+}

@@ -31,6 +31,6 @@ internal static class StrokeCut
         while (cut > 1 && sequence.Segments[cut - 1].Kind != VectorSegmentKind.Line) cut--;
         if (sequence.Segments[cut - 1].Kind != VectorSegmentKind.Line) cut = room;
         var head = sequence with { Segments = [.. sequence.Segments.Take(cut)] };
-        return (head, new VectorSequence(head.End, sequence.Speed, [.. sequence.Segments.Skip(cut)]));
+        return (head, sequence with { Start = head.End, Segments = [.. sequence.Segments.Skip(cut)] });
     }
 }

@@ -32,9 +32,9 @@ internal sealed class SupervisedProgram
     public SupervisedProgram(MotionProgram program, ControllerFrame frame, bool dryRun)
     {
         _profile = program.Profile;
-        var spelling = new SequenceSpelling(
-            $"CSS;{CountSequence}", "JS#CUT", place => Text($"x={place.X};y={place.Y};JS{Rapid}"), dryRun ? [] : [ToolOn(_profile), Settle(_profile)]);
-        _form = new PostForm(_ => Opening(_profile), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile));
+        var (toolOn, toolOff) = SequenceSpelling.ToolOf(_profile, dryRun, height => Text($"{height}"));
+        var spelling = new SequenceSpelling($"CSS;{CountSequence}", "JS#CUT", place => Text($"x={place.X};y={place.Y};JS{Rapid}"), toolOn, toolOff);
+        _form = new PostForm(_ => Opening(_profile, frame), new SequenceWriter(_profile, frame, spelling).Stroke, Closing(_profile));
     }
 
     /// <summary>The smallest memory that the job can be packed for, lines.</summary>
@@ -54,21 +54,31 @@ internal sealed class SupervisedProgram
         return lines.Length > closing.Count && lines.Skip(lines.Length - closing.Count).SequenceEqual(closing);
     }
 
-    private static IReadOnlyList<string> Opening(MachineProfile profile) =>
+    private static IReadOnlyList<string> Opening(MachineProfile profile, ControllerFrame frame) =>
     [
         Entry,
         $"{CommandErrorProgram.ClearStatement};{Variables.Sequence}=0",
         WatchdogProgram.StartStatement,
-        ToolOff(profile),
+        .. profile.Height is null ? [ToolOff(profile)] : (IReadOnlyList<string>)[],
         .. SetUpLines(profile),
+        .. profile.Height is null ? [] : HeightOpening(profile, frame.Of(default).Z),
     ];
+
+    /// <summary>The heights by the controller's own zero, and the tool up before the first rapid.</summary>
+    private static IReadOnlyList<string> HeightOpening(MachineProfile profile, int zero) => [Text($"{ClearanceHeight}={zero + profile.ClearanceCounts};zr={zero + profile.RetractCounts}"), "JS" + Up];
+
+    /// <summary>The end of a rapid: while the host holds the job, nothing that would switch the tool on is begun.</summary>
+    private static IReadOnlyList<string> GateLines { get; } =
+        new ProgramLines().Line("#GATE").Line($"{Variables.AtGate}={Variables.Hold}").Line($"JP#GATE,{Variables.AtGate}<>0").Line("EN").Lines;
 
     private static IReadOnlyList<string> Closing(MachineProfile profile) =>
     [
         CountSequence,
         "JP#HALT",
         .. new ProgramLines().Line("#CUT").Line("AMS").Line($"JP{Stray},_SC{profile.Axes.X.Letter}<>101").Line(CountSequence).Line("EN").Lines,
-        .. RapidLines(profile, $"JP{Stray},(_RP{profile.Axes.X.Letter}<>x)|(_RP{profile.Axes.Y.Letter}<>y)"),
+        .. RapidLines(profile, $"JP{Stray},(_RP{profile.Axes.X.Letter}<>x)|(_RP{profile.Axes.Y.Letter}<>y)").SkipLast(1),
+        .. GateLines,
+        .. profile.Axes.Z is { } z && profile.Height is not null ? [.. DownLines(profile, $"JP{Stray},_RP{z.Letter}<>z", string.Empty), .. UpLines(profile, string.Empty)] : (IReadOnlyList<string>)[],
         .. SequenceWriter.RoomLines($"JP{Stray},_BGS=0"),
         .. new ProgramLines().Line(Stray).Line(StopEverything(profile)).Line(Text($"{Variables.ErrorCode}={Strayed}")).Line("ZS").Line("JP#HALT").Lines,
         .. Guards(profile),

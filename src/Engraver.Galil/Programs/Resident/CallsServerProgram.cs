@@ -15,7 +15,7 @@ public static class CallsServerProgram
     internal static IReadOnlyList<string> Lines(MachineProfile profile) =>
     [
         Entry,
-        "op=0;x=0;y=0;r=0;th=0;da=0",
+        profile.Height is null ? "op=0;x=0;y=0;r=0;th=0;da=0" : "op=0;x=0;y=0;z=0;r=0;th=0;da=0",
         Subprograms.Text($"f={profile.VectorSpeed()};go=0;done=1;seq=0"),
         CommandErrorProgram.ClearStatement,
         WatchdogProgram.StartStatement,
@@ -28,15 +28,18 @@ public static class CallsServerProgram
         .. Dispatch(Operations.Line, Subprograms.Linear),
         .. Dispatch(Operations.Arc, Subprograms.Circ),
         .. Dispatch(Operations.Rapid, Subprograms.Rapid),
-        .. Dispatch(Operations.Tool, "#TOOL"),
+        .. profile.Height is null ? Dispatch(Operations.Tool, "#TOOL") : Dispatch(Operations.Slope, Subprograms.Slope),
         "done=1;seq=seq+1",
         "JP#SLOOP",
         "EN",
         .. Subprograms.LinearLines(profile, string.Empty),
         .. Subprograms.CircLines(profile, string.Empty),
         .. Subprograms.RapidLines(profile, string.Empty),
-        .. new ProgramLines().Line("#TOOL").Line(Subprograms.Text($"OB {profile.ToolOutput},x"), Subprograms.Settle(profile)).Line("EN").Lines,
+        .. profile.Height is null ? ToolLines(profile) : Subprograms.SlopeLines(profile, string.Empty),
     ];
+
+    private static IReadOnlyList<string> ToolLines(MachineProfile profile) =>
+        new ProgramLines().Line("#TOOL").Line(Subprograms.Text($"OB {profile.ToolOutput},{(profile.ToolActiveLow ? "1-x" : "x")}"), Subprograms.Settle(profile)).Line("EN").Lines;
 
     private static IReadOnlyList<string> Dispatch(int operation, string label) => [Subprograms.Text($"JS{label},op={operation}")];
 }

@@ -4,10 +4,17 @@ namespace Engraver.Galil.Programs.Resident;
 /// <param name="time">The job's clock.</param>
 internal sealed class Heartbeat(TimeProvider time)
 {
-    private static readonly TimeSpan Between = TimeSpan.FromMilliseconds(200);
-    private static readonly TimeSpan Latest = TimeSpan.FromMilliseconds(500);
+    private static readonly TimeSpan s_between = TimeSpan.FromMilliseconds(200);
+    private static readonly TimeSpan s_latest = TimeSpan.FromMilliseconds(500);
 
     private long _last = time.GetTimestamp();
+
+    /// <summary>For a watchdog that trips 0.25 s after the last one (<see cref="ResidentProgram.CloseHeartbeatTicks"/>).</summary>
+    public static Heartbeat Close(TimeProvider time) => new(time) { Between = TimeSpan.FromMilliseconds(50), Latest = TimeSpan.FromMilliseconds(100) };
+
+    private TimeSpan Between { get; init; } = s_between;
+
+    private TimeSpan Latest { get; init; } = s_latest;
 
     private TimeSpan Silent => time.GetElapsedTime(_last);
 

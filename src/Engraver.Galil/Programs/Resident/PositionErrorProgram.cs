@@ -14,8 +14,12 @@ internal static class PositionErrorProgram
     [
         "#POSERR",
         Subprograms.StopEverything(profile),
+        .. SpindleOff(profile),
         Subprograms.Text($"{ResidentProgram.Variables.ErrorCode}={Code}"),
         "ZS",
         "JP#HALT",
     ];
+
+    /// <summary>The tool is not raised, because nobody knows where the axes are: then it must not turn either.</summary>
+    private static IReadOnlyList<string> SpindleOff(MachineProfile profile) => profile is { Height: not null, Spindle: not null } ? [Subprograms.SpindleOff(profile)] : [];
 }

@@ -18,6 +18,9 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
     /// <summary>Value to assign to the heartbeat: ticks of 50 ms (1.0 s in all) until the next assignment is overdue.</summary>
     public const int HeartbeatTicks = 20;
 
+    /// <summary>The same for a jog, which must not outlive its key: 0.25 s in all, and never less than four of its ticks.</summary>
+    public const int CloseHeartbeatTicks = 5;
+
     /// <summary>For a host that streams segments; the controller runs only the watchdog.</summary>
     public static ResidentProgram ForStream(MachineProfile profile) =>
         Compose(IdleProgram.Entry, IdleProgram.Lines, Guards(profile));
@@ -25,6 +28,10 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
     /// <summary>For a host that assigns variables; the server calls #LINEAR, #CIRC and the rest.</summary>
     public static ResidentProgram ForCalls(MachineProfile profile) =>
         Compose(CallsServerProgram.Entry, CallsServerProgram.Lines(profile), Guards(profile));
+
+    /// <summary>For homing, which the controller does by itself once the host says go.</summary>
+    public static ResidentProgram ForHoming(MachineProfile profile) =>
+        Compose(HomingProgram.Entry, HomingProgram.Lines(profile), Guards(profile));
 
     /// <summary>Programs that stop the machine when the host is lost, an axis cannot follow or a line is refused.</summary>
     internal static IReadOnlyList<string> Guards(MachineProfile profile) => [.. WatchdogProgram.Lines(profile), .. PositionErrorProgram.Lines(profile), .. CommandErrorProgram.Lines(profile)];
@@ -56,6 +63,32 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
         /// <summary>Line of the program that was refused.</summary>
         public const string ErrorLine = "errline";
 
+        /// <summary>1 while the host holds the job: a program that runs it waits behind its next rapid.</summary>
+        public const string Hold = "wh";
+
+        /// <summary>1 while the program waits there.</summary>
+        public const string AtGate = "wg";
+
+        /// <summary>The number of the job under way, 0 for a move by hand; it stands in the job's journal.</summary>
+        public const string JobMark = "jm";
+
+        /// <summary>The job that the watchdog stopped last; assigned last of the trip's variables.</summary>
+        public const string TripMark = "wj";
+
+        /// <summary>_CSS as the watchdog tripped.</summary>
+        public const string TripCounter = "wc";
+
+        /// <summary>Where the first axis was then, controller's counts.</summary>
+        public const string TripX = "wx";
+
+        public const string TripY = "wy";
+
+        /// <summary>The height then, where an axis holds the tool.</summary>
+        public const string TripZ = "wz";
+
+        /// <summary>_AVS then: counts along the sequence.</summary>
+        public const string TripDistance = "wd";
+
         /// <summary>The requested operation: one of <see cref="Operations"/>.</summary>
         public const string Operation = "op";
 
@@ -72,6 +105,9 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
         public const string X = "x";
 
         public const string Y = "y";
+
+        /// <summary>Of a line that rises or falls: counts from the machine's height.</summary>
+        public const string Z = "z";
 
         public const string Radius = "r";
 
@@ -90,6 +126,7 @@ public sealed record ResidentProgram(string Text, string EntryLabel, IReadOnlyLi
         public const int Arc = 2;
         public const int Rapid = 3;
         public const int Tool = 4;
+        public const int Slope = 5;
     }
 }
 

@@ -6,8 +6,8 @@ namespace Engraver.Galil.Programs.Resident;
 /// <summary>#WDOG in thread 1 (galil-dmc.md EX12): stops the machine when the host has not assigned the heartbeat for 1.0 s (host lost), and when the tool has been on for too long while nothing
 /// moves (tool forgotten), with or without a host.</summary>
 /// <remarks>
-/// The trip is one line, which no other thread can interrupt: tool off first; then thread 0 is halted, because a server that waits for the end of a motion would go on
-/// with its next statement as soon as the stop is done; then the plane and both axes are stopped. STS drops the rest of the sequence in the buffer (B.8);
+/// The trip is one line, which no other thread can interrupt: tool off first; then the place is kept in variables, from which a later session resumes the job (ADR 10); then thread 0 is halted, because a server that waits for the end of a motion would go on
+/// with its next statement as soon as the stop is done; then the plane and every axis are stopped. STS drops the rest of the sequence in the buffer (B.8);
 /// the host clears it with CSS when it is back. The host assigns the heartbeat and the longest standstill before it starts the watchdog: undefined, either is a refused line, and nothing moves.
 /// Standstill means that no axis moves and the buffer (<c>_LMS</c>) does not change: a host that sends a sequence over a slow line while the tool is on is at work.
 /// </remarks>
@@ -25,28 +25,61 @@ public static class WatchdogProgram
     {
         const string Heartbeat = ResidentProgram.Variables.Heartbeat;
         const string Still = ResidentProgram.Variables.Still;
-        var (x, y) = (profile.Axes.X.Letter, profile.Axes.Y.Letter);
+        var axes = profile.Axes.Letters.Select((letter, i) => (Operand: $"_RP{letter}", Kept: $"w{"abc"[i]}")).ToList();
         return new ProgramLines()
             .Line("#WDOG")
             .Line($"{ResidentProgram.Variables.WatchdogTripped}=0")
             .Line("#WLIVE")
-            .Line($"{Still}=0", $"wa=_RP{x}", $"wb=_RP{y}", "wl=_LMS")
+            .Line([$"{Still}=0", .. axes.Select(axis => $"{axis.Kept}={axis.Operand}"), "wl=_LMS"])
             .Line("#WLOOP")
             .Line("WT 50")
             .Line($"{Heartbeat}={Heartbeat}-1", $"{Still}={Still}+1")
             .Line($"JP#WLOST,{Heartbeat}<=0")
-            .Line(Subprograms.Text($"JP#WLIVE,(_RP{x}<>wa)|(_RP{y}<>wb)|(_LMS<>wl)|(@OUT[{profile.ToolOutput}]=0)"))
+            .Line(Subprograms.Text($"JP#WLIVE,{string.Concat(axes.Select(axis => $"({axis.Operand}<>{axis.Kept})|"))}(_LMS<>wl)|({ToolIsAway(profile)})"))
             .Line($"JP#WLOOP,{Still}<{ResidentProgram.Variables.StillLimit}")
             .Line(Trip(profile, ToolForgotten))
+            .Line(profile.Height is null ? Subprograms.SpindleOff(profile) : string.Empty)
             .Line("MG \"STANDSTILL\"")
-            .Line("EN")
+            .Line(profile.Height is null ? "EN" : "JP#WUP")
             .Line("#WLOST")
             .Line(Trip(profile, HostLost))
+            .Line(profile.Height is null ? Subprograms.SpindleOff(profile) : string.Empty)
             .Line("MG \"HOST LOST\"")
-            .Line("EN")
-            .Lines;
+            .Line(profile.Height is null ? "EN" : "JP#WUP")
+            .Lines.Concat(RaiseLines(profile)).ToList();
     }
 
-    private static string Trip(MachineProfile profile, int why) =>
-        Subprograms.Text($"{Subprograms.ToolOff(profile)};{ResidentProgram.Variables.WatchdogTripped}={why};HX{ResidentProgram.MainThread};STS;ST{profile.Axes.Letters}");
+    /// <summary>Where an axis holds the tool: when the machine has braked the tool is raised straight up, out of the cut it came by, and then the spindle stands (ADR 11). A sequence that ran dry is still open then, and only AB1 ends it (galil-dmc.md B.7).</summary>
+    private static IReadOnlyList<string> RaiseLines(MachineProfile profile) => profile.Axes.Z is not { } z || profile.Height is null ? [] : new ProgramLines()
+        .Line("#WUP")
+        .Line(Subprograms.Text($"WT {DmcProfile.EvenMilliseconds(LongestBrake(profile) + 0.1)}"))
+        .Line("JP#WUQ,_BGS=0")
+        .Line("AB1")
+        .Line("#WUQ")
+        .Line("JP#WUR," + Subprograms.IsUp(profile, Subprograms.ClearanceHeight))
+        .Line(Subprograms.HeightLine(profile, profile.RapidSpeed(z), Subprograms.ClearanceHeight))
+        .Line("#WUR")
+        .Line(Subprograms.SpindleOff(profile))
+        .Line("EN")
+        .Lines;
+
+    /// <summary>Seconds from the fastest motion of a job to rest.</summary>
+    private static double LongestBrake(MachineProfile profile) =>
+        Math.Max(profile.FeedMmPerMinute, profile.RapidMmPerMinute) / 60.0 * Math.Sqrt(profile.Axes.All.Sum(axis => axis.CountsPerMillimetre * axis.CountsPerMillimetre)) / profile.AccelerationCounts;
+
+    /// <summary>The tool may stay where it is for as long as it likes.</summary>
+    private static string ToolIsAway(MachineProfile profile) => profile.Height is null ? Subprograms.Text($"@OUT[{profile.ToolOutput}]={(profile.ToolActiveLow ? 1 : 0)}") : Subprograms.IsUp(profile, Subprograms.ClearanceHeight);
+
+    private static string Trip(MachineProfile profile, int why) => Subprograms.Statements(
+        Subprograms.ToolOff(profile),
+        Place(profile),
+        Subprograms.Text($"{ResidentProgram.Variables.WatchdogTripped}={why}"),
+        Subprograms.Text($"HX{ResidentProgram.MainThread}"),
+        "STS",
+        "ST" + profile.Axes.Letters,
+        $"{ResidentProgram.Variables.TripMark}={ResidentProgram.Variables.JobMark}");
+
+    /// <summary>Where the tool went off, or began to brake in the work, for whoever resumes the job.</summary>
+    private static string Place(MachineProfile profile) =>
+        $"{ResidentProgram.Variables.TripCounter}=_CSS;{ResidentProgram.Variables.TripX}=_RP{profile.Axes.X.Letter};{ResidentProgram.Variables.TripY}=_RP{profile.Axes.Y.Letter};{(profile.Axes.Z is { } z && profile.Height is not null ? $"{ResidentProgram.Variables.TripZ}=_RP{z.Letter};" : "")}{ResidentProgram.Variables.TripDistance}=_AVS";
 }

@@ -28,12 +28,13 @@ public abstract class DmcTimes : CommandTimes
 
     public override double Sample => SampleSeconds;
 
-    public override (double X, double Y) RapidSpeeds(MachineProfile profile)
-    {
-        ArgumentNullException.ThrowIfNull(profile);
-        return (profile.RapidSpeed(profile.Axes.X), profile.RapidSpeed(profile.Axes.Y));
-    }
+    public override double RapidSpeed(MachineProfile profile, MachineAxis axis) => profile.RapidSpeed(axis);
+
+    public override double PlungeSpeed(MachineProfile profile) => profile.PlungeSpeed();
+
+    /// <summary>Moves of the tool's axis in one change: fast and at the plunge feed, or up.</summary>
+    private protected static int MovesOfTool(bool on) => on ? 2 : 1;
 
     /// <summary>The settle as the job waits for it, in whole samples.</summary>
-    private protected static double Settle(MotionProgram program) => Math.Ceiling(program.Profile.ToolSettleSeconds * SettleSamplesPerSecond) * SampleSeconds;
+    private protected static double Settle(MotionProgram program, bool on) => Math.Ceiling((on ? program.Profile.ToolSettleSeconds : program.Profile.OffSettleSeconds) * SettleSamplesPerSecond) * SampleSeconds;
 }

@@ -19,6 +19,9 @@ internal sealed class EthernetTimes : DmcTimes
     /// <summary>Commands of a tool change: SB or CB, and the poll from which the settle time counts.</summary>
     private const int ToolCommands = 2;
 
+    /// <summary>Commands of a move of the tool's axis: SP, PA, the speed read back, BG, and half of a poll in two lines.</summary>
+    private const int HeightCommands = 5;
+
     /// <summary>Commands of a sequence: a poll, CSS, VM, VS, VA, VD, VR, the query for free places, VE and BGS.</summary>
     private const int SequenceCommands = 10;
 
@@ -41,7 +44,9 @@ internal sealed class EthernetTimes : DmcTimes
         ? (CallCommands * SecondsPerCommand) + SecondsPerCall
         : (SequenceCommands + SegmentsBeforeStart(sequence)) * SecondsPerCommand);
 
-    public override double Tool(CountsPoint at, MotionProgram program) => (ToolCommands * SecondsPerCommand) + Settle(program) + NoticeSeconds;
+    public override double Tool(CountsPoint at, bool on, double moving, MotionProgram program) => program.Profile.Height is null
+        ? (ToolCommands * SecondsPerCommand) + Settle(program, on) + NoticeSeconds
+        : MovesOfTool(on) * ((HeightCommands * SecondsPerCommand) + NoticeSeconds);
 
     private static int SegmentsBeforeStart(VectorSequence sequence)
     {

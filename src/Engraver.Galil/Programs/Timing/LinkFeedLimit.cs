@@ -65,7 +65,10 @@ public static class LinkFeedLimit
 
     /// <summary>Seconds on the wire of each segment.</summary>
     private static double[] Costs(VectorSequence sequence, SerialLine line) =>
-        [.. sequence.Segments.Select(segment => (Overhead * (DmcFormat.Command(segment, sequence.Start).Length + FrameBytes) * line.ByteSeconds) + ExecutionSeconds)];
+        [.. DmcFormat.Commands(sequence, s_anyAxes).Select(command => (Overhead * (command.Length + FrameBytes) * line.ByteSeconds) + ExecutionSeconds)];
+
+    /// <summary>Letters do not matter, only how long a command is.</summary>
+    private static readonly MachineAxes s_anyAxes = MachineAxes.Default with { Z = new MachineAxis('C', 1.0) };
 
     /// <summary>Simulates the sending, each segment as soon as the one before it is sent and a place is free, and tests that each arrives <paramref name="margin"/> before the path needs it.</summary>
     /// <remarks>Assumes full speed from the first moment; the real ramp leaves more time.</remarks>

@@ -5,7 +5,7 @@ namespace Engraver.Workbench.Commands.Editing;
 /// <summary>The questions that ROTATE and SCALE have in common: an amount, or <c>[Copy/Reference]</c> as in AutoCAD.</summary>
 internal static class AmountPrompts
 {
-    /// <returns>The amount; with a reference, the new value and what it is new to. Copy: the source stays.</returns>
+    /// <returns>The amount; with a reference, the new value and the value it replaces. Copy is true when the source stays.</returns>
     public static async Task<(double Value, double? Reference, bool Copy)> AskAsync(CommandContext context, AmountPrompt amount, AmountPrompt reference, AmountPrompt changed)
     {
         var asked = amount with { Options = Keyword.List("Copy", "Reference") };
@@ -26,7 +26,7 @@ internal static class AmountPrompts
         }
     }
 
-    /// <summary>Of a place that begins a way the end is asked for.</summary>
+    /// <summary>The amount as a number; of a vector whose first point was given, the second point is asked for.</summary>
     private static async Task<double> NumberAsync(CommandContext context, AmountPrompt prompt)
     {
         while (true)

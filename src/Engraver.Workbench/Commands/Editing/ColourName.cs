@@ -3,7 +3,7 @@ using Engraver.Core.Drawings;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>How colours are typed and told: the names that AutoCAD has for the first seven, numbers for the rest, red,green,blue for true colours.</summary>
+/// <summary>How colours are typed and shown: the names that AutoCAD has for the first seven, numbers for the rest, red,green,blue for true colours.</summary>
 public static class ColourName
 {
     private static readonly string[] s_names = ["red", "yellow", "green", "cyan", "blue", "magenta", "white"];
@@ -11,7 +11,7 @@ public static class ColourName
     /// <summary>Names of the colours 1 to 7.</summary>
     public static IReadOnlyList<string> Known => s_names;
 
-    /// <summary>Null for what is no colour that a layer may have.</summary>
+    /// <summary>Null when the text is no colour that a layer may have.</summary>
     public static DrawingColour? Parse(string typed)
     {
         ArgumentNullException.ThrowIfNull(typed);
@@ -28,7 +28,7 @@ public static class ColourName
         };
     }
 
-    /// <summary>As it can be typed.</summary>
+    /// <summary>The colour as it can be typed.</summary>
     public static string Format(DrawingColour colour)
     {
         if (colour.Rgb is { } rgb) return FormattableString.Invariant($"{(rgb >> 16) & 0xFF},{(rgb >> 8) & 0xFF},{rgb & 0xFF}");

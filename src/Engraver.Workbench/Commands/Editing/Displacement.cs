@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>The way that MOVE and COPY ask for: from a base point to a second one, or as a displacement. Drawing units.</summary>
+/// <summary>The vector that MOVE and COPY ask for: from a base point to a second one, or typed as a displacement. Drawing units.</summary>
 internal static class Displacement
 {
     public static async Task<Vector2D> AskAsync(CommandContext context)

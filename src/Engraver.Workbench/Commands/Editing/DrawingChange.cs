@@ -19,8 +19,8 @@ internal static class DrawingChange
         Take(context, edited with { Texts = copy ? EditedTexts.Copied(drawing, along, [map]) : EditedTexts.Moved(drawing, along, map) }, selected);
     }
 
-    /// <summary>Erases objects; those that are hidden keep their places in mind.</summary>
-    /// <param name="asDoubles">Others lie on them: one of those takes the place of the entering entity.</param>
+    /// <summary>Erases objects. Hidden objects stay hidden, though their indices change.</summary>
+    /// <param name="asDoubles">True when other objects lie on the erased ones: when the entering entity is erased, one of the others becomes it.</param>
     public static void Erase(CommandContext context, IReadOnlyList<int> erased, bool asDoubles = false)
     {
         var gone = erased.Distinct().Order().ToList();
@@ -37,7 +37,7 @@ internal static class DrawingChange
     /// <param name="previous">What the command worked on, by its index in the edited drawing.</param>
     public static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous) => Take(context, edited, previous, context.Document.Current.HiddenObjects, []);
 
-    /// <summary>The texts that go along with these curves; says how many do not.</summary>
+    /// <summary>The texts that move with these curves; tells the operator how many do not.</summary>
     public static IReadOnlyList<PlacedText> TextsAlong(CommandContext context, IReadOnlyList<int> selected)
     {
         var along = EditedTexts.Along(context.Drawing, selected);
@@ -50,20 +50,20 @@ internal static class DrawingChange
 
     private static int BelowIn(List<int> sorted, int index) => ~sorted.BinarySearch(index) is >= 0 and var below ? below : throw new ArgumentOutOfRangeException(nameof(index));
 
-    /// <param name="standIns">What may have taken the place of objects that are gone.</param>
-    private static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden, IEnumerable<int> standIns)
+    /// <param name="substitutes">Indices of objects that may have taken the place of those that are gone.</param>
+    private static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden, IEnumerable<int> substitutes)
     {
         var state = context.Document.Current;
-        var settings = state.Settings with { Enter = EnteringAfter(context, edited, standIns) };
+        var settings = state.Settings with { Enter = EnteringAfter(context, edited, substitutes) };
         context.Take(state with { Drawing = edited, Settings = settings, Selection = [], Previous = previous, HiddenObjects = hidden });
     }
 
-    /// <summary>Follows the entering entity into what it has become, and says so.</summary>
-    private static EnteringPlace? EnteringAfter(CommandContext context, Drawing edited, IEnumerable<int> standIns)
+    /// <summary>Where cutting begins after an edit: at the object that took the place of the entering entity, of which the operator is told.</summary>
+    private static EnteringPlace? EnteringAfter(CommandContext context, Drawing edited, IEnumerable<int> substitutes)
     {
         var place = context.Document.Current.Settings.Enter;
         if (place is not EnteringPlace.ByHandle { Handle: var handle } || edited.IndexOfHandle(handle) is not null) return place;
-        if (EnteringSubstitute.HandleOf(context.Drawing, handle, edited, standIns) is { } other)
+        if (EnteringSubstitute.HandleOf(context.Drawing, handle, edited, substitutes) is { } other)
         {
             context.Say(Wording.Get("DrawingChange.EnteringEntityNowCutting", handle, other));
             return new EnteringPlace.ByHandle(other);

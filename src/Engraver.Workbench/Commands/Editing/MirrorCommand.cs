@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Editing;
 
-/// <summary>MIRROR: Mirrors objects at a line; arcs stay arcs and turn their sense round.</summary>
+/// <summary>MIRROR: Mirrors objects about a line; arcs stay arcs and change their direction.</summary>
 internal sealed class MirrorCommand : ICommand
 {
     public CommandInfo Info { get; } = new("MIRROR", CommandGroup.Drawing);

@@ -6,7 +6,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>What OPEN and RECENT do with a file: one document step, the view as it was left or all of it, the file remembered.</summary>
+/// <summary>Opens a file for OPEN and RECENT: takes one document step, restores the view that the file was left with (else shows all), and adds the file to the recent ones.</summary>
 internal static class DrawingOpening
 {
     /// <param name="name">As the operator wrote it.</param>
@@ -25,7 +25,7 @@ internal static class DrawingOpening
         context.Say(Wording.Get("DrawingOpening.OnUnit", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
     }
 
-    /// <summary>Keeps the view of the drawing that is left, and says so when its edits are in no file.</summary>
+    /// <summary>Keeps the view of the drawing that is closed, and tells the operator when its edits are in no file.</summary>
     public static void Leave(CommandContext context)
     {
         if (context.Document.Current.Drawing is not { } drawing) return;

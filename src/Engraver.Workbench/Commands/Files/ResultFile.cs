@@ -3,7 +3,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Commands.Files;
 
-/// <summary>A result goes to a file, or to the command window when Enter alone is typed.</summary>
+/// <summary>Writes a result to a file, or to the command window when Enter alone is typed.</summary>
 internal static class ResultFile
 {
     /// <returns>The file's name as it was typed; null for the command window.</returns>
@@ -22,7 +22,7 @@ internal static class ResultFile
     }
 }
 
-/// <summary>Asks for a file to write, and before one that is there already is replaced.</summary>
+/// <summary>Asks for a file to write, and again before an existing file is replaced.</summary>
 internal static class ReplacePrompt
 {
     /// <exception cref="CommandException">The operator does not want it replaced.</exception>

@@ -5,10 +5,10 @@ namespace Engraver.Workbench.Commands.Inquiry;
 /// <summary>The area inside segments that follow each other; an open run is closed by a straight line, as AutoCAD does it.</summary>
 internal static class ClosedArea
 {
-    /// <summary>Lines a free curve is measured by.</summary>
+    /// <summary>Number of chords by which an ellipse or a spline is measured.</summary>
     private const int StepsOfCurve = 4096;
 
-    /// <returns>Never negative; what crosses itself counts with its windings.</returns>
+    /// <returns>Never negative; where the outline crosses itself, each part counts as often as it is wound around.</returns>
     public static double Measure(IReadOnlyList<Segment> segments)
     {
         if (segments.Count == 0) return 0.0;

@@ -24,23 +24,18 @@ internal sealed class CncArmCommand : ICommand
         }
 
         var job = await JobAsync(context, mode.Mode, cancellation).ConfigureAwait(false);
+        JobStart.SayPart(context, job, mode.Mode);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false);
-        var placement = job.Motion.Program is { } program ? await context.Machine.PlaceAsync(program, cancellation).ConfigureAwait(false) : null;
-        var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement);
-        foreach (var check in checklist.Checks) Say(context, check);
+        var placement = job.Motion.Program is { } program ? await context.Machine.AskAsync(program, cancellation).ConfigureAwait(false) : null;
+        var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow());
+        foreach (var check in checklist.Checks) CheckText.Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
         var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);
         context.Say(Wording.Get("CncArm.ArmedUntilStartOr", TimeZoneInfo.ConvertTime(armed.Until, context.Time.LocalTimeZone), mode.Mode, mode.DryRun ? Wording.Get("CncArm.ToolOff") : ""));
     }
 
-    private static void Say(CommandContext context, ArmingCheck check)
-    {
-        if (check.IsWarning) context.Say(Wording.Get("CncArm.Look", check.Sentence), MessageKind.Warning);
-        else context.Say(Wording.Get(check.Passed ? "CncArm.Ok" : "CncArm.NotOk", check.Sentence), check.Passed ? MessageKind.Result : MessageKind.Error);
-    }
-
-    /// <returns>Null: take START back.</returns>
+    /// <returns>Null: the operator chose to disarm.</returns>
     private static async Task<(JobMode Mode, bool DryRun)?> ModeAsync(CommandContext context)
     {
         var dryRun = false;
@@ -59,11 +54,18 @@ internal sealed class CncArmCommand : ICommand
         }
     }
 
-    /// <summary>What was derived already when that is of the same mode; otherwise prepared off the caller's thread.</summary>
+    /// <summary>The job that was derived already when it is of the same mode; otherwise one that is prepared on another thread.</summary>
     private static async Task<PreparedJob> JobAsync(CommandContext context, JobMode mode, CancellationToken cancellation)
     {
         if (context.Derivation is { IsCurrent: true, Current.Job: { } derived } && context.Derivation.Mode == mode && ReferenceEquals(derived.Drawing, context.Drawing)) return derived;
         var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
         return await Task.Run(() => JobPreparation.PrepareUnlessCancelled(drawing, settings, JobPlan.StyleOf(mode), cancellation), cancellation).ConfigureAwait(false);
     }
+}
+
+/// <summary>The list before a start, line by line.</summary>
+internal static class CheckText
+{
+    public static void Say(CommandContext context, ArmingCheck check) =>
+        context.Say(check.Line, check switch { { IsWarning: true } => MessageKind.Warning, { Passed: true } => MessageKind.Result, _ => MessageKind.Error });
 }

@@ -25,7 +25,7 @@ internal sealed class CncConnectCommand : ICommand
     }
 }
 
-/// <summary>CNCDISCONNECT: Lets the controller go.</summary>
+/// <summary>CNCDISCONNECT: Closes the connection to the controller.</summary>
 internal sealed class CncDisconnectCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCDISCONNECT", CommandGroup.Machine);

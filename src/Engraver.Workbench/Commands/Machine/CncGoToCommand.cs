@@ -1,53 +1,63 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCGOTO: Moves the machine at rapid speed with the tool off: to a machine position, a place of the drawing, the drawing's start point or the park position.</summary>
+/// <summary>CNCGOTO: Moves the machine at rapid speed with the tool off: to a machine position, a place of the drawing, the drawing's start point or the park position. A tool that an axis holds is raised to its clearance height over the work first; Clearance does that alone.</summary>
 internal sealed class CncGoToCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Work", "Start", "Park");
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("Work", "Start", "Park", "Clearance");
 
     public CommandInfo Info { get; } = new("CNCGOTO", CommandGroup.Machine) { StartsMotion = true };
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
-        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptDoesNotMove"));
-        if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NothingArmedScriptCncarm", machine));
+        HandMotion.Check(context);
         var answer = await context.AskAsync(new MachinePlacePrompt(Wording.Get("CncGoTo.SpecifyMachinePositionMm")) { Options = s_options }).ConfigureAwait(false);
+        if (answer is Answer<MachinePlace>.Chosen { Option: "Clearance" })
+        {
+            await ClearAsync(context, cancellation).ConfigureAwait(false);
+            return;
+        }
+
         var goal = answer switch
         {
-            Answer<MachinePlace>.Value { Of: var place } => Counts(context, new Point2D(place.X, place.Y)),
-            Answer<MachinePlace>.Chosen { Option: "Work" } => Counts(context, Machine(context, await context.ValueAsync(new PointPrompt(Wording.Get("CncGoTo.SpecifyPlaceDrawing"))).ConfigureAwait(false))),
-            Answer<MachinePlace>.Chosen { Option: "Park" } => Counts(context, context.Machine.Profile.Park ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoParkPosition"))),
-            _ => Counts(context, Machine(context, context.Document.Current.Settings.Start)),
+            Answer<MachinePlace>.Value { Of: var place } => new Point2D(place.X, place.Y),
+            Answer<MachinePlace>.Chosen { Option: "Work" } => await MachineAsync(context, await context.ValueAsync(new PointPrompt(Wording.Get("CncGoTo.SpecifyPlaceDrawing"))).ConfigureAwait(false), cancellation).ConfigureAwait(false),
+            Answer<MachinePlace>.Chosen { Option: "Park" } => context.Machine.Profile.Park ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoParkPosition")),
+            _ => await MachineAsync(context, context.Document.Current.Settings.Start, cancellation).ConfigureAwait(false),
         };
-        if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOffCncmotorsOn"));
-        var result = await context.Machine.GoToAsync(goal, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false);
-        foreach (var left in result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
-        if (result.Outcome != JobOutcome.Complete) throw JobStart.Failure(result);
-        var at = result.FinalPosition!.Value;
-        var scale = context.Machine.Profile.Scale;
-        context.Say(Wording.Get("CncGoTo.MachineStandsMm", PointPrompt.Show(new Point2D(at.X / scale.X, at.Y / scale.Y))), MessageKind.Result);
+        await HandMotion.GoAsync(context, goal, cancellation).ConfigureAwait(false);
     }
 
-    private static CountsPoint Counts(CommandContext context, Point2D machine)
+    /// <summary>Brings a tool that an axis holds to its clearance height over the work; the machine stays where it is in plan.</summary>
+    /// <exception cref="CommandException">No axis holds the tool, or nobody knows where the work is.</exception>
+    private static async Task ClearAsync(CommandContext context, CancellationToken cancellation)
     {
-        var scale = context.Machine.Profile.Scale;
-        return scale.Holds(Bounds2D.FromCorners(machine, machine), default) ? scale.ToCounts(machine) : throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
+        var profile = context.Machine.Profile;
+        if (profile.Height is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoClearance"));
+        var zero = await ZeroAsync(context, cancellation).ConfigureAwait(false);
+        await HandMotion.ToHeightAsync(context, zero.Z + profile.ClearanceCounts, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>A place of the drawing as machine millimetres, through the active work origin.</summary>
-    /// <exception cref="CommandException">The origin is not set.</exception>
-    private static Point2D Machine(CommandContext context, Point2D drawing)
+    /// <exception cref="CommandException">Nobody knows where the work is.</exception>
+    private static async Task<Point2D> MachineAsync(CommandContext context, Point2D drawing, CancellationToken cancellation)
+    {
+        var scale = context.Machine.Profile.Scale;
+        var zero = await ZeroAsync(context, cancellation).ConfigureAwait(false);
+        return new Point2D((zero.X / scale.X) + drawing.X, (zero.Y / scale.Y) + drawing.Y);
+    }
+
+    /// <summary>The drawing's zero by the active work origin, counts; the controller is asked whether it still counts from where the origin was set.</summary>
+    /// <exception cref="CommandException">The origin is not set, or its zero is lost.</exception>
+    private static async Task<CountsPoint> ZeroAsync(CommandContext context, CancellationToken cancellation)
     {
         var memory = context.Machine.Hold!.Memory;
-        var scale = context.Machine.Profile.Scale;
-        return memory.ActiveOrigin?.Plane is { } zero
-            ? new Point2D((zero.X / scale.X) + drawing.X, (zero.Y / scale.Y) + drawing.Y)
-            : throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.OriginNotSet", memory.Active));
+        if (memory.ActiveOrigin?.Plane is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.OriginNotSet", memory.Active));
+        var found = await context.Machine.PlaceAsync(new MotionProgram(context.Machine.Profile, default, []), cancellation).ConfigureAwait(false);
+        return found?.Frame ?? throw new CommandException(CommandFailure.Refused, found?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message : Wording.Get("CncGoTo.OriginNotSet", memory.Active));
     }
 }

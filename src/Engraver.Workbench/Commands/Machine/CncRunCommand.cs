@@ -24,10 +24,11 @@ internal sealed class CncRunCommand : ICommand
         }
 
         if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.NothingArmedCncarmFirst", machine));
-        var (mode, dryRun) = (JobMode.Stream, false);
+        var (mode, dryRun) = (context.Machine.Part?.Mode ?? JobMode.Stream, false);
         while (true)
         {
             var job = await JobStart.PrepareAsync(context, mode).ConfigureAwait(false);
+            JobStart.SayPart(context, job, mode);
             var answer = await context.ChoiceAsync(Wording.Get("CncRun.StartOnMode", dryRun ? Wording.Get("CncRun.WithToolOff") : Wording.Get("CncRun.Cutting"), machine, mode), s_answers, "No").ConfigureAwait(false);
             if (answer == "No") return;
             if (answer == "Dryrun") dryRun = true;
@@ -57,7 +58,7 @@ internal sealed class CncSimCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
-        var report = await context.Machine.SimulateAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, JobMode.Stream, dryRun: false), cancellation).ConfigureAwait(false);
+        var report = await context.Machine.SimulateAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }, cancellation).ConfigureAwait(false);
         JobStart.Conclude(context, job, report);
     }
 }

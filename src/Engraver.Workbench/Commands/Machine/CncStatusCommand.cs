@@ -1,32 +1,39 @@
+using Engraver.Core.Machines;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCSTATUS: Says what is connected and what the machine is doing.</summary>
+/// <summary>CNCSTATUS: Says what is connected and what the machine is doing, and goes through the list before a start; the controller is asked now.</summary>
 internal sealed class CncStatusCommand : ICommand
 {
     public CommandInfo Info { get; } = new("CNCSTATUS", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };
 
-    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var machine = context.Machine;
+        var job = context.Derivation is { IsCurrent: true, Current.Job: { } derived } ? derived : null;
+        var placement = machine is { Description: not null, IsRunning: false } ? await machine.AskAsync(job?.Motion.Program ?? new MotionProgram(machine.Profile, default, []), cancellation).ConfigureAwait(false) : null;
         context.SayResult(output =>
         {
             output.WriteLine(machine.Description is { } description ? Wording.Get("CncStatus.At", machine.IsSimulation ? Wording.Get("CncStatus.Simulation") : Wording.Get("CncStatus.Connected"), machine.Identity?.Model, description) : Wording.Get("CncStatus.Offline"));
             if (machine.Description is not null) output.WriteLine(StateText(machine.Status));
-            if (machine.IsRunning) output.WriteLine(Wording.Get("CncStatus.Running"));
-            if (machine.Progress is { } at) output.WriteLine(Wording.Get("CncStatus.StrokeSegmentsTool", at.Stroke + 1, at.SegmentsExecuted, at.SegmentCount, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Seconds));
-            if (!machine.IsRunning && machine.LastRun is { } last) output.WriteLine(Wording.Get("CncStatus.LastJob", OutcomeText.Word(last.Result.Outcome)));
+            if (machine.Status is { FeedRatio: var asked, FeedInForce: var feed } && feed < asked) output.WriteLine(Wording.Get("CncStatus.FeedIsLimited", asked * 100.0, feed * 100.0));
+            if (machine.Status.Progress is { } at) output.WriteLine(Wording.Get("CncStatus.StrokeSegmentsTool", at.Stroke + 1, at.SegmentsDone, at.SegmentCount, at.ToolOn ? Wording.Get("Common.On") : Wording.Get("Common.Off"), at.Seconds));
+            if (!machine.IsRunning && machine.LastRun is { } last) output.WriteLine(Wording.Get("CncStatus.LastJob", OutcomeText.Said(last.Result.Outcome)));
         });
-        return Task.CompletedTask;
+        if (machine.Description is null || machine.IsRunning) return;
+        var now = context.Time.GetUtcNow();
+        var checklist = job is null ? ArmingChecklist.OfMachineAlone(machine.Status, now) : ArmingChecklist.Create(job, machine.Status, errorsAccepted: false, placement, now);
+        foreach (var check in checklist.Checks) CheckText.Say(context, check);
     }
 
     private static string StateText(MachineStatus status)
     {
         var place = status.MachinePosition is { } at ? Wording.Get("CncStatus.MachineMm", PointPrompt.Show(at)) : "";
         var work = status.WorkPosition is { } here ? Wording.Get("CncStatus.WorkMm", PointPrompt.Show(here)) : "";
-        return Wording.Get("CncStatus.State", status.State, status.Reason.Length > 0 ? $" ({status.Reason})" : "", place, work, status.LastRefusal is { } refused ? Wording.Get("CncStatus.LastRefusal", refused) : "");
+        return Wording.Get("CncStatus.State", status.State.Said(), status.Reason.Length > 0 ? $" ({status.Reason})" : "", place, work, status.LastRefusal is { } refused ? Wording.Get("CncStatus.LastRefusal", refused) : "");
     }
 }

@@ -2,13 +2,14 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 
 /// <summary>CNCZERO: The place where the machine stands becomes a place of the drawing, in the active work origin: its zero, or what is typed.</summary>
 internal sealed class CncZeroCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y", "Point");
+    private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y", "Z", "Point", "Edges", "Centre");
 
     public CommandInfo Info { get; } = new("CNCZERO", CommandGroup.Machine);
 
@@ -17,16 +18,32 @@ internal sealed class CncZeroCommand : ICommand
         if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
         var axes = await context.ChoiceAsync(Wording.Get("CncZero.WhichAxes", before.Active), s_axes, "All").ConfigureAwait(false);
+        if (axes is "Edges" or "Centre")
+        {
+            await (axes == "Edges" ? TouchedZero.ByEdgeAsync(context, cancellation) : TouchedZero.ByCentreAsync(context, cancellation)).ConfigureAwait(false);
+            return;
+        }
+
+        if (axes == "Z" && context.Machine.Profile.Axes.Z is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncZero.NoZAxis"));
         var place = axes == "Point" ? await context.ValueAsync(new PointPrompt(Wording.Get("CncZero.SpecifyPlace"))).ConfigureAwait(false) : default;
         if (IsSet(before, axes) && !await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", before.Active)).ConfigureAwait(false)) return;
+        if (!context.Machine.Profile.Scale.Holds(Bounds2D.FromCorners(place, place), default)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
         var at = context.Machine.Profile.Scale.ToCounts(place);
+        var part = context.Machine.Part;
         var memory = await context.Machine.SetOriginAsync(
-            (memory, here) => memory.WithOrigin(memory.Active, axes == "Y" ? null : here.Position.X - at.X, axes == "X" ? null : here.Position.Y - at.Y, null), cancellation).ConfigureAwait(false);
+            (memory, here) => memory.WithOrigin(
+                memory.Active,
+                axes is "Y" or "Z" ? null : here.Position.X - at.X,
+                axes is "X" or "Z" ? null : here.Position.Y - at.Y,
+                axes is "Z" or "All" && context.Machine.Profile.Axes.Z is not null ? here.Position.Z : null),
+            cancellation).ConfigureAwait(false);
         context.Say(OriginText.Sentence(memory.Active, memory.ActiveOrigin, context.Machine.Profile), MessageKind.Result);
+        OriginText.TellPart(context, part);
     }
 
-    /// <summary>Only what somebody set is asked about before it is lost.</summary>
-    private static bool IsSet(MachineMemory memory, string axes) => memory.ActiveOrigin is { IsAssumed: false } origin && ((axes != "Y" && origin.X is not null) || (axes != "X" && origin.Y is not null));
+    /// <summary>True for an origin that an operator set on one of these axes: the command asks before it is overwritten.</summary>
+    private static bool IsSet(MachineMemory memory, string axes) => memory.ActiveOrigin is { IsAssumed: false } origin &&
+        ((axes is not ("Y" or "Z") && origin.X is not null) || (axes is not ("X" or "Z") && origin.Y is not null) || (axes is "Z" or "All" && origin.Z is not null));
 }
 
 /// <summary>CNCORIGIN: Chooses the work origin that jobs use, G54 to G59, and lists where they lie.</summary>
@@ -49,11 +66,14 @@ internal sealed class CncOriginCommand : ICommand
     private static Task ChooseAsync(CommandContext context, string name)
     {
         if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
-        return context.Machine.ChooseOrigin(name) is { } failure ? throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.NotKept", failure)) : Task.CompletedTask;
+        var part = context.Machine.Part;
+        var failure = context.Machine.ChooseOrigin(name);
+        OriginText.TellPart(context, part);
+        return failure is not null ? throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.NotKept", failure)) : Task.CompletedTask;
     }
 }
 
-/// <summary>Work origins in words.</summary>
+/// <summary>Work origins as sentences for the operator.</summary>
 internal static class OriginText
 {
     /// <param name="origin">Null for one that was never set.</param>
@@ -61,7 +81,15 @@ internal static class OriginText
     {
         if (origin is null) return Wording.Get("Origins.NotSet", name);
         var (x, y) = (Axis(origin.X, profile.Scale.X), Axis(origin.Y, profile.Scale.Y));
-        return Wording.Get(origin.IsAssumed ? "Origins.LiesAssumed" : "Origins.Lies", name, x, y);
+        var place = profile.Axes.Z is null ? Wording.Get("Origins.Place", x, y) : Wording.Get("Origins.PlaceWithZ", x, y, Axis(origin.Z, profile.Scale.Z));
+        return Wording.Get(origin.IsAssumed ? "Origins.LiesAssumed" : "Origins.Lies", name, place);
+    }
+
+    /// <summary>Says that START cuts the whole drawing again, where it was to cut a part before the origin changed.</summary>
+    /// <param name="before">The part that was chosen before.</param>
+    public static void TellPart(CommandContext context, JobPart? before)
+    {
+        if (before is not null && context.Machine.Part is null) context.Say(Wording.Get("Origins.PartDropped"), MessageKind.Warning);
     }
 
     private static string Axis(int? counts, double countsPerMillimetre) => counts is { } set ? Wording.Get("Origins.Millimetres", set / countsPerMillimetre) : Wording.Get("Origins.AxisNotSet");

@@ -1,12 +1,14 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>What comes before and after a job on whatever machine.</summary>
+/// <summary>What comes before and after a job, on a real machine or a simulated one.</summary>
 internal static class JobStart
 {
     /// <summary>The job with a motion program; the operator must agree when the drawing has errors.</summary>
@@ -22,29 +24,47 @@ internal static class JobStart
     }
 
     public static MachineRunOptions Options(CommandContext context, PreparedJob job, ControllerAddress address, JobMode mode, bool dryRun) =>
-        new(address, mode)
+        job.Settings is { Finish: FinishPlace.Park, Machine.Park: null } ? throw new CommandException(CommandFailure.Usage, Wording.Get("CncFinish.NoParkPosition")) : new(address, mode)
         {
+            Finish = job.Settings.Finish,
             JournalPath = context.NewRunJournal(job.Drawing.FileName),
             DryRun = dryRun,
+            Resume = context.Machine.Part?.Request,
             Told = finding => FindingMessages.Say(context, job.Drawing.FileName, [finding], Severity.Warning),
         };
 
-    /// <summary>Says how it went.</summary>
-    /// <exception cref="CommandException">It did not go to the end.</exception>
+    /// <summary>Tells the operator how the job ended.</summary>
+    /// <exception cref="CommandException">The job did not complete.</exception>
     public static void Conclude(CommandContext context, PreparedJob job, MachineRunReport report)
     {
+        if (report.ResumeRefusal is { } unresumed)
+        {
+            FindingMessages.Say(context, job.Drawing.FileName, [unresumed], Severity.Error);
+            throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.NotPlaced"));
+        }
+
         if (report.Placement?.Refusal is { } unplaced)
         {
             FindingMessages.Say(context, job.Drawing.FileName, [unplaced], Severity.Error);
             throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.NotPlaced"));
         }
 
-        context.Say(RunText.Sentence(job, report), MessageKind.Result);
+        context.Say(RunText.Sentence(job, report, SettingWording.AtCommandLine), MessageKind.Result);
         foreach (var left in report.Result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
         if (report.Result.Outcome != JobOutcome.Complete) throw Failure(report.Result);
     }
 
-    /// <summary>What did not go to the end.</summary>
+    /// <summary>Says what will be cut, where it is not the whole drawing.</summary>
+    /// <exception cref="CommandException">It was begun in another mode.</exception>
+    public static void SayPart(CommandContext context, PreparedJob job, JobMode mode)
+    {
+        if (context.Machine.Part is not { } part || job.Motion.Program is not { } program) return;
+        if (part.Mode is { } begun && begun != mode) throw new CommandException(CommandFailure.Refused, Wording.Get("JobStart.PartOtherMode", begun, mode));
+        var place = part.Request.Journal is null ? JobBeginning.ToStroke(program, part.Request.Stroke) : part.Shown;
+        context.Say(Wording.Get("JobStart.Part", place.Segments, program.SegmentCount), MessageKind.Warning);
+    }
+
+    /// <summary>The failure of a job that did not complete.</summary>
     public static CommandException Failure(JobResult result) =>
         new(result.Outcome switch { JobOutcome.Stopped => CommandFailure.Stopped, JobOutcome.Refused => CommandFailure.Refused, JobOutcome.Deviated => CommandFailure.Drawing, _ => CommandFailure.LinkLost }, result.Sentence);
 }

@@ -5,7 +5,7 @@ using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Sequencing;
 
-/// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first, and says what came of it.</summary>
+/// <summary>AUTOSEQUENCE: Chains and orders the drawing, nearest stroke first, and reports contours, order and travel.</summary>
 internal sealed class AutoSequenceCommand : ICommand
 {
     public CommandInfo Info { get; } = new("AUTOSEQUENCE", CommandGroup.Sequence);

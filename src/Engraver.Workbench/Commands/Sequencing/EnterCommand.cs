@@ -25,7 +25,7 @@ internal sealed class EnterCommand : ICommand
         context.Take(state with { Settings = state.Settings with { Enter = place } });
     }
 
-    /// <summary>By handle where that names this very curve; copies of a block's curve share one.</summary>
+    /// <summary>The entity by its handle where that names one curve only, else by a point on it: copies of a block's curve share their handle.</summary>
     private static EnteringPlace AtEntity(Drawing drawing, int entity) =>
         drawing.SourceOf(entity).Handle is { } handle && drawing.IndexOfHandle(handle) == entity
             ? new EnteringPlace.ByHandle(handle)
@@ -38,7 +38,7 @@ internal sealed class EnterCommand : ICommand
     }
 }
 
-/// <summary>Points at the prompts are in drawing units, as the operator sees them; settings of the stages are millimetres.</summary>
+/// <summary>Converts between the drawing units of prompts and the millimetres of settings.</summary>
 internal static class DrawingUnits
 {
     public static Point2D ToMillimetres(Drawing drawing, Point2D point) => new(point.X * drawing.Unit.ToMillimetres, point.Y * drawing.Unit.ToMillimetres);

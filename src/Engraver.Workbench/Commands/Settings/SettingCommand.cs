@@ -7,7 +7,7 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>A setting that is typed by its name and asks for a new value, like AutoCAD's system variables. Its default is the value it has.</summary>
+/// <summary>A setting that is typed by its name and asks for a new value, like AutoCAD's system variables. Enter keeps the present value.</summary>
 internal sealed class SettingCommand : ISettingCommand
 {
     private readonly SettingDescription _setting;
@@ -51,7 +51,7 @@ internal sealed class SettingCommand : ISettingCommand
     }
 }
 
-/// <summary>A command that asks for the new value of one setting, and can say the one it has.</summary>
+/// <summary>A command that asks for the new value of one setting and can show the present one.</summary>
 internal interface ISettingCommand : ICommand
 {
     string ValueText(CommandContext context);

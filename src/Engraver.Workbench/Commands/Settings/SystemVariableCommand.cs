@@ -2,7 +2,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>A system variable typed by its name: asks for a new value, with the one it has as default.</summary>
+/// <summary>A system variable typed by its name: asks for a new value, with the present one as default.</summary>
 internal sealed class SystemVariableCommand : ISettingCommand
 {
     private readonly SystemVariable _variable;

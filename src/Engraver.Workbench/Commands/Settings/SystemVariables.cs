@@ -1,9 +1,10 @@
+using Engraver.Core.Plots;
 using Engraver.Workbench.Settings;
 using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>The system variables there are: AutoCAD's names where AutoCAD has one. All of them are kept between sessions.</summary>
+/// <summary>Every system variable; the names are AutoCAD's where AutoCAD has one. All of them are kept between sessions.</summary>
 public static class SystemVariables
 {
     private static readonly IReadOnlyList<(SystemVariable Variable, Func<ViewState, double, ViewState>? InView)> s_table =
@@ -15,6 +16,7 @@ public static class SystemVariables
         Kept("ZOOMWHEEL", 0, 0, 1),
         Kept("FILEDIA", 1, 0, 1),
         Kept("CMDECHO", 1, 0, 1),
+        Kept(CncTraceColor, 1, 0, 2),
         Seen("OSMODE", 55, 0, 32767, true, v => v.ObjectSnapModes, (v, x) => v with { ObjectSnapModes = (int)x }),
         Seen("ORTHOMODE", 0, 0, 1, true, v => v.Ortho ? 1 : 0, (v, x) => v with { Ortho = x != 0.0 }),
         Seen("GRIDMODE", 1, 0, 1, true, v => v.Grid ? 1 : 0, (v, x) => v with { Grid = x != 0.0 }),
@@ -24,12 +26,18 @@ public static class SystemVariables
         Seen("DYNMODE", 1, 0, 1, true, v => v.DynamicInput ? 1 : 0, (v, x) => v with { DynamicInput = x != 0.0 }),
     ];
 
+    /// <summary>What the colour of a run tells, in the order of <see cref="RunMeasure"/>.</summary>
+    internal const string CncTraceColor = "CNCTRACECOLOR";
+
+    /// <summary>What the colour of a run tells.</summary>
+    public static RunMeasure TraceColour(this DesktopSettings settings) => (RunMeasure)(int)Variable(settings, CncTraceColor);
+
     internal static IEnumerable<SystemVariable> All => s_table.Select(row => row.Variable);
 
     /// <param name="name">One of <see cref="All"/>.</param>
     internal static SystemVariable Find(string name) => All.First(variable => variable.Name == name);
 
-    /// <summary>The value of a system variable that is kept: as it was set, else its first one.</summary>
+    /// <summary>The value of a system variable: the kept one, else that of the first start.</summary>
     public static double Variable(this DesktopSettings settings, string name) => settings.Variables.TryGetValue(name, out var kept) && Find(name) is var variable && kept >= variable.Least && kept <= variable.Most ? kept : Find(name).First;
 
     /// <summary>The view as it was left: switches, spacings, theme.</summary>

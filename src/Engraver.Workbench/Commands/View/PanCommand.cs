@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Commands.View;
 
-/// <summary>PAN: Moves the view by a way.</summary>
+/// <summary>PAN: Moves the view by a vector.</summary>
 internal sealed class PanCommand : ICommand
 {
     public CommandInfo Info { get; } = new("PAN", CommandGroup.View) { Transparent = true };
@@ -18,7 +18,7 @@ internal sealed class PanCommand : ICommand
     }
 }
 
-/// <summary>REGEN: Draws the view anew and points at nothing any more.</summary>
+/// <summary>REGEN: Draws the view anew and removes the mark at the place that a finding pointed to.</summary>
 internal sealed class RegenCommand : ICommand
 {
     public CommandInfo Info { get; } = new("REGEN", CommandGroup.View) { Transparent = true, HeardDuringJob = true };

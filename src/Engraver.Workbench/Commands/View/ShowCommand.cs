@@ -3,14 +3,14 @@ using Engraver.Workbench.Views;
 
 namespace Engraver.Workbench.Commands.View;
 
-/// <summary>SHOW: Switches the layers of meaning over the drawing: contours, order, rapids, findings and the others.</summary>
+/// <summary>SHOW: Switches the overlays of the drawing on and off: contours, order, rapids, findings and the others.</summary>
 internal sealed class ShowCommand : ICommand
 {
     private static readonly IReadOnlyList<CanvasLayers> s_layers = [.. Enum.GetValues<CanvasLayers>().Where(layer => layer is not (CanvasLayers.None or CanvasLayers.All))];
 
-    /// <summary>Spelled so that every capital form is its own.</summary>
+    /// <summary>The capital letters, which are the short forms, differ from option to option.</summary>
     private static readonly IReadOnlyList<Keyword> s_options =
-        Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "recordeD", "All", "None");
+        Keyword.List("?", "Drawing", "Contours", "OrderNumbers", "StartPoints", "Rapids", "cutPath", "Findings", "Machine", "Engraved", "recordeD", "WorkOrigin", "All", "None");
 
     public CommandInfo Info { get; } = new("SHOW", CommandGroup.View) { Transparent = true };
 

@@ -3,10 +3,10 @@ namespace Engraver.Workbench.Machines.Alarms;
 /// <summary>Something that the operator must know and see to. Immutable; the log replaces it as it changes.</summary>
 /// <param name="Number">1 is the first since the program began.</param>
 /// <param name="Time">When it was first raised.</param>
-/// <param name="Cause">What it is grouped by, together with <paramref name="Where"/>.</param>
+/// <param name="Cause">Alarms of the same cause and the same <paramref name="Where"/> are counted as one.</param>
 /// <param name="What">One sentence.</param>
 /// <param name="Where">The link, the axis, the place of the job.</param>
-/// <param name="ToDo">What helps.</param>
+/// <param name="ToDo">What the operator can do about it, one sentence.</param>
 public sealed record Alarm(int Number, DateTimeOffset Time, AlarmCause Cause, string What, string Where, string ToDo)
 {
     public AlarmState State { get; init; }

@@ -24,9 +24,9 @@ public enum AlarmCause
     /// <summary>A job ended before its end.</summary>
     JobStopped,
 
-    /// <summary>What a job cut is not the drawing, by what the controller said.</summary>
+    /// <summary>A job cut something else than the drawing, judged by the positions that the controller told.</summary>
     Deviated,
 
-    /// <summary>A bug of ours: in a command or in the program around it; the machine was stopped.</summary>
+    /// <summary>A bug in a command or in the program around it; the machine was stopped.</summary>
     InternalError,
 }

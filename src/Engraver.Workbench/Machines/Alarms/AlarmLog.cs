@@ -4,7 +4,7 @@ namespace Engraver.Workbench.Machines.Alarms;
 /// <remarks>Any thread. Nothing here touches the machine: acknowledging never resets it.</remarks>
 public sealed class AlarmLog(TimeProvider time)
 {
-    /// <summary>Alarms that are gone and seen are forgotten beyond this number.</summary>
+    /// <summary>Largest number of alarms; beyond it cleared ones are forgotten.</summary>
     private const int MostKept = 500;
 
     private readonly Lock _guard = new();
@@ -45,11 +45,11 @@ public sealed class AlarmLog(TimeProvider time)
         return raised;
     }
 
-    /// <summary>The cause is gone. An alarm that nobody has seen stays open.</summary>
+    /// <summary>Notes that a cause is gone. Its alarm stays open until it is acknowledged.</summary>
     public void Clear(AlarmCause cause) => Replace(alarm => alarm.Cause == cause && alarm.IsActive ? Gone(alarm) : alarm);
 
-    /// <summary>"Seen." Resets nothing.</summary>
-    /// <returns>False when there is no such alarm, or it needs none.</returns>
+    /// <summary>Notes that the operator has seen an alarm. Resets nothing.</summary>
+    /// <returns>False when there is no such alarm, or it needs no acknowledgement.</returns>
     public bool Acknowledge(int number) => Replace(alarm => alarm.Number == number ? Seen(alarm) : alarm) > 0;
 
     /// <returns>How many were acknowledged.</returns>
@@ -107,9 +107,9 @@ public enum AlarmState
 
     Acknowledged,
 
-    /// <summary>The cause is gone, nobody has said "seen" yet: it stays in the list.</summary>
+    /// <summary>The cause is gone, and the alarm is not acknowledged yet: it stays in the list.</summary>
     ClearedUnacknowledged,
 
-    /// <summary>Gone and seen.</summary>
+    /// <summary>The cause is gone, and the alarm was acknowledged.</summary>
     Cleared,
 }

@@ -3,7 +3,7 @@ using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Workbench.Machines.Alarms;
 
-/// <summary>What becomes an alarm, and what clears it.</summary>
+/// <summary>Decides which readings and ends of jobs raise an alarm, and which clear it.</summary>
 internal static class MachineAlarms
 {
     public static void LinkLost(AlarmLog log, string link, string why) =>
@@ -12,16 +12,25 @@ internal static class MachineAlarms
     public static void Refused(AlarmLog log, MachineRefusal refused, string link) =>
         log.Raise(AlarmCause.Refused, refused.Sentence, link, Wording.Get("MachineAlarms.ControllerSaidWhyMend"));
 
-    /// <summary>By what stands in the controller now.</summary>
-    public static void Seen(AlarmLog log, MachineReading poll, string link)
+    /// <summary>Raises and clears alarms by a reading of the controller.</summary>
+    /// <param name="ended">A job that has ended since the last reading: a cause that is new in this reading has ended it, and both are one alarm. Null for none.</param>
+    public static void Seen(AlarmLog log, MachineReading poll, string link, JobResult? ended = null)
     {
         log.Clear(AlarmCause.LinkLost);
-        Standing(log, poll.Limit.Length > 0, AlarmCause.Limit, Wording.Get("MachineAlarms.MachineStandsOn", poll.Limit), Wording.Get("MachineAlarms.MoveAxisOffSwitch"), link);
-        Standing(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, Wording.Get("MachineAlarms.AxisSwitchedOffBecause", poll.LostPosition), Wording.Get("MachineAlarms.FindOutWhatHeld"), link);
-        Standing(log, poll.AbortInput, AlarmCause.AbortInput, Wording.Get("MachineAlarms.AbortInputActive"), Wording.Get("MachineAlarms.ReleaseEmergencyStopNothing"), link);
+        if (ended is { Outcome: JobOutcome.Complete or JobOutcome.Deviated }) ended = Told(log, ended, link);
+        if (Standing(log, poll.AbortInput, AlarmCause.AbortInput, Wording.Get("MachineAlarms.AbortInputActive"), Wording.Get("MachineAlarms.ReleaseEmergencyStopNothing"), link, ended)) ended = null;
+        if (Standing(log, poll.LostPosition.Length > 0, AlarmCause.FollowingError, Wording.Get("MachineAlarms.AxisSwitchedOffBecause", poll.LostPosition), Wording.Get("MachineAlarms.FindOutWhatHeld"), link, ended)) ended = null;
+        if (Standing(log, poll.Limit.Length > 0, AlarmCause.Limit, Wording.Get("MachineAlarms.MachineStandsOn", poll.Limit), Wording.Get("MachineAlarms.MoveAxisOffSwitch"), link, ended)) ended = null;
+        if (ended is not null) Ended(log, ended, link);
     }
 
-    /// <summary>By how a job ended; a complete one raises nothing.</summary>
+    private static JobResult? Told(AlarmLog log, JobResult ended, string link)
+    {
+        Ended(log, ended, link);
+        return null;
+    }
+
+    /// <summary>Raises the alarm of a job that did not complete.</summary>
     public static void Ended(AlarmLog log, JobResult result, string link)
     {
         var cause = result switch
@@ -33,18 +42,23 @@ internal static class MachineAlarms
             { Refusal: not null } => AlarmCause.Refused,
             _ => AlarmCause.JobStopped,
         };
-        if (cause is { } raised) log.Raise(raised, result.Sentence, Wording.Get("MachineAlarms.After", link, CountText.Format(result.SegmentsExecuted, "Segment")), Wording.Get("MachineAlarms.JournalSaysWhatEngraved"));
+        if (cause is { } raised) log.Raise(raised, result.Sentence, Where(result, link), Wording.Get("MachineAlarms.JournalSaysWhatEngraved"));
     }
 
-    /// <summary>What a new start leaves behind.</summary>
+    /// <summary>Clears the alarms of an earlier job when a new one starts.</summary>
     public static void Begun(AlarmLog log)
     {
         foreach (var cause in new[] { AlarmCause.JobStopped, AlarmCause.Deviated, AlarmCause.Refused, AlarmCause.WatchdogTripped }) log.Clear(cause);
     }
 
-    private static void Standing(AlarmLog log, bool stands, AlarmCause cause, string what, string toDo, string link)
+    /// <returns>True when it was raised now.</returns>
+    private static bool Standing(AlarmLog log, bool stands, AlarmCause cause, string what, string toDo, string link, JobResult? ended)
     {
         if (!stands) log.Clear(cause);
-        else if (!log.Open.Any(alarm => alarm.Cause == cause && alarm.IsActive)) log.Raise(cause, what, link, toDo);
+        if (!stands || log.Open.Any(alarm => alarm.Cause == cause && alarm.IsActive)) return false;
+        log.Raise(cause, ended is null ? what : Wording.Get("MachineAlarms.AndTheJob", what, ended.Sentence), ended is null ? link : Where(ended, link), toDo);
+        return true;
     }
+
+    private static string Where(JobResult ended, string link) => Wording.Get("MachineAlarms.After", link, CountText.Format(ended.SegmentsExecuted, "Segment"));
 }

@@ -10,33 +10,90 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines.Arming;
 
-/// <summary>What was checked before START works, in the order in which an operator would look.</summary>
+/// <summary>What was checked before START works, in the order in which an operator would look: the one list of ARM, CNCARM, CNCSTATUS and the desktop.</summary>
 public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 {
+    /// <summary>What the controller said longer ago is not told as if it were so now.</summary>
+    public static readonly TimeSpan FreshFor = TimeSpan.FromSeconds(2);
+
     public bool Passed => Checks.All(check => check.Passed);
 
     /// <param name="errorsAccepted">The operator has said that the drawing's errors do not matter.</param>
     /// <param name="placement">Where the job would go on this machine; null while nobody has asked it.</param>
-    public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement)
+    /// <param name="now">By the clock of the status: what the controller said a while ago gets no tick.</param>
+    public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now) => Create(job, status, errorsAccepted, placement, now, CheckSpeech.Desktop);
+
+    /// <summary>The same in the words of the console, of a machine that was asked just now. No ARM comes before the start there: the drawing's errors were accepted, and a job switches the motors on that it finds off.</summary>
+    /// <param name="profile">Of the machine on which the job was placed.</param>
+    public static ArmingChecklist OnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement) =>
+        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console);
+
+    /// <summary>The first line that prevents the start; null when none does.</summary>
+    public string? WhyNot => Checks.FirstOrDefault(check => !check.Passed)?.Sentence;
+
+    /// <summary>The lines of the machine alone, where no job is prepared.</summary>
+    public static ArmingChecklist OfMachineAlone(MachineStatus status, DateTimeOffset now) => new([.. OfMachine(status, now, CheckSpeech.Desktop), .. LastJob(status)]);
+
+    private static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, CheckSpeech speech) => new(
+    [
+        .. OfDrawing(job, errorsAccepted, speech),
+        .. OfMachine(status, now, speech),
+        Asked(status, now, Origin(job, placement, speech)),
+        .. Travel(job, placement).Select(check => Asked(status, now, check)),
+        .. Warnings(job, speech),
+        .. LastJob(status),
+    ]);
+
+    private static IEnumerable<ArmingCheck> OfDrawing(PreparedJob job, bool errorsAccepted, CheckSpeech speech)
     {
         var errors = job.Diagnostics.Count(found => found.Severity == Severity.Error);
-        return new ArmingChecklist(
-        [
-            Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : Wording.Get("ArmingChecklist.DrawingHas", CountText.Format(errors, "Error"), errorsAccepted ? Wording.Get("ArmingChecklist.AcceptedOperator") : Wording.Get("ArmingChecklist.CheckListsThem"))),
-            Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobHas", CountText.Format(program.SegmentCount, "Segment")) : job.WithoutProgram),
-            Check(status.Link is not null && status.State is not MachineState.Offline, status.Link is { } link ? Wording.Get("ArmingChecklist.LinkStands", link) : Wording.Get("ArmingChecklist.NoControllerConnectedCncconnect")),
-            Check(status.State is MachineState.Ready or MachineState.Armed or MachineState.MotorsOff, Wording.Get("ArmingChecklist.Controller", Word(status))),
-            Check(status.MotorsOn == true, status.MotorsOn == true ? Wording.Get("ArmingChecklist.MotorsOn") : Wording.Get("ArmingChecklist.MotorsOffCncmotorsOn")),
-            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? Wording.Get("ArmingChecklist.NoLimitHit") : Wording.Get("ArmingChecklist.HitMoveMachineOff", status.Limit)),
-            Origin(job, placement),
-            .. job.Findings.Where(found => found.Severity == Severity.Warning).Select(found => Warning(SettingWording.AtCommandLine(found).Message.TrimEnd('.'))),
-            .. LastJob(status),
-        ]);
+        yield return Check(errors == 0 || errorsAccepted, errors == 0 ? Wording.Get("ArmingChecklist.DrawingHasNoErrors") : Wording.Get("ArmingChecklist.DrawingHas", CountText.Format(errors, "Error"), errorsAccepted ? Wording.Get("ArmingChecklist.AcceptedOperator") : speech.Text("ArmingChecklist.CheckListsThem")));
+        yield return Check(job.Motion.Program is { SegmentCount: > 0 }, job.Motion.Program is { SegmentCount: > 0 } program ? Wording.Get("ArmingChecklist.JobHas", CountText.Format(program.SegmentCount, "Segment")) : job.WithoutProgram);
     }
 
-    private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement)
+    private static IEnumerable<ArmingCheck> OfMachine(MachineStatus status, DateTimeOffset now, CheckSpeech speech)
     {
-        if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message.TrimEnd('.') : Wording.Get("ArmingChecklist.PlaceNotKnown"));
+        yield return Link(status, now);
+        if (status.Link is null) yield break;
+        ArmingCheck[] said =
+        [
+            Check(status.State.IsReady() || status.State is MachineState.MotorsOff or MachineState.NotHomed or MachineState.NoOrigin, Wording.Get("ArmingChecklist.Controller", Word(status))),
+            .. status.IsHomed is { } homed ? [Check(homed, speech.Text(homed ? "ArmingChecklist.Homed" : "ArmingChecklist.NotHomed"))] : Array.Empty<ArmingCheck>(),
+            status.MotorsOn == true ? Check(true, Wording.Get("ArmingChecklist.MotorsOn")) : speech.Motors(),
+            Check(status.Limit.Length == 0, status.Limit.Length == 0 ? Wording.Get("ArmingChecklist.NoLimitHit") : Wording.Get("ArmingChecklist.HitMoveMachineOff", status.Limit)),
+            Check(status.State != MachineState.EmergencyStopOpen, Wording.Get(status.State == MachineState.EmergencyStopOpen ? "ArmingChecklist.AbortInputActive" : "ArmingChecklist.AbortInputRests")),
+        ];
+        foreach (var check in said) yield return Asked(status, now, check);
+    }
+
+    /// <summary>A tick only for who has answered just now.</summary>
+    private static ArmingCheck Link(MachineStatus status, DateTimeOffset now)
+    {
+        if (status.Link is not { } link) return Check(false, Wording.Get("ArmingChecklist.NoControllerConnectedCncconnect"));
+        if (status.IsLinkLost) return Check(false, Wording.Get("ArmingChecklist.LinkLost", link));
+        return IsFresh(status, now) ? Check(true, Wording.Get("ArmingChecklist.LinkStands", link)) : Check(false, Wording.Get("ArmingChecklist.NoAnswerFor", link, Math.Floor((now - status.Time).TotalSeconds)));
+    }
+
+    private static bool IsFresh(MachineStatus status, DateTimeOffset now) => !status.IsLinkLost && now - status.Time <= FreshFor;
+
+    /// <summary>What was said while the link stood is not known any more: it has neither passed nor failed.</summary>
+    private static ArmingCheck Asked(MachineStatus status, DateTimeOffset now, ArmingCheck check) =>
+        status.Link is null || IsFresh(status, now) ? check : new ArmingCheck(false, Wording.Get("ArmingChecklist.NotAsked", check.Sentence)) { IsAsked = false };
+
+    /// <summary>Units that were assumed, sizes that no machine has, what is seen and not cut.</summary>
+    private static IEnumerable<ArmingCheck> Warnings(PreparedJob job, CheckSpeech speech) =>
+        job.Drawing.Diagnostics.Where(found => found.Id == DxfRules.UnitsAssumed.Id).Concat(job.Findings.Where(found => found.Severity == Severity.Warning))
+            .Select(found => Warning(speech.Finding(found).TrimEnd('.')));
+
+    /// <summary>A job that would leave the travel has no place, and the line of the origin says so.</summary>
+    private static IEnumerable<ArmingCheck> Travel(PreparedJob job, PlacementResult? placement)
+    {
+        if (placement?.Frame is not null && job.Settings.Machine.Axes.All.Any(axis => axis.Travel is not null)) yield return Check(true, Wording.Get("ArmingChecklist.StaysInside"));
+    }
+
+    private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement, CheckSpeech speech)
+    {
+        if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? speech.Finding(refused).TrimEnd('.') : Wording.Get("ArmingChecklist.PlaceNotKnown"));
         var scale = job.Settings.Machine.Scale;
         return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroLies", PointPrompt.Show(new Point2D(frame.X / scale.X, frame.Y / scale.Y))));
     }
@@ -44,22 +101,39 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     private static IEnumerable<ArmingCheck> LastJob(MachineStatus status)
     {
         if (status.LastOutcome is { } outcome and not JobOutcome.Complete)
-            yield return Warning(Wording.Get("ArmingChecklist.LastJobOnMachine", outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.DidNotCutWhat") : Wording.Get("ArmingChecklist.EndedEarly"), OutcomeText.Word(outcome)));
+            yield return Warning(Wording.Get("ArmingChecklist.LastJobOnMachine", outcome == JobOutcome.Deviated ? Wording.Get("ArmingChecklist.DidNotCutWhat") : Wording.Get("ArmingChecklist.EndedEarly"), OutcomeText.Said(outcome)));
     }
 
-    private static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };
+    internal static ArmingCheck Warning(string sentence) => new(true, sentence + ".") { IsWarning = true };
 
-    private static ArmingCheck Check(bool passed, string sentence) => new(passed, sentence + ".");
+    internal static ArmingCheck Check(bool passed, string sentence) => new(passed, sentence + ".");
 
     private static string Word(MachineStatus status) => status.State switch
     {
-        MachineState.Ready or MachineState.Armed => Wording.Get("ArmingChecklist.Ready"),
-        MachineState.MotorsOff => Wording.Get("ArmingChecklist.Rest"),
+        _ when status.State.IsReady() => Wording.Get("ArmingChecklist.Ready"),
+        MachineState.MotorsOff or MachineState.NotHomed or MachineState.NoOrigin => Wording.Get("ArmingChecklist.Rest"),
         MachineState.Busy or MachineState.Fault => Wording.Get("ArmingChecklist.NotReady", status.Reason),
         MachineState.EmergencyStopOpen => Wording.Get("ArmingChecklist.HeldItsAbortInput"),
-        MachineState.Running or MachineState.Stopping => Wording.Get("ArmingChecklist.RunningJob"),
+        MachineState.Moving => Wording.Get("ArmingChecklist.NotReady", status.Reason),
+        _ when status.State.IsJob() => Wording.Get("ArmingChecklist.RunningJob"),
         _ => Wording.Get("ArmingChecklist.NotHeardYet"),
     };
+}
+
+/// <summary>The words of the place where the list is read: commands of the desktop, or verbs and options of the console.</summary>
+internal sealed record CheckSpeech(Func<Diagnostic, Diagnostic> Translate, Func<string, string> Spell, bool SwitchesMotors)
+{
+    public static CheckSpeech Desktop { get; } = new(SettingWording.AtCommandLine, SettingWording.AtCommandLine, SwitchesMotors: false);
+
+    public static CheckSpeech Console { get; } = new(SettingWording.OnConsole, SettingWording.OnConsole, SwitchesMotors: true);
+
+    /// <summary>A text with its settings and commands named.</summary>
+    public string Text(string key) => Spell(Wording.Get(key));
+
+    public string Finding(Diagnostic found) => Translate(found).Message;
+
+    /// <summary>The line of motors that are off.</summary>
+    public ArmingCheck Motors() => SwitchesMotors ? ArmingChecklist.Warning(Wording.Get("ArmingChecklist.MotorsOffJobSwitches")) : ArmingChecklist.Check(false, Text("ArmingChecklist.MotorsOffCncmotorsOn"));
 }
 
 /// <summary>One thing that must be so before a job may start.</summary>
@@ -67,6 +141,12 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
 /// <param name="Sentence">What was looked at, and when it is not so, what to do.</param>
 public sealed record ArmingCheck(bool Passed, string Sentence)
 {
-    /// <summary>It does not stand in the way, but the operator must have read it.</summary>
+    /// <summary>True when it does not prevent arming, but the operator must have read it.</summary>
     public bool IsWarning { get; init; }
+
+    /// <summary>False for what the controller said too long ago: nobody knows whether it is so.</summary>
+    public bool IsAsked { get; init; } = true;
+
+    /// <summary>The line as the operator reads it.</summary>
+    public string Line => Wording.Get(this switch { { IsWarning: true } => "CncArm.Look", { IsAsked: false } => "CncArm.NotKnown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);
 }

@@ -6,7 +6,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Origins;
 
-/// <summary>One machine in this host's hands, and what is kept of it. Disposing gives it free.</summary>
+/// <summary>A machine that this host has reserved, and what is kept of it between sessions. Disposing releases it.</summary>
 public sealed class MachineHold : IDisposable
 {
     private readonly Lock _guard = new();
@@ -14,6 +14,8 @@ public sealed class MachineHold : IDisposable
     private readonly string _name = "";
     private readonly MachineLock? _lock;
     private MachineMemory _memory = MachineMemory.Empty;
+    private bool _knowsZero;
+    private bool _isWritten = true;
 
     /// <summary>A machine of which nothing is kept.</summary>
     internal MachineHold()
@@ -30,7 +32,7 @@ public sealed class MachineHold : IDisposable
         }
         catch (Exception unusable) when (unusable is JsonException or IOException or UnauthorizedAccessException)
         {
-            taken.Dispose(); // the machine is nobody's
+            taken.Dispose(); // releases the machine
             if (unusable is JsonException) throw new InvalidDataException(Wording.Get("Origins.NoRecord", unusable.Message), unusable);
             throw;
         }
@@ -47,24 +49,102 @@ public sealed class MachineHold : IDisposable
         }
     }
 
-    /// <summary>Keeps what is known from now on; written whole or not at all.</summary>
+    /// <summary>Keeps what was learnt of the machine: also when it cannot be written, and then the next change writes it.</summary>
     /// <returns>Why it could not be written; null when it was.</returns>
     public string? Keep(Func<MachineMemory, MachineMemory> change)
     {
         ArgumentNullException.ThrowIfNull(change);
         lock (_guard)
         {
-            _memory = change(_memory);
-            if (_path is null) return null;
-            try
-            {
-                OutputFile.Write(_path, output => output.WriteLine(JsonSerializer.Serialize(MachineMemoryDocument.From(_name, _memory), MachineMemoryJson.Default.MachineMemoryDocument)));
-                return null;
-            }
-            catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
-            {
-                return failure.Message.TrimEnd('.');
-            }
+            (var before, _memory) = (_memory, change(_memory));
+            return _memory == before && _isWritten ? null : Write(_memory);
+        }
+    }
+
+    /// <summary>Keeps a decision of the operator: it is written whole, or nothing changes.</summary>
+    /// <returns>Why it could not be written; null when it was.</returns>
+    public string? Set(Func<MachineMemory, MachineMemory> change)
+    {
+        ArgumentNullException.ThrowIfNull(change);
+        lock (_guard)
+        {
+            var next = change(_memory);
+            if (Write(next) is { } failure) return failure;
+            _memory = next;
+            return null;
+        }
+    }
+
+    private string? Write(MachineMemory memory)
+    {
+        if (_path is null) return null;
+        try
+        {
+            OutputFile.Write(_path, output => output.WriteLine(JsonSerializer.Serialize(MachineMemoryDocument.From(_name, memory), MachineMemoryJson.Default.MachineMemoryDocument)));
+            _isWritten = true;
+            return null;
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            _isWritten = false;
+            return failure.Message.TrimEnd('.');
+        }
+    }
+
+    /// <summary>The controller counts from the zero that is kept. Otherwise what the machine does now says nothing of that zero, and is not kept with it.</summary>
+    public bool KnowsZero
+    {
+        get
+        {
+            lock (_guard) return _knowsZero;
+        }
+    }
+
+    /// <summary>True when the machine was homed as this profile says, and as far as is known the controller still counts from there.</summary>
+    public bool IsHomed(MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        lock (_guard) return _knowsZero && _memory.Lost.Length == 0 && profile.HasHoming && _memory.HomedAs == profile.HomedAs;
+    }
+
+    /// <summary>The controller was asked where it is.</summary>
+    public void Recognise(ControllerPlace place)
+    {
+        lock (_guard) _knowsZero = _path is null || _memory.IsSameZero(place);
+        if (place.Doubt.Length > 0) KeepLost(place.Doubt);
+    }
+
+    /// <summary>The machine has origins, and its position is not known any more: they are nowhere until one is set again.</summary>
+    /// <param name="why">For example "the stepper motor of axis A is off".</param>
+    public void KeepLost(string why)
+    {
+        var memory = Memory;
+        if (memory.Lost.Length == 0 && memory.Origins.Count > 0) Keep(before => before with { Lost = why });
+    }
+
+    /// <summary>Notes that the machine is about to move: its place is unknown until it is heard again.</summary>
+    /// <returns>Why it could not be written; null when it was.</returns>
+    public string? KeepMoving() => KnowsZero ? Keep(memory => memory with { IsMoving = true }) : null;
+
+    /// <summary>Notes where the machine was seen, at rest or under way, whatever moved it.</summary>
+    public void KeepSeen(CountsPoint at, bool moves)
+    {
+        var memory = Memory;
+        if (!KnowsZero || (moves ? memory.IsMoving : !memory.IsMoving && memory.Rest == at)) return;
+        Keep(before => before with { IsMoving = moves, Rest = moves ? null : at });
+    }
+
+    /// <summary>Notes the end of a motion of this program. Where its end is not known, the controller must be asked again before anything is kept with its zero.</summary>
+    /// <returns>Why it could not be written; null when it was.</returns>
+    public string? KeepEnd(JobResult result)
+    {
+        ArgumentNullException.ThrowIfNull(result);
+        var rest = result.IsEndKnown ? result.FinalPosition : null;
+        lock (_guard)
+        {
+            var knew = _knowsZero;
+            if (rest is null) _knowsZero = false;
+            return Keep(memory => (knew ? memory with { IsMoving = rest is null, Rest = rest } : memory) with { Lost = result.PositionDoubt.Length > 0 ? result.PositionDoubt : memory.Lost });
         }
     }
 
@@ -89,9 +169,13 @@ internal sealed record MachineMemoryDocument
 
     public int? RestY { get; set; }
 
+    public int? RestZ { get; set; }
+
     public bool Moving { get; set; }
 
     public string? Lost { get; set; }
+
+    public string? HomedAs { get; set; }
 
     public static MachineMemoryDocument From(string machine, MachineMemory memory) => new()
     {
@@ -102,8 +186,10 @@ internal sealed record MachineMemoryDocument
         Clock = memory.Clock,
         RestX = memory.Rest?.X,
         RestY = memory.Rest?.Y,
+        RestZ = memory.Rest is { Z: not 0 and var height } ? height : null,
         Moving = memory.IsMoving,
         Lost = memory.Lost.Length == 0 ? null : memory.Lost,
+        HomedAs = memory.HomedAs.Length == 0 ? null : memory.HomedAs,
     };
 
     public MachineMemory ToMemory() => new()
@@ -112,9 +198,10 @@ internal sealed record MachineMemoryDocument
         Origins = ReadOrigins(),
         Mark = Mark,
         Clock = Clock,
-        Rest = RestX is { } x && RestY is { } y ? new CountsPoint(x, y) : null,
+        Rest = RestX is { } x && RestY is { } y ? new CountsPoint(x, y, RestZ ?? 0) : null,
         IsMoving = Moving,
         Lost = Lost ?? "",
+        HomedAs = HomedAs ?? "",
     };
 
     private Dictionary<string, WorkOrigin> ReadOrigins()

@@ -2,7 +2,7 @@ using Engraver.Workbench.Files;
 
 namespace Engraver.Workbench.Machines.Origins;
 
-/// <summary>One host at a time on a machine: a file that is open for nobody else, and beside it who has it. The system gives it back when a process dies.</summary>
+/// <summary>Lets one host at a time use a machine: a file that is opened without sharing, and a second one that names its holder. The system closes the first when the process dies.</summary>
 internal sealed class MachineLock : IDisposable
 {
     private const string LockSuffix = ".lock";
@@ -56,10 +56,10 @@ internal sealed class MachineLock : IDisposable
     }
 }
 
-/// <summary>Who has a machine.</summary>
+/// <summary>Names the host that uses a machine.</summary>
 public static class MachineHolder
 {
-    /// <summary>This process, in words for another host that comes meanwhile.</summary>
+    /// <summary>A phrase that names this process, for another host that wants the machine meanwhile.</summary>
     public static string Describe(string program, TimeProvider time)
     {
         ArgumentNullException.ThrowIfNull(time);

@@ -8,7 +8,7 @@ using Engraver.Workbench.Files;
 namespace Engraver.Workbench.Machines.Origins;
 
 /// <summary>Where the work origins of machines are kept: one file for each, and one host at a time.</summary>
-/// <param name="folder">Null: nothing is kept, as for a simulated machine, which ends with its connection.</param>
+/// <param name="folder">Null: nothing is kept between connections, as for a simulated machine.</param>
 public sealed class MachineMemories(string? folder)
 {
     /// <summary>The folder beside the journals of a folder; null for the operator's data folder.</summary>
@@ -37,12 +37,12 @@ public sealed class MachineMemories(string? folder)
         }
     }
 
-    /// <summary>A controller is known by its own number where it has one, else by where it is reached; with either goes its model.</summary>
+    /// <summary>The file name of a controller: a hash of its model and its serial number, or of its model and its address where it tells no number.</summary>
     private static string KeyOf(string address, MachineIdentity identity, ControllerPlace place) =>
         Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes($"{identity.Model}\n{place.Serial?.ToString(CultureInfo.InvariantCulture) ?? address}")))[..24];
 }
 
-/// <summary>The machine is in the hands of another host.</summary>
+/// <summary>Another host uses the machine.</summary>
 public sealed class MachineTakenException : ControllerException
 {
     public MachineTakenException()
@@ -76,4 +76,7 @@ public sealed class MachineMemoryException : ControllerException
         : base(message, inner)
     {
     }
+
+    /// <summary>Nothing is moved when nobody could say afterwards where the machine is.</summary>
+    internal static MachineMemoryException NotWritten(string failure) => new(Wording.Get("Origins.NotWritten", failure));
 }

@@ -1,12 +1,15 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
+using Engraver.Core.Verification;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Origins;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>One job on one machine: connects, runs, judges, leaves.</summary>
+/// <summary>Runs one job on one machine: connects, runs, judges, disconnects.</summary>
 public static class MachineRun
 {
     /// <param name="job">Prepared in the style of the mode, with a motion program.</param>
@@ -65,21 +68,54 @@ public static class MachineRun
     private static async Task<MachineRunReport> OnMachineAsync(
         PreparedJob job, MotionProgram program, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
+        if (options.Hold is null && connection.Simulator is not null) program = program with { Profile = program.Profile.WithoutPlaces() }; // it lives for this job and stands nowhere in particular
         using var taken = options.Hold is null ? options.Memories.Take(connection.Description, machine.Identity, await machine.LocateAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.Holder) : null;
-        var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, options.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
-        var planned = machine.PlannedSeconds(placement.Program, options.Mode);
+        var beginning = await JobBeginning.FindAsync(machine, program, options, (options.Hold ?? taken!).Memory, stop).ConfigureAwait(false);
+        if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
+        var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, beginning.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
+        var planned = machine.PlannedSeconds(beginning.RestOf(placement.Program), options.Mode);
+        var unready = await WhyNotAsync(placement, options.Hold ?? taken!, machine, connection, options, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found.Frame is not { } frame) return MachineRunReport.NotPlaced(placement, machine.Identity.Model, planned);
-        var judged = await RunPlacedAsync(job, placement, frame, machine, connection, options, progress, stop).ConfigureAwait(false);
-        return new MachineRunReport(judged.Result, judged.Judgement, machine.Identity.Model, planned) { Placement = placement.Found };
+        if (unready is not null) return new MachineRunReport(JobResult.NotStarted(placement.Program.Strokes.Count, Wording.Get("MachineRun.NotReady", unready)), RunJudgement.Unknown, machine.Identity.Model, planned);
+        var judged = await RunPlacedAsync(job, placement, beginning, frame, machine, connection, options, progress, stop).ConfigureAwait(false);
+        return new MachineRunReport(judged.Result, judged.Judgement, machine.Identity.Model, planned)
+        {
+            Placement = placement.Found,
+            Trace = judged.Trace,
+            IsDryRun = options.DryRun,
+            ResumedFrom = options.Resume is null ? null : beginning.Place,
+            Journal = options.JournalPath,
+        };
+    }
+
+    /// <summary>Looks at the machine now and asks whether the job may start.</summary>
+    /// <returns>Why not; null when it may, or nobody is to be asked.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    private static async Task<string?> WhyNotAsync(JobPlacement placement, MachineHold hold, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, TimeProvider time, CancellationToken stop)
+    {
+        if (options.MayStart is not { } mayStart) return null;
+        var profile = placement.Program.Profile;
+        var facts = new MachineFacts
+        {
+            Link = connection.Description,
+            IsSimulation = connection.Simulator is not null,
+            Identity = machine.Identity,
+            Poll = await machine.LookAsync(profile.Axes, stop).ConfigureAwait(false),
+            IsHomed = profile.HasHoming ? hold.IsHomed(profile) : null,
+            SeenAt = time.GetUtcNow(),
+        };
+        return mayStart(facts.ToStatus(profile, armed: null), placement);
     }
 
     /// <param name="frame">Controller counts at the drawing's zero: where the work is, and where the judge looks for it.</param>
-    private static async Task<(JobResult Result, RunJudgement Judgement)> RunPlacedAsync(
-        PreparedJob job, JobPlacement placement, CountsPoint frame, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
+    private static async Task<(JobResult Result, RunJudgement Judgement, RunTrace? Trace)> RunPlacedAsync(
+        PreparedJob job, JobPlacement placement, JobBeginning beginning, CountsPoint frame, IMachineConnection machine, MachineConnection connection, MachineRunOptions options, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        var listener = options.DryRun || connection.Simulator is null ? null : new RecordListener(job.Settings.Machine, RunJudge.JudgeOf(job));
+        var judge = options.DryRun || connection.Simulator is null ? null : RunJudge.JudgeOf(job);
+        if (judge is not null) beginning.Tell(judge, placement.Program);
+        var listener = judge is null ? null : new RecordListener(job.Settings.Machine, judge) { Places = RunJudge.PlacesOf(job) };
         using var listening = listener is null ? null : connection.Simulator?.Record.Subscribe(listener); // what earlier jobs on the same simulated controller cut does not count for this one
-        listener?.Start(frame.X, frame.Y);
+        listener?.Start(frame.X, frame.Y, frame.Z);
         var judgement = RunJudgement.Unknown;
         var jobOptions = new JobOptions
         {
@@ -89,15 +125,29 @@ public static class MachineRun
             Address = connection.Description,
             DrawingName = job.Drawing.FileName,
             DryRun = options.DryRun,
+            Control = options.Control,
+            From = beginning.Place,
+            LeadIn = beginning.LeadIn,
             SourceOf = job.Drawing.SourceOf,
             Frame = frame,
+            SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [],
             KeepsPolledTrace = connection.Simulator is null,
+            AsksFollowingError = connection.Simulator is null,
         };
         options.Placed?.Invoke(frame);
         placement.Begin();
         var result = await machine.RunAsync(placement.Program, jobOptions, progress, stop).ConfigureAwait(false);
         if (placement.End(result) is { } unkept) options.Told?.Invoke(unkept);
-        return (result, judgement);
+        return (result, judgement, Recorded(job, result, listener, options));
+    }
+
+    /// <summary>Where the machine was, which is kept beside the journal. A dry run cuts nothing, and nothing of it is kept.</summary>
+    private static RunTrace? Recorded(PreparedJob job, JobResult result, RecordListener? listener, MachineRunOptions options)
+    {
+        if (options.DryRun || result.FrameOrigin is null) return null;
+        var trace = listener?.Trace() ?? RunJudge.PolledPlaces(job, result);
+        if (KeptTrace.Keep(trace, options.JournalPath) is { } failure) options.Told?.Invoke(PreparationRules.TraceNotKept.At(default, failure));
+        return trace;
     }
 
     private static RunJudgement Judge(PreparedJob job, MotionProgram program, JobResult result, RecordListener? listener, bool dryRun)
@@ -107,13 +157,32 @@ public static class MachineRun
     }
 }
 
-/// <summary>How a run ended and what it is worth.</summary>
+/// <summary>How a run ended, and how well it cut the drawing.</summary>
 /// <param name="Controller">The model as the controller names itself.</param>
 /// <param name="PlannedSeconds">By the trapezoids the controller runs and the commands exchanged at standstills over this link.</param>
 public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, string Controller, double PlannedSeconds)
 {
     /// <summary>Where the drawing's zero lay; null while that is not known.</summary>
     public PlacementResult? Placement { get; init; }
+
+    /// <summary>The tool stayed off.</summary>
+    public bool IsDryRun { get; init; }
+
+    /// <summary>Where the machine was; null when nothing is known of it.</summary>
+    public RunTrace? Trace { get; init; }
+
+    /// <summary>Path of the run's journal; null for a run that was refused before it began.</summary>
+    public string? Journal { get; init; }
+
+    /// <summary>What lay before it was cut by an earlier job; null for a job that began at its beginning.</summary>
+    public JobPlace? ResumedFrom { get; init; }
+
+    /// <summary>Why the job could not be resumed; null when it was, or was not to be.</summary>
+    public Diagnostic? ResumeRefusal { get; private init; }
+
+    /// <summary>A job whose journal does not fit.</summary>
+    internal static MachineRunReport NotResumed(Diagnostic refused, MotionProgram program, string controller) =>
+        new(JobResult.NotStarted(program.Strokes.Count, refused.Message), RunJudgement.Unknown, controller, 0.0) { ResumeRefusal = refused };
 
     /// <summary>A job that was refused because nobody can say where it belongs.</summary>
     internal static MachineRunReport NotPlaced(JobPlacement placement, string controller, double plannedSeconds) =>

@@ -2,7 +2,7 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>How a job ended, as reports, JSON and lists spell it.</summary>
+/// <summary>How a job ended: for programs and for people.</summary>
 public static class OutcomeText
 {
     /// <summary>The outcome in the words of the runner's contract.</summary>
@@ -14,4 +14,7 @@ public static class OutcomeText
         JobOutcome.Deviated => "deviated",
         _ => "linkLost",
     };
+
+    /// <summary>For people.</summary>
+    public static string Said(JobOutcome outcome) => Wording.Get("Outcome." + outcome);
 }

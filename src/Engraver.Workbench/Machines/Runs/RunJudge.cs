@@ -7,24 +7,41 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>Holds what the motors did against the drawing. It never looks at our own plan of the motion, only at what the controller or the simulator's record says.</summary>
+/// <summary>Compares what the motors did with the drawing. It uses what the controller or the simulator's record says, never the planned motion.</summary>
 public static class RunJudge
 {
     /// <summary>What was found while the controller ran.</summary>
     public static RunJudgement ByRecord(TraceVerdict found) => new(found.CuttingSamples == 0 ? null : found.MaxDeviation, found.MissingLength, "record") { DeviationAt = found.DeviationAt?.Place, MissingAt = found.MissingAt };
 
-    /// <summary>A judge of the drawing that a record can be told to.</summary>
+    /// <summary>A judge that compares recorded motion with the drawing.</summary>
     /// <param name="bridges">Lines that may be cut besides; what is missing is then not to be asked of the verdict.</param>
-    internal static TraceJudge JudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges = null) =>
-        new([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], Tolerances(job));
+    internal static ITraceJudge JudgeOf(PreparedJob job, IReadOnlyList<StrokeMove>? bridges = null) => job.Settings.Machine.Height is { } drive
+        ? new HeightJudge([.. StrokeMove.AllOf(job.Analysed), .. bridges ?? []], drive.CutDepth, drive.DepthPerPass, Tolerances(job))
+        : new TraceJudge([.. job.Analysed.ToSegments(), .. (bridges ?? []).Select(bridge => bridge.Segment)], Tolerances(job));
+
+    /// <summary>Keeps where a machine was, with its distance from the drawing.</summary>
+    internal static RunTraceBuilder PlacesOf(PreparedJob job) => new(job.Analysed.ToSegments());
+
+    /// <summary>The places that a controller was polled for.</summary>
+    internal static RunTrace PolledPlaces(PreparedJob job, JobResult result)
+    {
+        var places = PlacesOf(job);
+        foreach (var point in result.PolledTrace) places.Add(Sample(job.Settings.Machine, point.Seconds, point.Place, point.ToolOn, point.Error));
+        return places.ToTrace("polled");
+    }
+
+    /// <summary>A place that a job has told while it runs; of a dry run the path counts as cut.</summary>
+    internal static TraceSample Sample(PreparedJob job, JobProgress told, bool isDryRun) => Sample(job.Settings.Machine, told.Seconds, told.Place, told.ToolOn || (isDryRun && told.IsOnPath), told.Error);
 
     /// <summary>Judges by positions polled during a run on a real link, and by the segments that the controller counted as executed; the one under way counts up to the last position known on it.</summary>
     public static RunJudgement ByPolling(PreparedJob job, MotionProgram program, JobResult result)
     {
         var profile = job.Settings.Machine;
-        var trace = result.PolledTrace.Select(point => Sample(profile, point.Seconds, point.X, point.Y, point.ToolOn)).ToArray();
+        var trace = result.PolledTrace.Select(point => Sample(profile, point.Seconds, point.Place, point.ToolOn)).ToArray();
         if (!trace.Any(sample => sample.Cutting)) return RunJudgement.Unknown;
-        var found = TraceComparison.Compare(job.Analysed.ToSegments(), trace, Tolerances(job));
+        var judge = JudgeOf(job);
+        foreach (var sample in trace) judge.Add(sample);
+        var found = judge.Verdict();
         var planned = program.Strokes.Sum(stroke => stroke.Sequences.Sum(sequence => sequence.Length));
         var tolerances = Tolerances(job);
         var cut = result.LengthByStroke.Sum() + UnfinishedSegment.CutLength(program, result, tolerances.Deviation / tolerances.Count);
@@ -32,17 +49,20 @@ public static class RunJudge
         return new RunJudgement(found.MaxDeviation, result.IsEndKnown ? missing : null, "polled") { DeviationAt = found.DeviationAt?.Place };
     }
 
-    /// <summary>What a faithful run of the job may differ by.</summary>
+    /// <summary>The differences that a correct run of the job may have.</summary>
     public static TraceTolerances Tolerances(PreparedJob job) => TraceTolerances.Default with
     {
-        Count = 1.0 / job.Settings.Machine.Scale.Smallest,
+        Count = CoarsestCount(job.Settings.Machine),
         MaxError = job.Settings.MaxErrorMm,
     };
 
-    private static TraceSample Sample(MachineProfile profile, double seconds, long x, long y, bool cutting)
+    /// <summary>Millimetres; of the Z axis too, where it cuts.</summary>
+    private static double CoarsestCount(MachineProfile profile) => 1.0 / (profile.Height is null ? profile.Scale.Smallest : Math.Min(profile.Scale.Smallest, Math.Abs(profile.Scale.Z)));
+
+    private static TraceSample Sample(MachineProfile profile, double seconds, CountsPoint counts, bool cutting, CountsPoint? error = null)
     {
-        var place = profile.Scale.ToMillimetres(x, y);
-        return new(seconds, place.X, place.Y, cutting);
+        var place = profile.Scale.ToMillimetres(counts.X, counts.Y);
+        return new(seconds, place.X, place.Y, cutting, profile.Scale.ToMillimetres(counts.Z)) { FollowingMm = error is { } known ? double.Hypot(known.X / profile.Scale.X, known.Y / profile.Scale.Y) : null };
     }
 }
 

@@ -6,7 +6,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Machines.Runs;
 
-/// <summary>A run whose own measure is out of tolerance is never complete, whatever the controller counted.</summary>
+/// <summary>Turns a run whose measured deviation or missing length is out of tolerance into <see cref="JobOutcome.Deviated"/>, whatever the controller counted.</summary>
 internal static class RunVerdict
 {
     /// <summary>Nominal sample of the controller's motion, seconds: two axes that are asked one after the other may be so far apart in time (galil-dmc.md C).</summary>
@@ -38,7 +38,7 @@ internal static class RunVerdict
         return judgement.Source == "polled" ? bridged + Skew(program, tolerances) : bridged;
     }
 
-    /// <summary>By how much a polled position may lie beside the path because its two numbers are a sample apart: half of the way of a sample, in a slanting direction. Nearer than that it is the job that watches (PathWatch).</summary>
+    /// <summary>By how much a polled position may lie beside the path because its two numbers are a sample apart: half of the distance of a sample, in a slanting direction. Nearer than that it is the job that watches (PathWatch).</summary>
     private static double Skew(MotionProgram program, TraceTolerances tolerances) =>
         program.Strokes.SelectMany(stroke => stroke.Sequences).Select(sequence => sequence.Speed).DefaultIfEmpty().Max() * SampleSeconds / 2.0 * tolerances.Count;
 

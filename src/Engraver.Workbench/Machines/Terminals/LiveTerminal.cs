@@ -2,11 +2,11 @@ using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.Machines.Terminals;
 
-/// <summary>The terminal's page on the connection that stands: what was typed, answered and printed, oldest first. The lines outlive the connection.</summary>
+/// <summary>The lines of the terminal page: what was typed, answered and printed, oldest first. They stay when the connection ends.</summary>
 /// <remarks>Any thread. Nothing is sent while a job runs, and what the driver withholds is not sent at all.</remarks>
 public sealed class LiveTerminal
 {
-    /// <summary>Older lines are forgotten.</summary>
+    /// <summary>Largest number of lines; older ones are forgotten.</summary>
     private const int MostLines = 2000;
 
     private readonly Lock _guard = new();

@@ -78,7 +78,7 @@ public class OverlaySceneTests
     [Fact]
     public void Recorded_places_are_joined_while_the_tool_is_on()
     {
-        var scene = s_scene.WithRecorded([new(new(0.0, 0.0), 0.0, false), new(new(1.0, 0.0), 0.1, true), new(new(5.0, 5.0), 0.0, false), new(new(6.0, 5.0), 9.0, true)]);
+        var scene = s_scene.WithMachine(new OverlayInputs { Recorded = [new(new(0.0, 0.0), 0.0, false), new(new(1.0, 0.0), 0.1, true), new(new(5.0, 5.0), 0.0, false), new(new(6.0, 5.0), 9.0, true)] });
 
         Assert.Equal([(0.0, 1.0, 6), (5.0, 6.0, 63)], scene.Recorded.Primitives.Select(line => (line.A, line.C, (int)line.Colour)));
         Assert.Same(s_scene.CutPath, scene.CutPath);

@@ -93,6 +93,20 @@ public sealed class PictureTests(DesktopFixture fixture)
     });
 
     [Fact]
+    public Task A_machine_with_a_z_axis_is_commissioned() => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(s_usual);
+        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCGOTO", "12,-4", "CNCJOG", "Z+", "7.5", "CNCZERO", "All", "CNCJOG", "Z-", "2.25");
+        here.Show("Machine");
+        Take(here, "machine-page");
+        here.Show("Commissioning");
+        here.Enter("CNCCOMMISSION", "Skip", "Skip");
+        Take(here, "commissioning");
+        here.Hands.Press(Key.Escape);
+        here.Rest();
+    });
+
+    [Fact]
     public Task The_simulated_machine_is_armed() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);

@@ -54,6 +54,21 @@ public class WorkPlacementTests
     }
 
     [Fact]
+    public void After_a_power_cycle_an_origin_that_was_set_is_lost_also_while_another_one_is_active()
+    {
+        var kept = MachineMemory.Empty.WithOrigin("G54", 0, 0, null) with { Active = "G56", Mark = 5, Rest = default(CountsPoint) };
+        Assert.Equal("JOB0009", Work(kept, At(0, 0)).Refusal!.Id); // a job here would vouch for the zero of G54
+        Assert.True(Work(kept, At(0, 0) with { Mark = 5 }).IsAssumed);
+    }
+
+    [Fact]
+    public void A_place_from_which_the_drawing_cannot_be_counted_is_refused()
+    {
+        var here = WorkPlacement.Find(MachineMemory.Empty, At(int.MinValue + 5, 0), new OriginRequest.PresentPlace(), MachineProfile.Default, new CountsPoint(1000, 0));
+        Assert.Equal("JOB0012", here.Refusal!.Id);
+    }
+
+    [Fact]
     public void A_position_that_is_in_doubt_is_refused_until_an_origin_is_set_again()
     {
         var marked = At(40000, 0) with { Mark = 77, Clock = 1000 };
@@ -80,9 +95,38 @@ public class WorkPlacementTests
         Assert.Equal((new CountsPoint(2500, -1000), OriginSource.Given), (given.Frame!.Value, given.Source));
         Assert.Equal("JOB0012", WorkPlacement.Find(s_set, At(1, 1), new OriginRequest.Given(new Point2D(9e9, 0)), MachineProfile.Default, default).Refusal!.Id);
         Assert.Equal("JOB0010", WorkPlacement.Find(s_set, At(1, 1) with { Doubt = "x" }, new OriginRequest.Given(default), MachineProfile.Default, default).Refusal!.Id);
+        Assert.Equal("JOB0010", WorkPlacement.Find(s_set with { Lost = "its steppers were without current" }, At(1, 1), new OriginRequest.Given(default), MachineProfile.Default, default).Refusal!.Id);
     }
 
     private static ControllerPlace At(int x, int y) => new(new CountsPoint(x, y));
+
+    [Fact]
+    public void On_a_machine_with_a_Z_axis_a_height_that_nobody_set_is_refused_and_never_taken_for_0()
+    {
+        var tall = MachineProfile.Default with { Axes = MachineAxes.Default with { Z = new MachineAxis('C', 400.0) }, Height = new HeightDrive() };
+        PlacementResult Find(MachineMemory memory, CountsPoint at, OriginRequest? request = null) =>
+            WorkPlacement.Find(memory, new ControllerPlace(at) { Mark = 77, Clock = 9999 }, request ?? new OriginRequest.Work(), tall, default);
+
+        Assert.Equal(("JOB0011", true), (Find(s_set, default).Refusal!.Id, Find(s_set, default).Refusal!.Message.Contains('Z', StringComparison.Ordinal)));
+        var set = s_set.WithOrigin("G54", null, null, -4000);
+        Assert.Equal(new CountsPoint(12500, -3000, -4000), Find(set, new CountsPoint(1, 2, 3)).Frame);
+        Assert.Equal(new CountsPoint(1, 2, 3), Find(set, new CountsPoint(1, 2, 3), new OriginRequest.PresentPlace()).Frame);
+        Assert.Equal(new CountsPoint(2000, 3000, -4000), Find(set, new CountsPoint(1, 2, 3), new OriginRequest.Given(new Point2D(2, 3))).Frame);
+        Assert.Equal("JOB0011", Find(s_set, new CountsPoint(1, 2, 3), new OriginRequest.Given(new Point2D(2, 3))).Refusal!.Id);
+    }
+
+    [Fact]
+    public void A_fresh_controller_that_counts_0_in_three_axes_has_its_zero_there_and_keeps_it()
+    {
+        var tall = MachineProfile.Default with { Axes = MachineAxes.Default with { Z = new MachineAxis('C', 400.0) }, Height = new HeightDrive() };
+        var fresh = WorkPlacement.Find(MachineMemory.Empty, new ControllerPlace(default), new OriginRequest.Work(), tall, default);
+        Assert.Equal((default(CountsPoint), true), (fresh.Frame!.Value, fresh.IsAssumed));
+        Assert.Equal("JOB0008", WorkPlacement.Find(MachineMemory.Empty, new ControllerPlace(new CountsPoint(0, 0, 5)), new OriginRequest.Work(), tall, default).Refusal!.Id);
+
+        var kept = MachineMemory.Empty.AssumeZero(hasHeight: true) with { Mark = 5 };
+        var later = WorkPlacement.Find(kept, new ControllerPlace(new CountsPoint(0, 0, 2000), Mark: 5), new OriginRequest.Work(), tall, default);
+        Assert.Equal(default(CountsPoint), later.Frame);
+    }
 
     private static PlacementResult Work(MachineMemory memory, ControllerPlace place) => WorkPlacement.Find(memory, place, new OriginRequest.Work(), MachineProfile.Default, default);
 }

@@ -51,7 +51,7 @@ public class UnfinishedSegmentTests
     [InlineData(900000, 0, true, 0, 0.0)] // behind its end
     public void Only_a_position_on_the_segment_with_the_tool_on_counts(int x, int y, bool toolOn, int executed, double cut)
     {
-        var result = JobResult.NotStarted(MotionPrograms.LongLine(200000).Strokes.Count, "Stopped.") with { PolledTrace = [new TracePoint(1.0, x, y, toolOn) { Executed = executed }] };
+        var result = JobResult.NotStarted(MotionPrograms.LongLine(200000).Strokes.Count, "Stopped.") with { PolledTrace = [new TracePoint(1.0, new CountsPoint(x, y), toolOn) { Executed = executed }] };
 
         Assert.Equal(cut, UnfinishedSegment.CutLength(MotionPrograms.LongLine(200000), result, Tolerance));
     }
@@ -68,7 +68,7 @@ public class UnfinishedSegmentTests
             var length = 2000.0 * Math.PI;
             var circle = new VectorSequence(default, 20000, [new VectorSegment(VectorSegmentKind.Arc, default, 1000, 0.0, turn, 0, length)]);
             var program = MotionPrograms.LongLine(1) with { Strokes = [new MotionStroke(0, default, [circle])] };
-            var result = JobResult.NotStarted(program.Strokes.Count, "Stopped.") with { PolledTrace = [new TracePoint(1.0, x, Math.Sign(turn) * y, ToolOn: true)] };
+            var result = JobResult.NotStarted(program.Strokes.Count, "Stopped.") with { PolledTrace = [new TracePoint(1.0, new CountsPoint(x, Math.Sign(turn) * y), ToolOn: true)] };
 
             Assert.Equal(fraction * length, UnfinishedSegment.CutLength(program, result, Tolerance), 6);
         }

@@ -48,7 +48,7 @@ public class ResidentProgramTests
     [Theory]
     [MemberData(nameof(Both))]
     public void The_watchdog_takes_the_tool_off_then_halts_the_feeder_then_stops_in_one_line(string way) =>
-        Assert.Contains("CB3;wtrip=1;HX0;STS;STAB", Lines(Program(way)));
+        Assert.Contains("CB3;wc=_CSS;wx=_RPA;wy=_RPB;wd=_AVS;wtrip=1;HX0;STS;STAB;wj=jm", Lines(Program(way)));
 
     [Fact]
     public void A_call_is_taken_up_before_it_runs_and_counted_after_it_has_run()

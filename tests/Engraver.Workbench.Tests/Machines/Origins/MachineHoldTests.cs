@@ -62,7 +62,7 @@ public sealed class MachineHoldTests : IDisposable
     [InlineData("{\"origins\":{\"G54\":{\"x\":1},\"g54\":{\"x\":2}}}", "it holds G54 twice")]
     public void A_file_that_is_no_record_is_named_left_as_it_is_and_not_held(string text, string why)
     {
-        using (var hold = Take()) hold.Keep(memory => memory);
+        using (var hold = Take()) hold.Keep(memory => memory with { Mark = 1 });
         var file = Kept;
         File.WriteAllText(file, text);
 
@@ -81,7 +81,7 @@ public sealed class MachineHoldTests : IDisposable
     [InlineData("{\"origins\":{\"g54\":{\"x\":1,\"y\":2}}}", 1)]
     public void What_a_record_leaves_out_is_unknown(string text, int? x)
     {
-        using (var hold = Take()) hold.Keep(memory => memory);
+        using (var hold = Take()) hold.Keep(memory => memory with { Mark = 1 });
         File.WriteAllText(Kept, text);
 
         using var read = Take();
@@ -117,6 +117,12 @@ public sealed class MachineHoldTests : IDisposable
         Assert.False(failure.EndsWith('.'));
         Assert.True(Directory.Exists(file));
         Assert.Equal(3, Directory.GetFileSystemEntries(_folder.FullName).Length); // the folder in the way, the lock and its holder; no temporary file
+        Assert.NotNull(hold.Set(memory => memory with { Active = "G55" }));
+        Assert.Equal("G54", hold.Memory.Active); // a decision that cannot be kept is none
+
+        Directory.Delete(file);
+        Assert.Null(hold.Keep(memory => memory)); // what was learnt is written as soon as it can be
+        Assert.Contains("\"x\": 3", File.ReadAllText(file), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -119,6 +119,72 @@ public sealed class WorkOriginTests : IAsyncDisposable
         Assert.Equal("JOB0009", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
     }
 
+    [Theory]
+    [InlineData("look")]
+    [InlineData("move")]
+    [InlineData("here")]
+    [InlineData("burned")]
+    public async Task What_is_done_by_hand_after_a_power_cycle_vouches_for_no_origin(string between)
+    {
+        for (var i = 0; i < 4; i++) await CutAsync(JobMode.Stream); // the controller's clock is kept as each begins
+        await CutAsync(JobMode.Stream, options => options with { Finish = FinishPlace.Stay }); // it rests away from 0
+        var mark = System.Text.Json.JsonDocument.Parse(await File.ReadAllTextAsync(Directory.GetFiles(_folder.FullName, "*.json").Single())).RootElement.GetProperty("mark").GetInt32();
+        await ReplaceAsync(Number);
+
+        if (between is "look" or "burned") await ActAsync(async machine =>
+        {
+            if (between == "burned") await machine.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"cncmark={mark}"), _limit.Token); // as BV brings it back; the clock began anew
+            await machine.SetMotorsAsync(on: true, _limit.Token);
+        });
+        if (between == "move") await ActAsync(async machine =>
+        {
+            foreach (var goal in new[] { 500, 0 }) await machine.GoToAsync(new CountsPoint(goal, 0), Path.Combine(_folder.FullName, $"goto{goal}.jsonl"), feed: null, _limit.Token);
+        });
+        if (between is "here" or "burned") await CutAsync(JobMode.Stream, options => options with { Origin = new OriginRequest.PresentPlace() });
+
+        Assert.Equal((0L, 0L), Position);
+        Assert.Equal("JOB0009", (await RunAsync(JobMode.Stream)).Placement!.Refusal!.Id);
+    }
+
+    /// <summary>Nothing counts how a stepper is moved while its motor is off: an origin that is set then is none, and one that was set before is lost also when the motor is on again.</summary>
+    [Fact]
+    public async Task A_stepper_whose_motor_is_off_gets_no_origin_and_loses_the_one_it_had()
+    {
+        await ActAsync(async machine =>
+        {
+            await machine.Terminal.TypeAsync("confirm MO", _limit.Token);
+            await machine.Terminal.TypeAsync("confirm MT 2,2", _limit.Token);
+            await machine.Terminal.TypeAsync("confirm SH", _limit.Token);
+        });
+        await ActAsync(machine => machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X + 300, here.Position.Y, null), _limit.Token));
+        await CutAsync(JobMode.Stream);
+
+        await ActAsync(async machine =>
+        {
+            await machine.SetMotorsAsync(on: false, _limit.Token);
+            var refused = await Assert.ThrowsAsync<MachineMemoryException>(() => machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, 0, null), _limit.Token));
+            Assert.Contains("the stepper motor of axis A and B is off, and a stepper without current does not keep its place. Switch the motors on", refused.Message, StringComparison.Ordinal);
+            await machine.SetMotorsAsync(on: true, _limit.Token);
+            Assert.Equal(Workbench.Machines.MachineState.NoOrigin, machine.Status.State);
+        });
+        var lost = await RunAsync(JobMode.Stream);
+        Assert.Equal("JOB0010", lost.Placement!.Refusal!.Id);
+        await ActAsync(machine => machine.SetOriginAsync((memory, here) => memory.WithOrigin("G54", here.Position.X, here.Position.Y, null), _limit.Token));
+        await CutAsync(JobMode.Stream);
+    }
+
+    [Fact]
+    public async Task A_controller_that_takes_no_mark_gets_no_origin_that_nobody_could_know_again()
+    {
+        await ActAsync(async machine =>
+        {
+            for (var i = 0; i < 254; i++) await machine.Terminal.TypeAsync(string.Create(CultureInfo.InvariantCulture, $"v{i}=1"), _limit.Token);
+            var refused = await Assert.ThrowsAsync<MachineMemoryException>(() => machine.SetOriginAsync((memory, _) => memory.WithOrigin("G54", 7, 7, null), _limit.Token));
+            Assert.Contains("cncmark", refused.Message, StringComparison.Ordinal);
+            Assert.Empty(machine.Hold!.Memory.Origins);
+        });
+    }
+
     [Fact]
     public async Task A_machine_that_stands_elsewhere_and_was_never_zeroed_is_refused_and_here_takes_it()
     {

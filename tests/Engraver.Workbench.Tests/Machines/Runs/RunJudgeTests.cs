@@ -66,7 +66,7 @@ public class RunJudgeTests
 
         Assert.Equal((JobOutcome.LinkLost, null), (report.Result.Outcome, report.Judgement.MissingLengthMm));
         Assert.NotNull(report.Judgement.MaxDeviationMm);
-        Assert.Contains("how much of it is missing is not known", RunText.Sentence(job, report), StringComparison.Ordinal);
+        Assert.Contains("how much of it is missing is not known", RunText.Sentence(job, report, text => text), StringComparison.Ordinal);
     }
 
     private sealed class CutLink(IControllerLink inner, Func<bool> isCut) : IControllerLink

@@ -3,9 +3,9 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text;
 
-namespace Engraver.Benchmarks.Desktop;
+namespace Engraver.Benchmarks.Stops;
 
-/// <summary>A wire with an ear: what is sent to a port of its own goes on to the controller, and is heard on the way, with the moment it came.</summary>
+/// <summary>A TCP relay that listens on a port of its own: it passes commands on to the controller and reports each with the time at which it came.</summary>
 internal sealed class WireTap : IAsyncDisposable
 {
     private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -21,10 +21,10 @@ internal sealed class WireTap : IAsyncDisposable
         _accepting = AcceptAsync();
     }
 
-    /// <summary>Commands on their way to the controller, and the time stamp of their coming; on a thread of the pool.</summary>
+    /// <summary>Raised with each command on its way to the controller and its time stamp; on a thread of the pool.</summary>
     public event Action<string, long>? Heard;
 
-    /// <summary>The address of the controller, by way of the tap.</summary>
+    /// <summary>The address at which the controller is reached through the relay.</summary>
     public string Address => FormattableString.Invariant($"tcp://127.0.0.1:{((IPEndPoint)_listener.LocalEndpoint).Port}");
 
     public async ValueTask DisposeAsync()

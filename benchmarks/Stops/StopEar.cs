@@ -1,9 +1,9 @@
 using System.Diagnostics;
 using System.Globalization;
 
-namespace Engraver.Benchmarks.Desktop;
+namespace Engraver.Benchmarks.Stops;
 
-/// <summary>Hears a stop on its way to the controller: its first word switches the tool off, its last brakes the axes.</summary>
+/// <summary>Notices a stop on its way to the controller: its first command switches the tool off, its last one brakes the axes.</summary>
 internal sealed class StopEar : IDisposable
 {
     /// <summary>The head of the table that <see cref="Row"/> makes lines of.</summary>
@@ -25,7 +25,7 @@ internal sealed class StopEar : IDisposable
         return string.Create(CultureInfo.InvariantCulture, $"| {what} | {count} | {milliseconds[count / 2]:0.00} | {milliseconds[count * 99 / 100]:0.00} | {milliseconds[^1]:0.00} |");
     }
 
-    /// <summary>What was said before does not count.</summary>
+    /// <summary>Forgets the commands heard so far.</summary>
     public void Forget()
     {
         _toolOff.Reset();
@@ -33,7 +33,7 @@ internal sealed class StopEar : IDisposable
     }
 
     /// <summary>Waits for a whole stop of a machine at rest.</summary>
-    /// <returns>Milliseconds from a time stamp to its first word.</returns>
+    /// <returns>Milliseconds from a time stamp to its first command.</returns>
     /// <exception cref="TimeoutException">It never came.</exception>
     public double AwaitStop(long since)
     {
@@ -42,8 +42,8 @@ internal sealed class StopEar : IDisposable
         return Stopwatch.GetElapsedTime(since, Volatile.Read(ref _toolOffAt)).TotalMilliseconds;
     }
 
-    /// <summary>Waits for the stop of a job. A job switches the tool off by itself too, so the word that counts is the braking.</summary>
-    /// <returns>Milliseconds from a time stamp to the word.</returns>
+    /// <summary>Waits for the stop of a job. A job switches the tool off by itself too, so the command that counts is the braking.</summary>
+    /// <returns>Milliseconds from a time stamp to that command.</returns>
     /// <exception cref="TimeoutException">It never came.</exception>
     public double AwaitBrake(long since)
     {

@@ -1,0 +1,91 @@
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.App.Commissioning;
+
+/// <summary>The page of commissioning: its steps, where it stands, and the answers to its questions as buttons, which type them into the conversation of CNCCOMMISSION.</summary>
+public sealed class CommissioningModel : Observable
+{
+    private const string Command = "CNCCOMMISSION";
+    private readonly DesktopModel _desk;
+    private IReadOnlyList<CommissioningRow> _steps = [];
+    private IReadOnlyList<Keyword> _answers = [];
+
+    public CommissioningModel(DesktopModel desk)
+    {
+        _desk = desk;
+        Begin = new Act(() => _ = desk.RunAsync(Command), () => desk.Session.Machine.Description is not null && !desk.IsMoving && !IsUnderWay);
+        BreakOff = new Act(() => _ = desk.CancelAsync(), () => IsUnderWay);
+        Answer = new Act(option => _ = desk.EnterAsync(((Keyword)option!).Name), () => IsAsked);
+        Keep = new Act(() => _ = desk.EnterAsync(""), () => IsAsked);
+        desk.Changed += Look;
+        Look();
+    }
+
+    public Act Begin { get; }
+
+    public Act BreakOff { get; }
+
+    /// <summary>A click on one of the answers.</summary>
+    public Act Answer { get; }
+
+    /// <summary>Enter alone: what is there stays.</summary>
+    public Act Keep { get; }
+
+    public IReadOnlyList<CommissioningRow> Steps
+    {
+        get => _steps;
+        private set => Set(ref _steps, value);
+    }
+
+    public bool IsUnderWay => _desk.Session.Commissioning.IsUnderWay;
+
+    /// <summary>The question without its options; empty while none is asked.</summary>
+    public string Question => IsAsked ? PromptLine.WithoutOptions(_desk.Prompt.Text) : IsUnderWay ? Text.Get("Command.Working") : "";
+
+    public IReadOnlyList<Keyword> Answers
+    {
+        get => _answers;
+        private set => Set(ref _answers, value);
+    }
+
+    /// <summary>Enter stands for a value that is no option.</summary>
+    public bool CanKeep => IsAsked && _desk.Prompt.Default is { Length: > 0 } standard && _desk.Prompt.Options.All(option => option.Name != standard);
+
+    public string KeepText => Text.Get("Commissioning.Keep", _desk.Prompt.Default ?? "");
+
+    /// <summary>The question can be answered with a value, which is typed.</summary>
+    public bool IsTyped => IsAsked && (CanKeep || _desk.Prompt.Options.Count == 0);
+
+    private bool IsAsked => IsUnderWay && _desk.Prompt.Command == Command;
+
+    private void Look()
+    {
+        IReadOnlyList<CommissioningRow> steps = [.. _desk.Session.Commissioning.Steps.Select(CommissioningRow.Of)];
+        if (!steps.SequenceEqual(Steps)) Steps = steps;
+        var answers = IsAsked ? _desk.Prompt.Options : [];
+        if (!answers.SequenceEqual(Answers)) Answers = answers;
+        Tell(null);
+        foreach (var act in new[] { Begin, BreakOff, Answer, Keep }) act.Reconsider();
+    }
+}
+
+/// <summary>A step and where it stands, in words.</summary>
+public sealed record CommissioningRow(string Title, string State, bool IsNow)
+{
+    public static CommissioningRow Of(CommissioningStepView step)
+    {
+        ArgumentNullException.ThrowIfNull(step);
+        var state = step.State switch
+        {
+            CommissioningState.Now => Text.Get("Commissioning.Now"),
+            CommissioningState.Through => Text.Get("Commissioning.Through"),
+            CommissioningState.LeftOut => Text.Get("Commissioning.LeftOut"),
+            _ => "",
+        };
+        return new CommissioningRow(Text.Get("Commissioning.Row", step.Number, step.Name), state, step.State == CommissioningState.Now);
+    }
+}

@@ -1,0 +1,276 @@
+using System.Globalization;
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.App.Texts;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.App.HandMoves;
+
+/// <summary>The Machine page: jog pad, places to go to, homing, work origins, inputs and outputs. What moves by steps or to a place is a command; only the held jog goes to the machine without one.</summary>
+public sealed class HandMovesModel : Observable, IDisposable
+{
+    private readonly DesktopModel _desk;
+    private HeldJog? _jog;
+    private Task _before = Task.CompletedTask;
+    private StepSize _step;
+    private bool _isGuardOpen;
+
+    public HandMovesModel(DesktopModel desk)
+    {
+        _desk = desk;
+        Steps = [.. new double?[] { 0.01, 0.1, 1.0, 10.0, null }.Select(size => new StepSize(size, this))];
+        _step = Steps[2];
+        GoOrigin = Command("CNCGOTO", "Work", "0,0");
+        GoStart = Command("CNCGOTO", "Start");
+        GoPark = Command("CNCGOTO", "Park");
+        GoClearance = Command("CNCGOTO", "Clearance");
+        Home = Command("CNCHOME");
+        ZeroAll = Command("CNCZERO", "All");
+        ZeroX = Command("CNCZERO", "X");
+        ZeroY = Command("CNCZERO", "Y");
+        ZeroZ = Command("CNCZERO", "Z");
+        desk.Changed += Look;
+        Look();
+    }
+
+    /// <summary>By which a held key is told.</summary>
+    public TimeProvider Time => _desk.Time;
+
+    /// <summary>The sizes of a step, and at the end "as long as it is held".</summary>
+    public IReadOnlyList<StepSize> Steps { get; }
+
+    public StepSize Step
+    {
+        get => _step;
+        set
+        {
+            if (!Set(ref _step, value)) return;
+            foreach (var step in Steps) step.Reconsider();
+            GetReady();
+        }
+    }
+
+    /// <summary>The second control, which allows the rapid speed, is held; Shift does the same.</summary>
+    public bool IsFast { get; set; }
+
+    public Act GoOrigin { get; }
+
+    public Act GoStart { get; }
+
+    public Act GoPark { get; }
+
+    public Act GoClearance { get; }
+
+    public Act Home { get; }
+
+    public Act ZeroAll { get; }
+
+    public Act ZeroX { get; }
+
+    public Act ZeroY { get; }
+
+    /// <summary>Only on a machine with a Z axis.</summary>
+    public Act ZeroZ { get; }
+
+    /// <summary>The axes that <see cref="ZeroAll"/> sets.</summary>
+    public string ZeroAllText => Text.Get(HasHeight ? "Pad.ZeroAllWithZ" : "Pad.ZeroAll");
+
+    public IReadOnlyList<OriginRow> Origins { get; private set; } = [];
+
+    public IReadOnlyList<LineRow> Inputs { get; private set; } = [];
+
+    public IReadOnlyList<LineRow> Outputs { get; private set; } = [];
+
+    /// <summary>While it is on, a click on an output asks to switch it.</summary>
+    public bool IsGuardOpen
+    {
+        get => _isGuardOpen;
+        set => Set(ref _isGuardOpen, value);
+    }
+
+    /// <summary>The machine has a Z axis.</summary>
+    public bool HasHeight { get; private set; }
+
+    /// <summary>The tool's height over the drawing's zero and by the controller's; empty without a Z axis.</summary>
+    public string Height { get; private set; } = "";
+
+    public string Homed { get; private set; } = "";
+
+    public bool IsNotHomed { get; private set; }
+
+    /// <summary>A held jog is expected, because its step was chosen or the pad has the focus: the controller is made ready for it, so that the press moves at once.</summary>
+    public void GetReady()
+    {
+        if (Step.Millimetres is null && !_desk.IsMoving && WhyNot() is null) _ = GetReadyAsync();
+    }
+
+    private async Task GetReadyAsync()
+    {
+        try
+        {
+            await _desk.Session.Machine.GetReadyAsync(_desk.Session.NewRunJournal("jog"));
+        }
+        catch (Exception unready) when (unready is ControllerException or InvalidOperationException)
+        {
+            // The press says why.
+        }
+    }
+
+    /// <summary>A key of the pad goes down.</summary>
+    /// <param name="way">Direction of each axis, -1, 0 or 1.</param>
+    /// <param name="shift">Shift is held.</param>
+    public void Press(JogVelocity way, bool shift)
+    {
+        if (_jog is { IsReleased: false }) return;
+        if (WhyNot() is { } why)
+        {
+            _desk.Tell(MessageKind.Error, why);
+            return;
+        }
+
+        if (Step.Millimetres is { } step)
+        {
+            if (!_desk.IsMoving) StepBy(way, step);
+            return;
+        }
+
+        var jog = HeldJog.Begin(_desk.Session.Machine, way.At(Speed(shift)), _before, _desk.Session.NewRunJournal("jog"), _desk.Time);
+        (_jog, _before) = (jog, jog.Ended);
+        _ = TellEndAsync(jog);
+    }
+
+    /// <summary>The window lives and the key is held.</summary>
+    public void Hold(bool shift)
+    {
+        if (_jog is { IsReleased: false } jog) jog.IsHeld(Speed(shift));
+    }
+
+    /// <summary>The key goes up, the pad loses the focus or the window closes: the machine brakes. Never waits.</summary>
+    public void Release() => _jog?.Release();
+
+    /// <summary>Completes when the last jog has left the controller as it was found.</summary>
+    public Task Jogged => _before;
+
+    public void Dispose() => _jog?.Dispose();
+
+    private static string Show(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
+
+    private string? WhyNot()
+    {
+        var machine = _desk.Session.Machine;
+        if (machine.Description is null) return Text.Get("Pad.NoController");
+        if (machine.Status.MotorsOn == false) return Text.Get("Pad.MotorsOff");
+        return _desk.IsMoving && !machine.IsHeld && _before.IsCompleted ? Text.Get("Pad.Busy") : null;
+    }
+
+    /// <summary>The rapid speed needs the second control, and a machine that is homed where that can be.</summary>
+    private double Speed(bool shift)
+    {
+        var profile = _desk.Session.Machine.Profile;
+        return (IsFast || shift) && _desk.Session.Machine.IsHomed != false ? profile.RapidMmPerMinute : profile.JogMmPerMinute;
+    }
+
+    private void StepBy(JogVelocity way, double step)
+    {
+        if (way.Z != 0.0) _ = _desk.RunAsync("CNCJOG", way.Z > 0.0 ? "Z+" : "Z-", Show(step));
+        else _ = _desk.RunAsync("CNCJOG", $"{Show(way.X * step)},{Show(way.Y * step)}");
+    }
+
+    private async Task TellEndAsync(HeldJog jog)
+    {
+        try
+        {
+            var result = await jog.Ended;
+            if (jog.WasLate) _desk.Tell(MessageKind.Warning, Text.Get("Pad.Late"));
+            if (result.Outcome != JobOutcome.Complete && result.Sentence.Length > 0) _desk.Tell(MessageKind.Error, result.Sentence);
+            foreach (var left in result.NotRestored) _desk.Tell(MessageKind.Warning, left);
+        }
+        catch (Exception failure) when (failure is ControllerException or InvalidOperationException)
+        {
+            _desk.Tell(MessageKind.Error, failure.Message);
+        }
+        finally
+        {
+            jog.Dispose();
+        }
+    }
+
+    private Act Command(params string[] inputs) => new(() => _ = _desk.RunAsync(inputs), () => _desk.Session.Machine.Description is not null && !_desk.IsMoving);
+
+    private void Look()
+    {
+        var machine = _desk.Session.Machine;
+        var (profile, status) = (machine.Profile, machine.Status);
+        HasHeight = profile.Axes.Z is not null;
+        Height = HasHeight ? Text.Get("Pad.Height", Millimetres(status.WorkHeight), Millimetres(status.MachineHeight)) : "";
+        (Homed, IsNotHomed) = machine.IsHomed switch { true => (Text.Get("Pad.Homed"), false), false => (Text.Get("Pad.NotHomed"), true), null => ("", false) };
+        var memory = machine.Hold?.Memory;
+        IReadOnlyList<OriginRow> origins = [.. WorkOriginNames.All.Select(name => new OriginRow(name, Place(memory?.Origins.GetValueOrDefault(name), profile), memory?.Active == name))];
+        if (!origins.SequenceEqual(Origins)) Origins = origins;
+        IReadOnlyList<LineRow> inputs = [.. Lines(profile.Inputs, status.Inputs)], outputs = [.. Lines(profile.Outputs, status.Outputs)];
+        if (!inputs.SequenceEqual(Inputs)) Inputs = inputs;
+        if (!outputs.SequenceEqual(Outputs)) Outputs = outputs;
+        Tell(null);
+        foreach (var act in new[] { GoOrigin, GoStart, GoPark, GoClearance, Home, ZeroAll, ZeroX, ZeroY, ZeroZ }) act.Reconsider();
+    }
+
+    private static string Place(WorkOrigin? origin, MachineProfile profile)
+    {
+        if (origin is null) return Text.Get("Pad.NotSet");
+        var inPlan = $"{Axis(origin.X, profile.Scale.X)}, {Axis(origin.Y, profile.Scale.Y)}";
+        return profile.Axes.Z is null ? inPlan : $"{inPlan}, {Axis(origin.Z, profile.Scale.Z)}";
+    }
+
+    private static string Millimetres(double? height) => height is { } known ? known.ToString("0.000", CultureInfo.InvariantCulture) : "–";
+
+    private static string Axis(int? counts, double scale) => counts is { } set ? Show(set / scale) : "–";
+
+    private static IEnumerable<LineRow> Lines(LineNames names, int? bits) =>
+        Enumerable.Range(1, 8).Select(line => new LineRow(line, names[line], bits is { } known ? (known >> (line - 1) & 1) != 0 : null));
+
+    /// <summary>The operator chose an origin.</summary>
+    public void Choose(OriginRow origin) => _ = _desk.RunAsync("CNCORIGIN", origin.Name);
+
+    /// <summary>The operator clicked an output.</summary>
+    public void Switch(LineRow output)
+    {
+        if (IsGuardOpen) _ = _desk.RunAsync("CNCOUTPUT", output.Number.ToString(CultureInfo.InvariantCulture), output.IsOn == true ? "OFF" : "ON");
+    }
+}
+
+/// <summary>A size of a step, to choose.</summary>
+/// <param name="millimetres">Null: as long as the key is held.</param>
+public sealed class StepSize(double? millimetres, HandMovesModel owner) : Observable
+{
+    public double? Millimetres => millimetres;
+
+    public string Name => millimetres is { } size ? size.ToString("0.##", CultureInfo.InvariantCulture) : Text.Get("Pad.Continuous");
+
+    public bool IsChosen
+    {
+        get => owner.Step == this;
+        set
+        {
+            if (value) owner.Step = this;
+            Tell(nameof(IsChosen));
+        }
+    }
+
+    public void Reconsider() => Tell(nameof(IsChosen));
+}
+
+/// <summary>A work origin in the list.</summary>
+public sealed record OriginRow(string Name, string Place, bool IsActive);
+
+/// <summary>An input or an output.</summary>
+/// <param name="IsOn">Null: not known.</param>
+public sealed record LineRow(int Number, string Name, bool? IsOn)
+{
+    public string State => IsOn switch { true => Text.Get("Pad.On"), false => Text.Get("Pad.Off"), null => Text.Get("Pad.Unknown") };
+
+    public string Label => Name == Number.ToString(CultureInfo.InvariantCulture) ? Name : $"{Number} {Name}";
+}

@@ -1,0 +1,163 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.Interactivity;
+using Avalonia.Layout;
+using Avalonia.Threading;
+using Engraver.App.Texts;
+using Engraver.Core.Machines.Moves;
+
+namespace Engraver.App.HandMoves;
+
+/// <summary>The pad: press moves, release stops; so do a lost focus, a lost pointer and a window that closes or loses its place in front. Arrow keys are the pad's only while it has the focus.</summary>
+public sealed class JogPad : UserControl
+{
+    private static readonly (string Name, JogVelocity Way, int Row, int Column)[] s_cells =
+    [
+        ("↖", new JogVelocity(-1, 1), 0, 0), ("YPlus", new JogVelocity(0, 1), 0, 1), ("↗", new JogVelocity(1, 1), 0, 2), ("ZPlus", new JogVelocity(0, 0, 1), 0, 3),
+        ("XMinus", new JogVelocity(-1, 0), 1, 0), ("XPlus", new JogVelocity(1, 0), 1, 2),
+        ("↙", new JogVelocity(-1, -1), 2, 0), ("YMinus", new JogVelocity(0, -1), 2, 1), ("↘", new JogVelocity(1, -1), 2, 2), ("ZMinus", new JogVelocity(0, 0, -1), 2, 3),
+    ];
+
+    private ITimer? _beat;
+    private Window? _window;
+    private Key? _key;
+    private bool _shift;
+
+    public JogPad()
+    {
+        Focusable = true;
+        Content = Cells();
+        AddHandler(PointerPressedEvent, OnPadPressed, RoutingStrategies.Tunnel);
+        AddHandler(PointerReleasedEvent, (_, _) => Release(), RoutingStrategies.Tunnel, handledEventsToo: true);
+        PointerCaptureLost += (_, _) => Release();
+        LostFocus += (_, _) => Release();
+        GotFocus += (_, _) => Model?.GetReady();
+    }
+
+    private HandMovesModel? Model => DataContext as HandMovesModel;
+
+    /// <summary>The keys that jog while the pad has the focus; all others are the command line's.</summary>
+    public static JogVelocity? WayOf(Key key) => key switch
+    {
+        Key.Left => new JogVelocity(-1, 0),
+        Key.Right => new JogVelocity(1, 0),
+        Key.Up => new JogVelocity(0, 1),
+        Key.Down => new JogVelocity(0, -1),
+        Key.PageUp => new JogVelocity(0, 0, 1),
+        Key.PageDown => new JogVelocity(0, 0, -1),
+        _ => null,
+    };
+
+    /// <summary>Whether a key is the pad's, seen by the window before anybody else.</summary>
+    public static bool Takes(object? source, Key key) => source is JogPad && (WayOf(key) is not null || key is Key.LeftShift or Key.RightShift);
+
+    protected override void OnAttachedToVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        base.OnAttachedToVisualTree(e);
+        if (TopLevel.GetTopLevel(this) is not Window window) return;
+        _window = window;
+        window.Deactivated += OnWindowLost;
+        window.Closing += OnWindowClosing;
+    }
+
+    protected override void OnDetachedFromVisualTree(VisualTreeAttachmentEventArgs e)
+    {
+        Release();
+        if (_window is { } window)
+        {
+            window.Deactivated -= OnWindowLost;
+            window.Closing -= OnWindowClosing;
+        }
+
+        base.OnDetachedFromVisualTree(e);
+    }
+
+    protected override void OnKeyDown(KeyEventArgs e)
+    {
+        base.OnKeyDown(e);
+        _shift = e.KeyModifiers.HasFlag(KeyModifiers.Shift) || e.Key is Key.LeftShift or Key.RightShift;
+        if (WayOf(e.Key) is not { } way) return;
+        e.Handled = true;
+        if (_key is not null) return; // a key repeats itself while it is held
+        if (way.Z != 0.0 && Model is { HasHeight: false }) return;
+        _key = e.Key;
+        Press(way);
+    }
+
+    protected override void OnKeyUp(KeyEventArgs e)
+    {
+        base.OnKeyUp(e);
+        if (e.Key is Key.LeftShift or Key.RightShift) _shift = false;
+        if (e.Key != _key) return;
+        Release();
+        e.Handled = true;
+    }
+
+    private Grid Cells()
+    {
+        var grid = new Grid { RowDefinitions = new RowDefinitions("36,36,36"), ColumnDefinitions = new ColumnDefinitions("42,42,42,52") };
+        foreach (var (name, way, row, column) in s_cells)
+        {
+            var cell = new Border
+            {
+                Tag = way,
+                Margin = new Thickness(column == 3 ? 12 : 1, 1, 1, 1),
+                CornerRadius = new CornerRadius(3),
+                BorderThickness = new Thickness(1),
+                Child = new TextBlock { Text = name.Length == 1 ? name : Text.Get("Pad." + name), HorizontalAlignment = HorizontalAlignment.Center, VerticalAlignment = VerticalAlignment.Center },
+            };
+            cell.Bind(Border.BackgroundProperty, this.GetResourceObservable("ChromeBrush"));
+            cell.Bind(Border.BorderBrushProperty, this.GetResourceObservable("LineBrush"));
+            if (way.Z != 0.0) cell.Bind(IsVisibleProperty, new Avalonia.Data.Binding(nameof(HandMovesModel.HasHeight)));
+            Grid.SetRow(cell, row);
+            Grid.SetColumn(cell, column);
+            grid.Children.Add(cell);
+        }
+
+        return grid;
+    }
+
+    private void OnPadPressed(object? sender, PointerPressedEventArgs e)
+    {
+        Focus();
+        if (!e.GetCurrentPoint(this).Properties.IsLeftButtonPressed || CellAt(e.Source) is not { } way) return;
+        _shift = e.KeyModifiers.HasFlag(KeyModifiers.Shift);
+        e.Pointer.Capture(this);
+        e.Handled = true;
+        Press(way);
+    }
+
+    private static JogVelocity? CellAt(object? source) => source switch
+    {
+        Border { Tag: JogVelocity way } => way,
+        TextBlock { Parent: Border { Tag: JogVelocity way } } => way,
+        _ => null,
+    };
+
+    private void Press(JogVelocity way)
+    {
+        if (Model is not { } model) return;
+        model.Press(way, _shift);
+        _beat?.Dispose();
+        _beat = model.Time.CreateTimer(_ => Dispatcher.UIThread.Post(IsHeld, DispatcherPriority.Background), null, HeldJog.Beat, HeldJog.Beat);
+    }
+
+    private void Release()
+    {
+        _key = null;
+        _beat?.Dispose();
+        _beat = null;
+        Model?.Release();
+    }
+
+    /// <summary>The window lives: said from behind the rest of its work.</summary>
+    private void IsHeld()
+    {
+        if (_beat is not null) Model?.Hold(_shift);
+    }
+
+    private void OnWindowLost(object? sender, EventArgs e) => Release();
+
+    private void OnWindowClosing(object? sender, WindowClosingEventArgs e) => Release();
+}

@@ -1,0 +1,99 @@
+using System.CommandLine;
+using Engraver.Cli.Options;
+using Engraver.Cli.Output;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver commission</c>: the conversation of CNCCOMMISSION, typed or piped, one answer on a line.</summary>
+internal sealed class CommissionVerb
+{
+    private readonly VerbHost _host;
+    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, Wording.Get("Hand.Connect"));
+    private readonly Option<string?> _profile = new("--machine") { HelpName = "PROFILE.json", Description = Wording.Get("Commission.Machine") };
+    private readonly Option<string?> _output = new("--output", "-o") { HelpName = "PROFILE.json", Description = Wording.Get("Commission.Output") };
+
+    private CommissionVerb(VerbHost host) => _host = host;
+
+    public static Command Build(VerbHost host)
+    {
+        var verb = new CommissionVerb(host);
+        var command = new MachineCommand("commission", Wording.Get("Commission.Description")) { verb._connect, verb._profile, verb._output };
+        command.SetAction(verb.RunAsync);
+        return command;
+    }
+
+    private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
+    {
+        var telling = new ScriptTelling(_host.Out, _host.Error, _host.Quiet(parsed), _host.Verbose(parsed));
+        var environment = new CommandEnvironment();
+        if (parsed.GetValue(_output) is { } output) environment = environment with { CommissionedProfile = output };
+        await using var session = new CommandSession(environment, CommandCatalog.Built());
+        session.Said += telling.Say;
+        await using var pressed = stop.Register(() => session.Machine.Stop()).ConfigureAwait(false);
+        var result = parsed.GetValue(_profile) is { } profile ? await TypeAsync(session, stop, "CNCPROFILE", profile).ConfigureAwait(false) : new InputResult.Done();
+        if (result is not InputResult.Done) return CodeOf(result, stop);
+        await session.Machine.ConnectAsync(parsed.GetRequiredValue(_connect)!, stop).ConfigureAwait(false);
+        return CodeOf(await TalkAsync(session, stop).ConfigureAwait(false), stop);
+    }
+
+    private static async Task<InputResult> TypeAsync(CommandSession session, CancellationToken stop, params string[] inputs)
+    {
+        InputResult result = new InputResult.Done();
+        foreach (var input in inputs) result = await session.EnterAsync(input, stop).ConfigureAwait(false);
+        return result;
+    }
+
+    /// <summary>Asks until the command has ended. The end of the input is Esc: the machine is left as found.</summary>
+    private async Task<InputResult> TalkAsync(CommandSession session, CancellationToken stop)
+    {
+        var result = await session.EnterAsync("CNCCOMMISSION", stop).ConfigureAwait(false);
+        while (result is InputResult.Asking or InputResult.NotUnderstood)
+        {
+            if (await AnswerAsync(session.Prompt.Text, stop).ConfigureAwait(false) is not { } answer)
+            {
+                var asked = session.Prompt.Text;
+                await session.CancelAsync().ConfigureAwait(false);
+                stop.ThrowIfCancellationRequested();
+                return new InputResult.Failed(CommandFailure.Usage, Said(Wording.Get("Commission.InputEnds", asked)));
+            }
+
+            result = await session.EnterAsync(answer, stop).ConfigureAwait(false);
+        }
+
+        return result;
+    }
+
+    private string Said(string sentence)
+    {
+        _host.Error.WriteLine(sentence);
+        return sentence;
+    }
+
+    /// <returns>Null at the end of the input, and when the operator stopped.</returns>
+    private async Task<string?> AnswerAsync(string prompt, CancellationToken stop)
+    {
+        if (_host.Interactive) await _host.Out.WriteAsync(prompt + " ").ConfigureAwait(false);
+        else await _host.Out.WriteLineAsync(prompt).ConfigureAwait(false);
+        await _host.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
+        try
+        {
+            return await Task.Run(_host.In.ReadLine, stop).WaitAsync(stop).ConfigureAwait(false); // a read from a console cannot be cancelled: the operator's stop does not wait for it
+        }
+        catch (OperationCanceledException)
+        {
+            return null;
+        }
+    }
+
+    private static int CodeOf(InputResult result, CancellationToken stop) => result switch
+    {
+        InputResult.Done => ExitCode.Done,
+        InputResult.Failed { Bug: { } bug } => throw new InvalidOperationException($"A command broke: {bug.Message}", bug), // a crash report tells where
+        InputResult.Failed failed => ScriptVerb.Code(failed.Why),
+        InputResult.Cancelled => throw new OperationCanceledException(stop),
+        _ => ExitCode.Usage,
+    };
+}

@@ -1,0 +1,74 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Engraver.Cli.Options;
+using Engraver.Cli.Output;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines;
+using Engraver.Workbench.Machines.Arming;
+using Engraver.Workbench.Machines.Origins;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver frame</c>: once round the placed job, tool off.</summary>
+internal sealed class FrameVerb
+{
+    private readonly VerbHost _host;
+    private readonly DrawingOptions _drawing = new();
+    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, Wording.Get("Hand.Connect"));
+    private readonly Option<bool> _json = JsonOption.New();
+    private readonly Option<bool> _hull = new("--hull") { Description = Wording.Get("Frame.Hull") };
+
+    private FrameVerb(VerbHost host) => _host = host;
+
+    public static Command Build(VerbHost host)
+    {
+        var verb = new FrameVerb(host);
+        var command = new MachineCommand("frame", Wording.Get("Frame.Frame"));
+        verb._drawing.AddTo(command);
+        foreach (var option in (Option[])[verb._connect, verb._json, verb._hull]) command.Options.Add(option);
+        command.SetAction(verb.RunAsync);
+        return command;
+    }
+
+    private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
+    {
+        var settings = _drawing.Settings(parsed);
+        var file = _drawing.File(parsed);
+        var shape = parsed.GetValue(_hull) ? FrameShape.Hull : FrameShape.Rectangle;
+        var (job, frame) = await StoppableVerb.ComputeAsync(
+            () =>
+            {
+                var prepared = JobPreparation.Prepare(DrawingFile.Open(file, settings, stop), settings, MotionStyle.Continuous);
+                return (prepared, JobFrame.Of(prepared, shape));
+            },
+            stop).ConfigureAwait(false);
+        _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
+        if (frame is null) return NotMoved($"{job.WithoutProgram}.");
+        await using var machine = new MachineSession(TimeProvider.System) { OriginsFolder = MachineMemories.FolderIn(null), Profile = settings.Machine };
+        await machine.ConnectAsync(parsed.GetRequiredValue(_connect)!, stop).ConfigureAwait(false);
+        var placement = job.Motion.Program is { } program ? await machine.AskAsync(program, stop).ConfigureAwait(false) : null;
+        var list = ArmingChecklist.OnConsole(job, machine.Profile, machine.Status, placement);
+        if (!parsed.GetValue(_json)) _host.Print(parsed, list);
+        var code = list.WhyNot is { } unready ? NotMoved(unready) : Conclude(await machine.FrameAsync(frame, JournalFolder.NewJournal("frame", TimeProvider.System), stop).ConfigureAwait(false));
+        var status = StatusJson.From(machine.Status, machine.Hold?.Memory, machine.Profile) with { Checks = StartCheckJson.Of(list) };
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, status, ContractJson.Default.StatusJson);
+        else foreach (var line in status.Text()) await _host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);
+        return code;
+    }
+
+    private int Conclude(JobResult result)
+    {
+        if (result.FrameOrigin is null && result.Diagnostics is [var unplaced, ..]) return NotMoved(SettingWording.OnConsole(unplaced).Message);
+        if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Sentence}");
+        return result.Outcome switch { JobOutcome.Complete => ExitCode.Done, JobOutcome.Stopped => ExitCode.StoppedByOperator, JobOutcome.Refused => ExitCode.Refused, JobOutcome.Deviated => ExitCode.DrawingError, _ => ExitCode.LinkLost };
+    }
+
+    private int NotMoved(string why)
+    {
+        _host.Error.WriteLine(Wording.Get("Hand.NotMoved", why));
+        return ExitCode.DrawingError;
+    }
+}

@@ -1,0 +1,135 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Engraver.Cli.Options;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver zero</c> sets a work origin at the place where the machine stands: its zero, a place of the drawing, a touched edge or the middle of two touches; <c>engraver origin</c> chooses one.</summary>
+internal sealed partial class HandVerbs
+{
+    private const double LargestRadiusMm = 100.0;
+
+    public static Command Zero(VerbHost host)
+    {
+        var verb = new HandVerbs(host);
+        var options = new ZeroOptions();
+        var command = verb.Command("zero", Wording.Get("Hand.Zero"));
+        options.AddTo(command);
+        command.SetAction((parsed, stop) => verb.WithMachineAsync(parsed, (machine, cancellation) => verb.ZeroAsync(machine, options, parsed, cancellation), stop));
+        return command;
+    }
+
+    public static Command Origin(VerbHost host)
+    {
+        var verb = new HandVerbs(host);
+        var name = new Argument<string?>("NAME") { Arity = ArgumentArity.ZeroOrOne, Description = Wording.Get("Hand.OriginName") };
+        name.Validators.Add(ZeroOptions.CheckName);
+        var command = verb.Command("origin", Wording.Get("Hand.Origin"));
+        command.Arguments.Add(name);
+        command.SetAction((parsed, stop) => verb.WithMachineAsync(parsed, (machine, _) => Task.FromResult(verb.Choose(machine, parsed.GetValue(name))), stop));
+        return command;
+    }
+
+    private int Choose(MachineSession machine, string? name) =>
+        name is not null && machine.ChooseOrigin(WorkOriginNames.Find(name)!) is { } failure ? NotMoved(failure) : ExitCode.Done;
+
+    private async Task<int> ZeroAsync(MachineSession machine, ZeroOptions options, ParseResult parsed, CancellationToken stop)
+    {
+        var (profile, way) = (machine.Profile, options.Read(parsed));
+        if (way.Z && profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
+        var place = way.Point ?? way.Centre ?? default;
+        if (!profile.Scale.Holds(Bounds2D.FromCorners(place, place), default)) return NotMoved(Wording.Get("Hand.NotCountable"));
+        var at = profile.Scale.ToCounts(place);
+        (int? X, int? Y) Zero(CountsPoint here) => way switch
+        {
+            { Edge: { } edge } => EdgeTouch.ZeroAt(here, edge, way.Radius, profile.Scale),
+            { Centre: not null } => EdgeTouch.Middle(at, here) is var middle ? (middle.X, middle.Y) : default,
+            _ => (here.X - at.X, here.Y - at.Y), // without a place of the drawing that is its zero
+        };
+        await machine.SetOriginAsync(
+            (memory, here) =>
+            {
+                var ((x, y), chosen) = (Zero(here.Position), way.Name ?? memory.Active);
+                return (memory with { Active = chosen }).WithOrigin(chosen, way.X ? x : null, way.Y ? y : null, (way.Z || way.IsWhole) && profile.Axes.Z is not null ? here.Position.Z : null);
+            },
+            stop).ConfigureAwait(false);
+        return ExitCode.Done;
+    }
+
+    /// <summary>What becomes of the place where the machine stands.</summary>
+    /// <param name="X">The origin's X is set.</param>
+    /// <param name="IsWhole">No axis is named, and the zero is here: then Z is set too, where there is one.</param>
+    /// <param name="Point">It is this place of the drawing, mm.</param>
+    /// <param name="Edge">It touches this edge.</param>
+    /// <param name="Centre">It is the second touch; this was the first, machine mm.</param>
+    /// <param name="Name">The origin that is set and becomes the active one; null for the active one.</param>
+    private sealed record ZeroWay(bool X, bool Y, bool Z, bool IsWhole, Point2D? Point, WorkEdge? Edge, double Radius, Point2D? Centre, string? Name);
+
+    private sealed class ZeroOptions
+    {
+        private readonly Option<bool> _x = new("--x") { Description = Wording.Get("Hand.ZeroX") };
+        private readonly Option<bool> _y = new("--y") { Description = Wording.Get("Hand.ZeroY") };
+        private readonly Option<bool> _z = new("--z") { Description = Wording.Get("Hand.ZeroZ") };
+        private readonly Option<string?> _point = PlaceOption("--point", Wording.Get("Hand.ZeroPoint"));
+        private readonly Option<string?> _edge = new("--edge") { HelpName = "left|bottom|right|top", Description = Wording.Get("Hand.ZeroEdge") };
+        private readonly Option<double> _radius = new("--radius") { HelpName = "MM", Description = Wording.Get("Hand.ZeroRadius"), CustomParser = ParseRadius };
+        private readonly Option<string?> _centre = PlaceOption("--centre", Wording.Get("Hand.ZeroCentre"));
+        private readonly Option<string?> _name = new("--origin") { HelpName = "G54", Description = Wording.Get("Hand.ZeroOrigin") };
+
+        public ZeroOptions()
+        {
+            _edge.AcceptOnlyFromAmong([.. Enum.GetNames<WorkEdge>().Select(edge => edge.ToLowerInvariant())]);
+            _name.Validators.Add(CheckName);
+        }
+
+        public void AddTo(Command command)
+        {
+            foreach (var option in (Option[])[_x, _y, _z, _point, _edge, _radius, _centre, _name]) command.Options.Add(option);
+            command.Validators.Add(result =>
+            {
+                bool Has(Option option) => result.GetResult(option) is { Implicit: false };
+                if (new Option[] { _point, _edge, _centre }.Count(Has) > 1 || (Has(_z) && (Has(_edge) || Has(_centre))) || (Has(_edge) && (Has(_x) || Has(_y)))) result.AddError(Wording.Get("Hand.ZeroOneWay"));
+                if (Has(_radius) && !Has(_edge)) result.AddError(Wording.Get("Hand.ZeroRadiusOfEdge"));
+            });
+        }
+
+        public ZeroWay Read(ParseResult parsed)
+        {
+            var (x, y, z) = (parsed.GetValue(_x), parsed.GetValue(_y), parsed.GetValue(_z));
+            var (point, centre) = (Place(parsed.GetValue(_point)), Place(parsed.GetValue(_centre)));
+            var all = !x && !y && (!z || point is not null);
+            WorkEdge? edge = parsed.GetValue(_edge) is { } name ? Enum.Parse<WorkEdge>(name, ignoreCase: true) : null;
+            return new ZeroWay(all || x, all || y, z, all && point is null && edge is null && centre is null, point, edge, parsed.GetValue(_radius), centre, parsed.GetValue(_name) is { } given ? WorkOriginNames.Find(given) : null);
+        }
+
+        /// <summary>The text is the name of a work origin.</summary>
+        public static void CheckName(SymbolResult result)
+        {
+            if (result.Tokens is [var token] && WorkOriginNames.Find(token.Value) is null) result.AddError(Wording.Get("Hand.NoSuchOrigin", token.Value, string.Join(", ", WorkOriginNames.All)));
+        }
+
+        private static Point2D? Place(string? typed) => typed is null ? null : PlacementOptions.TryPlace(typed);
+
+        private static Option<string?> PlaceOption(string name, string description)
+        {
+            var option = new Option<string?>(name) { HelpName = "X,Y", Description = description };
+            option.Validators.Add(result =>
+            {
+                if (result.Tokens is [var token] && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.NoPlace", token.Value));
+            });
+            return option;
+        }
+
+        private static double ParseRadius(ArgumentResult result)
+        {
+            if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var radius) && radius is >= 0.0 and <= LargestRadiusMm) return radius;
+            result.AddError(Wording.Get("Hand.ZeroNoRadius", result.Tokens[0].Value, LargestRadiusMm));
+            return 0.0;
+        }
+    }
+}

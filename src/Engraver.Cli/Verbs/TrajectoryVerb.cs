@@ -1,0 +1,109 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Engraver.Cli.Options;
+using Engraver.Cli.Output;
+using Engraver.Core.Offsets;
+using Engraver.Core.Trajectories;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver trajectory</c>: the contours of a drawing as files for the SACE bench or an XPS controller.</summary>
+internal sealed class TrajectoryVerb
+{
+    private readonly VerbHost _host;
+    private readonly DrawingOptions _drawing = new();
+    private readonly Option<bool> _json = JsonOption.New();
+    private readonly Option<string> _folder = new("-o", "--output") { Required = true, HelpName = "DIR", Description = Wording.Get("Trajectory.Folder") };
+    private readonly Option<string> _density = Choice("--density", Wording.Get("Trajectory.Density"), "dynamic", "uniform");
+    private readonly Option<double> _segment = new("--segment-length") { HelpName = "L", Description = Wording.Get("Trajectory.SegmentLength"), CustomParser = OptionValue.PositiveNumber, DefaultValueFactory = _ => TrajectoryOptions.DefaultSegmentLength };
+    private readonly Option<double?> _offset = new("--offset") { HelpName = "D", Description = Wording.Get("Trajectory.Offset"), CustomParser = result => OptionValue.PositiveNumber(result) };
+    private readonly Option<string?> _side = new("--side") { Description = Wording.Get("Trajectory.Side") };
+    private readonly Option<double> _passes = new("--passes") { HelpName = "N", Description = Wording.Get("Trajectory.Passes"), CustomParser = OptionValue.WholeNumberFromOne, DefaultValueFactory = _ => 1.0 };
+    private readonly Option<double?> _step = new("--step") { HelpName = "S", Description = Wording.Get("Trajectory.Step"), CustomParser = result => OptionValue.PositiveNumber(result) };
+    private readonly Option<string> _corners = Choice("--corners", Wording.Get("Trajectory.Corners"), "stop", "continuous");
+    private readonly Option<double> _z = new("--z") { HelpName = "MM", Description = Wording.Get("Trajectory.Z"), CustomParser = OptionValue.AnyNumber, DefaultValueFactory = _ => 0.0 };
+    private readonly Option<string> _format = Choice("--format", Wording.Get("Trajectory.Format"), [.. TrajectoryFormatName.All]);
+
+    private TrajectoryVerb(VerbHost host)
+    {
+        _host = host;
+        _side.AcceptOnlyFromAmong("left", "right", "in", "out");
+    }
+
+    public static Command Build(VerbHost host)
+    {
+        var verb = new TrajectoryVerb(host);
+        var command = new Command("trajectory", Wording.Get("Trajectory.WritesTrajectories"));
+        verb._drawing.AddTo(command);
+        foreach (var option in (Option[])[verb._folder, verb._json, verb._density, verb._segment, verb._offset, verb._side, verb._passes, verb._step, verb._corners, verb._z, verb._format]) command.Options.Add(option);
+        command.Validators.Add(verb.Check);
+        command.SetAction((parsed, stop) => Task.FromResult(verb.Run(parsed, stop)));
+        return command;
+    }
+
+    private int Run(ParseResult parsed, CancellationToken stop)
+    {
+        var settings = _drawing.Settings(parsed);
+        var read = DrawingFile.Open(_drawing.File(parsed), settings, stop);
+        var request = Request(parsed);
+        var made = TrajectoryDrawing.Create(read, settings, request);
+        if (made.Trajectories.Count > 0) Write(parsed.GetRequiredValue(_folder), made, request);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, TrajectoryJson.From(made), ContractJson.Default.TrajectoryJson);
+        else TrajectoryJson.Text(_host.Out, made);
+        return _host.Report(parsed, read.FileName, made.Diagnostics);
+    }
+
+    private static void Write(string folder, TrajectoryDrawing made, TrajectoryRequest request)
+    {
+        try
+        {
+            TrajectoryFolder.Write(folder, made.Trajectories, request.Format);
+        }
+        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
+        {
+            throw new UsageException(Wording.Get("Verbs.CannotWritten", folder, unwritable.Message), unwritable);
+        }
+    }
+
+    private TrajectoryRequest Request(ParseResult parsed) => new()
+    {
+        Format = TrajectoryFormatName.Parse(parsed.GetValue(_format)!),
+        Corners = parsed.GetValue(_corners) == "stop" ? CornerMode.Stop : CornerMode.Continuous,
+        SegmentLength = parsed.GetValue(_density) == "uniform" ? parsed.GetValue(_segment) : null,
+        Z = parsed.GetValue(_z),
+        Offset = parsed.GetValue(_offset) is { } distance ? new TrajectoryOffset(distance, Enum.Parse<OffsetSide>(parsed.GetValue(_side)!, ignoreCase: true), (int)parsed.GetValue(_passes), parsed.GetValue(_step) ?? 0.0) : null,
+    };
+
+    /// <summary>Refuses options that go together and do not come together, instead of ignoring one.</summary>
+    private void Check(CommandResult result)
+    {
+        bool Has(Option option) => result.GetResult(option) is { Implicit: false };
+        string? Given(Option option) => result.GetResult(option) is { Tokens: [var value, ..] } ? value.Value : null;
+        if (Given(_format) is ("xps-linearc" or "xps-pvt") and var format)
+        {
+            if (Given(_density) == "uniform") result.AddError(Wording.Get("Trajectory.UniformIsForSplines", format));
+            if (Given(_corners) == "continuous") result.AddError(Wording.Get("Trajectory.ContinuousIsForSplines", format));
+        }
+
+        if (!Has(_offset))
+        {
+            foreach (var option in ((Option[])[_side, _passes, _step]).Where(Has)) result.AddError(Wording.Get("Trajectory.NeedsOffset", option.Name.TrimStart('-')));
+        }
+        else if (!Has(_side))
+        {
+            result.AddError(Wording.Get("Trajectory.NeedsSide"));
+        }
+        else if (Has(_passes) && !Has(_step) && result.GetResult(_passes) is { Tokens: [{ Value: not "1" }] })
+        {
+            result.AddError(Wording.Get("Trajectory.NeedsStep"));
+        }
+    }
+
+    private static Option<string> Choice(string name, string description, params string[] values)
+    {
+        var option = new Option<string>(name) { Description = description, DefaultValueFactory = _ => values[0] };
+        option.AcceptOnlyFromAmong(values);
+        return option;
+    }
+}

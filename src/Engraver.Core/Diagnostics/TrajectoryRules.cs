@@ -1,0 +1,16 @@
+namespace Engraver.Core.Diagnostics;
+
+/// <summary>The findings of trajectories. Lengths in the sentences are millimetres.</summary>
+public static class TrajectoryRules
+{
+    public static readonly DiagnosticRule ErrorNotKept = new("TRJ0001", Severity.Error, "error", "length", "x", "y");
+
+    public static readonly DiagnosticRule LimitBroken = new("TRJ0002", Severity.Error, "file", "limit");
+
+    public static readonly DiagnosticRule LineUnreadable = new("TRJ0003", Severity.Error, "line", "reason");
+
+    public static readonly DiagnosticRule StepsTooLong = new("TRJ0004", Severity.Warning, "file", "bound", "error");
+
+    /// <summary>Every rule, for the documentation and its test.</summary>
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [ErrorNotKept, LimitBroken, LineUnreadable, StepsTooLong];
+}

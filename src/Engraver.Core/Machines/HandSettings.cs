@@ -1,0 +1,57 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines.Moves;
+using static Engraver.Core.Machines.MachineProfileValidation;
+
+namespace Engraver.Core.Machines;
+
+/// <summary>Checks the part of a profile that hand moves and homing go by: jog speed, travel, homing, names of inputs and outputs.</summary>
+internal static class HandSettings
+{
+    private const double LongestHomingSeconds = 3600.0;
+
+    public static IEnumerable<Diagnostic> Findings(MachineProfile profile, MachineLimits limits)
+    {
+        if (!IsSpeed(profile.JogMmPerMinute, profile, limits)) yield return Finding("jogMmPerMinute", profile.JogMmPerMinute, AxisSpeeds(limits));
+        var axes = profile.Axes.All;
+        for (var i = 0; i < axes.Count; i++)
+        {
+            var name = HomingDocument.AxisNames[i];
+            if (axes[i].Travel is { } travel && !(travel.Least < travel.Most && double.IsFinite(travel.Least) && double.IsFinite(travel.Most) && IsCountable(travel, axes[i])))
+                yield return Text($"travel{name}", $"{Number(travel.Least)}..{Number(travel.Most)}", Wording.Get("MachineProfileValidation.Travel"));
+            if (axes[i].Homing is not { } homing) continue;
+            foreach (var finding in Homing(name, axes[i], homing, limits)) yield return finding;
+        }
+
+        foreach (var finding in Names("inputs", profile.Inputs)) yield return finding;
+        foreach (var finding in Names("outputs", profile.Outputs)) yield return finding;
+
+        IEnumerable<Diagnostic> Names(string field, LineNames names) => names.All
+            .Where(entry => entry.Key < 1 || entry.Key > limits.Outputs || entry.Value.Trim().Length == 0 || entry.Value.Any(char.IsWhiteSpace) || int.TryParse(entry.Value, out _) || names.All.Any(other => other.Key < entry.Key && other.Value.Equals(entry.Value, StringComparison.OrdinalIgnoreCase)))
+            .Select(entry => Text($"{field}.{entry.Key}", entry.Value, Wording.Get("MachineProfileValidation.Names", limits.Outputs)));
+    }
+
+    private static IEnumerable<Diagnostic> Homing(char name, MachineAxis axis, AxisHoming homing, MachineLimits limits)
+    {
+        if (!Enum.IsDefined(homing.By)) yield return Text($"homing.{name}.by", "?", Wording.Get("MachineProfileValidation.HomingBy"));
+        if (homing.Order < 0) yield return Text($"homing.{name}.direction", "?", Wording.Get("MachineProfileValidation.HomingDirection"));
+        if (homing.OnSwitch is not (0 or 1)) yield return Finding($"homing.{name}.onSwitch", homing.OnSwitch, Wording.Get("MachineProfileValidation.HomingOnSwitch"));
+        foreach (var (field, speed) in new[] { ("fastMmPerMinute", homing.FastMmPerMinute), ("slowMmPerMinute", homing.SlowMmPerMinute) })
+        {
+            if (!IsSpeed(speed / 60.0 * Math.Abs(axis.CountsPerMillimetre), limits)) yield return Finding($"homing.{name}.{field}", speed, AxisSpeeds(limits));
+        }
+
+        if (homing.SlowMmPerMinute > homing.FastMmPerMinute) yield return Finding($"homing.{name}.slowMmPerMinute", homing.SlowMmPerMinute, Wording.Get("MachineProfileValidation.HomingSlow"));
+        if (!(homing.BackOff >= 0.0 && homing.BackOff < 1e6 && IsScale(axis.CountsPerMillimetre) && homing.BackOff * Math.Abs(axis.CountsPerMillimetre) < int.MaxValue)) yield return Finding($"homing.{name}.backOff", homing.BackOff, Wording.Get("MachineProfileValidation.HomingBackOff"));
+        var rest = homing.Zero + ((homing.Plus ? -1.0 : 1.0) * homing.BackOff);
+        if (!(Math.Abs(homing.Zero * axis.CountsPerMillimetre) < int.MaxValue && Math.Abs(rest * axis.CountsPerMillimetre) < int.MaxValue)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.ParkCountable"));
+        else if (axis.Travel is { } travel && (rest < travel.Least || rest > travel.Most)) yield return Finding($"homing.{name}.zero", homing.Zero, Wording.Get("MachineProfileValidation.HomingInTravel", Number(rest), Number(travel.Least), Number(travel.Most)));
+        if (homing.Seconds is not (> 0.0 and <= LongestHomingSeconds)) yield return Finding($"homing.{name}.seconds", homing.Seconds, Wording.Get("MachineProfileValidation.HomingSeconds", LongestHomingSeconds));
+    }
+
+    private static bool IsCountable(AxisTravel travel, MachineAxis axis) => !IsScale(axis.CountsPerMillimetre) || Math.Max(Math.Abs(travel.Least), Math.Abs(travel.Most)) * Math.Abs(axis.CountsPerMillimetre) < int.MaxValue;
+
+    private static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+
+    private static Diagnostic Text(string setting, string value, string limit) => MotionRules.SettingOutOfRange.At(default, setting, value, limit);
+}

@@ -1,0 +1,147 @@
+using Engraver.Core.Machines.Moves;
+
+namespace Engraver.Core.Machines;
+
+/// <summary>What the operator wants of a job under way beside its stop: hold, resume, feed and rapid override. Written from any thread, read by the job between two commands (ADR 10).</summary>
+/// <remarks>The stop is a token of its own and wins over everything here. One control serves one job.</remarks>
+public sealed class JobControl
+{
+    private readonly Lock _guard = new();
+    private bool _isHoldWanted;
+    private double _feed = 1.0;
+    private double _rapid = 1.0;
+    private JobPhase _phase;
+    private HeldMove? _move;
+    private bool _isOver;
+
+    /// <summary>Factors of the programmed feed that an operator may ask for.</summary>
+    public static SpeedRange FeedRange { get; } = new(0.1, 2.0);
+
+    /// <summary>The same of the rapid speed, which is the machine's fastest.</summary>
+    public static SpeedRange RapidRange { get; } = new(0.1, 1.0);
+
+    /// <summary>The job is to brake on its path, or stay where it is held.</summary>
+    public bool IsHoldWanted
+    {
+        get
+        {
+            lock (_guard) return _isHoldWanted;
+        }
+    }
+
+    /// <summary>Factor of the programmed feed; limited to <see cref="FeedRange"/>.</summary>
+    /// <exception cref="ArgumentException">Not a number.</exception>
+    public double FeedRatio
+    {
+        get
+        {
+            lock (_guard) return _feed;
+        }
+
+        set
+        {
+            var feed = Within(FeedRange, value);
+            lock (_guard) _feed = feed;
+        }
+    }
+
+    /// <summary>Factor of the rapid speed; limited to <see cref="RapidRange"/>.</summary>
+    /// <exception cref="ArgumentException">Not a number.</exception>
+    public double RapidRatio
+    {
+        get
+        {
+            lock (_guard) return _rapid;
+        }
+
+        set
+        {
+            var rapid = Within(RapidRange, value);
+            lock (_guard) _rapid = rapid;
+        }
+    }
+
+    /// <summary>What the job does, as it said last.</summary>
+    public JobPhase Phase
+    {
+        get
+        {
+            lock (_guard) return _phase;
+        }
+    }
+
+    /// <summary>The job brakes at the next place where it can, and the tool goes off or up once it stands.</summary>
+    public void Hold()
+    {
+        lock (_guard) _isHoldWanted = true;
+    }
+
+    /// <summary>Takes a hold back: the machine returns to where it was held, the tool goes on again, and the job continues there.</summary>
+    public void Resume()
+    {
+        lock (_guard) _isHoldWanted = false;
+    }
+
+    /// <summary>The move by hand that is asked of the held job and not ended yet; null for none.</summary>
+    public HeldMove? Move
+    {
+        get
+        {
+            lock (_guard) return _move;
+        }
+    }
+
+    /// <summary>Moves the machine of a held job by hand, tool off or up; a resume goes back to where the job was held.</summary>
+    /// <returns>How the move ended; refused where the job does not stand held, or another move is under way.</returns>
+    public Task<JobResult> MoveAsync(HeldMove move)
+    {
+        ArgumentNullException.ThrowIfNull(move);
+        lock (_guard)
+        {
+            if (_phase != JobPhase.Held || !_isHoldWanted || _isOver) return Task.FromResult(JobResult.NotStarted(0, Wording.Get("JobControl.NotHeld")));
+            if (_move is not null) return Task.FromResult(JobResult.NotStarted(0, Wording.Get("JobControl.Moves")));
+            _move = move;
+        }
+
+        return move.Ended;
+    }
+
+    /// <summary>Told by the job: the move that was asked for has ended.</summary>
+    public void MoveEnds(JobResult result)
+    {
+        HeldMove? ended;
+        lock (_guard) (ended, _move) = (_move, null);
+        ended?.End(result);
+    }
+
+    /// <summary>Told by the job.</summary>
+    public void Enter(JobPhase phase)
+    {
+        lock (_guard) _phase = phase;
+    }
+
+    /// <summary>Told by the job: it has ended, and a move that was asked for with it.</summary>
+    public void Over(JobResult result)
+    {
+        lock (_guard) _isOver = true;
+        MoveEnds(result);
+    }
+
+    private static double Within(SpeedRange range, double value) =>
+        double.IsNaN(value) ? throw new ArgumentException("A ratio is a number.", nameof(value)) : Math.Clamp(value, range.Slowest, range.Fastest);
+}
+
+/// <summary>What a job under way does about a hold.</summary>
+public enum JobPhase : byte
+{
+    Running,
+
+    /// <summary>A hold was asked for; the machine still moves, or the tool is still on.</summary>
+    Holding,
+
+    /// <summary>It stands with the tool off or up and waits for the operator, who may move it by hand.</summary>
+    Held,
+
+    /// <summary>The machine returns to its path, and the tool goes on again.</summary>
+    Resuming,
+}

@@ -1,0 +1,37 @@
+namespace Engraver.Core.Machines;
+
+/// <summary>A place in a motion program: what lies before it is cut.</summary>
+/// <param name="Segments">Segments that are cut whole, in the order of cutting.</param>
+/// <param name="Along">Counts along the next one that are cut too.</param>
+public readonly record struct JobPlace(int Segments, double Along) : IComparable<JobPlace>
+{
+    public static bool operator <(JobPlace left, JobPlace right) => left.CompareTo(right) < 0;
+
+    public static bool operator >(JobPlace left, JobPlace right) => left.CompareTo(right) > 0;
+
+    public static bool operator <=(JobPlace left, JobPlace right) => left.CompareTo(right) <= 0;
+
+    public static bool operator >=(JobPlace left, JobPlace right) => left.CompareTo(right) >= 0;
+
+    /// <summary>The later of two places.</summary>
+    public static JobPlace Later(JobPlace one, JobPlace other) => one < other ? other : one;
+
+    public int CompareTo(JobPlace other) => Segments != other.Segments ? Segments.CompareTo(other.Segments) : Along.CompareTo(other.Along);
+}
+
+/// <summary>Where an interrupted job is to go on, by its journal and by what the controller itself has kept of it.</summary>
+/// <param name="Place">What lies before it was cut for certain.</param>
+/// <param name="Doubt">Counts before the place that may not have been cut: they are cut again beside any lead-in.</param>
+/// <param name="Frame">Controller counts at the drawing's zero, as the interrupted job had them.</param>
+/// <param name="IsSameZero">The controller has kept what the job left in it: it was not switched off since.</param>
+public sealed record ResumePlace(JobPlace Place, double Doubt, CountsPoint Frame, bool IsSameZero)
+{
+    /// <summary>The mode in which the job was begun; null where no journal tells it.</summary>
+    public JobMode? Mode { get; init; }
+
+    /// <summary>Why the job cannot be resumed, and what to do; null when it can.</summary>
+    public string? Refusal { get; init; }
+
+    /// <summary>A job that cannot be resumed.</summary>
+    public static ResumePlace Refused(string why) => new(default, 0.0, default, false) { Refusal = why };
+}

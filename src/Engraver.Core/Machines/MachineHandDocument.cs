@@ -1,0 +1,93 @@
+using System.Globalization;
+using Engraver.Core.Machines.Moves;
+
+namespace Engraver.Core.Machines;
+
+/// <summary>The ends of an axis' travel in a profile file, machine mm.</summary>
+internal sealed class TravelDocument
+{
+    public double? Min { get; set; }
+
+    public double? Max { get; set; }
+
+    public static TravelDocument? From(AxisTravel? travel) => travel is null ? null : new TravelDocument { Min = travel.Least, Max = travel.Most };
+
+    /// <summary>An end that is missing is no number, for the check of the profile to refuse.</summary>
+    public AxisTravel ToTravel() => new(Min ?? double.NaN, Max ?? double.NaN);
+}
+
+/// <summary>The homing of one axis in a profile file; the list's order is the order in which axes are homed.</summary>
+internal sealed class HomingDocument
+{
+    /// <summary>X, Y or Z: the axis of the drawing.</summary>
+    public string? Axis { get; set; }
+
+    /// <summary>switch, limit, index, switchIndex or limitIndex.</summary>
+    public string? By { get; set; }
+
+    /// <summary>plus or minus.</summary>
+    public string? Direction { get; set; }
+
+    public int? OnSwitch { get; set; }
+
+    public double? FastMmPerMinute { get; set; }
+
+    public double? SlowMmPerMinute { get; set; }
+
+    public double? BackOff { get; set; }
+
+    public double? Zero { get; set; }
+
+    public double? Seconds { get; set; }
+
+    public static List<HomingDocument>? From(MachineAxes axes)
+    {
+        var homed = axes.All.Select((axis, index) => (axis.Homing, Name: AxisNames[index].ToString())).Where(axis => axis.Homing is not null).OrderBy(axis => axis.Homing!.Order).ToList();
+        return homed.Count == 0 ? null : [.. homed.Select(axis => From(axis.Homing!, axis.Name))];
+    }
+
+    /// <summary>What the drawing calls the axes of <see cref="MachineAxes.All"/>.</summary>
+    internal const string AxisNames = "XYZ";
+
+    /// <summary>What is not understood becomes what the check of the profile refuses.</summary>
+    public AxisHoming ToHoming(int order)
+    {
+        var usual = new AxisHoming();
+        return new AxisHoming
+        {
+            By = Enum.TryParse<HomingMark>(By, ignoreCase: true, out var mark) && Enum.IsDefined(mark) && !char.IsDigit(By![0]) ? mark : (HomingMark)(-1),
+            OnSwitch = OnSwitch ?? usual.OnSwitch,
+            Plus = Direction == "plus",
+            FastMmPerMinute = FastMmPerMinute ?? usual.FastMmPerMinute,
+            SlowMmPerMinute = SlowMmPerMinute ?? usual.SlowMmPerMinute,
+            BackOff = BackOff ?? usual.BackOff,
+            Zero = Zero ?? usual.Zero,
+            Seconds = Seconds ?? usual.Seconds,
+            Order = Direction is "plus" or "minus" ? order : -1,
+        };
+    }
+
+    private static HomingDocument From(AxisHoming homing, string axis) => new()
+    {
+        Axis = axis,
+        By = char.ToLowerInvariant(homing.By.ToString()[0]) + homing.By.ToString()[1..],
+        Direction = homing.Plus ? "plus" : "minus",
+        OnSwitch = homing.OnSwitch,
+        FastMmPerMinute = homing.FastMmPerMinute,
+        SlowMmPerMinute = homing.SlowMmPerMinute,
+        BackOff = homing.BackOff,
+        Zero = homing.Zero,
+        Seconds = homing.Seconds,
+    };
+}
+
+/// <summary>Names of inputs or outputs in a profile file: number to name.</summary>
+internal static class NamesDocument
+{
+    public static Dictionary<string, string?>? From(LineNames names) => names.All.Count == 0 ? null : names.All.ToDictionary(entry => entry.Key.ToString(CultureInfo.InvariantCulture), string? (entry) => entry.Value);
+
+    /// <summary>What is no number becomes the number 0, for the check of the profile to refuse.</summary>
+    public static LineNames ToNames(Dictionary<string, string?>? document) => document is null
+        ? LineNames.None
+        : new LineNames(document.GroupBy(entry => int.TryParse(entry.Key, NumberStyles.None, CultureInfo.InvariantCulture, out var line) ? line : 0).Select(same => KeyValuePair.Create(same.Key, same.First().Value ?? "")));
+}

@@ -1,0 +1,38 @@
+namespace Engraver.Core.Machines.Moves;
+
+/// <summary>A move by hand that the operator asks of a job while it stands held: to a place, by a step, or as long as a key is held.</summary>
+public sealed class HeldMove
+{
+    private readonly TaskCompletionSource<JobResult> _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);
+
+    private HeldMove()
+    {
+    }
+
+    /// <summary>The key that is held; null for a move with a goal.</summary>
+    public JogControl? Jog { get; private init; }
+
+    /// <summary>Where a move without a key ends: the controller's own counts.</summary>
+    public Func<CountsPoint, CountsPoint> GoalFrom { get; private init; } = static here => here;
+
+    /// <summary>The height is part of the goal; otherwise it stays as it is.</summary>
+    public bool WithHeight { get; private init; }
+
+    /// <summary>Speed of each axis, mm/min; null for the profile's rapid speed.</summary>
+    public double? MmPerMinute { get; private init; }
+
+    /// <summary>How the move ended.</summary>
+    public Task<JobResult> Ended => _ended.Task;
+
+    /// <summary>As long as a key is held.</summary>
+    public static HeldMove While(JogControl key) => new() { Jog = key };
+
+    /// <summary>To a place, the controller's own counts.</summary>
+    public static HeldMove To(CountsPoint goal, bool withHeight, double? mmPerMinute = null) => new() { GoalFrom = _ => goal, WithHeight = withHeight, MmPerMinute = mmPerMinute };
+
+    /// <summary>By some counts from where the machine stands.</summary>
+    public static HeldMove By(CountsPoint step) => new() { GoalFrom = here => here + step, WithHeight = step.Z != 0 };
+
+    /// <summary>Told once by the job, through <see cref="JobControl.MoveEnds"/>.</summary>
+    internal void End(JobResult result) => _ended.TrySetResult(result);
+}

@@ -1,0 +1,73 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+
+namespace Engraver.Core.Machines.Moves;
+
+/// <summary>How far the axes of a machine may go: the one place that says whether a move leaves the travel, for jogs, moves to a place, jobs and their frames.</summary>
+/// <remarks>The travel is told in machine millimetres, by the controller's own zero, so it holds only while that zero is where the profile means it (<see cref="Origins.MachineMemory"/>).</remarks>
+public static class TravelLimits
+{
+    /// <summary>The axes that have a travel, with its ends in counts.</summary>
+    public static IReadOnlyList<SoftLimit> Of(MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return [.. profile.Axes.All.Where(axis => axis.Travel is not null).Select(axis => Of(axis)!.Value)];
+    }
+
+    /// <summary>The ends of one axis' travel in counts, inwards of the millimetres; null where the axis has none.</summary>
+    public static SoftLimit? Of(MachineAxis axis)
+    {
+        if (axis.Travel is not { } travel) return null;
+        var (one, other) = (travel.Least * axis.CountsPerMillimetre, travel.Most * axis.CountsPerMillimetre);
+        return new SoftLimit(axis.Letter, Clamp(Math.Ceiling(Math.Min(one, other))), Clamp(Math.Floor(Math.Max(one, other))));
+    }
+
+    /// <summary>Why a motion may not be made: a place that it reaches lies outside the travel. Null when all of it lies inside.</summary>
+    /// <param name="least">The smallest counts that it reaches, by the controller's own zero, in the order of <see cref="MachineAxes.All"/>; axes that are missing do not move.</param>
+    /// <param name="most">The largest.</param>
+    public static Diagnostic? Refusal(MachineProfile profile, IReadOnlyList<long> least, IReadOnlyList<long> most)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        ArgumentNullException.ThrowIfNull(least);
+        ArgumentNullException.ThrowIfNull(most);
+        var axes = profile.Axes.All;
+        for (var i = 0; i < Math.Min(axes.Count, least.Count); i++)
+        {
+            if (Of(axes[i]) is not { } limit || (least[i] >= limit.Least && most[i] <= limit.Most)) continue;
+            var outside = least[i] < limit.Least ? least[i] : most[i];
+            var travel = axes[i].Travel!;
+            return PreparationRules.OutsideTravel.At(default, axes[i].Letter.ToString(), Number(outside / axes[i].CountsPerMillimetre), Number(travel.Least), Number(travel.Most));
+        }
+
+        return null;
+    }
+
+    /// <summary>The same for one place.</summary>
+    /// <param name="withHeight">The height is part of the place; otherwise it stays as it is.</param>
+    public static Diagnostic? Refusal(MachineProfile profile, CountsPoint place, bool withHeight = false)
+    {
+        long[] counts = withHeight ? [place.X, place.Y, place.Z] : [place.X, place.Y];
+        return Refusal(profile, counts, counts);
+    }
+
+    /// <summary>The same for a job whose drawing zero lies at these counts.</summary>
+    public static Diagnostic? Refusal(MotionProgram program, CountsPoint frame)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        if (Of(program.Profile).Count == 0) return null;
+        var extents = MotionExtents.Of(program);
+        return Refusal(program.Profile, [extents.LeastX + frame.X, extents.LeastY + frame.Y], [extents.MostX + frame.X, extents.MostY + frame.Y]);
+    }
+
+    private static int Clamp(double counts) => (int)Math.Clamp(counts, int.MinValue, int.MaxValue);
+
+    private static string Number(double value) => value.ToString("0.###", CultureInfo.InvariantCulture);
+}
+
+/// <summary>The ends of an axis' travel, counts by the controller's own zero; both may be reached.</summary>
+/// <param name="Axis">The controller's letter.</param>
+public readonly record struct SoftLimit(char Axis, int Least, int Most)
+{
+    /// <summary>No limit at all, as while an axis is homed and nobody knows where it is.</summary>
+    public static SoftLimit None(char axis) => new(axis, int.MinValue, int.MaxValue);
+}

@@ -1,0 +1,14 @@
+namespace Engraver.Core.Machines.Origins;
+
+/// <summary>Where the machine goes after the last stroke, tool off.</summary>
+public enum FinishPlace
+{
+    /// <summary>The drawing's start point.</summary>
+    Origin,
+
+    /// <summary>It stays where the last stroke ended.</summary>
+    Stay,
+
+    /// <summary>The park position of the machine profile.</summary>
+    Park,
+}

@@ -1,0 +1,78 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Machines.Setup;
+
+/// <summary>The letter F, which looks different in each of the eight ways that two axes can be mirrored and swapped. It is drawn in one go and without lifting, ends where it begins, and is 10 mm high and 6 mm wide.</summary>
+public static class LetterF
+{
+    public const double Height = 10.0;
+
+    public const double Width = 6.0;
+
+    private const double Middle = 6.0;
+    private const double ShortBar = 4.0;
+
+    /// <summary>The corners in the order of drawing, mm from the foot of the long stroke.</summary>
+    public static IReadOnlyList<Point2D> Corners { get; } =
+        [new(0, Height), new(Width, Height), new(0, Height), new(0, Middle), new(ShortBar, Middle), new(0, Middle), new(0, 0)];
+
+    /// <summary>The letter from where the machine stands; it comes to rest at every corner.</summary>
+    /// <param name="test">The machine, with the speed of the test moves.</param>
+    /// <param name="drawn">The axes as they are believed to be; the two may be the other way round than the machine's.</param>
+    /// <param name="speed">Counts/s along the path, even.</param>
+    public static MotionProgram Program(MachineProfile test, MachineAxes drawn, int speed)
+    {
+        ArgumentNullException.ThrowIfNull(test);
+        ArgumentNullException.ThrowIfNull(drawn);
+        var isSwapped = drawn.X.Letter != test.Axes.X.Letter;
+        var from = default(CountsPoint);
+        var sequences = new List<VectorSequence>();
+        foreach (var place in Corners.Select(drawn.Scale.ToCounts))
+        {
+            var corner = isSwapped ? new CountsPoint(place.Y, place.X) : place;
+            var length = Math.Sqrt(Math.Pow((double)corner.X - from.X, 2) + Math.Pow((double)corner.Y - from.Y, 2));
+            sequences.Add(new VectorSequence(from, speed, [new VectorSegment(VectorSegmentKind.Line, corner, 0, 0.0, 0.0, 0, length)]));
+            from = corner;
+        }
+
+        return new MotionProgram(test, default, [new MotionStroke(0, default, sequences)]);
+    }
+
+    /// <summary>The axes by which the letter stands upright and the right way round, for what was seen.</summary>
+    /// <param name="axes">Those by which it was drawn.</param>
+    /// <param name="longStroke">Where the long stroke went from its foot.</param>
+    /// <param name="bars">Where the two bars went from the long stroke.</param>
+    /// <returns>Null when no F looks like that: long stroke and bars lie in one line.</returns>
+    public static MachineAxes? Corrected(MachineAxes axes, TableDirection longStroke, TableDirection bars)
+    {
+        ArgumentNullException.ThrowIfNull(axes);
+        if (IsAcross(longStroke) == IsAcross(bars)) return null;
+        var (movesAcross, movesAlong) = IsAcross(bars) ? ((axes.X, bars), (axes.Y, longStroke)) : ((axes.Y, longStroke), (axes.X, bars));
+        return axes with { X = Turned(movesAcross), Y = Turned(movesAlong) };
+    }
+
+    /// <summary>The axis with its counts per millimetre turned round, and with them the millimetres that the profile tells of it.</summary>
+    public static MachineAxis Mirrored(MachineAxis axis) => axis with
+    {
+        CountsPerMillimetre = -axis.CountsPerMillimetre,
+        Travel = axis.Travel is { } travel ? new AxisTravel(-travel.Most, -travel.Least) : null,
+        Homing = axis.Homing is { } homing ? homing with { Plus = !homing.Plus, Zero = -homing.Zero } : null,
+    };
+
+    private static MachineAxis Turned((MachineAxis Axis, TableDirection Went) seen) => seen.Went is TableDirection.Right or TableDirection.Back ? seen.Axis : Mirrored(seen.Axis);
+
+    private static bool IsAcross(TableDirection direction) => direction is TableDirection.Right or TableDirection.Left;
+}
+
+/// <summary>A direction of the tool over the table, as seen by the operator who stands before it. The drawing's X goes right, its Y back.</summary>
+public enum TableDirection
+{
+    Right,
+    Left,
+
+    /// <summary>Away from the operator.</summary>
+    Back,
+
+    /// <summary>Towards the operator.</summary>
+    Front,
+}

@@ -1,0 +1,212 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+
+namespace Engraver.Core.Motion;
+
+/// <summary>What is left of a motion program from a place on: a program of its own, and where it lies in the whole one.</summary>
+/// <param name="Program">The rest. Its first stroke may begin in the middle of the whole program's, a lead-in before the place.</param>
+/// <param name="StrokesBefore">Strokes of the whole program before the first of the rest.</param>
+/// <param name="SequencesBefore">Sequences of that stroke before the first of the rest.</param>
+/// <param name="SegmentsBefore">Segments of the whole program before the first of the rest, in the order of cutting.</param>
+/// <param name="CutOfFirst">Counts of the whole program's segment that lie before the first segment of the rest.</param>
+public sealed record RemainingProgram(MotionProgram Program, int StrokesBefore, int SequencesBefore, int SegmentsBefore, double CutOfFirst)
+{
+    /// <summary>The rest may begin this much earlier, counts, where a whole count lies nearer to the path.</summary>
+    public const double WholeCountSearch = 8.0;
+
+    /// <summary>No arc shorter than this is cut by itself, counts.</summary>
+    private const double ShortestRest = 2.0;
+
+    /// <summary>Nothing was cut yet.</summary>
+    public static RemainingProgram Whole(MotionProgram program) => new(program, 0, 0, 0, 0.0);
+
+    /// <summary>The rest of a program.</summary>
+    /// <param name="place">What lies before it is cut.</param>
+    /// <param name="leadIn">Counts of the path before the place, in the same stroke, that are cut again; 0 for none.</param>
+    /// <param name="keepAngle">The angle that the controller has after it is sent one, degrees.</param>
+    public static RemainingProgram From(MotionProgram program, JobPlace place, double leadIn, Func<double, double> keepAngle)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        ArgumentNullException.ThrowIfNull(keepAngle);
+        ArgumentOutOfRangeException.ThrowIfNegative(leadIn);
+        var (stroke, first) = StrokeOf(program, place.Segments);
+        if (stroke == program.Strokes.Count) return new RemainingProgram(program with { Strokes = [] }, stroke, 0, first, 0.0);
+        var part = new StrokeRest(program.Strokes[stroke], keepAngle).From(new JobPlace(place.Segments - first, place.Along), leadIn);
+        if (part.Stroke is null) return new RemainingProgram(program with { Strokes = [.. program.Strokes.Skip(stroke + 1)] }, stroke + 1, 0, first + SegmentsOf(program.Strokes[stroke]), 0.0);
+        return new RemainingProgram(program with { Strokes = [part.Stroke, .. program.Strokes.Skip(stroke + 1)] }, stroke, part.Sequences, first + part.Segments, part.Along);
+    }
+
+    internal static int SegmentsOf(MotionStroke stroke) => stroke.Sequences.Sum(sequence => sequence.Segments.Count);
+
+    /// <summary>The stroke that holds a segment, and its first segment.</summary>
+    private static (int Stroke, int First) StrokeOf(MotionProgram program, int segment)
+    {
+        var first = 0;
+        for (var stroke = 0; stroke < program.Strokes.Count; stroke++)
+        {
+            var count = SegmentsOf(program.Strokes[stroke]);
+            if (segment < first + count) return (stroke, first);
+            first += count;
+        }
+
+        return (program.Strokes.Count, first);
+    }
+
+    /// <summary>Cuts one stroke in two on its path.</summary>
+    private sealed class StrokeRest(MotionStroke stroke, Func<double, double> keepAngle)
+    {
+        private readonly List<(int Sequence, CountsPoint Start, VectorSegment Segment)> _segments = [.. Flat(stroke)];
+
+        /// <returns>The rest of the stroke, with the sequences and segments of it that lie before and the counts of the first segment; null when nothing is left.</returns>
+        public (MotionStroke? Stroke, int Sequences, int Segments, double Along) From(JobPlace place, double leadIn)
+        {
+            var (at, along) = Back(place, leadIn);
+            if (at == _segments.Count) return (null, 0, at, 0.0);
+            if (along == 0.0) return (Rest(at, _segments[at].Start, _segments[at].Segment), _segments[at].Sequence, at, 0.0);
+            (along, var start) = WholeCount(at, along);
+            var (_, _, segment) = _segments[at];
+            if (Shortened(segment, along, start) is { } rest) return (Rest(at, start, rest), _segments[at].Sequence, at, along);
+            return at + 1 < _segments.Count ? (Rest(at + 1, _segments[at + 1].Start, _segments[at + 1].Segment), _segments[at + 1].Sequence, at + 1, 0.0) : (null, 0, at + 1, 0.0);
+        }
+
+        private static IEnumerable<(int Sequence, CountsPoint Start, VectorSegment Segment)> Flat(MotionStroke stroke)
+        {
+            for (var i = 0; i < stroke.Sequences.Count; i++)
+            {
+                var start = stroke.Sequences[i].Start;
+                foreach (var segment in stroke.Sequences[i].Segments)
+                {
+                    yield return (i, start, segment);
+                    start = segment.End;
+                }
+            }
+        }
+
+        /// <summary>The place a lead-in earlier on the path, not before the stroke's start.</summary>
+        private (int At, double Along) Back(JobPlace place, double leadIn)
+        {
+            var (at, along) = (place.Segments, Math.Min(place.Along, _segments[place.Segments].Segment.Length));
+            var left = leadIn;
+            while (left > along && at > 0)
+            {
+                left -= along;
+                along = _segments[--at].Segment.Length;
+            }
+
+            along = Math.Max(0.0, along - left);
+            var length = _segments[at].Segment.Length;
+            if (leadIn == 0.0 && along >= length - 0.5) return (at + 1, 0.0);
+            along = Math.Min(along, length - ShortestRest);
+            return (at, along < ShortestRest ? 0.0 : along);
+        }
+
+        /// <summary>The whole counts nearest to the path, a little earlier on it.</summary>
+        private (double Along, CountsPoint Start) WholeCount(int at, double along)
+        {
+            var course = new SegmentCourse(_segments[at].Start, _segments[at].Segment);
+            var (best, start, off) = (along, _segments[at].Start, double.PositiveInfinity);
+            for (var back = 0.0; back <= WholeCountSearch && along - back >= ShortestRest; back += 0.5)
+            {
+                var whole = CountsScale.Round(course.At(along - back)) with { Z = HeightAt(at, along - back) };
+                var away = course.DistanceTo(new Point2D(whole.X, whole.Y));
+                if (away >= off - 0.05) continue;
+                (best, start, off) = (along - back, whole, away);
+            }
+
+            return (best, start);
+        }
+
+        /// <summary>A line may rise or fall; an arc stays at its height.</summary>
+        private int HeightAt(int at, double along)
+        {
+            var (_, start, segment) = _segments[at];
+            return start.Z == segment.End.Z ? start.Z : (int)Math.Round(start.Z + (((double)segment.End.Z - start.Z) * along / segment.Length), MidpointRounding.AwayFromZero);
+        }
+
+        /// <summary>The rest of a segment from a place on it; null when it has no length in counts.</summary>
+        private VectorSegment? Shortened(in VectorSegment segment, double along, CountsPoint start)
+        {
+            var left = segment.Length - along;
+            if (segment.Kind == VectorSegmentKind.Line) return start == segment.End ? null : segment with { Length = start.Z == segment.End.Z ? new Point2D(start.X, start.Y).DistanceTo(new Point2D(segment.End.X, segment.End.Y)) : left };
+            var part = along / segment.Length;
+            var theta = keepAngle(Angle.FromDegrees(segment.ThetaDegrees + (part * segment.DeltaDegrees)).Positive().Degrees);
+            var delta = keepAngle((1.0 - part) * segment.DeltaDegrees);
+            if (delta == 0.0) return null;
+            var arc = segment with { ThetaDegrees = theta, DeltaDegrees = delta, Length = left };
+            return arc with { End = CountsScale.Round(new SegmentCourse(start, arc).At(left)) with { Z = segment.End.Z } };
+        }
+
+        /// <summary>From a segment on. Where the first one ends beside its planned end, arcs behind it are shifted by as much, until a line ends at its own place again.</summary>
+        private MotionStroke Rest(int at, CountsPoint start, VectorSegment first)
+        {
+            var sequences = new List<VectorSequence>();
+            var (begin, shift) = (start, (X: first.End.X - _segments[at].Segment.End.X, Y: first.End.Y - _segments[at].Segment.End.Y));
+            for (var sequence = _segments[at].Sequence; sequence < stroke.Sequences.Count; sequence++)
+            {
+                var segments = new List<VectorSegment>();
+                for (var i = at; i < _segments.Count && _segments[i].Sequence == sequence; i++, at++)
+                {
+                    var segment = segments.Count == 0 && sequences.Count == 0 ? first : _segments[i].Segment;
+                    if (segments.Count > 0 || sequences.Count > 0)
+                    {
+                        if (segment.Kind == VectorSegmentKind.Line) shift = default;
+                        else segment = segment with { End = segment.End with { X = segment.End.X + shift.X, Y = segment.End.Y + shift.Y } };
+                    }
+
+                    segments.Add(segment);
+                }
+
+                sequences.Add(stroke.Sequences[sequence] with { Start = begin, Segments = segments });
+                begin = segments[^1].End;
+            }
+
+            return stroke with { Start = start, Sequences = sequences };
+        }
+    }
+}
+
+/// <summary>Finds places on a motion program.</summary>
+public static class PlaceOnProgram
+{
+    /// <summary>The counter may be older than the position by a reply's time: short segments may have ended meanwhile.</summary>
+    private const int SegmentsAhead = 12;
+
+    /// <summary>Where on a program a machine was.</summary>
+    /// <param name="segments">Segments that were done when the position was read, or a few fewer.</param>
+    /// <param name="at">Position, job frame.</param>
+    /// <param name="tolerance">A position further from a segment than this is not on it, counts.</param>
+    /// <returns>The first place from there on that fits; the beginning of the segment where none does, so that nothing is left out. Heights count where an axis holds the tool.</returns>
+    public static JobPlace Find(MotionProgram program, int segments, CountsPoint at, double tolerance)
+    {
+        ArgumentNullException.ThrowIfNull(program);
+        for (var ahead = 0; ahead <= SegmentsAhead && program.SegmentBehind(segments + ahead) is var (start, segment, _); ahead++)
+        {
+            var (away, along) = program.Profile.Height is null || segment.Kind == VectorSegmentKind.Arc ? InPlan(start, segment, at, tolerance) : InSpace(start, segment.End, at);
+            if (program.Profile.Height is not null && segment.Kind == VectorSegmentKind.Arc) away = double.Hypot(away, (double)at.Z - start.Z);
+            if (away <= tolerance) return new JobPlace(segments + ahead, along);
+        }
+
+        return new JobPlace(segments, 0.0);
+    }
+
+    private static (double Away, double Along) InPlan(CountsPoint start, in VectorSegment segment, CountsPoint at, double tolerance)
+    {
+        var (course, place) = (new SegmentCourse(start, segment), new Point2D(at.X, at.Y));
+        return (course.DistanceTo(place), course.AlongTo(place, tolerance));
+    }
+
+    /// <summary>Of a line that may rise or fall.</summary>
+    private static (double Away, double Along) InSpace(CountsPoint start, CountsPoint end, CountsPoint at)
+    {
+        var length = Length(start, end);
+        if (length == 0.0) return (Length(start, at), 0.0);
+        var along = 0.0;
+        for (var axis = 0; axis < 3; axis++) along += ((double)at[axis] - start[axis]) * ((double)end[axis] - start[axis]) / length;
+        along = Math.Clamp(along, 0.0, length);
+        var away = 0.0;
+        for (var axis = 0; axis < 3; axis++) away = double.Hypot(away, (double)at[axis] - start[axis] - (along * ((double)end[axis] - start[axis]) / length));
+        return (away, along);
+    }
+
+    private static double Length(CountsPoint from, CountsPoint to) => double.Hypot(double.Hypot((double)to.X - from.X, (double)to.Y - from.Y), (double)to.Z - from.Z);
+}

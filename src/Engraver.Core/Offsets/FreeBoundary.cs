@@ -1,0 +1,175 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Offsets;
+
+/// <summary>Which edges of the raw graph are the border of what is free, and the loops that they form.</summary>
+/// <remarks>Between two crossings a raw offset is either free all along or nowhere, so that its longest edge decides a whole run. Around every node as many border edges must arrive as leave:
+/// where they do not, a crossing at nearly no angle was judged in two ways, and the caller tries again with a distance that differs by less than the tolerance.</remarks>
+internal sealed class FreeBoundary
+{
+    private readonly RawGraph _graph;
+    private readonly OffsetReach _reach;
+    private readonly bool[] _kept;
+    private readonly int[] _arriving;
+    private readonly int[] _leaving;
+    private readonly int[] _onlyNext;
+
+    public FreeBoundary(RawGraph graph, OffsetReach reach)
+    {
+        (_graph, _reach) = (graph, reach);
+        _kept = new bool[graph.Edges.Count];
+        (_arriving, _leaving, _onlyNext) = (new int[graph.NodeCount], new int[graph.NodeCount], new int[graph.NodeCount]);
+        Judge();
+        RemoveUnbalanced();
+    }
+
+    /// <summary>Nodes at which edges were left over.</summary>
+    public List<int> Unbalanced { get; } = [];
+
+    /// <summary>Loops of edges, each with what is free on its left.</summary>
+    public List<List<int>> Loops()
+    {
+        var next = Next();
+        var loops = new List<List<int>>();
+        for (var edge = 0; edge < _kept.Length; edge++)
+        {
+            if (!_kept[edge]) continue;
+            var loop = new List<int>();
+            for (var at = edge; _kept[at]; at = next[at])
+            {
+                _kept[at] = false;
+                loop.Add(at);
+            }
+
+            loops.Add(loop);
+        }
+
+        return loops;
+    }
+
+    private void Judge()
+    {
+        Count(edge => !_graph.IsGone(edge));
+        var seen = new bool[_kept.Length];
+        for (var pass = 0; pass < 2; pass++)
+        {
+            for (var edge = 0; edge < seen.Length; edge++)
+            {
+                if (seen[edge] || _graph.IsGone(edge) || (pass == 0 && IsPlain(_graph.Edges[edge].Start))) continue;
+                JudgeRun(edge, seen);
+            }
+        }
+    }
+
+    /// <summary>A run goes on through every node at which nothing else meets; what remains after the runs between such nodes are whole loops.</summary>
+    private void JudgeRun(int first, bool[] seen)
+    {
+        var run = new List<int>();
+        var longest = first;
+        for (var edge = first; !seen[edge]; edge = _onlyNext[_graph.Edges[edge].End])
+        {
+            seen[edge] = true;
+            run.Add(edge);
+            if (_graph.LengthOf(edge) > _graph.LengthOf(longest)) longest = edge;
+            if (!IsPlain(_graph.Edges[edge].End)) break;
+        }
+
+        var breaksOff = _arriving[_graph.Edges[first].Start] == 0 || _leaving[_graph.Edges[run[^1]].End] == 0;
+        if (breaksOff || !IsFree(longest)) return;
+        foreach (var edge in run) _kept[edge] = true;
+    }
+
+    /// <summary>Three points, because what touches from inside in a tangent point does so in the middle of a symmetrical drawing.</summary>
+    private bool IsFree(int edge) => _reach.IsFree(_graph.PointOn(edge, 0.5)) && _reach.IsFree(_graph.PointOn(edge, 0.29)) && _reach.IsFree(_graph.PointOn(edge, 0.73));
+
+    private bool IsPlain(int node) => _arriving[node] == 1 && _leaving[node] == 1;
+
+    private void Count(Func<int, bool> counts)
+    {
+        Array.Clear(_arriving);
+        Array.Clear(_leaving);
+        for (var edge = 0; edge < _kept.Length; edge++)
+        {
+            if (!counts(edge)) continue;
+            var (start, end) = (_graph.Edges[edge].Start, _graph.Edges[edge].End);
+            _leaving[start]++;
+            _arriving[end]++;
+            _onlyNext[start] = edge;
+        }
+    }
+
+    /// <summary>Takes out what leads nowhere, so that the rest closes whatever happened.</summary>
+    private void RemoveUnbalanced()
+    {
+        Count(edge => _kept[edge]);
+        for (var node = 0; node < _arriving.Length; node++)
+        {
+            if (_arriving[node] != _leaving[node]) Unbalanced.Add(node);
+        }
+
+        for (var changed = Unbalanced.Count > 0; changed;)
+        {
+            changed = false;
+            for (var edge = 0; edge < _kept.Length; edge++)
+            {
+                if (!_kept[edge] || (_leaving[_graph.Edges[edge].End] > 0 && _arriving[_graph.Edges[edge].Start] > 0)) continue;
+                _kept[edge] = false;
+                changed = true;
+            }
+
+            Count(edge => _kept[edge]);
+        }
+    }
+
+    private int[] Next()
+    {
+        Count(edge => _kept[edge]);
+        var next = new int[_kept.Length];
+        var crowded = new Dictionary<int, (List<int> Arriving, List<int> Leaving)>();
+        for (var edge = 0; edge < _kept.Length; edge++)
+        {
+            if (!_kept[edge]) continue;
+            var (start, end) = (_graph.Edges[edge].Start, _graph.Edges[edge].End);
+            if (IsPlain(end)) next[edge] = _onlyNext[end];
+            else At(crowded, end).Arriving.Add(edge);
+            if (!IsPlain(start)) At(crowded, start).Leaving.Add(edge);
+        }
+
+        foreach (var (node, edges) in crowded) Pair(node, edges.Arriving, edges.Leaving, next);
+        return next;
+    }
+
+    private static (List<int> Arriving, List<int> Leaving) At(Dictionary<int, (List<int>, List<int>)> crowded, int node)
+    {
+        if (crowded.TryGetValue(node, out var edges)) return edges;
+        return crowded[node] = ([], []);
+    }
+
+    /// <summary>Where several loops touch in a node, each goes on along the border of the free sector that it arrived at: the first edge clockwise. Loops touch there and do not cross.</summary>
+    private void Pair(int node, List<int> arriving, List<int> leaving, int[] next)
+    {
+        var shortest = double.PositiveInfinity;
+        foreach (var edge in arriving.Concat(leaving)) shortest = Math.Min(shortest, _graph.LengthOf(edge));
+        foreach (var edge in arriving)
+        {
+            var from = Ray(node, edge, 1.0 - Share(edge, shortest));
+            var best = leaving.MinBy(other => Clockwise(from, Ray(node, other, Share(other, shortest))));
+            next[edge] = best;
+            if (leaving.Count > 1) leaving.Remove(best);
+        }
+    }
+
+    private double Share(int edge, double shortest) => 0.25 * shortest / _graph.LengthOf(edge);
+
+    private double Ray(int node, int edge, double fraction)
+    {
+        var way = _graph.PointOn(edge, fraction) - _graph.PlaceOf(node);
+        return Math.Atan2(way.Y, way.X);
+    }
+
+    private static double Clockwise(double from, double to)
+    {
+        var turn = from - to;
+        return turn <= 0.0 ? turn + (2.0 * Math.PI) : turn;
+    }
+}

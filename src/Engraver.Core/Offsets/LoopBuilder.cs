@@ -1,0 +1,44 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Offsets.Pieces;
+
+namespace Engraver.Core.Offsets;
+
+/// <summary>Makes segments of a run of edges: parts of one raw piece that follow each other become one segment again.</summary>
+internal static class LoopBuilder
+{
+    /// <summary>The segments of a closed loop, moved; none begins within a raw piece.</summary>
+    public static List<Segment> Closed(RawGraph graph, IReadOnlyList<int> edges, Vector2D by)
+    {
+        var first = 0;
+        while (first < edges.Count && Continues(graph, edges[(first + edges.Count - 1) % edges.Count], edges[first])) first++;
+        if (first == edges.Count) first = 0;
+        return Open(graph, [.. Enumerable.Range(0, edges.Count).Select(i => edges[(first + i) % edges.Count])], by);
+    }
+
+    /// <summary>The segments of edges that follow each other, moved.</summary>
+    public static List<Segment> Open(RawGraph graph, IReadOnlyList<int> edges, Vector2D by)
+    {
+        var segments = new List<Segment>(edges.Count);
+        for (var i = 0; i < edges.Count;)
+        {
+            var (part, last) = (graph.Edges[edges[i]], i);
+            for (; last + 1 < edges.Count && Continues(graph, edges[last], edges[last + 1]); last++)
+            {
+                var next = graph.Edges[edges[last + 1]];
+                part = part with { To = part.To + (next.To - next.From), End = next.End };
+            }
+
+            segments.Add(graph.PieceOf(part).Moved(by).ToSegment());
+            i = last + 1;
+        }
+
+        return segments;
+    }
+
+    /// <summary>True when the second edge is the next part of the same raw piece; a whole circle also goes on from its end to its start.</summary>
+    private static bool Continues(RawGraph graph, int edge, int next)
+    {
+        var (before, after) = (graph.Edges[edge], graph.Edges[next]);
+        return edge != next && before.Raw == after.Raw && before.End == after.Start && (before.To == after.From || (before.To == 1.0 && after.From == 0.0));
+    }
+}

@@ -1,0 +1,47 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Offsets.Pieces;
+
+namespace Engraver.Core.Offsets;
+
+/// <summary>One computation from closed chains to the loops around what is free.</summary>
+internal sealed class OffsetPass
+{
+    /// <summary>Distances to try, as differences from the one asked for in tolerances. Where a contour touches itself in so many places that a crossing is judged in two ways, one a little larger or smaller is not.</summary>
+    private static readonly double[] Attempts = [0.0, 3.0, -3.0, 7.0, -7.0];
+
+    private OffsetPass(RawGraph graph, FreeBoundary boundary) => (Graph, Loops, Unresolved) = (graph, boundary.Loops(), [.. boundary.Unbalanced.Select(graph.PlaceOf)]);
+
+    public RawGraph Graph { get; }
+
+    /// <summary>Numbers of edges, with what is free on their left.</summary>
+    public List<List<int>> Loops { get; }
+
+    /// <summary>Where the loops could not be closed, and something was left out.</summary>
+    public IReadOnlyList<Point2D> Unresolved { get; }
+
+    /// <param name="source">Everything that was drawn and must be kept clear of.</param>
+    /// <param name="chains">Whose left sides are offset.</param>
+    /// <param name="distance">Millimetres, above 0.</param>
+    /// <param name="options">The join.</param>
+    /// <param name="tolerance">Length that counts as none.</param>
+    public static OffsetPass Run(PieceTree source, IReadOnlyList<RawChain> chains, double distance, OffsetOptions options, double tolerance)
+    {
+        OffsetPass? best = null;
+        foreach (var attempt in Attempts)
+        {
+            var pass = RunOnce(source, chains, distance + (attempt * tolerance), options, tolerance);
+            if (best is null || pass.Unresolved.Count < best.Unresolved.Count) best = pass;
+            if (best.Unresolved.Count == 0) break;
+        }
+
+        return best!;
+    }
+
+    private static OffsetPass RunOnce(PieceTree source, IReadOnlyList<RawChain> chains, double distance, OffsetOptions options, double tolerance)
+    {
+        var raw = new RawOffset(distance, options, tolerance);
+        foreach (var chain in chains) raw.Add(chain);
+        var graph = RawGraph.From(raw);
+        return new OffsetPass(graph, new FreeBoundary(graph, new OffsetReach(source, chains, distance, options, tolerance)));
+    }
+}

@@ -1,0 +1,187 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Offsets.Pieces;
+
+namespace Engraver.Core.Offsets;
+
+/// <summary>On which side of a contour as it was drawn a piece of its raw offset lies; where a contour covers itself, on both.</summary>
+[Flags]
+internal enum RawSides : byte
+{
+    None = 0,
+    Left = 1,
+    Right = 2,
+
+    /// <summary>Round the end of an open contour: it trims others but is no part of an offset.</summary>
+    Cap = 4,
+}
+
+/// <summary>A piece of the raw offset and the nodes that it begins and ends at.</summary>
+/// <param name="Source">Number of the source piece, or -1 of a join.</param>
+internal readonly record struct RawPiece(PathPiece Piece, int Start, int End, RawSides Side, int Source);
+
+/// <summary>The raw offset to the left of closed chains: every piece shifted, corners joined on their outside and trimmed on their inside. It still crosses itself; what is left of it lies at least the distance from all that was drawn.</summary>
+/// <remarks>
+/// What was drawn always lies on the right of a raw piece, what is free on its left. On the inside of a corner whose pieces are too short to meet, and where an arc is smaller than the
+/// distance, the chain breaks off: its ends there lie nearer to the drawing than the distance, and what is connected to them is no part of the result.
+/// </remarks>
+internal sealed class RawOffset(double distance, OffsetOptions options, double tolerance)
+{
+    private readonly List<RawPiece> _pieces = [];
+    private readonly List<Point2D> _nodes = [];
+    private readonly List<(int One, int Other)> _same = [];
+
+    public double Distance => distance;
+
+    public double Tolerance => tolerance;
+
+    public IReadOnlyList<RawPiece> Pieces => _pieces;
+
+    public IReadOnlyList<Point2D> Nodes => _nodes;
+
+    /// <summary>Nodes that are one because the piece between them has no length.</summary>
+    public IReadOnlyList<(int One, int Other)> Same => _same;
+
+    /// <summary>Adds the left side of a chain.</summary>
+    public void Add(RawChain chain)
+    {
+        var pieces = chain.Pieces;
+        var shifted = new ShiftedPiece[pieces.Length];
+        for (var i = 0; i < pieces.Length; i++) shifted[i] = ShiftedPiece.LeftOf(pieces[i], distance, tolerance);
+        var joins = new (int From, int To)[pieces.Length];
+        for (var i = 0; i < pieces.Length; i++)
+        {
+            var next = i + 1 == pieces.Length ? 0 : i + 1;
+            Meet(ref shifted[i], ref shifted[next], pieces[i], pieces[next], chain.Smoothness, chain.IsCapBehind(i), out joins[i]);
+        }
+
+        var cover = new NeighbourCover(pieces, distance, options.Join != OffsetJoin.Bevel);
+        for (var i = 0; i < pieces.Length; i++)
+        {
+            AddTip(shifted[i].TipAhead, shifted[i].StartNode, chain.SideOf(i));
+            AddPiece(shifted[i], chain.SideOf(i), i, cover);
+            AddTip(shifted[i].EndNode, shifted[i].TipBehind, chain.SideOf(i));
+            if (joins[i].To >= 0) AddJoin(pieces[i], pieces[i + 1 == pieces.Length ? 0 : i + 1], joins[i], chain.IsCapBehind(i) ? RawSides.Cap : chain.SideOf(i), i, cover);
+        }
+    }
+
+    private int NewNode(Point2D place)
+    {
+        _nodes.Add(place);
+        return _nodes.Count - 1;
+    }
+
+    /// <summary>Decides what stands between two neighbours: a common node, a trimmed corner, a gap, or two nodes with a join between them.</summary>
+    private void Meet(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, double smoothness, bool isCap, out (int From, int To) join)
+    {
+        join = (-1, -1);
+        var (leaving, arriving, corner) = (source.EndTangent, next.StartTangent, source.End);
+        var (sin, cos) = (leaving.Cross(arriving), leaving.Dot(arriving));
+        if (cos > 0.0 && distance * sin * sin <= 8.0 * smoothness)
+        {
+            var normal = Left(leaving) + Left(arriving);
+            before.EndNode = after.StartNode = NewNode(corner + (normal * (distance / PathPiece.Norm(normal))));
+            return;
+        }
+
+        if (sin > 0.0 && Trim(ref before, ref after, source, next, sin, cos)) return;
+        before.EndNode = NewNode(corner + (Left(leaving) * distance));
+        after.StartNode = NewNode(corner + (Left(arriving) * distance));
+        if (sin > 0.0) return;
+        if (!isCap && CornerShape.Mitre(corner, leaving, arriving, distance, options) is { } tip) MeetInTip(ref before, ref after, source, next, tip);
+        else join = (before.EndNode, after.StartNode);
+    }
+
+    /// <summary>Lines go on to the tip themselves; behind or before an arc stands a line of the join.</summary>
+    private void MeetInTip(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, Point2D tip)
+    {
+        var node = NewNode(tip);
+        if (source.IsArc) before.TipBehind = node;
+        else before.EndNode = node;
+        if (next.IsArc) after.TipAhead = node;
+        else after.StartNode = node;
+    }
+
+    /// <summary>On the inside of a corner: both pieces end where they meet. What is cut off lies nearer than the distance to the other piece.</summary>
+    private bool Trim(ref ShiftedPiece before, ref ShiftedPiece after, in PathPiece source, in PathPiece next, double sin, double cos)
+    {
+        if (!before.Exists || !after.Exists) return false;
+        if (!source.IsArc && !next.IsArc)
+        {
+            var setback = distance * sin / (1.0 + cos);
+            if (!(setback <= source.Length && setback <= next.Length)) return false;
+            var bisector = (Left(source.EndTangent) + Left(next.StartTangent)) * (distance / (1.0 + cos));
+            TrimAt(ref before, ref after, source.End + bisector, 1.0 - (setback / source.Length), setback / next.Length);
+            return true;
+        }
+
+        Span<Crossing> found = stackalloc Crossing[PieceCrossings.Most];
+        if (PieceCrossings.Between(before.Piece, after.Piece, tolerance, found) != 1) return false;
+        var (place, to, from) = found[0];
+        if (!IsCovered(before.Piece, to, 1.0, next) || !IsCovered(after.Piece, 0.0, from, source)) return false;
+        TrimAt(ref before, ref after, place, to, from);
+        return true;
+    }
+
+    /// <summary>True when the middle and the outer end of what is cut off are nearer to the other source piece than the distance.</summary>
+    private bool IsCovered(in PathPiece piece, double from, double to, in PathPiece other)
+    {
+        var outer = from == 0.0 ? piece.Start : piece.End;
+        return other.DistanceTo(piece.At((from + to) / 2.0)) < distance + tolerance && other.DistanceTo(outer) < distance + tolerance;
+    }
+
+    private void TrimAt(ref ShiftedPiece before, ref ShiftedPiece after, Point2D place, double to, double from)
+    {
+        before.EndNode = after.StartNode = NewNode(place);
+        before.To = to;
+        after.From = from;
+    }
+
+    private void AddPiece(in ShiftedPiece shifted, RawSides side, int source, NeighbourCover cover)
+    {
+        if (shifted.IsPoint) _same.Add((shifted.StartNode, shifted.EndNode));
+        if (!shifted.Exists) return;
+        var (start, end) = (_nodes[shifted.StartNode], _nodes[shifted.EndNode]);
+        if (shifted.From >= shifted.To || !shifted.KeepsDirection(start, end))
+        {
+            if (start.IsNear(end, tolerance) && !shifted.Piece.IsWholeTurn) _same.Add((shifted.StartNode, shifted.EndNode));
+            return;
+        }
+
+        AddUncovered(shifted.Trimmed(start, end), shifted.StartNode, shifted.EndNode, side, source, source + 1, source - 1, cover);
+    }
+
+    /// <summary>The line between an arc and the tip of its mitre.</summary>
+    private void AddTip(int from, int to, RawSides side)
+    {
+        if (from >= 0 && to >= 0) _pieces.Add(new RawPiece(PathPiece.Line(_nodes[from], _nodes[to]), from, to, side, -1));
+    }
+
+    private void AddJoin(in PathPiece source, in PathPiece next, (int From, int To) join, RawSides side, int index, NeighbourCover cover)
+    {
+        var (leaving, arriving, corner) = (source.EndTangent, next.StartTangent, source.End);
+        var (start, end) = (_nodes[join.From], _nodes[join.To]);
+        if (options.Join == OffsetJoin.Round || side == RawSides.Cap)
+        {
+            var turn = -Math.Abs(Math.Atan2(leaving.Cross(arriving), leaving.Dot(arriving)));
+            var outward = Left(leaving);
+            AddUncovered(PathPiece.Arc(corner, distance, Math.Atan2(outward.Y, outward.X), turn, start, end), join.From, join.To, side, -1, index + 1, index, cover);
+        }
+        else
+        {
+            _pieces.Add(new RawPiece(PathPiece.Line(start, end), join.From, join.To, side, -1));
+        }
+    }
+
+    /// <summary>Leaves out what lies deep inside the reach of near corners of the same chain; a piece that is shortened breaks off there.</summary>
+    private void AddUncovered(in PathPiece piece, int start, int end, RawSides side, int source, int ahead, int behind, NeighbourCover cover)
+    {
+        var left = PiecePart.Whole;
+        if (!cover.TryClip(piece, ahead, behind, ref left)) return;
+        var (from, to) = left;
+        if (from > 0.0) start = NewNode(piece.At(from));
+        if (to < 1.0) end = NewNode(piece.At(to));
+        _pieces.Add(new RawPiece(from > 0.0 || to < 1.0 ? piece.Part(from, _nodes[start], to, _nodes[end]) : piece, start, end, side, source));
+    }
+
+    private static Vector2D Left(Vector2D tangent) => new(-tangent.Y, tangent.X);
+}

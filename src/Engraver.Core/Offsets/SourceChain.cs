@@ -1,0 +1,93 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Biarcs;
+using Engraver.Core.Offsets.Pieces;
+
+namespace Engraver.Core.Offsets;
+
+/// <summary>A contour made fit for its offset: lines and arcs only, none without length, every piece beginning exactly where the one before ends.</summary>
+internal sealed class SourceChain
+{
+    /// <summary>Part of the tolerance of an ellipse's or spline's arcs by which a corner between two of them may be cut: a joint that was meant smooth stays smooth.</summary>
+    private const double CurveJointShare = 0.01;
+
+    private SourceChain(PathPiece[] pieces, bool closed, double smoothness) => (Pieces, Closed, Smoothness) = (pieces, closed, smoothness);
+
+    public PathPiece[] Pieces { get; }
+
+    public bool Closed { get; }
+
+    /// <summary>Millimetres by which the offset may leave the exact one where two pieces meet nearly without a corner.</summary>
+    public double Smoothness { get; }
+
+    /// <param name="contour">As drawn.</param>
+    /// <param name="options">Tolerances.</param>
+    /// <param name="tolerance">Length that counts as none, millimetres.</param>
+    /// <returns>Null when nothing with a length is in it.</returns>
+    public static SourceChain? From(OffsetContour contour, OffsetOptions options, double tolerance)
+    {
+        var hasCurves = false;
+        var pieces = new List<PathPiece>();
+        foreach (var segment in contour.Segments)
+        {
+            if (segment.IsFreeCurve)
+            {
+                hasCurves = true;
+                foreach (var part in BiarcFit.Fit(segment.Curve, options.MaxErrorMm)) AddWithLength(pieces, PathPiece.FromSegment(part), tolerance);
+            }
+            else
+            {
+                AddWithLength(pieces, PathPiece.FromSegment(segment), tolerance);
+            }
+        }
+
+        if (pieces.Count == 0) return null;
+        var smoothness = hasCurves ? Math.Max(tolerance, CurveJointShare * options.MaxErrorMm) : tolerance;
+        return new SourceChain(Joined(pieces, contour.Closed, tolerance), contour.Closed, smoothness);
+    }
+
+    /// <summary>The same points in the opposite direction.</summary>
+    public SourceChain Reversed()
+    {
+        var pieces = new PathPiece[Pieces.Length];
+        for (var i = 0; i < pieces.Length; i++) pieces[i] = Pieces[^(i + 1)].Reversed();
+        return new SourceChain(pieces, Closed, Smoothness);
+    }
+
+    public SourceChain Moved(Vector2D by) => new([.. Pieces.Select(piece => piece.Moved(by))], Closed, Smoothness);
+
+    private static void AddWithLength(List<PathPiece> pieces, in PathPiece piece, double tolerance)
+    {
+        if (piece.Length > tolerance && (piece.IsArc || piece.Start != piece.End)) pieces.Add(piece);
+    }
+
+    /// <summary>Closes the gaps: both ends move to the middle. An arc keeps its sweep and is bent to its new ends.</summary>
+    private static PathPiece[] Joined(List<PathPiece> pieces, bool closed, double tolerance)
+    {
+        var count = pieces.Count;
+        var starts = new Point2D[count + 1];
+        (starts[0], starts[count]) = (pieces[0].Start, pieces[^1].End);
+        for (var i = 1; i < count; i++) starts[i] = Meeting(pieces[i - 1].End, pieces[i].Start);
+        if (closed) starts[0] = starts[count] = Meeting(pieces[^1].End, pieces[0].Start);
+        var joined = new List<PathPiece>(count);
+        for (var i = 0; i < count; i++)
+        {
+            var piece = Between(pieces[i], starts[i], starts[i + 1], tolerance);
+            if (piece.Length > tolerance) joined.Add(piece);
+            else if (i + 1 < count) starts[i + 1] = starts[i];
+            else if (joined.Count > 0) joined[^1] = Between(joined[^1], joined[^1].Start, starts[count], tolerance);
+        }
+
+        return joined.Count > 0 ? [.. joined] : [pieces[0]];
+    }
+
+    private static Point2D Meeting(Point2D end, Point2D start) => end == start ? end : end + ((start - end) * 0.5);
+
+    private static PathPiece Between(in PathPiece piece, Point2D start, Point2D end, double tolerance)
+    {
+        if (piece.Start == start && piece.End == end) return piece;
+        if (!piece.IsArc) return PathPiece.Line(start, end);
+        var moved = Math.Max(piece.Start.DistanceTo(start), piece.End.DistanceTo(end));
+        if (moved <= tolerance || piece.IsWholeTurn || start.DistanceTo(end) <= tolerance) return PathPiece.Arc(piece.Centre, piece.Radius, piece.From, piece.Sweep, start, end);
+        return PathPiece.FromSegment(Segment.FromArc(ArcSegment.FromBulge(start, end, Math.Tan(piece.Sweep / 4.0)), start, end));
+    }
+}

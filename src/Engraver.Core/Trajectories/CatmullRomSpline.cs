@@ -1,0 +1,74 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Trajectories;
+
+/// <summary>The uniform Catmull-Rom spline that a controller runs through a trajectory's points: the tangent at a point is half the way from its predecessor to its successor (paper 004; sace-xps-agie.md 2.3).</summary>
+internal sealed class CatmullRomSpline
+{
+    private readonly Point2D[] _lines;
+
+    /// <param name="lines">As they stand in the file: a phantom point, the points visited, a phantom point.</param>
+    public CatmullRomSpline(Point2D[] lines)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(lines.Length, 4);
+        _lines = lines;
+    }
+
+    /// <summary>Phantom, points visited, phantom.</summary>
+    public IReadOnlyList<Point2D> Lines => _lines;
+
+    /// <summary>Number of cubics.</summary>
+    public int Count => _lines.Length - 3;
+
+    /// <summary>A cubic by its four Bezier control points.</summary>
+    public Cubic this[int segment]
+    {
+        get
+        {
+            var (before, start, end, after) = (_lines[segment], _lines[segment + 1], _lines[segment + 2], _lines[segment + 3]);
+            return new Cubic(start, start + ((end - before) * (1.0 / 6.0)), end - ((after - start) * (1.0 / 6.0)), end);
+        }
+    }
+
+    /// <summary>Largest ratio of two neighbouring chords; 1 for a single one.</summary>
+    public double SpacingRatio(bool closed)
+    {
+        var ratio = 1.0;
+        for (var i = 0; i < (closed ? Count : Count - 1); i++)
+        {
+            var (one, other) = (Chord(i), Chord((i + 1) % Count));
+            ratio = Math.Max(ratio, Math.Max(one / other, other / one));
+        }
+
+        return ratio;
+    }
+
+    public double Chord(int segment) => _lines[segment + 1].DistanceTo(_lines[segment + 2]);
+}
+
+/// <summary>A cubic by its Bezier control points.</summary>
+internal readonly record struct Cubic(Point2D A, Point2D B, Point2D C, Point2D D)
+{
+    public Point2D At(double u)
+    {
+        var v = 1.0 - u;
+        var (a, b, c, d) = (v * v * v, 3.0 * v * v * u, 3.0 * v * u * u, u * u * u);
+        return new Point2D((a * A.X) + (b * B.X) + (c * C.X) + (d * D.X), (a * A.Y) + (b * B.Y) + (c * C.Y) + (d * D.Y));
+    }
+
+    /// <summary>The derivative by u.</summary>
+    public Vector2D SlopeAt(double u)
+    {
+        var v = 1.0 - u;
+        return (((B - A) * (v * v)) + ((C - B) * (2.0 * v * u)) + ((D - C) * (u * u))) * 3.0;
+    }
+
+    /// <summary>Both parts at a parameter.</summary>
+    public (Cubic First, Cubic Second) Split(double u)
+    {
+        Point2D ab = A + ((B - A) * u), bc = B + ((C - B) * u), cd = C + ((D - C) * u);
+        Point2D abc = ab + ((bc - ab) * u), bcd = bc + ((cd - bc) * u);
+        var middle = abc + ((bcd - abc) * u);
+        return (new Cubic(A, ab, abc, middle), new Cubic(middle, bcd, cd, D));
+    }
+}

@@ -1,0 +1,193 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Trajectories;
+
+/// <summary>One piece of a chain: a line, an arc or circle, or a nearly straight part of an ellipse or spline. Places on it are fractions of its parameter, 0 to 1, or lengths from its start.</summary>
+internal sealed class ChainPiece
+{
+    /// <summary>Steps of the table of lengths of a free piece; pieces are nearly straight and of nearly constant speed (<see cref="CurvePieces"/>).</summary>
+    private const int TableSteps = 8;
+
+    private const int MostNewtonSteps = 8;
+
+    private readonly Segment _segment;
+    private readonly BezierSpan? _span;
+    private readonly PowerBasis? _powers;
+    private readonly double[] _lengths = [];
+
+    private ChainPiece(in Segment segment, double start)
+    {
+        (_segment, Start) = (segment, start);
+        if (segment.IsFreeCurve)
+        {
+            _span = segment.Curve.Spans[0];
+            _powers = new PowerBasis(_span);
+            _lengths = LengthTable(_powers);
+            Length = _lengths[^1];
+        }
+        else
+        {
+            Length = segment.Length;
+        }
+    }
+
+    /// <summary>Length of the chain before it, millimetres.</summary>
+    public double Start { get; }
+
+    public double Length { get; }
+
+    public double End => Start + Length;
+
+    public bool IsFree => _span is not null;
+
+    public bool IsLine => _segment.Kind == SegmentKind.Line;
+
+    /// <summary>The line or arc itself, or the part of the curve.</summary>
+    public Segment Segment => _segment;
+
+    public Point2D StartPoint => _segment.Start;
+
+    public Point2D EndPoint => _segment.End;
+
+    /// <summary>The pieces of a segment, which together are it exactly.</summary>
+    public static IEnumerable<ChainPiece> Of(Segment segment, double start)
+    {
+        IEnumerable<Segment> parts = segment.IsFreeCurve ? segment.Curve.Pieces().Select(Segment.FromCurve) : [segment];
+        foreach (var part in parts)
+        {
+            var piece = new ChainPiece(part, start);
+            if (!(piece.Length > 0.0)) continue;
+            start = piece.End;
+            yield return piece;
+        }
+    }
+
+    public ChainPlace At(double fraction)
+    {
+        if (_span is null)
+        {
+            if (IsLine) return new ChainPlace(_segment.PointAt(fraction), _segment.StartTangent, 0.0);
+            return new ChainPlace(_segment.Arc.PointAt(fraction), _segment.Arc.TangentAt(fraction), Math.Sign(_segment.Arc.Sweep.Degrees) / _segment.Arc.Radius);
+        }
+
+        return new ChainPlace(_span.PointAt(fraction), _span.TangentAt(fraction), Curvature(fraction));
+    }
+
+    /// <summary>Point and direction of travel, quickly: for measuring at samples, on which no proof rests.</summary>
+    public (Point2D Point, Vector2D Tangent) Near(double fraction)
+    {
+        if (_powers is null) return At(fraction) is var place ? (place.Point, place.Tangent) : default;
+        var point = _powers.Evaluate(fraction, out var slope);
+        var speed = slope.Length;
+        return (point, speed > 0.0 ? slope * (1.0 / speed) : _span!.TangentAt(fraction));
+    }
+
+    /// <summary>The fraction at a length from the start of the chain.</summary>
+    public double FractionAt(double length)
+    {
+        var along = length - Start;
+        if (_span is null) return Math.Clamp(along / Length, 0.0, 1.0);
+        if (along <= 0.0) return 0.0;
+        if (along >= Length) return 1.0;
+        var cell = Array.BinarySearch(_lengths, along);
+        if (cell < 0) cell = ~cell - 1;
+        cell = Math.Clamp(cell, 0, TableSteps - 1);
+        var share = (along - _lengths[cell]) / Math.Max(_lengths[cell + 1] - _lengths[cell], double.Epsilon);
+        return (cell + Math.Clamp(share, 0.0, 1.0)) / TableSteps;
+    }
+
+    /// <summary>The length from the start of the chain at a fraction. The inverse of <see cref="FractionAt"/>; of a free piece it is linear between the places of its table, which only moves points along the curve.</summary>
+    public double LengthAt(double fraction)
+    {
+        if (_span is null) return Start + (fraction * Length);
+        var place = Math.Clamp(fraction, 0.0, 1.0) * TableSteps;
+        var cell = Math.Min((int)place, TableSteps - 1);
+        return Start + _lengths[cell] + ((place - cell) * (_lengths[cell + 1] - _lengths[cell]));
+    }
+
+    /// <summary>The fraction at which a place lies abeam, beginning the search at a guess; below 0 or above 1 when that is beyond an end.</summary>
+    public double Foot(Point2D place, double guess)
+    {
+        if (_span is not null) return FreeFoot(place, guess);
+        if (IsLine) return (place - _segment.Start).Dot(_segment.StartTangent) / Length;
+        var arc = _segment.Arc;
+        var ahead = arc.TangentAt(guess).Dot(place - arc.Centre);
+        var outwards = Vector2D.FromPolar(1.0, arc.Start + (arc.Sweep * guess)).Dot(place - arc.Centre);
+        return guess + (Math.Atan2(ahead, outwards) / Math.Abs(arc.Sweep.Radians));
+    }
+
+    /// <summary>The part between two fractions as a Bezier span, exact within rounding; of an arc at most a third of a turn.</summary>
+    /// <returns>Null for an arc that is too long.</returns>
+    public BezierSpan? Part(double from, double to)
+    {
+        if (_span is not null) return _span.Part(from, to);
+        var (start, end) = (from <= 0.0 ? _segment.Start : _segment.PointAt(from), to >= 1.0 ? _segment.End : _segment.PointAt(to));
+        if (IsLine) return new BezierSpan([start.X, start.Y, 0.0, 1.0, end.X, end.Y, 0.0, 1.0]);
+        var arc = _segment.Arc;
+        var half = Math.Abs(arc.Sweep.Radians) * (to - from) / 2.0;
+        if (half > Math.PI / 3.0) return null;
+        var weight = Math.Cos(half);
+        var shoulder = arc.Centre + Vector2D.FromPolar(arc.Radius / weight, arc.Start + (arc.Sweep * ((from + to) / 2.0)));
+        return new BezierSpan([start.X, start.Y, 0.0, 1.0, shoulder.X * weight, shoulder.Y * weight, 0.0, weight, end.X, end.Y, 0.0, 1.0]);
+    }
+
+    private double FreeFoot(Point2D place, double guess)
+    {
+        var fraction = Math.Clamp(guess, 0.0, 1.0);
+        for (var step = 0; step < MostNewtonSteps; step++)
+        {
+            var on = _powers!.Evaluate(fraction, out var slope);
+            var squared = slope.LengthSquared;
+            if (!(squared > 0.0)) return fraction;
+            var by = (place - on).Dot(slope) / squared;
+            var next = fraction + by;
+            if (next < 0.0 && fraction <= 0.0) return next;
+            if (next > 1.0 && fraction >= 1.0) return next;
+            next = Math.Clamp(next, 0.0, 1.0);
+            if (Math.Abs(next - fraction) < 1e-6) return next;
+            fraction = next;
+        }
+
+        return fraction;
+    }
+
+    /// <summary>Signed curvature by differences of the tangent; it steers the density of points only, no proof rests on it.</summary>
+    private double Curvature(double fraction)
+    {
+        const double Step = 1e-4;
+        var (from, to) = (Math.Max(0.0, fraction - Step), Math.Min(1.0, fraction + Step));
+        var before = _powers!.Evaluate(from, out var first);
+        var after = _powers.Evaluate(to, out var second);
+        var chord = before.DistanceTo(after);
+        return chord > 0.0 ? Math.Atan2(first.Cross(second), first.Dot(second)) / chord : 0.0;
+    }
+
+    private static double[] LengthTable(PowerBasis span)
+    {
+        var lengths = new double[TableSteps + 1];
+        for (var i = 0; i < TableSteps; i++) lengths[i + 1] = lengths[i] + (Gauss(span, (double)i / TableSteps, (i + 1.0) / TableSteps));
+        return lengths;
+    }
+
+    private static double Gauss(PowerBasis span, double from, double to)
+    {
+        var (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
+        var off = half * 0.7745966692414834;
+        return half * (((Speed(span, middle - off) + Speed(span, middle + off)) * (5.0 / 9.0)) + (Speed(span, middle) * (8.0 / 9.0)));
+    }
+
+    private static double Speed(PowerBasis span, double parameter)
+    {
+        span.Evaluate(parameter, out var slope);
+        return slope.Length;
+    }
+}
+
+/// <summary>A place of a chain.</summary>
+/// <param name="Tangent">Direction of travel, length 1.</param>
+/// <param name="Curvature">1/mm, left turn positive.</param>
+internal readonly record struct ChainPlace(Point2D Point, Vector2D Tangent, double Curvature)
+{
+    /// <summary>To the left of the direction of travel, length 1.</summary>
+    public Vector2D Normal => new(-Tangent.Y, Tangent.X);
+}

@@ -1,0 +1,65 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Trajectories;
+
+/// <summary>Divides a contour at its corners.</summary>
+internal static class ContourRuns
+{
+    /// <summary>Part of the allowed error that a gap between two segments may be without a line that bridges it.</summary>
+    private const double GapShare = 0.1;
+
+    /// <summary>Runs in the order of travel; of a closed contour with corners the first begins at one.</summary>
+    public static IEnumerable<(IReadOnlyList<Segment> Segments, bool Closed)> Split(IReadOnlyList<Segment> contour, bool closed, CornerMode mode, double maxError)
+    {
+        var segments = Joined(contour, closed, GapShare * maxError);
+        if (segments.Count == 0) return [];
+        var corners = mode == CornerMode.Stop ? Corners(segments, closed) : [];
+        if (corners.Count == 0) return [(segments, closed)];
+        var runs = new List<(IReadOnlyList<Segment>, bool)>();
+        if (!closed) corners = [0, .. corners, segments.Count];
+        else corners.Add(corners[0] + segments.Count);
+        for (var i = 0; i + 1 < corners.Count; i++) runs.Add(([.. Enumerable.Range(corners[i], corners[i + 1] - corners[i]).Select(index => segments[index % segments.Count])], false));
+        return runs;
+    }
+
+    /// <summary>Without points, splines cut where their own spans meet at an angle, and with a line in every gap that counts.</summary>
+    private static List<Segment> Joined(IReadOnlyList<Segment> contour, bool closed, double gap)
+    {
+        var joined = new List<Segment>();
+        foreach (var segment in contour.SelectMany(Smooth).Where(segment => segment.Length > 0.0))
+        {
+            if (joined.Count > 0 && joined[^1].End.DistanceTo(segment.Start) > gap) joined.Add(Segment.FromLine(joined[^1].End, segment.Start));
+            joined.Add(segment);
+        }
+
+        if (closed && joined.Count > 0 && joined[^1].End.DistanceTo(joined[0].Start) > gap) joined.Add(Segment.FromLine(joined[^1].End, joined[0].Start));
+        return joined;
+    }
+
+    private static IEnumerable<Segment> Smooth(Segment segment)
+    {
+        if (!segment.IsFreeCurve) return [segment];
+        var (spans, parts, first) = (segment.Curve.Spans.ToArray(), new List<Segment>(), 0);
+        for (var i = 1; i <= spans.Length; i++)
+        {
+            if (i < spans.Length && !IsCorner(spans[i - 1].EndTangent, spans[i].StartTangent)) continue;
+            parts.Add(first == 0 && i == spans.Length ? segment : Segment.FromCurve(new RationalCurve(segment.Kind, spans[first..i])));
+            first = i;
+        }
+
+        return parts;
+    }
+
+    private static List<int> Corners(List<Segment> segments, bool closed)
+    {
+        var corners = new List<int>();
+        for (var i = closed ? 0 : 1; i < segments.Count; i++)
+        {
+            if (IsCorner(segments[(i + segments.Count - 1) % segments.Count].EndTangent, segments[i].StartTangent)) corners.Add(i);
+        }
+
+        return corners;
+    }
+
+    private static bool IsCorner(Vector2D arriving, Vector2D leaving) => arriving.TurnTo(leaving).Abs().Degrees > ChainJoint.CornerDegrees;
+}

@@ -1,0 +1,36 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Trajectories.Formats;
+
+/// <summary>A contour as files of one format.</summary>
+public static class TrajectoryFiles
+{
+    /// <summary>One file for each run between two corners, or one for the contour where its corners are rounded within the error (splines only).</summary>
+    /// <param name="contour">See <see cref="TrajectoryPlanner.Plan"/>.</param>
+    /// <param name="motion">For the formats that say how fast.</param>
+    public static TrajectoryFilesResult Write(IReadOnlyList<Segment> contour, bool closed, TrajectoryOptions options, TrajectoryFormat format, TrajectoryMotion motion)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        ArgumentNullException.ThrowIfNull(motion);
+        if (format is TrajectoryFormat.Sace or TrajectoryFormat.XpsSpline)
+        {
+            var planned = TrajectoryPlanner.Plan(contour, closed, options);
+            return new TrajectoryFilesResult([.. planned.Trajectories.Select(one => format == TrajectoryFormat.Sace ? SplineText.Sace(one) : SplineText.Xps(one))], planned.Failed);
+        }
+
+        var (files, failed) = (new List<TrajectoryFile>(), new List<IReadOnlyList<Segment>>());
+        foreach (var (segments, isRound) in ContourRuns.Split(contour, closed, CornerMode.Stop, options.MaxError))
+        {
+            var file = format == TrajectoryFormat.XpsLineArc ? LineArcText.From(segments, isRound, options) : PvtText.From(SmoothChain.From(segments, isRound), segments, options, motion);
+            if (file is not null) files.Add(file);
+            else failed.Add(segments);
+        }
+
+        return new TrajectoryFilesResult(files, failed);
+    }
+}
+
+/// <summary>What became of a contour.</summary>
+/// <param name="Files">In the order of travel.</param>
+/// <param name="Unproven">Runs for which the error could not be kept.</param>
+public sealed record TrajectoryFilesResult(IReadOnlyList<TrajectoryFile> Files, IReadOnlyList<IReadOnlyList<Segment>> Unproven);

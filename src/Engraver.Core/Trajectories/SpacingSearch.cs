@@ -1,0 +1,147 @@
+namespace Engraver.Core.Trajectories;
+
+/// <summary>Finds the spacing with the fewest points whose proven bound is within the error: families of profiles, each on the coarsest scale that passes (sace-xps-agie.md 3.5 steps 1 and 5).</summary>
+internal sealed class SpacingSearch(SmoothChain chain, double maxError)
+{
+    /// <summary>Longest step over its neighbour.</summary>
+    public const double MostRatio = 4.0;
+
+    /// <summary>The samples must stay below this part of the error, for the bound is a little larger than they are.</summary>
+    private const double SampleShare = 0.996;
+
+    private const int Rounds = 12;
+
+    private const double MostBoost = 1.1;
+
+    /// <summary>Scales of the error that are tried, finest and coarsest.</summary>
+    private const double Finest = 1.0 / 4096.0;
+    private const double Coarsest = 100.0;
+
+    private const int MostTries = 10;
+
+    private static readonly double[] Coarser = [1.0, 1.5, 2.5];
+
+    private static readonly double[] Growths = [1.1, 0.5, 1.4];
+
+    private static readonly double[] Softnesses = [0.02, 0.1, 0.2, 0.4, 0.8];
+
+    private readonly SpacingProfile _profile = new(chain);
+    private SplineCandidate? _best;
+
+    public SplineCandidate? Find()
+    {
+        if (chain.Pieces.Count == 1 && chain.Pieces[0].IsLine) return Straight();
+        foreach (var growth in Growths) Refine(growth, null);
+        if (chain.Pieces.Any(piece => piece.IsFree))
+        {
+            foreach (var soft in Softnesses) Refine(1.1, soft);
+        }
+
+        return _best;
+    }
+
+    /// <summary>Two points and nothing to search.</summary>
+    private SplineCandidate? Straight()
+    {
+        List<double> knots = [0.0, chain.Length];
+        var fit = new SplineFit(chain, knots);
+        var bound = SplineBound.Measure(fit.Spline, chain, knots);
+        return bound <= maxError ? new SplineCandidate(fit.Spline, bound, knots) : null;
+    }
+
+    /// <summary>The first spline that passes, then fewer and fewer points: what is tried is the coarsest scale of the family with so many.</summary>
+    private void Refine(double growth, double? soft)
+    {
+        for (var scale = 1.0; _best is null && scale >= Finest; scale /= 3.0) Try(scale, growth, soft, int.MaxValue);
+        if (_best is null) return;
+        for (var (fewer, tries) = (1 + (Count / 40), 0); fewer > 0 && tries < MostTries; tries++) fewer = TryFewer(fewer, growth, soft) ? 2 * fewer : fewer / 2;
+    }
+
+    /// <summary>From the finest scale that needs so much fewer points, and from coarser ones, which repairs make dense where they must be.</summary>
+    private bool TryFewer(int fewer, double growth, double? soft)
+    {
+        var (before, scale) = (Count, ScaleFor(Count - fewer, growth, soft));
+        return Coarser.Any(factor => Try(scale * factor, growth, soft, before));
+    }
+
+    /// <summary>Points of the best so far.</summary>
+    private int Count => _best!.Value.Spline.Lines.Count - 2;
+
+    /// <summary>The finest scale at which a family needs no more than a number of points.</summary>
+    private double ScaleFor(int points, double growth, double? soft)
+    {
+        var (low, high) = (Finest, Coarsest);
+        while (high > low * 1.01)
+        {
+            var middle = Math.Sqrt(low * high);
+            _profile.Fill(middle * maxError, growth, soft);
+            if (KnotPlacement.Place(chain, _profile).Count <= points) high = middle;
+            else low = middle;
+        }
+
+        return high;
+    }
+
+    /// <summary>One scale, made denser where it must be.</summary>
+    /// <param name="below">So many points or more are of no use.</param>
+    private bool Try(double scale, double growth, double? soft, int below)
+    {
+        _profile.Fill(scale * maxError, growth, soft);
+        for (var round = 0; round < Rounds; round++)
+        {
+            var knots = KnotPlacement.Place(chain, _profile);
+            if (knots.Count >= below) return false;
+            var fit = new SplineFit(chain, knots);
+            fit.Centre(0.9 * maxError, 5.0 * maxError);
+            if (!fit.RunsBack && fit.LargestError <= SampleShare * maxError && fit.Spline.SpacingRatio(chain.Closed) <= MostRatio)
+            {
+                var bound = SplineBound.Measure(fit.Spline, chain, knots, maxError);
+                if (bound <= maxError)
+                {
+                    _best = new SplineCandidate(fit.Spline, bound, knots);
+                    return true;
+                }
+            }
+
+            if (!Repair(fit, knots)) return false;
+        }
+
+        return false;
+    }
+
+    /// <summary>Makes points denser where the error is too large, and where a step is too long for its neighbour.</summary>
+    private bool Repair(SplineFit fit, List<double> knots)
+    {
+        var any = false;
+        for (var i = 0; i < fit.Spline.Count; i++)
+        {
+            var over = fit.ErrorOf(i) / (SampleShare * maxError);
+            if (over > 4.0) return false;
+            if (over > 1.0)
+            {
+                any = true;
+                Boost(knots, i, Math.Min(MostBoost, Math.Pow(over, 0.5) * 1.01));
+            }
+
+            var next = i + 1 < fit.Spline.Count ? i + 1 : chain.Closed ? 0 : i;
+            var ratio = fit.Spline.Chord(i) / fit.Spline.Chord(next);
+            if (ratio is <= MostRatio and >= 1.0 / MostRatio) continue;
+            any = true;
+            Boost(knots, ratio > 1.0 ? i : next, MostBoost);
+        }
+
+        if (any) return true;
+        _profile.Boost(0.0, chain.Length, 1.02);
+        return true;
+    }
+
+    private void Boost(List<double> knots, int segment, double factor)
+    {
+        var (from, to) = (knots[segment], knots[segment + 1]);
+        if (chain.Closed && from >= chain.Length) (from, to) = (from - chain.Length, to - chain.Length);
+        _profile.Boost(from, to, factor);
+    }
+}
+
+/// <summary>Points with their proven bound, millimetres, and their lengths along the chain.</summary>
+internal readonly record struct SplineCandidate(CatmullRomSpline Spline, double Bound, IReadOnlyList<double> Knots);

@@ -1,0 +1,62 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Trajectories;
+
+/// <summary>Contours to trajectories: the fewest points found for which the proven bound holds (sace-xps-agie.md 3.5).</summary>
+public static class TrajectoryPlanner
+{
+    /// <summary>Points nearer than this are one.</summary>
+    private const double LeastLength = 1e-8;
+
+    /// <summary>One trajectory for each run between two corners, or one for the contour (<see cref="TrajectoryOptions.Corners"/>).</summary>
+    /// <param name="contour">Lines, arcs, circles, ellipses and splines joined end to start, millimetres; gaps are bridged by lines.</param>
+    /// <param name="closed">The last ends where the first starts.</param>
+    public static TrajectoryResult Plan(IReadOnlyList<Segment> contour, bool closed, TrajectoryOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(contour);
+        ArgumentNullException.ThrowIfNull(options);
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.MaxError);
+        if (options.SegmentLength is { } step) ArgumentOutOfRangeException.ThrowIfNegativeOrZero(step, nameof(options));
+        var (done, failed) = (new List<Trajectory>(), new List<IReadOnlyList<Segment>>());
+        foreach (var (segments, isRound) in ContourRuns.Split(contour, closed, options.Corners, options.MaxError))
+        {
+            if (segments.Sum(segment => segment.Length) < LeastLength) continue;
+            if (One(SmoothChain.From(segments, isRound), segments, options) is { } trajectory) done.Add(trajectory);
+            else failed.Add(segments);
+        }
+
+        return new TrajectoryResult(done, failed);
+    }
+
+    private static Trajectory? One(SmoothChain chain, IReadOnlyList<Segment> segments, TrajectoryOptions options)
+    {
+        var found = options.SegmentLength is { } step ? Evenly(chain, step) : new SpacingSearch(chain, options.MaxError).Find();
+        if (found is not { } candidate) return null;
+        return new Trajectory
+        {
+            Lines = candidate.Spline.Lines,
+            Z = options.Z,
+            Source = segments,
+            Closed = chain.Closed,
+            SampledError = SampledDistance.Of(candidate.Spline.Count, i => candidate.Spline[i], chain, candidate.Knots),
+            VerifiedBound = candidate.Bound,
+            SpacingRatio = candidate.Spline.SpacingRatio(chain.Closed),
+            Length = chain.Length,
+        };
+    }
+
+    private static SplineCandidate? Evenly(SmoothChain chain, double step)
+    {
+        var profile = new SpacingProfile(chain);
+        profile.FillEvenly(step);
+        var knots = KnotPlacement.Place(chain, profile);
+        var fit = new SplineFit(chain, knots);
+        var bound = SplineBound.Measure(fit.Spline, chain, knots);
+        return double.IsFinite(bound) ? new SplineCandidate(fit.Spline, bound, knots) : null;
+    }
+}
+
+/// <summary>What became of a contour.</summary>
+/// <param name="Trajectories">In the order of travel.</param>
+/// <param name="Failed">Runs for which no spline could be proven to keep the error, as at a cusp inside a curve.</param>
+public sealed record TrajectoryResult(IReadOnlyList<Trajectory> Trajectories, IReadOnlyList<IReadOnlyList<Segment>> Failed);

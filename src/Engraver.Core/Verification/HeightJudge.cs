@@ -1,0 +1,216 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing;
+
+namespace Engraver.Core.Verification;
+
+/// <summary>The judge of a machine whose tool is moved by an axis: every cutting sample is compared with the drawing in X, Y and Z, and every part of the drawing must have been cut at its depth.</summary>
+/// <remarks>
+/// The drawing is cut so deep below its own heights as the machine profile says; a pass that is not the last one runs higher by a whole multiple of the depth of a pass, which is right but cuts nothing to its depth.
+/// While the tool goes straight up or down over one place, it may be at any height over the drawing there, and nowhere below it. Not thread safe.
+/// </remarks>
+public sealed class HeightJudge : ITraceJudge
+{
+    private readonly double? _depthPerPass;
+    private readonly TraceTolerances _tolerances;
+    private readonly DrawnPieces _pieces;
+    private readonly SegmentIndex _index;
+    private readonly BoxTree.Measure _measure;
+    private readonly CoveredParts[] _covered;
+    private Vector3D _asked;
+    private bool _isVertical;
+    private bool _hasBeenUp;
+    private Point2D? _found;
+    private TraceSample? _last;
+    private (int Piece, Vector3D Place) _followed = (-1, default);
+    private long _samples;
+    private double _largest;
+    private double _extra;
+    private TraceSample? _worst;
+
+    /// <param name="drawing">What was to be cut, millimetres, with its heights; order and direction do not matter.</param>
+    /// <param name="tolerances">The count of the coarsest of the three axes decides.</param>
+    /// <param name="cutDepth">How far below the drawn heights is cut, millimetres.</param>
+    /// <param name="depthPerPass">Millimetres between two passes; null for one pass.</param>
+    public HeightJudge(IReadOnlyList<StrokeMove> drawing, double cutDepth, double? depthPerPass, TraceTolerances tolerances)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        (_depthPerPass, _tolerances) = (depthPerPass, tolerances);
+        _pieces = DrawnPieces.Create(drawing, cutDepth);
+        _index = new SegmentIndex(_pieces.Plan);
+        _covered = [.. _pieces.Plan.Select(_ => new CoveredParts())];
+        _measure = (piece, _) => Measure(piece).Distance;
+    }
+
+    public void Add(in TraceSample sample)
+    {
+        if (sample.Cutting && !IsFirstRaise(sample)) Judge(sample);
+        else _followed = (-1, default);
+        _hasBeenUp |= !sample.Cutting;
+        _last = sample;
+    }
+
+    /// <summary>Before the tool was up for the first time, and over the place where it was found: it is taken out of wherever it stood, on the work or in it.</summary>
+    private bool IsFirstRaise(in TraceSample sample)
+    {
+        _found ??= sample.Place;
+        return !_hasBeenUp && sample.Place == _found;
+    }
+
+    /// <summary>A span is judged by its ends and places a step apart; a machine with a tool axis is told sample by sample.</summary>
+    public void Add(in TraceSpan span)
+    {
+        var steps = Math.Max(1, (int)Math.Min(span.Samples - 1, Math.Ceiling(span.Path.Length / _tolerances.LargestStep)));
+        for (var i = 0; i <= steps; i++) Add(span.At((double)i / steps));
+    }
+
+    public TraceVerdict Verdict()
+    {
+        var (missing, first) = (0.0, (Point2D?)null);
+        for (var piece = 0; piece < _covered.Length; piece++)
+        {
+            var length = _pieces.Plan[piece].Length;
+            var shortest = length / _tolerances.StepsFor(length);
+            foreach (var (from, to) in _covered[piece].Gaps().Where(gap => (gap.To - gap.From) * length >= shortest * 0.999)) AddMissing(piece, from, to, ref missing, ref first);
+        }
+
+        return new TraceVerdict(_samples, _largest, _worst, missing, first, _extra);
+    }
+
+    private void Judge(in TraceSample sample)
+    {
+        _samples++;
+        _asked = new Vector3D(sample.XMm, sample.YMm, sample.ZMm);
+        _isVertical = _last is { } before && before.Place == sample.Place;
+        var nearest = Nearest(out var deviation);
+        if (_worst is null || deviation > _largest) (_largest, _worst) = (deviation, sample);
+        if (deviation > _tolerances.Coverage && _last is { Cutting: true } last) _extra += double.Hypot(last.Place.DistanceTo(sample.Place), last.ZMm - sample.ZMm);
+        if (nearest >= 0 && deviation <= _tolerances.Coverage && Measure(nearest) is { IsAtDepth: true } found) Follow(nearest, found.Foot);
+        else _followed = (-1, default);
+    }
+
+    /// <summary>The last piece first: samples follow each other.</summary>
+    private int Nearest(out double deviation)
+    {
+        deviation = double.PositiveInfinity;
+        var last = _followed.Piece;
+        if (last >= 0)
+        {
+            deviation = Measure(last).Distance;
+            if (deviation <= Math.Min(_largest, _tolerances.Deviation)) return last;
+        }
+
+        var nearest = _index.NearestBy(_measure, new Point2D(_asked.X, _asked.Y), deviation, 0.0, out var distance);
+        if (nearest < 0) return last;
+        deviation = distance;
+        return nearest;
+    }
+
+    /// <summary>From the place before to this one the tool went straight along what it follows; where that changes, to the end of the one and from the beginning of the other.</summary>
+    private void Follow(int piece, double foot)
+    {
+        if (_followed is { Piece: >= 0 } before)
+        {
+            if (before.Piece != piece) Cover(before.Piece, FootAt(before.Piece, before.Place), FootAt(before.Piece, _asked));
+            Cover(piece, FootAt(piece, before.Place), foot);
+        }
+        else
+        {
+            Cover(piece, foot, foot);
+        }
+
+        _followed = (piece, _asked);
+    }
+
+    private void Cover(int piece, double from, double to)
+    {
+        var (low, high) = (Math.Min(from, to), Math.Max(from, to));
+        if (_pieces.Plan[piece].Kind == SegmentKind.Circle && high - low > 0.5)
+        {
+            _covered[piece].Add(0.0, low);
+            _covered[piece].Add(high, 1.0);
+            return;
+        }
+
+        _covered[piece].Add(low, high);
+    }
+
+    private double FootAt(int piece, Vector3D place) => _pieces.Nearest(piece, place).Foot;
+
+    /// <summary>Distance of the asked place from a piece, or from the same piece in an earlier pass.</summary>
+    private (double Foot, double Distance, bool IsAtDepth) Measure(int piece)
+    {
+        var passes = _depthPerPass is { } step ? Math.Max(0.0, Math.Round((_asked.Z - _pieces.HeightOver(piece, _asked)) / step)) * step : 0.0;
+        var (foot, distance) = _pieces.Nearest(piece, _asked with { Z = _asked.Z - passes });
+        if (!_isVertical) return (foot, distance, passes == 0.0);
+        var (below, inPlan) = (Math.Max(0.0, _pieces.HeightOver(piece, _asked) - _asked.Z), _pieces.DistanceInPlan(piece, _asked));
+        return Math.Min(distance, double.Hypot(inPlan, below)) is var free && free < distance ? (foot, free, false) : (foot, distance, passes == 0.0);
+    }
+
+    /// <summary>A gap is no gap where another piece of the drawing that lies on this one was cut.</summary>
+    private void AddMissing(int piece, double from, double to, ref double missing, ref Point2D? first)
+    {
+        var length = _pieces.Plan[piece].Length;
+        var parts = Math.Max(1, (int)Math.Min(10_000.0, Math.Ceiling((to - from) * length / _tolerances.LargestStep)));
+        for (var i = 0; i < parts; i++)
+        {
+            var middle = from + ((to - from) * (i + 0.5) / parts);
+            var place = _pieces.PlaceAt(piece, middle);
+            var plan = new Point2D(place.X, place.Y);
+            if (_index.NearestBy((other, _) => other == piece ? double.PositiveInfinity : DistanceToCut(other, place), plan, 2.0 * _tolerances.Coverage, 0.0, out var distance) >= 0 && distance <= 2.0 * _tolerances.Coverage) continue;
+            missing += (to - from) * length / parts;
+            first ??= plan;
+        }
+    }
+
+    private double DistanceToCut(int piece, Vector3D place)
+    {
+        var (foot, distance) = _pieces.Nearest(piece, place);
+        return _covered[piece].Parts().Any(part => part.From <= foot && part.To >= foot) ? distance : double.PositiveInfinity;
+    }
+}
+
+/// <summary>A drawing in three coordinates: lines that may rise, and level arcs and pieces of curves; millimetres, at the depth at which they are cut.</summary>
+/// <param name="Plan">Ellipses and splines as their pieces.</param>
+/// <param name="From">Height at the start of each.</param>
+/// <param name="To">Height at the end of each.</param>
+internal sealed record DrawnPieces(Segment[] Plan, double[] From, double[] To)
+{
+    public static DrawnPieces Create(IReadOnlyList<StrokeMove> drawing, double depth)
+    {
+        var (plan, from, to) = (new List<Segment>(drawing.Count), new List<double>(drawing.Count), new List<double>(drawing.Count));
+        foreach (var move in drawing)
+        {
+            foreach (var piece in CurvePieces.Split([move.Segment]))
+            {
+                plan.Add(piece);
+                from.Add(move.StartZ - depth);
+                to.Add(move.EndZ - depth);
+            }
+        }
+
+        return new DrawnPieces([.. plan], [.. from], [.. to]);
+    }
+
+    /// <summary>Place of a piece nearest to a place, as a fraction, and how far away it is.</summary>
+    public (double Foot, double Distance) Nearest(int piece, Vector3D place)
+    {
+        ref readonly var segment = ref Plan[piece];
+        if (segment.Kind == SegmentKind.Line && From[piece] != To[piece])
+        {
+            var way = new Vector3D(segment.End.X - segment.Start.X, segment.End.Y - segment.Start.Y, To[piece] - From[piece]);
+            var spoke = place - new Vector3D(segment.Start.X, segment.Start.Y, From[piece]);
+            var foot = Math.Clamp(spoke.Dot(way) / way.Dot(way), 0.0, 1.0);
+            return (foot, (spoke - (way * foot)).Length);
+        }
+
+        var (level, inPlan) = FootOf.Place(segment, new Point2D(place.X, place.Y), double.NaN);
+        return (level, double.Hypot(inPlan, place.Z - From[piece]));
+    }
+
+    public double DistanceInPlan(int piece, Vector3D place) => FootOf.Place(Plan[piece], new Point2D(place.X, place.Y), double.NaN).Distance;
+
+    /// <summary>Height of a piece where it is nearest in plan.</summary>
+    public double HeightOver(int piece, Vector3D place) => From[piece] == To[piece] ? From[piece] : From[piece] + ((To[piece] - From[piece]) * FootOf.Place(Plan[piece], new Point2D(place.X, place.Y), double.NaN).Foot);
+
+    public Vector3D PlaceAt(int piece, double fraction) => Plan[piece].PointAt(fraction) is var plan ? new Vector3D(plan.X, plan.Y, From[piece] + ((To[piece] - From[piece]) * fraction)) : default;
+}

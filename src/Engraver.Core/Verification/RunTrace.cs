@@ -1,0 +1,105 @@
+using System.Globalization;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Verification;
+
+/// <summary>Where a machine really was in a run, thinned to a size that can be kept: by the simulator's record, or by the positions that a controller was polled for.</summary>
+/// <param name="Source">"record", "polled" or "plan".</param>
+/// <param name="Places">In the order of time.</param>
+public sealed record RunTrace(string Source, IReadOnlyList<RunTracePlace> Places)
+{
+    private const double LeastSecondsOfSpeed = 0.0099;
+
+    /// <summary>The columns of the first version, which did not know the following error nor the drawing.</summary>
+    private const string FirstHeader = "seconds,x,y,tool,deviation";
+
+    private const string Header = FirstHeader + ",following";
+
+    private const int FollowingColumn = 5;
+
+    private const int Version = 2;
+
+    private const string VersionMark = "; version ";
+
+    private const string DrawingMark = "; drawing ";
+
+    /// <summary>Of the drawing that was cut (<see cref="DrawnFingerprint"/>); empty in a trace of the first version.</summary>
+    public string Drawing { get; init; } = "";
+
+    /// <summary>Whether the following error of any place is known.</summary>
+    public bool KnowsFollowing => Places.Any(place => place.FollowingMm is not null);
+
+    /// <summary>Whether it can be a run of this drawing; of a trace that does not say it nobody knows better.</summary>
+    public bool CanBeOf(string fingerprint) => Drawing.Length == 0 || Drawing == fingerprint;
+
+    /// <summary>Writes it as CSV, lengths in millimetres of the drawing; the first line names the source.</summary>
+    public void Write(TextWriter output)
+    {
+        ArgumentNullException.ThrowIfNull(output);
+        output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"# {Source}{VersionMark}{Version}{DrawingMark}{Drawing}"));
+        output.WriteLine(Header);
+        foreach (var place in Places)
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{place.Seconds:0.######},{place.Place.X:0.######},{place.Place.Y:0.######},{(place.ToolOn ? 1 : 0)},{place.DeviationMm:0.######},{place.FollowingMm:0.######}"));
+    }
+
+    /// <summary>Reads what <see cref="Write"/> wrote, in this version or the first.</summary>
+    /// <exception cref="FormatException">The text is something else; the message names the line.</exception>
+    public static RunTrace Read(TextReader input)
+    {
+        ArgumentNullException.ThrowIfNull(input);
+        if (input.ReadLine() is not { } first || !first.StartsWith("# ", StringComparison.Ordinal)) throw new FormatException(Wording.Get("RunTrace.NoTrace", 1));
+        var (source, version, drawing) = TitleOf(first[2..]);
+        if (version is null or < 1) throw new FormatException(Wording.Get("RunTrace.NoTrace", 1));
+        if (version > Version) throw new FormatException(Wording.Get("RunTrace.Newer", version, Version));
+        var header = version == 1 ? FirstHeader : Header;
+        if (input.ReadLine() != header) throw new FormatException(Wording.Get("RunTrace.NoTrace", version == 1 ? 1 : 2));
+        var places = new List<RunTracePlace>();
+        for (var line = 3; input.ReadLine() is { } text; line++) places.Add(PlaceOf(text, header.Count(character => character == ',') + 1) ?? throw new FormatException(Wording.Get("RunTrace.NoTrace", line)));
+        return new RunTrace(source, places) { Drawing = drawing };
+    }
+
+    /// <summary>The source, the version and the drawing of the first line; of the first version it is the source alone.</summary>
+    private static (string Source, int? Version, string Drawing) TitleOf(string title)
+    {
+        var at = title.IndexOf(VersionMark, StringComparison.Ordinal);
+        if (at < 0) return (title, 1, "");
+        var rest = title[(at + VersionMark.Length)..].Split(DrawingMark);
+        return (title[..at], int.TryParse(rest[0].Split(';')[0], NumberStyles.None, CultureInfo.InvariantCulture, out var version) ? version : null, rest is [_, var drawing] ? drawing : "");
+    }
+
+    /// <summary>Speed on the way to a place, mm/s, over the last hundredth of a second: one count in a thousandth of a second is no speed. 0 for the first, and where no time has passed.</summary>
+    public double SpeedTo(int place)
+    {
+        var (way, first) = (0.0, place);
+        while (first > 0 && Places[place].Seconds - Places[first].Seconds < LeastSecondsOfSpeed)
+        {
+            way += Places[first].Place.DistanceTo(Places[first - 1].Place);
+            first--;
+        }
+
+        return Places[place].Seconds > Places[first].Seconds ? way / (Places[place].Seconds - Places[first].Seconds) : 0.0;
+    }
+
+    private static RunTracePlace? PlaceOf(string line, int columns)
+    {
+        var cells = line.Split(',');
+        var numbers = new double[cells.Length];
+        if (cells.Length != columns) return null;
+        var isFollowingKnown = columns > FollowingColumn && cells[FollowingColumn].Length > 0;
+        if (!isFollowingKnown) numbers = numbers[..FollowingColumn];
+        for (var i = 0; i < numbers.Length; i++)
+        {
+            if (!double.TryParse(cells[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i]) || !double.IsFinite(numbers[i])) return null;
+        }
+
+        return new RunTracePlace(numbers[0], new Point2D(numbers[1], numbers[2]), numbers[3] == 1.0, numbers[4], isFollowingKnown ? numbers[FollowingColumn] : null);
+    }
+}
+
+/// <summary>One place of a run.</summary>
+/// <param name="Seconds">Controller time.</param>
+/// <param name="Place">Millimetres of the drawing.</param>
+/// <param name="ToolOn">Whether the tool output was on.</param>
+/// <param name="DeviationMm">Distance from the drawing while the tool was on; 0 while it was off.</param>
+/// <param name="FollowingMm">How far the motors were from their command; null where nobody asked.</param>
+public readonly record struct RunTracePlace(double Seconds, Point2D Place, bool ToolOn, double DeviationMm, double? FollowingMm = null);

@@ -1,0 +1,93 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Galil.Jobs.Execution;
+using Engraver.Galil.Programs.Resident;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Jobs.Journal;
+
+/// <summary>Finds where an interrupted job is to go on: by its journal and, where the watchdog stopped the machine because the host or the link was lost, by what it left in the controller's variables.</summary>
+internal static class ResumeFinder
+{
+    /// <summary>A position further from the path than this is not on it, counts.</summary>
+    private const double OnPath = 2.5;
+
+    /// <summary>The trip switches the tool off and then reads the place, statement by statement: at 0.5 ms a line (galil-dmc.md A.4) it lies up to this much behind the end of the cut, seconds.</summary>
+    private const double TripSeconds = 0.005;
+
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public static async Task<ResumePlace> FindAsync(CommandChannel channel, MotionProgram program, JobMode mode, string journal, CancellationToken cancellation)
+    {
+        var job = Read(journal, out var refused);
+        if (job is null || (refused = Unfit(job, program, mode)).Length > 0) return ResumePlace.Refused(refused) with { Mode = job?.Header.Mode };
+        var kept = await AskAsync(channel, ResidentProgram.Variables.JobMark, cancellation).ConfigureAwait(false);
+        var tripped = await AskAsync(channel, ResidentProgram.Variables.TripMark, cancellation).ConfigureAwait(false);
+        var frame = new CountsPoint(job.Header.FrameX, job.Header.FrameY);
+        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Mode = mode };
+        if (tripped != job.Header.Mark || job.Opened is not { } opened) return found;
+        var trip = await TripAsync(channel, program, job, opened, frame, cancellation).ConfigureAwait(false);
+        return trip > job.Place ? found with { Place = trip, Doubt = TripSeconds * Speed(program, trip) } : found;
+    }
+
+    /// <summary>The place at which the watchdog switched the tool off, or began to brake a tool that an axis holds.</summary>
+    private static async Task<JobPlace> TripAsync(CommandChannel channel, MotionProgram program, InterruptedJob job, JournalOpened opened, CountsPoint frame, CancellationToken cancellation)
+    {
+        var counter = await AskAsync(channel, ResidentProgram.Variables.TripCounter, cancellation).ConfigureAwait(false);
+        var calls = await AskAsync(channel, ResidentProgram.Variables.Sequence, cancellation).ConfigureAwait(false);
+        var x = await AskAsync(channel, ResidentProgram.Variables.TripX, cancellation).ConfigureAwait(false);
+        var y = await AskAsync(channel, ResidentProgram.Variables.TripY, cancellation).ConfigureAwait(false);
+        var isTall = program.Profile.Height is not null;
+        var z = isTall ? await AskAsync(channel, ResidentProgram.Variables.TripZ, cancellation).ConfigureAwait(false) : 0.0;
+        if (counter is null || calls is null || x is null || y is null || z is null) return default;
+        var within = job.Header.Mode switch
+        {
+            JobMode.Stream => Math.Min((int)counter, opened.Starts[^1]),
+            JobMode.Calls => calls > opened.Calls ? 1 : 0,
+            _ => ChunkProgress.Within(opened.Starts, (int)calls, (int)counter),
+        };
+        var at = new CountsPoint((int)x - frame.X, (int)y - frame.Y, isTall ? (int)z - job.Header.FrameZ : 0);
+        return PlaceOnProgram.Find(program, opened.First + within, at, OnPath);
+    }
+
+    private static InterruptedJob? Read(string path, out string refused)
+    {
+        try
+        {
+            var job = InterruptedJob.Read(path);
+            refused = job is null ? Wording.Get("Resume.NoJob") : "";
+            return job;
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            refused = Wording.Get("Resume.Unreadable", unreadable.Message);
+            return null;
+        }
+    }
+
+    /// <summary>Why this program does not go on with that job; empty when it does.</summary>
+    private static string Unfit(InterruptedJob job, MotionProgram program, JobMode mode) => job switch
+    {
+        { Header.DryRun: true } => Wording.Get("Resume.DryRun"),
+        { End.Outcome: JobOutcome.Complete } => Wording.Get("Resume.Complete"),
+        { Header.Mode: var other } when other != mode => Wording.Get("Resume.OtherMode", Word(other), Word(mode)),
+        { Header.Program: var print } when print != ProgramFingerprint.Of(program) => Wording.Get("Resume.OtherProgram", job.Header.Drawing),
+        _ => "",
+    };
+
+    private static string Word(JobMode mode) => mode switch { JobMode.Stream => "stream", JobMode.Calls => "calls", _ => "program" };
+
+    private static double Speed(MotionProgram program, JobPlace place)
+    {
+        var left = place.Segments;
+        foreach (var sequence in program.Strokes.SelectMany(stroke => stroke.Sequences))
+        {
+            if (left < sequence.Segments.Count) return sequence.Speed * JobControl.FeedRange.Fastest;
+            left -= sequence.Segments.Count;
+        }
+
+        return 0.0;
+    }
+
+    private static async Task<double?> AskAsync(CommandChannel channel, string variable, CancellationToken cancellation) => (await channel.ReadAsync(variable, cancellation).ConfigureAwait(false)).OrNothing;
+}

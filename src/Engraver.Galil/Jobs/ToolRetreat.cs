@@ -1,0 +1,60 @@
+using System.Globalization;
+using Engraver.Core.Machines;
+using Engraver.Galil.Language;
+using Engraver.Galil.Programs;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Jobs;
+
+/// <summary>The last of every way out of a job, at rest: where an axis holds the tool it is raised to clearance height, straight up out of the cut it came by, and then the spindle is switched off (ADR 11).</summary>
+/// <remarks>Over the stop handle, because the operator's stop has ended everything else. It is not raised when nobody knows where the axes are, or a motor cannot move it.</remarks>
+internal sealed class ToolRetreat(ControllerSession session, MachineProfile profile)
+{
+    /// <summary>Polls in which the axis is reported as moving and does not change its height; after these it does not move.</summary>
+    private const int MostStandingPolls = 100;
+
+    /// <param name="rest">Where the machine rests.</param>
+    /// <param name="clearance">The clearance height in the controller's own counts; null where it is not known.</param>
+    /// <param name="isDoubted">The position is not to be trusted.</param>
+    /// <returns>Where it rests now, and a sentence where the tool is still down; empty when it is up, or an output is the tool.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async Task<(StandstillReport Standstill, string Warning)> RunAsync(StandstillReport rest, int? clearance, bool isDoubted, TimeSpan pollInterval)
+    {
+        var warning = "";
+        if (profile.Height is not null && profile.Axes.Z is { } z && (clearance is not { } goal || profile.IsLower(rest.Position.Z, goal)))
+        {
+            var (height, reached) = clearance is { } up && !isDoubted ? await RaiseAsync(z, rest.Position.Z, up, pollInterval).ConfigureAwait(false) : (rest.Position.Z, false);
+            rest = rest with { Position = rest.Position with { Z = height } };
+            if (!reached) warning = Wording.Get("ToolRetreat.ToolIsDown", z.Letter, height);
+        }
+
+        foreach (var command in profile.Spindle is { } spindle ? Subprograms.SpindleOff(spindle) : []) await SendAsync(command).ConfigureAwait(false);
+        return (rest, warning);
+    }
+
+    private async Task<(int Height, bool Reached)> RaiseAsync(MachineAxis z, int from, int goal, TimeSpan pollInterval)
+    {
+        foreach (var command in (string[])[Text($"SP{z.Letter}={profile.RapidSpeed(z)}"), Text($"PA{z.Letter}={goal}"), "BG" + z.Letter])
+        {
+            if (await SendAsync(command).ConfigureAwait(false) is Rejected) return (from, false);
+        }
+
+        var height = from;
+        for (var standing = 0; standing < MostStandingPolls; standing++)
+        {
+            var look = await session.StopHandle.ReadAsync($"_BG{z.Letter},_RP{z.Letter}", CancellationToken.None).ConfigureAwait(false);
+            if (look.Refusal is not null) return (height, false);
+            if ((int)look.Values[1] != height) standing = 0;
+            height = (int)look.Values[1];
+            if (look.Values[0] == 0.0) break;
+            if (pollInterval > TimeSpan.Zero) await Task.Delay(pollInterval, session.Time, CancellationToken.None).ConfigureAwait(false);
+        }
+
+        return (height, height == goal);
+    }
+
+    private ValueTask<Reply> SendAsync(string command) => session.StopHandle.SendAsync(command, CancellationToken.None);
+
+    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,42 @@
+using Engraver.Core.Machines;
+using Engraver.Galil.Sessions;
+
+namespace Engraver.Galil.Jobs.Watching;
+
+/// <summary>Whether the motors of a machine at rest are where they were sent: the host polls the reference position, and an axis that was blocked for less than ER says nothing by itself (galil-dmc.md C, TE and ER).</summary>
+internal sealed class FollowingCheck(ControllerSession session, MachineProfile profile)
+{
+    /// <summary>Position error that a motor at rest may keep, mm: friction, and a load that it holds.</summary>
+    private const double AllowedMm = 0.2;
+
+    /// <summary>The same of an axis with few counts a millimetre.</summary>
+    private const double AllowedCounts = 20.0;
+
+    /// <summary>Motors settle behind the end of a motion: looks until they must have, one each <see cref="s_settling"/>.</summary>
+    private const int Looks = 10;
+
+    private static readonly TimeSpan s_settling = TimeSpan.FromMilliseconds(50);
+
+    /// <summary>Looks until every motor is where it was sent, or has had its time.</summary>
+    /// <returns>The axes that are not, with their position errors; empty when all are, or the controller does not say.</returns>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async ValueTask<string> AtRestAsync()
+    {
+        for (var look = 1; ; look++)
+        {
+            var off = await LookAsync().ConfigureAwait(false);
+            if (off.Length == 0 || look == Looks) return off;
+            await Task.Delay(s_settling, session.Time, CancellationToken.None).ConfigureAwait(false);
+        }
+    }
+
+    private async ValueTask<string> LookAsync()
+    {
+        var axes = profile.Axes.All;
+        var reading = await session.StopHandle.ReadAsync(string.Join(',', axes.Select(axis => $"_TE{axis.Letter}")), CancellationToken.None).ConfigureAwait(false);
+        if (reading.Refusal is not null) return "";
+        return string.Join(Wording.Get("Common.And"), axes.Select((axis, i) => (Axis: axis, Error: reading.Values[i])).Where(one => Math.Abs(one.Error) > Allowed(one.Axis)).Select(one => Wording.Get("JobMachine.AxisError", one.Axis.Letter, one.Error)));
+    }
+
+    private static double Allowed(MachineAxis axis) => Math.Max(AllowedCounts, AllowedMm * Math.Abs(axis.CountsPerMillimetre));
+}

@@ -1,0 +1,46 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Toolpaths;
+
+namespace Engraver.Galil.Programs.Generation;
+
+/// <summary>The heights of a toolpath on a machine whose tool is moved by an axis: what of them cannot be cut, and in which passes the rest is.</summary>
+internal static class DrawnHeights
+{
+    /// <summary>Curves that rise, heights that are not below the retract height or cannot be counted; a warning when the tool takes nothing off.</summary>
+    public static IEnumerable<Diagnostic> Findings(Toolpath toolpath, HeightDrive drive, CountsScale scale, Func<int, SourceRef> source)
+    {
+        var (told, isAnyCut, isAnyBelow) = (new HashSet<int>(), false, false);
+        foreach (var move in toolpath.Strokes.SelectMany(stroke => stroke.Moves))
+        {
+            if (Finding(move, drive, scale, source) is { } finding)
+            {
+                if (told.Add(move.EntityIndex)) yield return finding;
+            }
+
+            (isAnyCut, isAnyBelow) = (true, isAnyBelow || !(Math.Min(move.StartZ, move.EndZ) >= drive.CutDepth));
+        }
+
+        if (isAnyCut && !isAnyBelow) yield return MotionRules.NoDepth.At(default);
+    }
+
+    /// <summary>How far above its depth each pass of a stroke runs, millimetres, the highest first; the last is 0. Whole multiples of the depth of a pass.</summary>
+    public static IEnumerable<double> Lifts(ToolpathStroke stroke, MachineProfile profile)
+    {
+        if (profile.Height is not { DepthPerPass: { } step } drive) return [0.0];
+        var passes = drive.Passes(stroke.Moves.Min(move => Math.Min(move.StartZ, move.EndZ)) - drive.CutDepth);
+        return Enumerable.Range(1, passes).Select(pass => (passes - pass) * step);
+    }
+
+    private static Diagnostic? Finding(in StrokeMove move, HeightDrive drive, CountsScale scale, Func<int, SourceRef> source)
+    {
+        if (double.IsNaN(move.StartZ)) return MotionRules.RisingCurve.At(source(move.EntityIndex));
+        var (low, high) = (Math.Min(move.StartZ, move.EndZ) - drive.CutDepth, Math.Max(move.StartZ, move.EndZ) - drive.CutDepth);
+        if (!(Math.Max(Math.Abs(low), Math.Abs(high)) * Math.Abs(scale.Z) < int.MaxValue / 4.0)) return MotionRules.HeightOutsideCounts.At(source(move.EntityIndex), Text(Math.Abs(low) > Math.Abs(high) ? low : high), Text(scale.Z));
+        return high < drive.RetractHeight ? null : MotionRules.AboveRetract.At(source(move.EntityIndex), Text(high), Text(drive.CutDepth), Text(drive.RetractHeight));
+    }
+
+    private static string Text(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,73 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Commissioning;
+
+/// <summary>CNCCOMMISSION: Finds out step by step how a machine is wired and moves, by questions and small moves, and ends with a machine profile. Each step can be repeated or left out.</summary>
+internal sealed class CncCommissionCommand : ICommand
+{
+    private static readonly IReadOnlyList<Keyword> s_ways = Keyword.List("Go", "Skip", "Back", "End");
+
+    private static readonly IReadOnlyList<ICommissioningStep> s_steps = [new MotorStep(), new EncoderStep(), new SwitchStep(), new ErrorStep(), new DirectionStep(), new ScaleStep(), new LetterStep(), new OutputStep()];
+
+    /// <summary>What each step finds out, in their order.</summary>
+    public static IReadOnlyList<string> StepNames => [.. s_steps.Select(step => step.Name)];
+
+    public CommandInfo Info { get; } = new("CNCCOMMISSION", CommandGroup.Machine) { StartsMotion = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        if (context.Machine.Description is not { } address) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        if (context.IsScripted && !context.Machine.IsSimulation) throw new CommandException(CommandFailure.Usage, Wording.Get("Commission.NotScripted", address));
+        if (context.Machine.IsRunning || !context.Machine.CanBeSetUp) throw new CommandException(CommandFailure.Refused, Wording.Get("Commission.NotNow"));
+        var machine = await CommissionedMachine.FindAsync(context, cancellation).ConfigureAwait(false);
+        var isDone = false;
+        context.Commissioning.Begin();
+        try
+        {
+            await GoThroughAsync(machine, cancellation).ConfigureAwait(false);
+            await machine.LeaveMotorsAsFoundAsync().ConfigureAwait(false);
+            await ProfileEnd.RunAsync(machine, cancellation).ConfigureAwait(false);
+            isDone = true;
+        }
+        finally
+        {
+            context.Commissioning.End();
+            await machine.LeaveMotorsAsFoundAsync().ConfigureAwait(false);
+            machine.SayWhatStays(isDone);
+        }
+    }
+
+    private static async Task GoThroughAsync(CommissionedMachine machine, CancellationToken cancellation)
+    {
+        var course = machine.Context.Commissioning;
+        for (var i = 0; i < s_steps.Count;)
+        {
+            var step = s_steps[i];
+            course.Set(i, CommissioningState.Now);
+            switch (await machine.Context.ChoiceAsync(Wording.Get("Commission.Step", i + 1, s_steps.Count, step.Name), s_ways, "Go").ConfigureAwait(false))
+            {
+                case "End": return;
+                case "Back":
+                    course.Set(i, CommissioningState.Open);
+                    i = Math.Max(0, i - 1);
+                    break;
+                case "Skip": course.Set(i++, CommissioningState.LeftOut); break;
+                default:
+                    await step.RunAsync(machine, cancellation).ConfigureAwait(false);
+                    course.Set(i++, CommissioningState.Through);
+                    break;
+            }
+        }
+    }
+}
+
+/// <summary>One step of the commissioning. It may be done several times; what is answered with Enter stays as it is.</summary>
+internal interface ICommissioningStep
+{
+    /// <summary>For the question before it.</summary>
+    string Name { get; }
+
+    /// <exception cref="CommandException">The link or the controller does not allow to go on.</exception>
+    /// <exception cref="OperationCanceledException">Esc, or the operator's stop: nothing that was not accepted stays.</exception>
+    Task RunAsync(CommissionedMachine machine, CancellationToken cancellation);
+}

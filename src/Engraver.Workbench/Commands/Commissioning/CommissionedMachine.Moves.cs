@@ -1,0 +1,126 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Commands.Commissioning;
+
+/// <summary>The moves: each slow, with the tool off, and after a question that says what moves where and how far.</summary>
+internal sealed partial class CommissionedMachine
+{
+    /// <summary>Counts/s that no test move exceeds.</summary>
+    private const double FastestTest = 20_000.0;
+
+    /// <summary>Longest time from the speed of a test move to rest, seconds.</summary>
+    private const double BrakingSeconds = 0.125;
+
+    /// <summary>Speed of the test moves, counts/s, even.</summary>
+    public int Speed { get; private set; } = 500;
+
+    /// <summary>The machine in counts: a millimetre of it is one count, because how many there are is only being found out. A travel that the profile tells is kept to.</summary>
+    public MachineProfile Test
+    {
+        get
+        {
+            var step = MachineFamilies.Driver.Limits.AccelerationStep;
+            return Start with
+            {
+                Axes = new MachineAxes(InCounts(Start.Axes.X), InCounts(Start.Axes.Y), Start.Axes.Z is { } z ? InCounts(z) : null),
+                Height = null, // its heights are in millimetres, which are not known yet: nothing is lifted or plunged by them
+                Spindle = null,
+                FeedMmPerMinute = 60.0 * Speed,
+                RapidMmPerMinute = 60.0 * Speed,
+                JogMmPerMinute = 60.0 * Speed,
+                AccelerationCounts = step * (int)Math.Ceiling(Speed / BrakingSeconds / step),
+            };
+        }
+    }
+
+    /// <summary>The same without an axis for the tool's height: in what is drawn or switched by it nothing moves up or down.</summary>
+    public MachineProfile TestPlane
+    {
+        get
+        {
+            var test = Test;
+            return test with { Axes = test.Axes with { Z = null } };
+        }
+    }
+
+    /// <summary>Asks for the speed of the next test moves.</summary>
+    public async Task AskSpeedAsync()
+    {
+        var prompt = new NumberPrompt(Wording.Get("Commission.Speed")) { Least = 10.0, Most = FastestTest, Whole = true, Default = NumberPrompt.Show(Speed) };
+        Speed = 2 * (int)(await Context.ValueAsync(prompt).ConfigureAwait(false) / 2.0);
+    }
+
+    /// <summary>Moves one axis, after a question.</summary>
+    /// <param name="letter">The axis.</param>
+    /// <param name="counts">Signed.</param>
+    /// <returns>False when it did not go there; why was said.</returns>
+    public async Task<bool> MoveAsync(char letter, int counts, CancellationToken cancellation)
+    {
+        if (!await SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return false;
+        if (!await Context.ConfirmAsync(Wording.Get(counts > 0 ? "Commission.MovePlus" : "Commission.MoveMinus", letter, Math.Abs((long)counts), Speed)).ConfigureAwait(false)) return NotMoved();
+        var place = (await ReadAsync(cancellation).ConfigureAwait(false)).Axes;
+        var axis = Letters.IndexOf(letter, StringComparison.Ordinal);
+        var goal = place[axis].Position + (long)counts;
+        if (Math.Abs(goal) >= int.MaxValue)
+        {
+            Context.Say(Wording.Get("CncGoTo.PlaceCannotCountedController"), MessageKind.Warning);
+            return false;
+        }
+
+        var to = CountsPoint.From([.. place.Select((other, i) => i == axis ? goal : (double)other.Position)]); // the others stay where they are
+        return await HasArrivedAsync(await Session.TestMoveAsync(to, Test, Context.NewRunJournal("commission"), cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
+    }
+
+    /// <summary>Draws a path from where the machine stands, after a question that the caller has asked.</summary>
+    public async Task<bool> DrawAsync(MotionProgram path, CancellationToken cancellation) =>
+        await HasArrivedAsync(await Session.TestPathAsync(path, Context.NewRunJournal("commission"), cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
+
+    /// <summary>Switches an output on for half a second, after a question that the caller has asked.</summary>
+    public async Task<bool> PulseAsync(int output, CancellationToken cancellation)
+    {
+        var test = TestPlane with { ToolOutput = output, ToolSettleSeconds = 0.5 };
+        return await HasArrivedAsync(await Session.TestOutputAsync(test, Context.NewRunJournal("commission"), cancellation).ConfigureAwait(false), cancellation).ConfigureAwait(false);
+    }
+
+    /// <summary>The motors go off at once: an axis went where nobody sent it.</summary>
+    /// <exception cref="CommandException">The link was lost.</exception>
+    public async Task RanAwayAsync()
+    {
+        if (!Session.CanBeSetUp) throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
+        await Session.SetMotorsAsync(on: false, CancellationToken.None).ConfigureAwait(false);
+        foreach (var letter in Letters) _rewired.Add(letter);
+        Context.Say(Wording.Get("Commission.RanAway"), MessageKind.Warning);
+    }
+
+    private bool NotMoved()
+    {
+        Context.Say(Wording.Get("Commission.NotMoved"));
+        return false;
+    }
+
+    private static MachineAxis InCounts(MachineAxis axis) => axis with
+    {
+        CountsPerMillimetre = 1.0,
+        Travel = TravelLimits.Of(axis) is { } limit ? new AxisTravel(limit.Least, limit.Most) : null,
+        Homing = axis.Homing is { } homing ? homing with { Plus = homing.Plus == axis.CountsPerMillimetre > 0.0, Zero = homing.Zero * axis.CountsPerMillimetre } : null, // the same place, so that it counts as homed (MachineProfile.HomedAs)
+    };
+
+    /// <returns>True for a motion that went to its end; otherwise why was said, and after a following error the motors are off.</returns>
+    /// <exception cref="CommandException">The link was lost.</exception>
+    /// <exception cref="OperationCanceledException">Esc during the motion.</exception>
+    private async Task<bool> HasArrivedAsync(JobResult result, CancellationToken cancellation)
+    {
+        foreach (var left in result.NotRestored) Context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
+        cancellation.ThrowIfCancellationRequested();
+        if (result.Outcome == JobOutcome.Complete) return true;
+        if (result.Outcome == JobOutcome.LinkLost) throw new CommandException(CommandFailure.LinkLost, result.Sentence);
+        Context.Say(result.Diagnostics is [{ } refusal, ..] ? SettingWording.AtCommandLine(refusal).Message : result.Sentence, MessageKind.Warning);
+        var hasStarted = result.FinalPosition is not null;
+        if (hasStarted && result.Outcome != JobOutcome.Stopped && (result.PositionDoubt.Length > 0 || (await ReadAsync(CancellationToken.None).ConfigureAwait(false)).Axes.Any(axis => axis.IsMotorOff))) await RanAwayAsync().ConfigureAwait(false);
+        return false;
+    }
+}

@@ -1,0 +1,140 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Setup;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Workbench.Commands.Commissioning;
+
+/// <summary>The machine that is being commissioned: how it was found, what was accepted since, and the profile that the answers describe so far.</summary>
+internal sealed partial class CommissionedMachine
+{
+    private readonly SetupFacts _found;
+    private readonly HashSet<char> _rewired = [];
+    private readonly List<string> _accepted = [];
+    private bool _isLeft;
+
+    private CommissionedMachine(CommandContext context, SetupFacts found)
+    {
+        (Context, _found) = (context, found);
+        Start = Profile = context.Machine.Profile;
+    }
+
+    public CommandContext Context { get; }
+
+    /// <summary>The profile by which the controller is watched and moved; it does not change before the end.</summary>
+    public MachineProfile Start { get; }
+
+    /// <summary>The profile that the answers describe.</summary>
+    public MachineProfile Profile { get; set; }
+
+    /// <summary>Whether a setting of the controller was changed.</summary>
+    public bool HasAccepted => _accepted.Count > 0;
+
+    public string Letters => Start.Axes.Letters;
+
+    private MachineSession Session => Context.Machine;
+
+    /// <exception cref="CommandException">The profile names an axis that this controller does not have.</exception>
+    public static async Task<CommissionedMachine> FindAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var letters = context.Machine.Profile.Axes.Letters;
+        var there = MachineFamilies.Driver.Limits.Axes[..Math.Min(MachineFamilies.Driver.Limits.Axes.Length, context.Machine.Identity!.Axes)];
+        if (letters.Except(there).Any()) throw new CommandException(CommandFailure.Usage, Wording.Get("Commission.NoSuchAxis", letters, there));
+        return new CommissionedMachine(context, await context.Machine.SetUpAsync(setup => setup.ReadAsync(letters, cancellation).AsTask(), cancellation).ConfigureAwait(false));
+    }
+
+    /// <summary>What the controller knows now.</summary>
+    public Task<SetupFacts> ReadAsync(CancellationToken cancellation) => SetUpAsync(setup => setup.ReadAsync(Letters, cancellation).AsTask(), cancellation);
+
+    /// <summary>Sets a value, which the operator has accepted by asking for it.</summary>
+    /// <param name="said">The setting in words, for the end.</param>
+    /// <returns>False when the controller does not have it; the sentence was said, and what was found is set.</returns>
+    public async Task<bool> AcceptAsync(SetupValue value, string said, CancellationToken cancellation)
+    {
+        if (!await TryAsync(value, cancellation).ConfigureAwait(false)) return false;
+        Accepted(value, said);
+        return true;
+    }
+
+    /// <summary>Sets a value that the operator has yet to accept.</summary>
+    public async Task<bool> TryAsync(SetupValue value, CancellationToken cancellation)
+    {
+        if (await SetUpAsync(setup => setup.SetAsync(value, cancellation), CancellationToken.None).ConfigureAwait(false) is not { } why) return true;
+        Context.Say(why, MessageKind.Warning);
+        return false;
+    }
+
+    public void Accepted(SetupValue value, string said)
+    {
+        if ((value switch { SetupValue.Motor motor => motor.Axis, SetupValue.Encoder encoder => encoder.Axis, _ => (char?)null }) is { } axis) _rewired.Add(axis);
+        _accepted.Add(said);
+        Context.Say(said, MessageKind.Result);
+    }
+
+    /// <summary>Switches a motor off, because only so can it be told what it is.</summary>
+    /// <returns>False when the operator does not want it, or the controller refuses it.</returns>
+    public async Task<bool> SwitchOffAsync(char axis, CancellationToken cancellation) =>
+        (await ReadAsync(cancellation).ConfigureAwait(false))[axis].IsMotorOff
+        || (await Context.ConfirmAsync(Wording.Get("Commission.SwitchOff", axis)).ConfigureAwait(false) && await SwitchAsync(axis, on: false).ConfigureAwait(false));
+
+    /// <summary>Switches the motors on that are off, each after a question.</summary>
+    /// <returns>False when one of them stays off: nothing can be moved.</returns>
+    public async Task<bool> SwitchAllOnAsync(CancellationToken cancellation)
+    {
+        var facts = await ReadAsync(cancellation).ConfigureAwait(false);
+        foreach (var axis in facts.Axes.Where(axis => axis.IsMotorOff))
+        {
+            if (!await Context.ConfirmAsync(Wording.Get(axis.OffOnError == true ? "Commission.SwitchOn" : "Commission.SwitchOnUnguarded", axis.Letter)).ConfigureAwait(false))
+            {
+                Context.Say(Wording.Get("Commission.MotorsNeeded"), MessageKind.Warning);
+                return false;
+            }
+
+            if (!await SwitchAsync(axis.Letter, on: true).ConfigureAwait(false)) return false;
+        }
+
+        return true;
+    }
+
+    /// <summary>Switches motors off that were found off, and those on that were found on. One whose type or encoder was changed, and one that ran away, is not switched on by this program: it stays off, which is said.</summary>
+    /// <remarks>Once: a second call does nothing.</remarks>
+    public async Task LeaveMotorsAsFoundAsync()
+    {
+        if (_isLeft) return;
+        _isLeft = true;
+        try
+        {
+            var now = await ReadAsync(CancellationToken.None).ConfigureAwait(false);
+            foreach (var axis in _found.Axes.Where(axis => axis.IsMotorOff != now[axis.Letter].IsMotorOff))
+            {
+                if (axis.IsMotorOff || !_rewired.Contains(axis.Letter)) await SwitchAsync(axis.Letter, on: !axis.IsMotorOff).ConfigureAwait(false);
+                else Context.Say(Wording.Get("Commission.StaysOff", axis.Letter), MessageKind.Warning);
+            }
+        }
+        catch (Exception failure) when (failure is ControllerException or CommandException)
+        {
+            Context.Say(Wording.Get("Commission.MotorsNotLeft", failure.Message), MessageKind.Warning);
+        }
+    }
+
+    /// <summary>Says which settings stay in the controller.</summary>
+    /// <param name="isDone">The operator was asked whether they are burned.</param>
+    public void SayWhatStays(bool isDone)
+    {
+        if (isDone || !HasAccepted) return;
+        Context.Say(Wording.Get("Commission.StaysUntilPowerOff"), MessageKind.Warning);
+        foreach (var said in _accepted) Context.Say(said, MessageKind.Warning);
+    }
+
+    /// <exception cref="CommandException">Nobody is connected any more, because the link was lost in a move.</exception>
+    private Task<T> SetUpAsync<T>(Func<IMachineSetup, Task<T>> act, CancellationToken cancellation) =>
+        Session.CanBeSetUp ? Session.SetUpAsync(act, cancellation) : throw new CommandException(CommandFailure.LinkLost, Wording.Get("Machine.NoControllerConnected"));
+
+    private async Task<bool> SwitchAsync(char axis, bool on)
+    {
+        if (await SetUpAsync(setup => setup.SwitchMotorAsync(axis, on, CancellationToken.None), CancellationToken.None).ConfigureAwait(false) is not { } why) return true;
+        Context.Say(why, MessageKind.Warning);
+        if (on) _rewired.Add(axis);
+        return false;
+    }
+}

@@ -1,0 +1,184 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Setup;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Commands.Commissioning;
+
+/// <summary>Whether each axis moves, and which way growing counts are: the sign of its counts per millimetre.</summary>
+internal sealed class DirectionStep : ICommissioningStep
+{
+    /// <summary>For X, Y and Z.</summary>
+    private static readonly IReadOnlyList<Keyword>[] s_ways =
+        [Keyword.List("Right", "Left", "Nothing", "Wild", "Keep"), Keyword.List("Back", "Front", "Nothing", "Wild", "Keep"), Keyword.List("Up", "Down", "Nothing", "Wild", "Keep")];
+
+    public string Name => Wording.Get("Commission.DirectionStep");
+
+    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    {
+        await machine.AskSpeedAsync().ConfigureAwait(false);
+        var prompt = new NumberPrompt(Wording.Get("Commission.Distance")) { Least = 1.0, Most = 1e6, Whole = true, Default = machine.Context.Remembered("CNCCOMMISSION", "1000") };
+        var counts = (int)await machine.Context.ValueAsync(prompt).ConfigureAwait(false);
+        machine.Context.Remember("CNCCOMMISSION", NumberPrompt.Show(counts));
+        for (var i = 0; i < machine.Letters.Length; i++)
+        {
+            if (!await AxisAsync(machine, machine.Profile.Axes.All[i].Letter, s_ways[i], counts, cancellation).ConfigureAwait(false)) return;
+        }
+    }
+
+    /// <returns>False when something has to be mended first.</returns>
+    private static async Task<bool> AxisAsync(CommissionedMachine machine, char letter, IReadOnlyList<Keyword> ways, int counts, CancellationToken cancellation)
+    {
+        if (!await machine.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return false;
+        switch (await machine.Context.ChoiceAsync(Wording.Get("Commission.WhichWay", letter), ways, "Keep").ConfigureAwait(false))
+        {
+            case "Wild":
+                await machine.RanAwayAsync().ConfigureAwait(false);
+                return false;
+            case "Nothing":
+                machine.Context.Say(Wording.Get("Commission.NothingMoved", letter), MessageKind.Warning);
+                return false;
+            case "Right" or "Back" or "Up": Turn(machine, letter, isPlus: true); break;
+            case "Left" or "Front" or "Down": Turn(machine, letter, isPlus: false); break;
+            default: break;
+        }
+
+        await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false);
+        return true;
+    }
+
+    private static void Turn(CommissionedMachine machine, char letter, bool isPlus)
+    {
+        var axis = ProfileAxis.Of(machine.Profile, letter);
+        if (axis.CountsPerMillimetre > 0.0 != isPlus) machine.Profile = ProfileAxis.With(machine.Profile, LetterF.Mirrored(axis));
+        machine.Context.Say(Wording.Get(isPlus ? "Commission.CountsPlus" : "Commission.CountsMinus", letter), MessageKind.Result);
+    }
+}
+
+/// <summary>Counts per millimetre of each axis, from a measured move.</summary>
+internal sealed class ScaleStep : ICommissioningStep
+{
+    /// <summary>Offered for an axis of the plane, and for the height, which may be near the table; mm.</summary>
+    private const double UsualWay = 10.0;
+    private const double UsualHeight = 1.0;
+
+    public string Name => Wording.Get("Commission.ScaleStep");
+
+    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    {
+        await machine.AskSpeedAsync().ConfigureAwait(false);
+        foreach (var letter in machine.Profile.Axes.Letters) await AxisAsync(machine, letter, cancellation).ConfigureAwait(false);
+    }
+
+    private static async Task AxisAsync(CommissionedMachine machine, char letter, CancellationToken cancellation)
+    {
+        var axis = ProfileAxis.Of(machine.Profile, letter);
+        var usual = Math.Clamp(Math.Round((letter == machine.Profile.Axes.Z?.Letter ? UsualHeight : UsualWay) * Math.Abs(axis.CountsPerMillimetre)), 1.0, 1e7);
+        var prompt = new NumberPrompt(Wording.Get("Commission.MeasuredCounts", letter)) { Least = 1.0, Most = 1e7, Whole = true, Default = NumberPrompt.Show(usual) };
+        var counts = (int)await machine.Context.ValueAsync(prompt).ConfigureAwait(false);
+        if (!await machine.MoveAsync(letter, counts, cancellation).ConfigureAwait(false)) return;
+        if (await machine.Context.AskAsync(new NumberPrompt(Wording.Get("Commission.Measured", letter)) { Least = 0.001, Most = 1e5, EnterEnds = true }).ConfigureAwait(false) is Answer<double>.Value { Of: var millimetres })
+            Take(machine, axis with { CountsPerMillimetre = Math.CopySign(counts / millimetres, axis.CountsPerMillimetre) });
+        await machine.MoveAsync(letter, -counts, cancellation).ConfigureAwait(false);
+    }
+
+    private static void Take(CommissionedMachine machine, MachineAxis axis)
+    {
+        var next = ProfileAxis.With(machine.Profile, axis);
+        if (MachineProfileValidation.Check(next, MachineFamilies.Driver.Limits) is [{ } finding, ..])
+        {
+            machine.Context.Say(SettingWording.AtCommandLine(finding).Message, MessageKind.Warning);
+            return;
+        }
+
+        machine.Context.Say(Wording.Get("Commission.ScaleTaken", axis.Letter, axis.CountsPerMillimetre, ProfileAxis.Of(machine.Profile, axis.Letter).CountsPerMillimetre), MessageKind.Result);
+        machine.Profile = next;
+    }
+}
+
+/// <summary>Mirrored and swapped axes, by the look of a letter F.</summary>
+internal sealed class LetterStep : ICommissioningStep
+{
+    /// <summary>Counts per millimetre beyond which 10 mm are too few counts for a letter, or too many for a path.</summary>
+    private const double Coarsest = 1.0;
+    private const double Finest = 100_000.0;
+
+    private static readonly IReadOnlyList<Keyword> s_ways = Keyword.List("Right", "Left", "Back", "Front", "Keep");
+
+    public string Name => Wording.Get("Commission.LetterStep");
+
+    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    {
+        await machine.AskSpeedAsync().ConfigureAwait(false);
+        if (!await machine.SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return;
+        var drawn = machine.Profile.Axes;
+        if (drawn.Scale.Smallest < Coarsest || drawn.Scale.Largest > Finest)
+        {
+            machine.Context.Say(Wording.Get("Commission.NoLetterInCounts", Coarsest, Finest), MessageKind.Warning);
+            return;
+        }
+
+        var farthest = drawn.Scale.ToCounts(new Point2D(LetterF.Width, LetterF.Height));
+        if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.DrawF", drawn.X.Letter, farthest.X, drawn.Y.Letter, farthest.Y, machine.Speed)).ConfigureAwait(false))
+        {
+            machine.Context.Say(Wording.Get("Commission.NotMoved"));
+            return;
+        }
+
+        if (!await machine.DrawAsync(LetterF.Program(machine.TestPlane, drawn, machine.Speed), cancellation).ConfigureAwait(false)) return;
+        if (await AskAsync(machine, "Commission.LongStroke").ConfigureAwait(false) is not { } longStroke || await AskAsync(machine, "Commission.Bars").ConfigureAwait(false) is not { } bars) return;
+        if (LetterF.Corrected(drawn, longStroke, bars) is not { } axes)
+        {
+            machine.Context.Say(Wording.Get("Commission.NoSuchLetter"), MessageKind.Warning);
+            return;
+        }
+
+        machine.Context.Say(Wording.Get(axes == drawn ? "Commission.LetterRight" : axes.X.Letter == drawn.X.Letter ? "Commission.LetterMirrored" : "Commission.LetterSwapped"), MessageKind.Result);
+        machine.Profile = machine.Profile with { Axes = axes };
+    }
+
+    /// <returns>Null: it stays as it is.</returns>
+    private static async Task<TableDirection?> AskAsync(CommissionedMachine machine, string question) =>
+        await machine.Context.ChoiceAsync(Wording.Get(question), s_ways, "Keep").ConfigureAwait(false) is var answer && answer != "Keep" ? Enum.Parse<TableDirection>(answer) : null;
+}
+
+/// <summary>Which output switches the tool.</summary>
+internal sealed class OutputStep : ICommissioningStep
+{
+    public string Name => Wording.Get("Commission.OutputStep");
+
+    public async Task RunAsync(CommissionedMachine machine, CancellationToken cancellation)
+    {
+        var prompt = new NumberPrompt(Wording.Get("Commission.Output", machine.Profile.ToolOutput)) { Least = 1.0, Most = MachineFamilies.Driver.Limits.Outputs, Whole = true, EnterEnds = true };
+        while (await machine.Context.AskAsync(prompt).ConfigureAwait(false) is Answer<double>.Value { Of: var typed })
+        {
+            var output = (int)typed;
+            if (!await machine.SwitchAllOnAsync(cancellation).ConfigureAwait(false)) return;
+            if (machine.Context.Machine.Status.Outputs is { } outputs && (outputs & (1 << (output - 1))) != 0)
+            {
+                machine.Context.Say(Wording.Get("Commission.OutputIsOn", output), MessageKind.Warning);
+                continue;
+            }
+
+            if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.SwitchOutput", output)).ConfigureAwait(false)) continue;
+            if (!await machine.PulseAsync(output, cancellation).ConfigureAwait(false)) return;
+            if (!await machine.Context.ConfirmAsync(Wording.Get("Commission.ToolSwitched")).ConfigureAwait(false)) continue;
+            machine.Profile = machine.Profile with { ToolOutput = output };
+            machine.Context.Say(Wording.Get("Commission.OutputTaken", output), MessageKind.Result);
+            return;
+        }
+    }
+}
+
+/// <summary>An axis of a profile by its letter, wherever the profile has it.</summary>
+internal static class ProfileAxis
+{
+    public static MachineAxis Of(MachineProfile profile, char letter) => profile.Axes.All.First(axis => axis.Letter == letter);
+
+    public static MachineProfile With(MachineProfile profile, MachineAxis axis) => profile with
+    {
+        Axes = profile.Axes.X.Letter == axis.Letter ? profile.Axes with { X = axis } : profile.Axes.Y.Letter == axis.Letter ? profile.Axes with { Y = axis } : profile.Axes with { Z = axis },
+    };
+}

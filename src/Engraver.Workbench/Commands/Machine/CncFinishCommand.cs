@@ -1,0 +1,18 @@
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>CNCFINISH: Chooses where the machine goes behind the last stroke, tool off: to the drawing's start point, nowhere, or to the park position of the machine profile.</summary>
+internal sealed class CncFinishCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("CNCFINISH", CommandGroup.Machine);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var settings = context.Document.Current.Settings;
+        var chosen = Enum.Parse<FinishPlace>(await context.ChoiceAsync(Wording.Get("CncFinish.EnterPlace"), Keyword.List([.. Enum.GetNames<FinishPlace>()]), settings.Finish.ToString()).ConfigureAwait(false));
+        if (chosen == FinishPlace.Park && settings.Machine.Park is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncFinish.NoParkPosition"));
+        context.Take(context.Document.Current with { Settings = settings with { Finish = chosen } });
+    }
+}

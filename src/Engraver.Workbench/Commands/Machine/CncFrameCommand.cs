@@ -1,0 +1,33 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>CNCFRAME: Goes once round the job with the tool off, at the active work origin: the smallest rectangle or the convex hull of what is cut.</summary>
+internal sealed class CncFrameCommand : ICommand
+{
+    private static readonly IReadOnlyList<Keyword> s_shapes = Keyword.List([.. Enum.GetNames<FrameShape>()]);
+
+    public CommandInfo Info { get; } = new("CNCFRAME", CommandGroup.Machine) { StartsMotion = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        if (context.Machine.Description is not { } machine) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        _ = context.Drawing;
+        if (context.StartIsForHands) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.ScriptDoesNotMove"));
+        if (context.IsScripted && !context.Machine.IsSimulation && context.Machine.Armed is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncFrame.NothingArmedScriptCncarm", machine));
+        var shape = Enum.Parse<FrameShape>(await context.ChoiceAsync(Wording.Get("CncFrame.EnterShape"), s_shapes, context.Remembered("CNCFRAME", nameof(FrameShape.Rectangle))).ConfigureAwait(false));
+        context.Remember("CNCFRAME", shape.ToString());
+        if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOffCncmotorsOn"));
+        var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
+        var frame = JobFrame.Of(job, shape) ?? throw new CommandException(CommandFailure.Drawing, $"{job.WithoutProgram}.");
+        var result = await context.Machine.FrameAsync(frame, context.NewRunJournal("frame"), cancellation).ConfigureAwait(false);
+        FindingMessages.Say(context, job.Drawing.FileName, result.Diagnostics, Severity.Warning);
+        foreach (var left in result.NotRestored) context.Say(Wording.Get("Machine.NotRestored", left), MessageKind.Warning);
+        if (result.FrameOrigin is null && result.Outcome == JobOutcome.Refused) throw new CommandException(CommandFailure.Refused, result.Diagnostics.Count > 0 ? Wording.Get("JobStart.NotPlaced") : result.Sentence);
+        if (result.Outcome != JobOutcome.Complete) throw JobStart.Failure(result);
+        context.Say(Wording.Get("CncFrame.Round"), MessageKind.Result);
+    }
+}

@@ -1,0 +1,134 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Machines.Runs;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>CNCHOLD: Holds the job: it brakes on its path, then the tool goes off or up. CNCJOG may move the machine meanwhile. Never asks.</summary>
+internal sealed class CncHoldCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("CNCHOLD", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };
+
+    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        if (!context.Machine.HoldJob()) throw new CommandException(CommandFailure.Usage, Wording.Get("CncHold.NothingRuns"));
+        context.Say(Wording.Get("CncHold.Holding"));
+        return Task.CompletedTask;
+    }
+}
+
+/// <summary>CNCRESUME: Lets a held job go on. With none held it chooses what START cuts: what an interrupted job has left, by its journal; the contours from one on; or the whole drawing again.</summary>
+internal sealed class CncResumeCommand : ICommand
+{
+    /// <summary>The length that is cut again, as it was given last.</summary>
+    private const string LeadIn = "CNCRESUME";
+
+    private static readonly IReadOnlyList<Keyword> s_ways = Keyword.List("Contour", "Whole", "Leadin", "Origin");
+
+    public CommandInfo Info { get; } = new("CNCRESUME", CommandGroup.Machine) { StartsMotion = true, HeardDuringJob = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        if (context.Machine.ResumeJob())
+        {
+            context.Say(Wording.Get("CncResume.Resuming"));
+            return;
+        }
+
+        if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Usage, Wording.Get("CncResume.NothingHeld"));
+        if (context.Machine.Description is null) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
+        _ = context.Drawing;
+        var atOrigin = false;
+        var answer = await AskAsync(context).ConfigureAwait(false);
+        while (answer is Answer<string>.Chosen { Option: "Leadin" or "Origin" } chosen)
+        {
+            if (chosen.Option == "Leadin") await AskLeadInAsync(context).ConfigureAwait(false);
+            else context.Say(Wording.Get("CncResume.AtOrigin"));
+            atOrigin |= chosen.Option == "Origin";
+            answer = await AskAsync(context).ConfigureAwait(false);
+        }
+
+        if (answer is Answer<string>.Chosen { Option: "Whole" }) context.Machine.ChoosePart(null);
+        else if (answer is Answer<string>.Value { Of: var journal }) await FromJournalAsync(context, journal, atOrigin, cancellation).ConfigureAwait(false);
+        else await FromContourAsync(context).ConfigureAwait(false);
+        if (context.Machine.Part is null) context.Say(Wording.Get("CncResume.Whole"), MessageKind.Result);
+    }
+
+    private static async Task AskLeadInAsync(CommandContext context)
+    {
+        var length = await context.ValueAsync(new NumberPrompt(Wording.Get("CncResume.EnterLeadIn")) { Least = 0.0, Most = ResumeRequest.LongestLeadInMm, Default = NumberPrompt.Show(LeadInOf(context)) }).ConfigureAwait(false);
+        context.Remember(LeadIn, NumberPrompt.Show(length));
+    }
+
+    private static Task<Answer<string>> AskAsync(CommandContext context) =>
+        context.AskAsync(new TextPrompt(Wording.Get("CncResume.EnterJournal", LeadInOf(context))) { Options = s_ways, Default = context.Machine.LastRun?.Journal });
+
+    /// <summary>Length of the path already cut that is cut again before the place, mm.</summary>
+    private static double LeadInOf(CommandContext context) => context.Remembered(LeadIn) is { } kept ? double.Parse(kept, CultureInfo.InvariantCulture) : ResumeRequest.UsualLeadInMm;
+
+    private static async Task FromContourAsync(CommandContext context)
+    {
+        var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
+        var program = job.Motion.Program!;
+        var contour = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("CncResume.EnterContour", program.Strokes.Count)) { Whole = true, Least = 1, Most = program.Strokes.Count }).ConfigureAwait(false);
+        Choose(context, program, new JobPart(new ResumeRequest { Stroke = contour - 1 }, JobBeginning.ToStroke(program, contour - 1), null, context.Drawing, context.Document.Current.Settings));
+    }
+
+    private static async Task FromJournalAsync(CommandContext context, string journal, bool atOrigin, CancellationToken cancellation)
+    {
+        var (program, found) = await FindAsync(context, JobMode.Stream, journal, cancellation).ConfigureAwait(false);
+        if (found is { Refusal: not null, Mode: { } begun and not JobMode.Stream }) (program, found) = await FindAsync(context, begun, journal, cancellation).ConfigureAwait(false);
+        if (found.Refusal is { } why) throw new CommandException(CommandFailure.Refused, PreparationRules.NotResumed.At(default, journal, why).Message);
+        if (found.Mode is { } mode) context.Remember("CNCARM", mode.ToString());
+        Choose(context, program, new JobPart(new ResumeRequest { Journal = journal, LeadInMm = LeadInOf(context), AtOrigin = atOrigin }, found.Place, found.Mode, context.Drawing, context.Document.Current.Settings));
+    }
+
+    private static async Task<(MotionProgram Program, ResumePlace Found)> FindAsync(CommandContext context, JobMode mode, string journal, CancellationToken cancellation)
+    {
+        var job = await JobStart.PrepareAsync(context, mode).ConfigureAwait(false);
+        var program = context.Machine.FitToLink(job.Motion.Program!, mode, job.Drawing).Program;
+        return (program, await context.Machine.FindResumeAsync(program, mode, journal, cancellation).ConfigureAwait(false));
+    }
+
+    private static void Choose(CommandContext context, MotionProgram program, JobPart part)
+    {
+        context.Machine.ChoosePart(part);
+        context.Say(Wording.Get("CncResume.Chosen", part.Shown.Segments, program.SegmentCount), MessageKind.Result);
+    }
+}
+
+/// <summary>CNCOVERRIDE: Changes feed or rapid speed of the job under way and of those that follow, in percent of the plan.</summary>
+internal sealed class CncOverrideCommand : ICommand
+{
+    private const double Percent = 100.0;
+
+    public CommandInfo Info { get; } = new("CNCOVERRIDE", CommandGroup.Machine) { Transparent = true, HeardDuringJob = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var status = context.Machine.Status;
+        var (slowest, fastest) = (JobControl.FeedRange.Slowest * Percent, JobControl.FeedRange.Fastest * Percent);
+        var feed = await AskAsync(context, Wording.Get("CncOverride.EnterFeed", slowest, fastest), status.FeedRatio, JobControl.FeedRange, Keyword.List("Rapid")).ConfigureAwait(false);
+        var rapid = default(double?);
+        (slowest, fastest) = (JobControl.RapidRange.Slowest * Percent, JobControl.RapidRange.Fastest * Percent);
+        if (feed is null) rapid = await AskAsync(context, Wording.Get("CncOverride.EnterRapid", slowest, fastest), status.RapidRatio, JobControl.RapidRange, []).ConfigureAwait(false);
+        var set = context.Machine.Override(feed, rapid);
+        context.Say(Wording.Get("CncOverride.Set", set.Feed * Percent, set.Rapid * Percent), MessageKind.Result);
+    }
+
+    /// <returns>The factor; null when the keyword was given.</returns>
+    private static async Task<double?> AskAsync(CommandContext context, string instruction, double now, SpeedRange range, IReadOnlyList<Keyword> options)
+    {
+        var prompt = new NumberPrompt(instruction)
+        {
+            Options = options,
+            Default = (now * Percent).ToString("0.##", CultureInfo.InvariantCulture),
+            Least = range.Slowest * Percent,
+            Most = range.Fastest * Percent,
+        };
+        var answer = await context.AskAsync(prompt).ConfigureAwait(false);
+        return answer is Answer<double>.Value { Of: var percent } ? percent / Percent : null;
+    }
+}

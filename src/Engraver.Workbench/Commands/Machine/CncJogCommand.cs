@@ -1,0 +1,56 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>CNCJOG: Moves the machine with the tool off by a step, or in a direction until Enter; also while a job stands held, which goes back to its place before it goes on.</summary>
+internal sealed class CncJogCommand : ICommand
+{
+    private static readonly IReadOnlyList<Keyword> s_distances = Keyword.List("Continuous");
+
+    public CommandInfo Info { get; } = new("CNCJOG", CommandGroup.Machine) { StartsMotion = true, HeardDuringJob = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        HandMotion.Check(context, whileHeld: true);
+        var step = await context.ValueAsync(new JogStepPrompt(Wording.Get("CncJog.SpecifyStep"), context.Machine.Profile.Axes.Z is not null)).ConfigureAwait(false);
+        var (way, height) = (step.Way, step.Height);
+        if (!step.IsWhole)
+        {
+            switch (await context.AskAsync(new NumberPrompt(Wording.Get("CncJog.SpecifyDistance")) { Least = 0.0, Options = s_distances, Default = context.Remembered("CNCJOG", "1") }).ConfigureAwait(false))
+            {
+                case Answer<double>.Value { Of: var distance }:
+                    context.Remember("CNCJOG", NumberPrompt.Show(distance));
+                    (way, height) = (way * distance, height * distance);
+                    break;
+                default:
+                    await HoldAsync(context, new JogVelocity(way.X, way.Y, height), cancellation).ConfigureAwait(false);
+                    return;
+            }
+        }
+
+        if (way.Length == 0.0 && height == 0.0) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.NowhereToGo"));
+        await HandMotion.StepAsync(context, way, height, cancellation).ConfigureAwait(false);
+    }
+
+    /// <summary>Moves until the operator presses Enter or Esc, and at the latest at the end of the travel.</summary>
+    private static async Task HoldAsync(CommandContext context, JogVelocity way, CancellationToken cancellation)
+    {
+        if (context.IsScripted) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.OnlyByHand"));
+        HandMotion.CheckMotors(context);
+        var speed = context.Machine.Profile.JogMmPerMinute;
+        var control = new JogControl(way.At(speed));
+        var jogging = context.Machine.JogAsync(control, context.NewRunJournal("jog"), cancellation);
+        try
+        {
+            await context.ChoiceAsync(Wording.Get("CncJog.Moving", speed), Keyword.List("Stop"), "Stop").ConfigureAwait(false);
+        }
+        finally
+        {
+            control.Release();
+            HandMotion.Conclude(context, await jogging.ConfigureAwait(false));
+        }
+    }
+}

@@ -1,0 +1,35 @@
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>CNCOUTPUT: Switches an output by hand, by its name in the profile or its number; what begins to work by it is asked about first.</summary>
+internal sealed class CncOutputCommand : ICommand
+{
+    private static readonly IReadOnlyList<Keyword> s_states = Keyword.List("ON", "OFF");
+
+    public CommandInfo Info { get; } = new("CNCOUTPUT", CommandGroup.Machine) { StartsMotion = true };
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        HandMotion.Check(context);
+        var profile = context.Machine.Profile;
+        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("CncOutput.EnterOutput"))).ConfigureAwait(false);
+        var most = MachineFamilies.Driver.Limits.Outputs;
+        var output = profile.Outputs.Find(typed, most) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncOutput.NoSuchOutput", typed, most, string.Join(", ", profile.Outputs.All.Values)));
+        var on = await context.ChoiceAsync(Wording.Get("CncOutput.EnterState", profile.Outputs[output]), s_states, null).ConfigureAwait(false) == "ON";
+        if (profile.IsForJobsOnly(output, on)) throw new CommandException(CommandFailure.Refused, Wording.Get(on ? "CncOutput.IsTool" : "CncOutput.IsActiveLowTool", output));
+        var begins = profile.IsOnAt(output, on);
+        if (begins && !await context.ConfirmAsync(Wording.Get(on ? "CncOutput.IsEverybodyClear" : "CncOutput.IsEverybodyClearOfOff", profile.Outputs[output])).ConfigureAwait(false)) return;
+        if (await context.Machine.SetOutputAsync(output, on, cancellation).ConfigureAwait(false) is { } refused) throw new CommandException(CommandFailure.Refused, refused.Sentence);
+        context.Say(Told(profile.Outputs[output], on, begins), MessageKind.Result);
+    }
+
+    private static string Told(string name, bool on, bool begins) => (on, begins) switch
+    {
+        (true, true) => Wording.Get("CncOutput.IsOn", name),
+        (true, false) => Wording.Get("CncOutput.IsOnActiveLow", name),
+        (false, true) => Wording.Get("CncOutput.IsOffActiveLow", name),
+        (false, false) => Wording.Get("CncOutput.IsOff", name),
+    };
+}

@@ -1,0 +1,91 @@
+using Engraver.Core.Plots;
+using Engraver.Core.Verification;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Views;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>CNCTRACE: Shows where the machine was in a run that was kept beside its journal, over the drawing, and chooses what its colour tells.</summary>
+internal sealed class CncTraceCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("CNCTRACE", CommandGroup.Machine);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        switch (await context.ChoiceAsync(Wording.Get("CncTrace.EnterOption"), Keyword.List("File", "LIst", "LAst", "Colour", "Off"), "LAst").ConfigureAwait(false))
+        {
+            case "File":
+                Show(context, context.FileToRead(await context.ValueAsync(new TextPrompt(Wording.Get("CncTrace.EnterFile"))).ConfigureAwait(false)));
+                break;
+            case "LIst":
+                List(context);
+                break;
+            case "LAst":
+                Show(context, KeptTrace.LastOf(context.Drawing.FileName, context.RunJournalFolder) ?? throw NoRun(context));
+                break;
+            case "Colour":
+                await ColourAsync(context).ConfigureAwait(false);
+                break;
+            default:
+                CheckFree(context);
+                context.Machine.ShowRun(null);
+                break;
+        }
+    }
+
+    private static CommandException NoRun(CommandContext context) => new(CommandFailure.Usage, Wording.Get("CncTrace.NoRun", Path.GetFileName(context.Drawing.FileName)));
+
+    /// <exception cref="CommandException">A job runs, whose own trace is shown.</exception>
+    private static void CheckFree(CommandContext context)
+    {
+        if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncTrace.JobRuns"));
+    }
+
+    private static void List(CommandContext context)
+    {
+        var kept = KeptTrace.AllOf(context.Drawing.FileName, context.RunJournalFolder);
+        if (kept.Count == 0) throw NoRun(context);
+        context.SayResult(output =>
+        {
+            foreach (var journal in kept) output.WriteLine(KeptTrace.PathOf(journal));
+        });
+    }
+
+    private static void Show(CommandContext context, string file)
+    {
+        CheckFree(context);
+        var job = JobPreparation.Prepare(context.Drawing, context.Document.Current.Settings, JobPlan.StyleOf(Core.Machines.JobMode.Stream));
+        var trace = Read(file);
+        if (!trace.CanBeOf(DrawnFingerprint.Of(job.Analysed.ToSegments()))) throw new CommandException(CommandFailure.Usage, Wording.Get("CncTrace.OtherDrawing", file, Path.GetFileName(context.Drawing.FileName)));
+        context.Machine.ShowRun(new RecordedRun(job, trace));
+        context.View.Change(view => view with { Shown = view.Shown | CanvasLayers.Recorded });
+        var measure = MeasureOf(context);
+        if (measure == RunMeasure.Following && !trace.KnowsFollowing) context.Say(Wording.Get("Trace.NoFollowing"), MessageKind.Warning);
+        context.Say(Wording.Get("CncTrace.Shown", file, RunPlot.Caption(trace, measure)), MessageKind.Result);
+    }
+
+    /// <exception cref="CommandException">It cannot be read, or holds something else.</exception>
+    private static RunTrace Read(string file)
+    {
+        try
+        {
+            return KeptTrace.Read(file);
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or FormatException)
+        {
+            throw new CommandException(CommandFailure.Usage, Wording.Get("CncTrace.Unreadable", file, unreadable.Message));
+        }
+    }
+
+    private static async Task ColourAsync(CommandContext context)
+    {
+        var chosen = await context.ChoiceAsync(Wording.Get("CncTrace.EnterColour"), Keyword.List([.. Enum.GetNames<RunMeasure>()]), MeasureOf(context).ToString()).ConfigureAwait(false);
+        context.Settings.Change(settings => settings.WithVariable(SystemVariables.CncTraceColor, (int)Enum.Parse<RunMeasure>(chosen)));
+        if (chosen == nameof(RunMeasure.Following) && context.Machine.Recorded is { Trace.KnowsFollowing: false }) context.Say(Wording.Get("Trace.NoFollowing"), MessageKind.Warning);
+    }
+
+    private static RunMeasure MeasureOf(CommandContext context) => context.Settings.Current.TraceColour();
+}

@@ -1,0 +1,71 @@
+using System.Globalization;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Machine;
+
+/// <summary>The zero by touching the work piece: on its edges, one after the other, or in the middle of two touches. Between two touches the machine is moved by other commands, so each touch is a command of its own.</summary>
+internal static class TouchedZero
+{
+    private const string Radius = "CNCZERO.Radius";
+    private const string Edge = "CNCZERO.Edge";
+    private const double LargestRadiusMm = 100.0;
+
+    private static readonly IReadOnlyList<Keyword> s_edges = Keyword.List([.. Enum.GetNames<WorkEdge>()]);
+    private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y");
+    private static readonly IReadOnlyList<Keyword> s_touches = Keyword.List("Second", "First");
+
+    /// <summary>The tool touches an edge: the zero lies on it, one tool radius away.</summary>
+    public static async Task ByEdgeAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var edge = Enum.Parse<WorkEdge>(await context.ChoiceAsync(Wording.Get("CncZero.WhichEdge"), s_edges, context.Remembered(Edge, nameof(WorkEdge.Left))).ConfigureAwait(false));
+        var radius = await context.ValueAsync(new NumberPrompt(Wording.Get("CncZero.ToolRadius")) { Default = context.Remembered(Radius, "0"), Least = 0.0, Most = LargestRadiusMm }).ConfigureAwait(false);
+        var isX = edge is WorkEdge.Left or WorkEdge.Right;
+        if (!await MaySetAsync(context, isX, !isX).ConfigureAwait(false)) return;
+        context.Remember(Radius, radius.ToString("R", CultureInfo.InvariantCulture));
+        await SetAsync(context, here => EdgeTouch.ZeroAt(here, edge, radius, context.Machine.Profile.Scale), cancellation).ConfigureAwait(false);
+        context.Remember(Edge, isX ? nameof(WorkEdge.Bottom) : nameof(WorkEdge.Left));
+        context.Say(Wording.Get(isX ? "CncZero.NowTheBottom" : "CncZero.NowTheLeft"));
+    }
+
+    /// <summary>The first touch is remembered; with the second the zero lies between them.</summary>
+    public static async Task ByCentreAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var isSecond = context.Machine.FirstTouch is { } before
+            && await context.ChoiceAsync(Wording.Get("CncZero.WhichTouch", Show(context, before)), s_touches, "Second").ConfigureAwait(false) == "Second";
+        if (!isSecond || context.Machine.FirstTouch is not { } first)
+        {
+            var at = await context.Machine.TouchAsync(cancellation).ConfigureAwait(false);
+            context.Say(Wording.Get("CncZero.FirstTouch", Show(context, at)), MessageKind.Result);
+            return;
+        }
+
+        var axes = await context.ChoiceAsync(Wording.Get("CncZero.MiddleOfWhichAxes"), s_axes, "All").ConfigureAwait(false);
+        if (!await MaySetAsync(context, axes != "Y", axes != "X").ConfigureAwait(false)) return;
+        await SetAsync(context, here => EdgeTouch.Middle(first, here) is var middle ? (axes == "Y" ? null : middle.X, axes == "X" ? null : middle.Y) : default, cancellation).ConfigureAwait(false);
+        context.Machine.ForgetTouch();
+    }
+
+    private static async Task<bool> MaySetAsync(CommandContext context, bool x, bool y)
+    {
+        var memory = context.Machine.Hold!.Memory;
+        var isSet = memory.ActiveOrigin is { IsAssumed: false } origin && ((x && origin.X is not null) || (y && origin.Y is not null));
+        return !isSet || await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", memory.Active)).ConfigureAwait(false);
+    }
+
+    private static async Task SetAsync(CommandContext context, Func<CountsPoint, (int? X, int? Y)> zero, CancellationToken cancellation)
+    {
+        var part = context.Machine.Part;
+        var memory = await context.Machine.SetOriginAsync((memory, here) => zero(here.Position) is var (x, y) ? memory.WithOrigin(memory.Active, x, y, null) : memory, cancellation).ConfigureAwait(false);
+        context.Say(OriginText.Sentence(memory.Active, memory.ActiveOrigin, context.Machine.Profile), MessageKind.Result);
+        OriginText.TellPart(context, part);
+    }
+
+    private static string Show(CommandContext context, CountsPoint at)
+    {
+        var scale = context.Machine.Profile.Scale;
+        return PointPrompt.Show(new Point2D(at.X / scale.X, at.Y / scale.Y));
+    }
+}

@@ -1,0 +1,29 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Toolpaths;
+using Engraver.Workbench.Composition;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>What goes round a job, tool off, before it is cut.</summary>
+public enum FrameShape
+{
+    /// <summary>The smallest rectangle along the axes.</summary>
+    Rectangle,
+
+    /// <summary>The convex hull of what is cut.</summary>
+    Hull,
+}
+
+/// <summary>The frame of a job as a motion program.</summary>
+public static class JobFrame
+{
+    /// <returns>Null when nothing of the job can be cut.</returns>
+    public static MotionProgram? Of(PreparedJob job, FrameShape shape)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        if (job.Motion.Program is null) return null;
+        var outline = shape == FrameShape.Hull ? FrameOutline.Hull(job.Toolpath) : FrameOutline.Rectangle(job.Toolpath);
+        var program = MachineFamilies.Driver.Generate(outline, job.Settings.Machine, job.Settings.MaxErrorMm, job.Drawing.SourceOf, MotionStyle.Continuous).Program;
+        return program is { SegmentCount: > 0 } ? program : null;
+    }
+}

@@ -1,0 +1,72 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Writing;
+using Engraver.Core.Geometry;
+using Engraver.Core.Offsets;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Chaining;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>The offset of a drawing's contours, millimetres.</summary>
+/// <param name="Result">Loops and deviation.</param>
+/// <param name="Diagnostics">Of every stage on the way.</param>
+public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic> Diagnostics)
+{
+    private const string Layer = "OFFSET";
+
+    /// <param name="drawing">Whose selected layers are chained to contours.</param>
+    /// <param name="settings">Layers, units and tolerances.</param>
+    /// <param name="distance">Millimetres, above 0.</param>
+    /// <param name="side">See <see cref="OffsetSide"/>.</param>
+    /// <param name="options">The join; the tolerances are those of the settings.</param>
+    /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
+    public static OffsetDrawing Create(Drawing drawing, DrawingSettings settings, double distance, OffsetSide side, OffsetOptions options)
+    {
+        var chained = Sequencer.Chain(JobPreparation.Analyse(drawing, settings), drawing, JobPreparation.SequencingFor(drawing, settings));
+        var contours = ContoursOf(chained);
+        var result = ContourOffset.Offset(contours, distance, side, options with { MaxErrorMm = settings.MaxErrorMm });
+        return new OffsetDrawing(result, [.. drawing.Diagnostics, .. chained.Diagnostics, .. Findings(result, contours.Count, distance)]);
+    }
+
+    /// <summary>The contours of a chained drawing, in its direction.</summary>
+    public static IReadOnlyList<OffsetContour> ContoursOf(ChainedTable chained)
+    {
+        var segments = chained.Segments;
+        return [.. chained.Chain.Contours.Select(contour => new OffsetContour(SegmentsOf(contour, segments.Span), contour.Closed))];
+    }
+
+    /// <summary>A closed run of lines and arcs is a closed polyline, a circle a circle.</summary>
+    public DxfSheet ToSheet() => new([new DxfSheetLayer(Layer, 4)], [.. Result.Loops.SelectMany((loop, index) => EntitiesOf(loop, index + 1))]);
+
+    private static Segment[] SegmentsOf(Contour contour, ReadOnlySpan<Segment> rows)
+    {
+        var segments = new Segment[contour.Pieces.Length];
+        for (var i = 0; i < segments.Length; i++)
+        {
+            var piece = contour.Pieces.Span[i];
+            segments[i] = piece.Reversed ? rows[piece.Row].Reversed() : rows[piece.Row];
+        }
+
+        return segments;
+    }
+
+    private static IEnumerable<DxfSheetEntity> EntitiesOf(OffsetLoop loop, int number)
+    {
+        if (DxfPolylineWriter.CanWrite(loop.Segments, loop.Closed)) return [new DxfSheetEntity(loop.Segments[0], Layer, null, 0, number) { Run = loop.Segments, Closed = loop.Closed }];
+        if (loop.Segments is [{ Kind: SegmentKind.Circle, Arc: var circle }]) return [new DxfSheetEntity(Segment.FromArc(circle with { Start = Angle.Zero, Sweep = Angle.FullTurn }), Layer, null, 0, number)];
+        return loop.Segments.Select(segment => new DxfSheetEntity(segment, Layer, null, 0, number));
+    }
+
+    /// <summary>What is to be said of an offset.</summary>
+    internal static IEnumerable<Diagnostic> Findings(OffsetResult result, int contours, double distance)
+    {
+        if (result.WithoutInside > 0) yield return result.WithoutInside == contours ? OffsetRules.NoInside.At(default) : OffsetRules.WithoutInside.At(default, Fact(result.WithoutInside));
+        if (result.Unresolved is [var place, ..]) yield return OffsetRules.NotClosed.At(default, Fact(place.X), Fact(place.Y), Fact(result.Unresolved.Count));
+        if (result.Loops.Count == 0 && contours > result.WithoutInside) yield return OffsetRules.NothingLeft.At(default, Fact(distance));
+    }
+
+    private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,125 @@
+using System.Diagnostics;
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Offsets;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Trajectories;
+using Engraver.Core.Trajectories.Formats;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>The trajectories of a drawing's contours, with the names of their files.</summary>
+/// <param name="Trajectories">In the order of cutting.</param>
+/// <param name="Diagnostics">Of every stage on the way.</param>
+public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectories, IReadOnlyList<Diagnostic> Diagnostics)
+{
+    /// <param name="settings">Layers, units, tolerances, order; the machine's feed and acceleration are those of the formats that say how fast.</param>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    public static TrajectoryDrawing Create(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        ArgumentNullException.ThrowIfNull(settings);
+        ArgumentNullException.ThrowIfNull(request);
+        var sequence = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings);
+        var work = new TrajectoryCollector(drawing, settings, request);
+        if (request.Offset is { } offset) work.AddOffsets(sequence, offset);
+        else work.AddPaths(sequence);
+        if (sequence.Contours == 0 && !DrawingFile.IsUnreadable(drawing)) work.Findings.Add(DocumentRules.NothingToPost.At(default));
+        return new TrajectoryDrawing(work.Made, [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics, .. work.Findings]);
+    }
+
+    /// <summary>Feed and acceleration of a machine, along the path.</summary>
+    public static TrajectoryMotion MotionOf(MachineProfile machine)
+    {
+        ArgumentNullException.ThrowIfNull(machine);
+        return new TrajectoryMotion(machine.FeedMmPerMinute / 60.0, machine.AccelerationCounts / Math.Max(Math.Abs(machine.Scale.X), Math.Abs(machine.Scale.Y)));
+    }
+
+    private sealed class TrajectoryCollector(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)
+    {
+        private readonly TrajectoryOptions _options = new(settings.MaxErrorMm) { SegmentLength = request.SegmentLength, Corners = request.Corners, Z = request.Z };
+        private readonly TrajectoryMotion _motion = MotionOf(settings.Machine);
+
+        public List<NamedTrajectory> Made { get; } = [];
+
+        public List<Diagnostic> Findings { get; } = [];
+
+        public void AddPaths(SequencingResult sequence)
+        {
+            foreach (var stroke in sequence.Strokes) Add([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed, stroke.Moves, number => $"traj{number}_path");
+        }
+
+        /// <summary>Outermost first, so that the last pass runs at the offset itself; each is made from what was drawn.</summary>
+        public void AddOffsets(SequencingResult sequence, TrajectoryOffset offset)
+        {
+            IReadOnlyList<OffsetContour> contours = [.. sequence.Strokes.Select(stroke => new OffsetContour([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed))];
+            var options = OffsetOptions.Default with { MaxErrorMm = settings.MaxErrorMm };
+            for (var pass = 0; pass < offset.Passes; pass++)
+            {
+                var distance = offset.Distance + ((offset.Passes - 1 - pass) * offset.Step);
+                var result = ContourOffset.Offset(contours, distance, offset.Side, options);
+                Findings.AddRange(OffsetDrawing.Findings(result, contours.Count, distance));
+                var (loop, of) = (0, offset.Passes > 1 ? $"_offset{pass}-" : "_offset-");
+                foreach (var one in result.Loops) Add(one.Segments, one.Closed, [], number => $"traj{number}{of}{loop++}");
+            }
+        }
+
+        private void Add(IReadOnlyList<Segment> contour, bool closed, IReadOnlyList<StrokeMove> moves, Func<int, string> name)
+        {
+            var start = Stopwatch.GetTimestamp();
+            var result = TrajectoryFiles.Write(contour, closed, _options, request.Format, _motion);
+            var seconds = Stopwatch.GetElapsedTime(start).TotalSeconds / Math.Max(1, result.Files.Count);
+            foreach (var file in result.Files)
+            {
+                var named = new NamedTrajectory(name(Made.Count) + ".txt", file, HandleOf(file.Source[0], moves), seconds);
+                Made.Add(named);
+                Findings.AddRange(file.BrokenLimits.Select(limit => TrajectoryRules.LimitBroken.At(default, named.FileName, limit)));
+                if (file.VerifiedBound > settings.MaxErrorMm) Findings.Add(TrajectoryRules.StepsTooLong.At(default, named.FileName, Fact(file.VerifiedBound), Fact(settings.MaxErrorMm)));
+            }
+
+            foreach (var run in result.Unproven) Findings.Add(TrajectoryRules.ErrorNotKept.At(default, Fact(settings.MaxErrorMm), Fact(run.Sum(segment => segment.Length)), Fact(run[0].Start.X), Fact(run[0].Start.Y)));
+        }
+
+        /// <summary>The entity that the first segment of a trajectory was drawn as; of an offset null.</summary>
+        private string? HandleOf(Segment first, IReadOnlyList<StrokeMove> moves)
+        {
+            var found = moves.Where(move => move.Segment.Start == first.Start).Concat(moves).Select(move => (int?)move.EntityIndex).FirstOrDefault();
+            return found is { } entity ? drawing.SourceOf(entity).Handle : null;
+        }
+
+        private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
+    }
+}
+
+/// <summary>What trajectories are wanted.</summary>
+public sealed record TrajectoryRequest
+{
+    public TrajectoryFormat Format { get; init; } = TrajectoryFormat.Sace;
+
+    public CornerMode Corners { get; init; } = CornerMode.Stop;
+
+    /// <summary>Null for the dynamic density.</summary>
+    public double? SegmentLength { get; init; }
+
+    /// <summary>Height of the machining plane, mm.</summary>
+    public double Z { get; init; }
+
+    /// <summary>Null for trajectories on the contours themselves.</summary>
+    public TrajectoryOffset? Offset { get; init; }
+}
+
+/// <summary>Trajectories beside the contours.</summary>
+/// <param name="Distance">Radius of what the tool removes, mm, above 0: the last pass.</param>
+/// <param name="Passes">At least 1.</param>
+/// <param name="Step">Distance between two passes, mm.</param>
+public sealed record TrajectoryOffset(double Distance, OffsetSide Side, int Passes, double Step);
+
+/// <summary>A trajectory with the name of its file.</summary>
+/// <param name="Source">Handle of the entity with which it begins; null when that has none, and for an offset.</param>
+/// <param name="Seconds">That it took to compute.</param>
+public sealed record NamedTrajectory(string FileName, TrajectoryFile File, string? Source, double Seconds);

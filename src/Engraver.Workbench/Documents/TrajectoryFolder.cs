@@ -1,0 +1,77 @@
+using System.Text;
+using System.Text.Json;
+using Engraver.Core.Trajectories.Formats;
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>A folder of trajectories: a file for each, and <see cref="ListName"/>, which names them in their order with the places where they start, for the XPS formats count from there.</summary>
+public static class TrajectoryFolder
+{
+    /// <summary>The list. It is written last, so that it never names a file that is not there.</summary>
+    public const string ListName = "trajectories.json";
+
+    /// <summary>Each file whole or not at all. What else is in the folder stays.</summary>
+    /// <exception cref="IOException">The place cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The place may not be written.</exception>
+    public static void Write(string folder, IReadOnlyList<NamedTrajectory> trajectories, TrajectoryFormat format)
+    {
+        ArgumentNullException.ThrowIfNull(trajectories);
+        if (!Directory.Exists(folder)) Directory.CreateDirectory(folder);
+        foreach (var trajectory in trajectories) OutputFile.Write(Path.Combine(folder, trajectory.FileName), writer => writer.Write(trajectory.File.Text));
+        OutputFile.Write(Path.Combine(folder, ListName), writer => writer.Write(List(trajectories, format) + "\n"));
+    }
+
+    private static string List(IReadOnlyList<NamedTrajectory> trajectories, TrajectoryFormat format)
+    {
+        using var memory = new MemoryStream();
+        using (var json = new Utf8JsonWriter(memory, new JsonWriterOptions { Indented = true, NewLine = "\n" }))
+        {
+            json.WriteStartObject();
+            json.WriteNumber("version", 1);
+            json.WriteString("format", TrajectoryFormatName.Of(format));
+            json.WriteStartArray("trajectories");
+            foreach (var trajectory in trajectories) Write(json, trajectory);
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        return Encoding.UTF8.GetString(memory.ToArray());
+    }
+
+    private static void Write(Utf8JsonWriter json, NamedTrajectory trajectory)
+    {
+        var file = trajectory.File;
+        json.WriteStartObject();
+        json.WriteString("file", trajectory.FileName);
+        json.WriteString("source", trajectory.Source);
+        json.WriteStartObject("start");
+        json.WriteNumber("x", file.Start.X);
+        json.WriteNumber("y", file.Start.Y);
+        json.WriteNumber("z", file.Z);
+        json.WriteEndObject();
+        json.WriteNumber("points", file.Points);
+        json.WriteNumber("verifiedBound", file.VerifiedBound);
+        json.WriteNumber("length", file.Length);
+        json.WriteBoolean("closed", file.Closed);
+        json.WriteEndObject();
+    }
+}
+
+/// <summary>The names of the formats, as options have them.</summary>
+public static class TrajectoryFormatName
+{
+    private static readonly (TrajectoryFormat Format, string Name)[] s_names =
+    [
+        (TrajectoryFormat.Sace, "sace"),
+        (TrajectoryFormat.XpsSpline, "xps-spline"),
+        (TrajectoryFormat.XpsLineArc, "xps-linearc"),
+        (TrajectoryFormat.XpsPvt, "xps-pvt"),
+    ];
+
+    public static IReadOnlyList<string> All => [.. s_names.Select(one => one.Name)];
+
+    public static string Of(TrajectoryFormat format) => s_names.First(one => one.Format == format).Name;
+
+    public static TrajectoryFormat Parse(string name) => s_names.First(one => one.Name == name).Format;
+}

@@ -1,0 +1,59 @@
+using Engraver.Core.Verification;
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>The file beside a journal in which stands where the machine was.</summary>
+public static class KeptTrace
+{
+    private const string Ending = ".trace.csv";
+
+    /// <summary>The file of a journal.</summary>
+    public static string PathOf(string journal) => journal + Ending;
+
+    /// <summary>Keeps a trace beside its journal; beside a stream there is no place for it.</summary>
+    /// <returns>Why it could not be kept; null when it was, or had no place.</returns>
+    internal static string? Keep(RunTrace trace, string journal)
+    {
+        if (FileKind.IsStream(journal)) return null;
+        try
+        {
+            OutputFile.Write(PathOf(journal), trace.Write);
+            return null;
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            return failure.Message.TrimEnd('.');
+        }
+    }
+
+    /// <summary>Reads the trace of a journal.</summary>
+    /// <param name="journal">The journal, or the trace beside it.</param>
+    /// <exception cref="IOException">There is none, or it cannot be read.</exception>
+    /// <exception cref="FormatException">The file holds something else.</exception>
+    public static RunTrace Read(string journal)
+    {
+        ArgumentNullException.ThrowIfNull(journal);
+        using var input = File.OpenText(journal.EndsWith(Ending, StringComparison.Ordinal) ? journal : PathOf(journal));
+        return RunTrace.Read(input);
+    }
+
+    /// <summary>The journal of the last run of a drawing whose trace was kept; null when there is none.</summary>
+    /// <param name="drawing">The drawing's file; runs are known by its name.</param>
+    /// <param name="folder">Where the journals are; null for the usual folder.</param>
+    public static string? LastOf(string drawing, string? folder = null) => AllOf(drawing, folder) is [.., var last] ? last : null;
+
+    /// <summary>The journals of all runs of a drawing whose traces were kept, the oldest first.</summary>
+    /// <param name="drawing">As for <see cref="LastOf"/>.</param>
+    /// <param name="folder">As for <see cref="LastOf"/>.</param>
+    public static IReadOnlyList<string> AllOf(string drawing, string? folder = null)
+    {
+        folder ??= JournalFolder.Usual;
+        if (!Directory.Exists(folder)) return [];
+        var name = Path.GetFileNameWithoutExtension(drawing);
+        return [.. Directory.EnumerateFiles(folder, $"{name}-*.jsonl{Ending}")
+            .Where(file => JournalFolder.IsOf(Path.GetFileName(file), name))
+            .OrderBy(file => Path.GetFileName(file), StringComparer.Ordinal)
+            .Select(file => file[..^Ending.Length])];
+    }
+}

@@ -1,0 +1,268 @@
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Controls.Primitives;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using Engraver.App.HandMoves;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
+using Engraver.TestKit;
+
+namespace Engraver.App.Tests.HandMoves;
+
+/// <summary>The Machine page with hands: press moves, release stops, and so does whatever else takes the hand away. Time is the test's: it goes on while the operator waits.</summary>
+[Collection(DesktopCollection.Name)]
+public sealed class JogPadTests(DesktopFixture fixture)
+{
+    /// <summary>Of the simulated machine, by the clock of the test.</summary>
+    private const int Speed = 8;
+
+    [Fact]
+    public Task A_press_moves_and_the_release_stops() => WithPad(here =>
+    {
+        Choose(here, "Hold");
+        here.Until(() => here.Commands.Machine.IsKeptReady);
+        Assert.Equal("READY", here.Find<TextBlock>("StateText").Text);
+        here.Hands.PressButton(Cell(here, "X+"));
+        here.Until(() => X(here) > 1.0);
+        Assert.Equal("MOVING", here.Find<TextBlock>("StateText").Text);
+        here.Hands.ReleaseButton(Cell(here, "X+"));
+        Stands(here);
+
+        Assert.InRange(X(here), 1.0, 100.0);
+        Assert.Equal(0.0, Y(here));
+        NobodyWasLate(here);
+    });
+
+    [Theory]
+    [InlineData("leaves the window")]
+    [InlineData("shows another palette")]
+    [InlineData("presses stop")]
+    [InlineData("closes")]
+    public Task Whatever_takes_the_hand_away_stops_it(string what) => WithPad(here =>
+    {
+        Choose(here, "Hold");
+        here.Hands.PressButton(Cell(here, "Y+"));
+        here.Until(() => Y(here) > 1.0);
+
+        if (what == "leaves the window") here.Hands.LoseFocus();
+        if (what == "shows another palette") here.Find<TextBox>("LineBox").Focus();
+        if (what == "presses stop") here.Hands.Press(Key.Pause);
+        if (what == "closes") here.Hands.AskToClose();
+        Stands(here);
+
+        Assert.InRange(Y(here), 1.0, 100.0);
+        NobodyWasLate(here);
+    });
+
+    [Fact]
+    public Task Keys_jog_only_while_the_pad_has_the_focus_and_a_second_control_makes_them_fast() => WithPad(here =>
+    {
+        Choose(here, "Hold");
+        here.Hands.Press(Key.Right);
+        here.Step();
+        Assert.Equal(0.0, X(here));
+        here.Find<JogPad>("Pad").Focus();
+        here.Hands.KeyDown(Key.Left);
+        here.Until(() => X(here) < -1.0);
+        here.Hands.KeyDown(Key.Left); // repeats
+        here.Hands.KeyUp(Key.Left);
+        Stands(here);
+        Assert.InRange(X(here), -100.0, -1.0);
+        Assert.Equal("", here.Find<TextBox>("LineBox").Text ?? "");
+    });
+
+    [Fact]
+    public Task While_a_job_stands_held_the_pad_moves_and_the_job_goes_on_at_its_place() => WithPad(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("CNCARM", "Stream");
+        here.Show("Machine");
+        Choose(here, "Hold");
+        here.Click(here.Find<Button>("StartKey"));
+        here.Until(() => here.Commands.Machine.Status is { State: Workbench.Machines.MachineState.Running, ToolCommanded: true } && Y(here) > 49.0);
+        here.Hands.Press(Key.Escape);
+        here.Until(() => here.Commands.Machine.Status.State == Workbench.Machines.MachineState.Held);
+        var held = Y(here);
+        here.Hands.PressButton(Cell(here, "Y+"));
+        here.Until(() => Y(here) > held + 1.0);
+        here.Hands.ReleaseButton(Cell(here, "Y+"));
+        here.Until(() => Model(here).Jogged.IsCompleted);
+        here.Click(here.Find<Button>("StartKey"));
+        here.Rest();
+
+        Assert.Equal(JobOutcome.Complete, here.Commands.Machine.LastRun!.Result.Outcome);
+        Assert.Equal("DONE", here.Find<TextBlock>("StateText").Text);
+        NobodyWasLate(here);
+    });
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public Task Shift_and_the_fast_key_jog_faster_than_the_jog_speed_could(bool byShift)
+    {
+        var clock = new ManualTimeProvider();
+        return WithPad(
+            here =>
+            {
+                Choose(here, "Hold");
+                here.Find<JogPad>("Pad").Focus();
+                if (!byShift) here.Hands.PressButton(here.MiddleOf(here.Find<Button>("FastKey")));
+                var pressed = clock.GetTimestamp();
+                here.Hands.KeyDown(Key.Left, byShift ? RawInputModifiers.Shift : RawInputModifiers.None);
+                here.Until(() => -X(here) > (clock.GetElapsedTime(pressed).TotalSeconds * Speed * here.Commands.Machine.Profile.JogMmPerMinute / 60.0) + 5.0);
+                here.Hands.KeyUp(Key.Left);
+                Stands(here);
+                NobodyWasLate(here);
+                if (!byShift) here.Hands.ReleaseButton(here.MiddleOf(here.Find<Button>("FastKey")));
+                here.Step();
+                Assert.False(Model(here).IsFast);
+            },
+            clock);
+    }
+
+    [Theory]
+    [InlineData("lets it go")]
+    [InlineData("leaves the window")]
+    [InlineData("lets it go elsewhere")]
+    public Task The_fast_key_is_fast_only_as_long_as_it_is_held(string how) => WithPad(here =>
+    {
+        var key = here.MiddleOf(here.Find<Button>("FastKey"));
+        here.Hands.PressButton(key);
+        here.Step();
+        Assert.True(Model(here).IsFast);
+        if (how == "lets it go") here.Hands.ReleaseButton(key);
+        if (how == "leaves the window") here.Hands.LoseFocus();
+        if (how == "lets it go elsewhere") here.Hands.ReleaseButton(key + new Vector(0, 200));
+        here.Step();
+
+        Assert.False(Model(here).IsFast);
+        if (how == "leaves the window") here.Hands.ReleaseButton(key);
+    });
+
+    [Fact]
+    public Task A_machine_with_a_z_axis_has_its_height_its_zero_and_its_place_in_the_origins() => fixture.WithOperator(here =>
+    {
+        here.Show("Machine");
+        Assert.False(here.Find<Button>("ZeroZKey").IsEffectivelyVisible);
+        Assert.Equal("X and Y", here.Find<Button>("ZeroAllKey").Content);
+        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCGOTO", "3,4", "CNCJOG", "Z+", "7.5", "CNCZERO", "X");
+        Assert.Equal("X, Y and Z", here.Find<Button>("ZeroAllKey").Content);
+        here.Click(here.Find<Button>("ZeroZKey"));
+        here.Rest();
+        Assert.Equal(new OriginRow("G54", "3, –, 11.5", true), Model(here).Origins[0]);
+        here.Enter("CNCZERO", "Y", "CNCJOG", "Z-", "2.25");
+        here.Until(() => here.Commands.Machine.Status.WorkHeight == -2.25);
+        here.Step();
+
+        Assert.Equal("Height: work -2.250, machine 9.250 mm", here.Find<TextBlock>("HeightText").Text);
+        Assert.Equal(new OriginRow("G54", "3, 4, 11.5", true), Model(here).Origins[0]);
+    });
+
+    [Fact]
+    public Task A_step_is_a_command_of_the_size_that_is_chosen() => WithPad(here =>
+    {
+        Choose(here, "0.1");
+        here.Hands.Click(Cell(here, "X−"));
+        Stands(here);
+        Assert.Equal(-0.1, X(here), 6);
+        Assert.Contains(here.History, line => line.Contains("CNCJOG", StringComparison.Ordinal));
+        Choose(here, "10");
+        here.Hands.Click(Cell(here, "Y+"));
+        Stands(here);
+        Assert.Equal((-0.1, 10.0), (Math.Round(X(here), 6), Y(here)));
+    });
+
+    [Fact]
+    public Task A_click_on_the_canvas_is_a_place_to_go_to() => WithPad(here =>
+    {
+        here.Open("paper-001.dxf");
+        here.Enter("CNCZERO", "All", "CNCGOTO", "Work");
+        here.Hands.Click(here.MiddleOf(here.Window.Canvas) + new Vector(40, -20));
+        Stands(here);
+
+        var clicked = here.History.Last(line => line.StartsWith("Specify place of the drawing", StringComparison.Ordinal)).Split(": ")[^1].Split(',').Select(text => double.Parse(text, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
+        Assert.Equal(clicked[0], X(here), 0.001);
+        Assert.Equal(clicked[1], Y(here), 0.001);
+        Assert.NotEqual(0.0, X(here));
+        here.Click(here.Find<Button>("GoOriginKey"));
+        Stands(here);
+        Assert.Equal((0.0, 0.0), (X(here), Y(here)));
+        here.Click(here.Find<Button>("GoClearanceKey"));
+        here.Rest();
+        Assert.Contains(here.History, line => line.Contains("no clearance height", StringComparison.Ordinal));
+    });
+
+    [Fact]
+    public Task What_cannot_jog_says_why_and_moves_nothing() => fixture.WithOperator(here =>
+    {
+        here.Show("Machine");
+        Choose(here, "Hold");
+        here.Hands.Click(Cell(here, "X+"));
+        here.Step();
+        Assert.Contains("No controller is connected.", here.History);
+        here.Enter("CNCCONNECT", SlowMachine.Address, "CNCMOTORS", "OFF");
+        here.Hands.Click(Cell(here, "X+"));
+        here.Step();
+        Assert.Contains(here.History, line => line.Contains("CNCMOTORS ON", StringComparison.Ordinal));
+        Assert.Equal(0.0, X(here));
+    });
+
+    [Fact]
+    public Task Origins_and_outputs_are_listed_chosen_and_switched_behind_their_guard() => WithPad(here =>
+    {
+        here.Enter("CNCGOTO", "3,4");
+        here.Click(here.Find<Button>("ZeroAllKey"));
+        here.Rest();
+        var model = Model(here);
+        Assert.Equal(new OriginRow("G54", "3, 4", true), model.Origins[0]);
+        model.Choose(model.Origins[1]);
+        here.Rest();
+        Assert.Equal(new OriginRow("G55", "not set", true), model.Origins[1]);
+
+        model.Switch(model.Outputs[1]);
+        here.Rest();
+        Assert.Equal(false, model.Outputs[1].IsOn);
+        Assert.DoesNotContain(here.History, line => line.Contains("CNCOUTPUT", StringComparison.Ordinal));
+        here.Find<CheckBox>("GuardBox").BringIntoView();
+        here.Step();
+        here.Click(here.Find<CheckBox>("GuardBox"));
+        Assert.True(model.IsGuardOpen);
+        model.Switch(model.Outputs[1]);
+        here.Rest();
+        here.Enter("Yes");
+        here.Until(() => model.Outputs[1].IsOn == true);
+        model.Switch(model.Outputs[1]);
+        here.Rest();
+        here.Until(() => model.Outputs[1].IsOn == false);
+    });
+
+    private Task WithPad(Action<Operator> act, ManualTimeProvider? clock = null) => fixture.WithOperator(
+        here =>
+        {
+            here.Enter("CNCCONNECT", FormattableString.Invariant($"sim:?speed={Speed}"));
+            here.Show("Machine");
+            act(here);
+        },
+        clock: clock ?? new ManualTimeProvider());
+
+    private static HandMovesModel Model(Operator here) => (HandMovesModel)here.Find<JogPad>("Pad").DataContext!;
+
+    private static void Choose(Operator here, string step) =>
+        here.Click(here.Find<ItemsControl>("StepList").GetVisualDescendants().OfType<ToggleButton>().First(button => button.Content as string == step));
+
+    private static Point Cell(Operator here, string sign) => here.MiddleOf(here.Find<JogPad>("Pad").GetVisualDescendants().OfType<Border>().First(cell => cell is { Tag: JogVelocity, Child: TextBlock text } && text.Text == sign));
+
+    private static double X(Operator here) => here.Commands.Machine.Status.MachinePosition!.Value.X;
+
+    private static double Y(Operator here) => here.Commands.Machine.Status.MachinePosition!.Value.Y;
+
+    /// <summary>Where nobody released the jog, the window's silence ends it 0.3 s later and says so.</summary>
+    private static void NobodyWasLate(Operator here) => Assert.DoesNotContain(Engraver.App.Texts.Text.Get("Pad.Late"), here.History);
+
+    private static void Stands(Operator here)
+    {
+        here.Rest();
+        here.Until(() => Model(here).Jogged.IsCompleted && !here.Commands.Machine.IsRunning);
+    }
+}

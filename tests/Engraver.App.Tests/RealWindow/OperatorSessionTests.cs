@@ -1,0 +1,161 @@
+using Engraver.App.Tests.Start;
+using Engraver.Simulator;
+using Engraver.SoftwarePlatform.Tests.X11;
+using Engraver.TestKit;
+
+namespace Engraver.App.Tests.RealWindow;
+
+/// <summary>A day at the machine (docs/operating.md) in a real window, with real keys and mouse, on a simulated controller of its own behind TCP: from power-on to the second plate. Judged by what the motors and the tool did. Its pictures are kept.</summary>
+[Collection(DesktopCollection.Name)]
+public sealed class OperatorSessionTests(DesktopFixture fixture)
+{
+    private const string Drawing = "paper-001.dxf";
+    private const byte ToolOn = 1;
+
+    [XServerFact]
+    public async Task From_power_on_to_the_second_plate()
+    {
+        using var files = new TemporaryDesktopFolder();
+        await using var machine = await RealMachine.SwitchedOnAsync();
+        var profile = RealMachine.ProfileIn(files.Path);
+        var at = await DeskPlaces.OfAsync(fixture, profile);
+        using var desktop = new ShownDesktop();
+        machine.Go();
+
+        // Power on, connect, home.
+        var morning = Path.Combine(files.Path, "morning.scr");
+        await File.WriteAllTextAsync(morning, $"CNCPROFILE\n{profile}\nOPEN\n{Path.Combine(RepositoryFolder.Samples, Drawing)}\n");
+        desktop.EnterUntil(Drawing, "SCRIPT", morning);
+        desktop.EnterUntil(Drawing + " - NOT HOMED", "CNCCONNECT", machine.Address);
+        desktop.Click(at["Machine"]);
+        desktop.Click(at["Alarms"]); // the history tells where the files are on this computer
+        Keep(desktop, "day-1-not-homed");
+        desktop.Click(at["Command"]);
+        desktop.Click(at["HomeKey"]);
+        desktop.Enter("Yes");
+        desktop.WaitForTitle(Drawing + " - MOVING");
+        desktop.WaitForTitle(Drawing + " - NO ORIGIN");
+
+        // By hand to the corner of the plate: a held key of the pad, then steps; the place becomes the zero.
+        desktop.Click(at["Step Hold"]);
+        await HoldAsync(desktop, machine, at["Pad X+"], place => place.A > 20 * RealMachine.Scale);
+        await HoldAsync(desktop, machine, at["Pad Y+"], place => place.B > 15 * RealMachine.Scale);
+        desktop.Click(at["Step 1"]);
+        var before = machine.Place;
+        desktop.Click(at["Pad X+"]);
+        desktop.WaitForTitle(Drawing + " - MOVING");
+        desktop.WaitForTitle(Drawing + " - NO ORIGIN");
+        Assert.Equal((before.A + RealMachine.Scale, before.B), machine.Place);
+        Keep(desktop, "day-2-at-the-corner");
+        desktop.Settle();
+        desktop.ClickUntil(at["ZeroAllKey"], Drawing + " - READY");
+        var corner = machine.Place;
+
+        // Round the work piece and through the air.
+        desktop.EnterUntil(Drawing + " - MOVING", "CNCFRAME", "Rectangle");
+        desktop.WaitForTitle(Drawing + " - READY");
+        desktop.EnterUntil(Drawing + " - ARMED", "CNCARM", "Dryrun", "Stream");
+        desktop.ClickUntil(at["StartKey"], Drawing + " - DRY RUN");
+        await machine.GoUntilAsync(status => status.IsMoving && machine.Place.A > corner.A + (60 * RealMachine.Scale));
+        Keep(desktop, "day-3-dry-run");
+        machine.Go();
+        desktop.WaitForTitle(Drawing + " - DONE");
+        Assert.All(Rows(machine, 0), row => Assert.Equal(0, row.Outputs & ToolOn));
+
+        // The job: held and let go on with another feed, stopped, gone on with.
+        desktop.Click(at["Job"]);
+        desktop.ClickUntil(at["ArmKey"], Drawing + " - ARMED");
+        Keep(desktop, "day-4-armed");
+        var began = (int)machine.Controller.Record.Count;
+        desktop.ClickUntil(at["StartKey"], Drawing + " - RUNNING");
+        await machine.GoUntilAsync(status => (status.Outputs & ToolOn) != 0 && Cut(machine, began) > 30 * RealMachine.Scale);
+        Keep(desktop, "day-5-running");
+        desktop.Press("Escape");
+        machine.Go();
+        desktop.WaitForTitle(Drawing + " - HELD");
+        Assert.Equal(0, machine.Controller.Status.Outputs & ToolOn);
+        desktop.Click(at["SlowerKey"]);
+        desktop.Click(at["SlowerKey"]);
+        Keep(desktop, "day-6-held");
+        desktop.ClickUntil(at["StartKey"], Drawing + " - RUNNING");
+        var resumed = (int)machine.Controller.Record.Count;
+        await machine.GoUntilAsync(_ => Cut(machine, resumed) > 60 * RealMachine.Scale);
+        Assert.InRange(FastestCut(machine, resumed), 0.5, 0.95); // slower than the feed of the profile
+        desktop.Press("Pause");
+        machine.Go();
+        desktop.WaitForTitle(Drawing + " - STOPPED");
+        Assert.Equal(0, machine.Controller.Status.Outputs & ToolOn);
+        desktop.Click(at["Alarms"]);
+        Keep(desktop, "day-7-stopped");
+        desktop.Click(at["Command"]);
+        desktop.Settle();
+        desktop.Enter("CNCRESUME", "");
+        desktop.Settle();
+        desktop.ClickUntil(at["ArmKey"], Drawing + " - ARMED");
+        desktop.ClickUntil(at["StartKey"], Drawing + " - RUNNING");
+        desktop.WaitForTitle(Drawing + " - DONE");
+        Keep(desktop, "day-8-done");
+        var first = PathOf(machine, began, corner);
+        AssertWhole(first);
+
+        // The second plate, in another fixture.
+        desktop.EnterUntil(Drawing + " - NO ORIGIN", "CNCOVERRIDE", "100", "CNCORIGIN", "G55");
+        desktop.Settle();
+        desktop.Enter("CNCGOTO", "150,60");
+        await machine.GoUntilAsync(status => status.IsIdle && machine.Place == (150 * RealMachine.Scale, 60 * RealMachine.Scale));
+        machine.Go();
+        desktop.EnterUntil(Drawing + " - READY", "CNCZERO", "All");
+        var second = (int)machine.Controller.Record.Count;
+        desktop.ClickUntil(at["ArmKey"], Drawing + " - ARMED");
+        desktop.Click(at["StartKey"]);
+        desktop.WaitForTitle(Drawing + " - DONE");
+        Keep(desktop, "day-9-second-plate");
+        AssertWhole(PathOf(machine, second, (150 * RealMachine.Scale, 60 * RealMachine.Scale)));
+        Assert.Equal(0, desktop.Close());
+    }
+
+    /// <summary>A pressed key of the pad, until the machine is so far.</summary>
+    private static async Task HoldAsync(ShownDesktop desktop, RealMachine machine, Avalonia.Point key, Func<(int A, int B), bool> far)
+    {
+        desktop.HoldDown(key);
+        await machine.GoUntilAsync(status => status.IsMoving && far(machine.Place));
+        desktop.LetGo();
+        machine.Go();
+        desktop.WaitForTitle(Drawing + " - MOVING");
+        desktop.WaitForTitle(Drawing + " - NO ORIGIN");
+    }
+
+    private static IEnumerable<MotionSample> Rows(RealMachine machine, int from) => machine.Controller.Record.Snapshot().Skip(from);
+
+    /// <summary>Counts that were gone with the tool on.</summary>
+    private static double Cut(RealMachine machine, int from)
+    {
+        var rows = Rows(machine, from).ToList();
+        return rows.Zip(rows.Skip(1)).Where(pair => (pair.Second.Outputs & ToolOn) != 0).Sum(pair => double.Hypot(pair.Second.A - pair.First.A, pair.Second.B - pair.First.B));
+    }
+
+    /// <summary>The fastest sample with the tool on, as a part of the profile's feed.</summary>
+    private static double FastestCut(RealMachine machine, int from)
+    {
+        var rows = Rows(machine, from).ToList();
+        var fastest = rows.Zip(rows.Skip(1)).Where(pair => (pair.Second.Outputs & ToolOn) != 0).Max(pair => double.Hypot(pair.Second.A - pair.First.A, pair.Second.B - pair.First.B) / Math.Max(1, pair.Second.Sample - pair.First.Sample));
+        return fastest * 60.0 / Core.Machines.MachineProfile.Default.FeedMmPerMinute;
+    }
+
+    /// <summary>Places with the tool on, counts from a zero.</summary>
+    private static List<(int X, int Y)> PathOf(RealMachine machine, int from, (int A, int B) zero) => [.. Rows(machine, from).Where(row => (row.Outputs & ToolOn) != 0).Select(row => (row.A - zero.A, row.B - zero.B))];
+
+    /// <summary>The part of the sample: 100 by 150 mm, 50 mm right of its zero and above it.</summary>
+    private static void AssertWhole(List<(int X, int Y)> path)
+    {
+        Assert.Equal((100 * RealMachine.Scale, 150 * RealMachine.Scale), (path.Max(place => place.X) - path.Min(place => place.X), path.Max(place => place.Y) - path.Min(place => place.Y)));
+        Assert.Equal((50 * RealMachine.Scale, 50 * RealMachine.Scale), (path.Min(place => place.X), path.Min(place => place.Y)));
+    }
+
+    private static void Keep(ShownDesktop desktop, string name)
+    {
+        var picture = desktop.Picture();
+        Assert.InRange(picture.Length, 10_000, 200_000);
+        File.WriteAllBytes(Path.Combine(ShownDesktop.Pictures, name + ".png"), picture);
+    }
+}

@@ -1,0 +1,113 @@
+using Engraver.Simulator;
+using Engraver.TestKit;
+
+namespace Engraver.App.Tests.RealWindow;
+
+/// <summary>The machine beside a real window: a simulated controller of its own, reached over TCP, with home switches. Its time is the test's and stands while the operator's hands are at work, so that a job is met in the middle however slow this computer is.</summary>
+internal sealed class RealMachine : IAsyncDisposable
+{
+    /// <summary>Counts for a millimetre, both axes.</summary>
+    public const int Scale = 1000;
+
+    /// <summary>How far from their home switches the axes stand at power-on.</summary>
+    private const int FromHome = 25 * Scale;
+
+    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(5);
+    private static readonly TimeSpan s_moment = TimeSpan.FromMilliseconds(20);
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60); // only a broken test waits that long
+
+    private readonly ManualTimeProvider _clock = new();
+    private readonly Timer _timer;
+    private readonly Lock _gate = new();
+    private Func<ControllerStatus, bool>? _until;
+    private TaskCompletionSource<ControllerStatus>? _met;
+    private bool _goes;
+
+    private RealMachine()
+    {
+        Controller = new SimulatedController(new SimulatorOptions
+        {
+            Speed = 10,
+            SerialNumber = 4711,
+            Time = _clock,
+            Switches = [new AxisSwitches(0) { HomeAt = -FromHome, IsHomeBelow = true }, new AxisSwitches(1) { HomeAt = -FromHome, IsHomeBelow = true }],
+        });
+        _timer = new Timer(_ => Pass(), null, s_look, s_look);
+    }
+
+    public SimulatedController Controller { get; }
+
+    /// <summary>Where the axes were recorded last, counts of the controller.</summary>
+    public (int A, int B) Place => Controller.Record is { Count: > 0 and var count } record && record[count - 1] is var row ? (row.A, row.B) : default;
+
+    public string Address { get; private set; } = "";
+
+    public static async Task<RealMachine> SwitchedOnAsync()
+    {
+        var machine = new RealMachine();
+        var place = await machine.Controller.ListenTcpAsync(0, CancellationToken.None);
+        var clock = await machine.Controller.ListenClockAsync(CancellationToken.None);
+        machine.Address = FormattableString.Invariant($"tcp://127.0.0.1:{place.Port}?clock={clock.Port}");
+        return machine;
+    }
+
+    /// <summary>The profile of this machine as a file: home switches below, a travel of 400 by 300 mm.</summary>
+    public static string ProfileIn(string folder)
+    {
+        var file = Path.Combine(folder, "plate-engraver.json");
+        File.WriteAllText(file, """
+            {
+              "travelX": { "min": 0, "max": 400 }, "travelY": { "min": 0, "max": 300 }, "parkX": 5, "parkY": 290,
+              "homing": [ { "axis": "Y", "by": "switch", "direction": "minus" }, { "axis": "X", "by": "switch", "direction": "minus" } ],
+              "inputs": { "1": "door" }, "outputs": { "1": "engraver", "2": "vacuum" }
+            }
+            """);
+        return file;
+    }
+
+    /// <summary>Time goes on from here.</summary>
+    public void Go()
+    {
+        lock (_gate) _goes = true;
+    }
+
+    /// <summary>Time goes on until the controller is so, and stands then.</summary>
+    public async Task<ControllerStatus> GoUntilAsync(Func<ControllerStatus, bool> condition)
+    {
+        var met = new TaskCompletionSource<ControllerStatus>(TaskCreationOptions.RunContinuationsAsynchronously);
+        lock (_gate) (_until, _met, _goes) = (condition, met, true);
+        return await met.Task.WaitAsync(s_patience);
+    }
+
+    /// <summary>Moves the clock on at once, when no host has it.</summary>
+    public void Pass(TimeSpan controllerTime)
+    {
+        lock (_gate) _clock.Advance(controllerTime / 10);
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        await _timer.DisposeAsync();
+        await Controller.DisposeAsync();
+    }
+
+    private void Pass()
+    {
+        if (!_gate.TryEnter()) return; // the moment before is not over yet
+        try
+        {
+            if (_until is { } until && until(Controller.Status))
+            {
+                _goes = false;
+                _met!.TrySetResult(Controller.Status);
+                (_until, _met) = (null, null);
+            }
+
+            if (_goes) _clock.Advance(s_moment);
+        }
+        finally
+        {
+            _gate.Exit();
+        }
+    }
+}

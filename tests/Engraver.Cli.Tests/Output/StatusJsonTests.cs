@@ -1,0 +1,56 @@
+using Engraver.Cli.Output;
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Cli.Tests.Output;
+
+/// <summary>What <c>status</c> says of lines, heights and a place of the work that nobody knows.</summary>
+public class StatusJsonTests
+{
+    private static readonly MachineStatus s_ready = new()
+    {
+        State = MachineState.Ready,
+        Controller = "DMC2143",
+        Inputs = 0b101,
+        Outputs = 0b010,
+        MachinePosition = new Point2D(12, -7.5),
+        WorkPosition = new Point2D(2, 3),
+    };
+
+    [Fact]
+    public void Inputs_and_outputs_have_the_names_of_the_profile_and_no_line_is_lost_where_names_clash()
+    {
+        var profile = MachineProfile.Default with
+        {
+            Inputs = new LineNames([new(1, "door"), new(2, "1"), new(3, "Door")]),
+            Outputs = new LineNames([new(2, "coolant")]),
+        };
+        var status = StatusJson.From(s_ready, null, profile);
+
+        Assert.Equal((1, 0, 1), (status.Inputs["door"], status.Inputs["2"], status.Inputs["3"]));
+        Assert.Equal(8, status.Inputs.Count);
+        Assert.Equal((1, 0), (status.Outputs["coolant"], status.Outputs["1"]));
+        Assert.DoesNotContain("2", status.Outputs.Keys);
+    }
+
+    [Fact]
+    public void A_height_is_said_where_there_is_one()
+    {
+        var flat = StatusJson.From(s_ready, null, MachineProfile.Default).Text();
+        Assert.Equal(["READY, DMC2143", "machine X 12 Y -7.5 mm", "work    G54 X 2 Y 3 mm"], flat);
+
+        var high = StatusJson.From(s_ready with { MachineHeight = 20, WorkHeight = -1.25 }, null, MachineProfile.Default).Text();
+        Assert.Equal(["READY, DMC2143", "machine X 12 Y -7.5 Z 20 mm", "work    G54 X 2 Y 3 Z -1.25 mm"], high);
+    }
+
+    [Fact]
+    public void A_machine_without_an_origin_tells_no_place_of_the_work()
+    {
+        var status = StatusJson.From(s_ready with { State = MachineState.NoOrigin, OriginMissing = "It was switched off.", WorkHeight = 1 }, null, MachineProfile.Default);
+
+        Assert.Equal(new StatusJson.WorkJson("G54", null, null, null), status.Work);
+        Assert.Equal("work    G54 is not known: It was switched off.", status.Text().Last());
+    }
+}

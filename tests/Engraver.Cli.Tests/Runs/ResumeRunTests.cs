@@ -1,0 +1,85 @@
+using System.Text;
+using System.Text.Json;
+using Engraver.TestKit;
+
+namespace Engraver.Cli.Tests.Runs;
+
+/// <summary>A run that was stopped goes on with <c>--resume</c>: what both have cut is the drawing.</summary>
+public sealed class ResumeRunTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    [Theory]
+    [InlineData("paper-001", "stream")]
+    [InlineData("paper-001", "calls")]
+    [InlineData("paper-001", "program")]
+    [InlineData("gasket", "stream")]
+    public async Task A_stopped_run_goes_on_from_its_journal(string drawing, string mode)
+    {
+        var journal = _folder.PathOf("first.jsonl");
+        var first = await StoppedAsync(90, "run", SampleDrawing.PathOf(drawing), "--connect", "sim:", "--mode", mode, "--json", "--journal", journal);
+        Assert.Equal((5, "stopped"), (first.ExitCode, Text(first, "outcome")));
+
+        var second = await CliRun.RunAsync("run", SampleDrawing.PathOf(drawing), "--connect", "sim:", "--mode", mode, "--json", "--resume", journal, "--lead-in", "0.5", "--journal", _folder.PathOf("second.jsonl"));
+
+        Assert.Equal((0, "complete"), (second.ExitCode, Text(second, "outcome")));
+        var report = JsonText.Of(second);
+        Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
+        var from = report.GetProperty("resumedFrom");
+        Assert.True(from.GetProperty("segments").GetInt32() > 0 || from.GetProperty("along").GetDouble() > 1.0, from.ToString());
+        Assert.True(report.GetProperty("plannedSeconds").GetDouble() < JsonText.Of(first).GetProperty("plannedSeconds").GetDouble());
+        Assert.Equal(JsonValueKind.Null, JsonText.Of(first).GetProperty("resumedFrom").ValueKind);
+    }
+
+    [Theory]
+    [InlineData("gasket", "stream", "path is another")]
+    [InlineData("paper-001", "calls", "mode stream")]
+    public async Task A_journal_of_another_run_is_refused_before_anything_moves(string drawing, string mode, string reason)
+    {
+        var journal = _folder.PathOf("first.jsonl");
+        await StoppedAsync(60, "run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--journal", journal);
+
+        var second = await CliRun.RunAsync("run", SampleDrawing.PathOf(drawing), "--connect", "sim:", "--mode", mode, "--json", "--resume", journal);
+
+        Assert.Equal((2, "refused"), (second.ExitCode, Text(second, "outcome")));
+        Assert.Contains("JOB0040", second.Error, StringComparison.Ordinal);
+        Assert.Contains(reason, second.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("-1")]
+    [InlineData("long")]
+    public async Task A_lead_in_that_is_none_is_a_usage_error(string length)
+    {
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--resume", "x", "--lead-in", length);
+
+        Assert.Equal(2, run.ExitCode);
+        Assert.Contains("no lead-in", run.Error, StringComparison.Ordinal);
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    private static string? Text(CliRun run, string name) => JsonText.Of(run).GetProperty(name).GetString();
+
+    /// <summary>Ctrl-C at a report of the job.</summary>
+    private static async Task<CliRun> StoppedAsync(int report, params string[] args)
+    {
+        using var output = new MemoryStream();
+        await using var error = new StringWriter();
+        using var stop = new CancellationTokenSource();
+        int code;
+        using (var streams = new ConsoleStreams(output, error)
+        {
+            Keys = () =>
+            {
+                if (report-- == 0) stop.Cancel();
+                return null;
+            },
+        })
+        {
+            code = await EngraverProgram.RunAsync(args, streams, stop.Token);
+        }
+
+        return new CliRun(code, Encoding.UTF8.GetString(output.ToArray()), error.ToString());
+    }
+}

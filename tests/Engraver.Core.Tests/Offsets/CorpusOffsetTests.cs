@@ -1,0 +1,64 @@
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Offsets;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Tests.Dxf;
+using Engraver.TestKit;
+
+namespace Engraver.Core.Tests.Offsets;
+
+/// <summary>The closed contours of real drawings.</summary>
+public class CorpusOffsetTests
+{
+    private const int MostSegments = 3_000;
+
+    /// <summary>Every drawing in the full run, every eighth in the other.</summary>
+    private static readonly int Every = TestExtent.Cases(perCommit: 8, full: 1, "ENGRAVER_OFFSET_EVERY");
+
+    [CorpusFact]
+    public void Every_closed_contour_of_the_corpus_is_offset_to_closed_loops()
+    {
+        var (contours, wrong) = (0, new List<string>());
+        var files = Directory.EnumerateFiles(RepositoryFolder.Corpus!, "*.dxf", SearchOption.AllDirectories).Order(StringComparer.Ordinal).ToArray();
+        for (var i = 0; i < files.Length; i += Every)
+        {
+            foreach (var contour in ClosedOf(files[i]))
+            {
+                contours++;
+                if (FaultOf(contour) is { } fault) wrong.Add($"{Path.GetFileName(files[i])}: {fault}");
+            }
+        }
+
+        Assert.True(wrong.Count == 0, string.Join('\n', wrong.Take(20)));
+        Assert.True(contours > (TestExtent.IsFull ? 500 : 20), $"only {contours} contours");
+    }
+
+    private static IEnumerable<OffsetContour> ClosedOf(string file)
+    {
+        var drawing = Reading.Of(File.ReadAllBytes(file));
+        var chained = Sequencer.Chain(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], []))), drawing, SequencingOptions.Default);
+        var rows = chained.Segments.ToArray();
+        foreach (var contour in chained.Chain.Contours.Where(contour => contour.Closed && contour.Pieces.Length <= MostSegments))
+        {
+            yield return new OffsetContour([.. contour.Pieces.ToArray().Select(piece => piece.Reversed ? rows[piece.Row].Reversed() : rows[piece.Row])], true);
+        }
+    }
+
+    /// <summary>A twentieth of the size, in and out: closed, not nearer than the distance, and outwards around everything. What was drawn with gaps or as a curve has their tolerance.</summary>
+    private static string? FaultOf(OffsetContour contour)
+    {
+        var box = contour.Segments.Aggregate(Bounds2D.Empty, (all, segment) => all.Union(segment.Bounds));
+        var distance = Math.Max(box.Width, box.Height) / 20.0;
+        if (!(distance > 1e-6)) return null;
+        foreach (var side in new[] { OffsetSide.In, OffsetSide.Out })
+        {
+            var result = ContourOffset.Offset([contour], distance, side, OffsetOptions.Default);
+            if (result.Unresolved.Count > 0) return $"{side} unresolved at {result.Unresolved[0]}";
+            if (result.Loops.Any(loop => !loop.Closed || loop.Segments[^1].End != loop.Segments[0].Start)) return $"{side} is open";
+            if (result.MaxDeviation > 0.012) return $"{side} deviates by {result.MaxDeviation}";
+            if (side == OffsetSide.Out && !result.Loops.Any(loop => !loop.IsHole && loop.Segments.Aggregate(Bounds2D.Empty, (all, segment) => all.Union(segment.Bounds)).Grown(0.02).Contains(box))) return "nothing goes round it";
+        }
+
+        return null;
+    }
+}

@@ -1,0 +1,72 @@
+using Engraver.Core.Offsets;
+using static Engraver.Core.Tests.Offsets.OffsetShapes;
+
+namespace Engraver.Core.Tests.Offsets;
+
+/// <summary>Mitres and bevels on the outside of corners.</summary>
+public class JoinTests
+{
+    [Fact]
+    public void A_mitred_rectangle_stays_a_rectangle()
+    {
+        var loop = Assert.Single(Offset(OffsetJoin.Mitre, 1, OffsetSide.Out, Rectangle(0, 0, 10, 4)).Loops);
+
+        Assert.Equal((4, 0), (loop.Lines, loop.Arcs));
+        Assert.Equal(72.0, loop.SignedArea, 9);
+    }
+
+    [Fact]
+    public void A_bevelled_rectangle_has_eight_lines()
+    {
+        var loop = Assert.Single(Offset(OffsetJoin.Bevel, 1, OffsetSide.Out, Rectangle(0, 0, 10, 4)).Loops);
+
+        Assert.Equal((8, 0), (loop.Lines, loop.Arcs));
+        Assert.Equal(70.0, loop.SignedArea, 9);
+    }
+
+    /// <summary>The tip of a corner of 60 degrees lies two distances away.</summary>
+    [Theory]
+    [InlineData(2.0, 3)]
+    [InlineData(1.9, 6)]
+    public void A_tip_beyond_the_limit_becomes_a_bevel(double limit, int lines)
+    {
+        var triangle = Polygon((0, 0), (10, 0), (5, 10 * Math.Sqrt(0.75)));
+        var result = ContourOffset.Offset([triangle], 1, OffsetSide.Out, new OffsetOptions { Join = OffsetJoin.Mitre, MitreLimit = limit });
+
+        Assert.Equal(lines, Assert.Single(result.Loops).Lines);
+    }
+
+    [Fact]
+    public void Before_an_arc_a_mitre_goes_on_along_its_tangent()
+    {
+        var half = Chain(true, (-5, 0, 0), (5, 0, 1)); // half a disc
+        var loop = Assert.Single(Offset(OffsetJoin.Mitre, 1, OffsetSide.Out, half).Loops);
+
+        Assert.Equal((3, 1), (loop.Lines, loop.Arcs));
+        Assert.Equal((Math.PI * 18.0) + 12.0, loop.SignedArea, 9);
+    }
+
+    /// <summary>Two mitres that run into each other are one loop: both enlarged squares less the square that they share.</summary>
+    [Fact]
+    public void Mitres_of_two_parts_that_overlap_become_one()
+    {
+        var loop = Assert.Single(Offset(OffsetJoin.Mitre, 1, OffsetSide.Out, Rectangle(0, 0, 5, 5), Rectangle(6.5, 6.5, 5, 5)).Loops);
+
+        Assert.Equal((8, 0), (loop.Lines, loop.Arcs));
+        Assert.Equal(49.0 + 49.0 - 0.25, loop.SignedArea, 9);
+    }
+
+    [Theory]
+    [InlineData(OffsetJoin.Mitre)]
+    [InlineData(OffsetJoin.Bevel)]
+    public void The_ends_of_an_open_contour_are_the_same_with_every_join(OffsetJoin join)
+    {
+        var loop = Assert.Single(Offset(join, 1, OffsetSide.Left, Line((0, 0), (10, 0), (10, 10))).Loops);
+
+        Assert.Equal((2, 0), (loop.Lines, loop.Arcs));
+        Assert.Equal(18.0, loop.Length, 9);
+    }
+
+    private static OffsetResult Offset(OffsetJoin join, double distance, OffsetSide side, params OffsetContour[] contours) =>
+        ContourOffset.Offset(contours, distance, side, new OffsetOptions { Join = join });
+}

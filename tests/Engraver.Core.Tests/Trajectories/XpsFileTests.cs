@@ -1,0 +1,69 @@
+using Engraver.Benchmarks.Trajectories;
+using Engraver.Core.Geometry;
+using Engraver.Core.Trajectories;
+using Engraver.Core.Trajectories.Formats;
+
+namespace Engraver.Core.Tests.Trajectories;
+
+/// <summary>The files of an XPS controller (sace-xps-agie.md 2).</summary>
+public class XpsFileTests
+{
+    private static readonly TrajectoryMotion s_motion = new(20.0, 256.0);
+
+    /// <summary>The example of sace-xps-agie.md 2.2.</summary>
+    [Fact]
+    public void The_line_arc_file_of_the_rounded_rectangle_is_that_of_the_reference()
+    {
+        IReadOnlyList<Segment> whole = Shapes.RoundedRectangle(40.0, 20.0, 4.0);
+        IReadOnlyList<Segment> fromMiddle = [Shapes.Line(0.0, -10.0, 16.0, -10.0), .. whole.Skip(1), Shapes.Line(-16.0, -10.0, 0.0, -10.0)];
+        var file = Assert.Single(TrajectoryFiles.Write(fromMiddle, closed: true, new TrajectoryOptions(0.001), TrajectoryFormat.XpsLineArc, s_motion).Files);
+
+        Assert.Equal(
+            "FirstTangent = 0\nDiscontinuityAngle = 0.01\n\nLine = 16.000000, 0.000000\nArc = 4.000000, 90.000000\nLine = 20.000000, 16.000000\nArc = 4.000000, 90.000000\nLine = -16.000000, 20.000000\nArc = 4.000000, 90.000000\nLine = -20.000000, 4.000000\nArc = 4.000000, 90.000000\nLine = 0.000000, 0.000000\n",
+            file.Text);
+        Assert.InRange(file.VerifiedBound, 0.0, 1e-9);
+    }
+
+    /// <summary>sace-xps-agie.md 2.4: from rest to rest, within speed and acceleration; a broken limit is named.</summary>
+    [Fact]
+    public void A_pvt_file_ends_at_rest_and_names_the_limit_that_it_breaks()
+    {
+        var kept = Assert.Single(TrajectoryFiles.Write(Shapes.RoundedRectangle(40.0, 20.0, 4.0), closed: true, new TrajectoryOptions(0.001), TrajectoryFormat.XpsPvt, s_motion).Files);
+        var tiny = TrajectoryFiles.Write([Shapes.Line(0.0, 0.0, 0.00001, 0.0)], closed: false, new TrajectoryOptions(0.001), TrajectoryFormat.XpsPvt, new TrajectoryMotion(1000.0, 1e6)).Files;
+
+        Assert.Empty(kept.BrokenLimits);
+        Assert.EndsWith(", 0.000000", kept.Text.TrimEnd(), StringComparison.Ordinal);
+        Assert.InRange(kept.Points, 17, 30);
+        Assert.Contains(tiny.SelectMany(one => one.BrokenLimits), limit => limit.StartsWith("element 1 takes only", StringComparison.Ordinal));
+    }
+
+    /// <summary>The speed along a line says nothing about the distance from it.</summary>
+    [Fact]
+    public void A_straight_line_run_from_rest_to_rest_has_the_bound_of_its_rounding()
+    {
+        var file = Assert.Single(TrajectoryFiles.Write([Shapes.Line(1.0, 2.0, 77.0, 33.0)], closed: false, new TrajectoryOptions(0.001), TrajectoryFormat.XpsPvt, s_motion).Files);
+
+        Assert.InRange(file.VerifiedBound, 0.0, 1e-8);
+    }
+
+    [Theory]
+    [InlineData(TrajectoryFormat.XpsLineArc)]
+    [InlineData(TrajectoryFormat.XpsPvt)]
+    public void The_sampled_error_of_an_ellipse_is_near_its_bound_and_never_beyond(TrajectoryFormat format)
+    {
+        var file = Assert.Single(TrajectoryFiles.Write(Shapes.Ellipse(10.0, 5.0), closed: true, new TrajectoryOptions(0.001), format, s_motion).Files);
+
+        Assert.InRange(file.SampledError, 0.25 * file.VerifiedBound, file.VerifiedBound);
+    }
+
+    [Theory]
+    [InlineData(TrajectoryFormat.Sace)]
+    [InlineData(TrajectoryFormat.XpsLineArc)]
+    [InlineData(TrajectoryFormat.XpsPvt)]
+    public void The_sampled_error_of_a_slanted_line_is_what_rounding_leaves(TrajectoryFormat format)
+    {
+        var file = Assert.Single(TrajectoryFiles.Write([Shapes.Line(1.0 / 3.0, 1.0 / 7.0, 200.0 / 3.0, 100.0 / 7.0)], closed: false, new TrajectoryOptions(0.001), format, s_motion).Files);
+
+        Assert.InRange(file.SampledError, 1e-12, file.VerifiedBound);
+    }
+}

@@ -1,0 +1,278 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
+using Engraver.Galil.Driver;
+using Engraver.Galil.Jobs;
+using Engraver.Galil.Jobs.Journal;
+
+namespace Engraver.Galil.Tests.Jobs.Holds;
+
+/// <summary>A held job lets the machine be moved by hand, within its travel; RESUME comes back to the place, and a stop, a dead host and a limit switch meanwhile lose nothing. By the simulator's record.</summary>
+public sealed class HeldMoveTests : IDisposable
+{
+    private readonly string _folder = Directory.CreateTempSubdirectory("held-move").FullName;
+
+    public static TheoryData<JobMode, bool> Machines => new()
+    {
+        { JobMode.Stream, false },
+        { JobMode.Calls, false },
+        { JobMode.Program, false },
+        { JobMode.Stream, true },
+        { JobMode.Calls, true },
+        { JobMode.Program, true },
+    };
+
+    [Theory]
+    [MemberData(nameof(Machines))]
+    public async Task Jogged_away_by_steps_and_by_a_held_key_it_comes_back_and_goes_on(JobMode mode, bool isAxis)
+    {
+        await using var bench = new SimulatedBench();
+        var program = Program(mode, isAxis);
+        var key = new JogControl(new JogVelocity(-600.0, 0.0));
+        var operators = new MovingOperator(Cutting(isAxis), now => now.X < -8000, HeldMove.To(new CountsPoint(-5000, 70000), withHeight: false), HeldMove.By(new CountsPoint(500, -2000, 0)), HeldMove.While(key));
+
+        var result = await RunAsync(bench, program, mode, operators);
+        var moves = await Task.WhenAll(operators.Moves);
+
+        Assert.Equal((JobOutcome.Complete, program.SegmentCount, 1), (result.Outcome, result.SegmentsExecuted, result.Holds));
+        Assert.All(moves, move => Assert.Equal(JobOutcome.Complete, move.Outcome));
+        Assert.Equal([new CountsPoint(-5000, 70000), new CountsPoint(-4500, 68000)], moves.Take(2).Select(move => move.FinalPosition!.Value with { Z = 0 }));
+        Assert.InRange(moves[2].FinalPosition!.Value.X, -12000, -8000);
+        Assert.Equal([JobPhase.Held], operators.PhasesMeanwhile);
+        AssertCut(bench, program);
+        Assert.Contains(bench.Controller.Record.Snapshot(), sample => (sample.A, sample.B) == (-4500, 68000));
+    }
+
+    [Theory]
+    [MemberData(nameof(Machines))]
+    public async Task A_step_out_of_the_travel_is_refused_a_held_key_ends_at_its_end_and_the_job_goes_on(JobMode mode, bool isAxis)
+    {
+        await using var bench = new SimulatedBench();
+        var plain = Program(mode, isAxis);
+        var axes = plain.Profile.Axes;
+        var program = plain with { Profile = plain.Profile with { Axes = axes with { X = axes.X with { Travel = new AxisTravel(-90.0, 1200.0) }, Y = axes.Y with { Travel = new AxisTravel(-90.0, 700.0) } } } };
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.By(new CountsPoint(-200000, 0)), HeldMove.While(new JogControl(new JogVelocity(0.0, -2500.0))));
+
+        var result = await RunAsync(bench, program, mode, operators, TravelLimits.Of(program.Profile));
+        var moves = await Task.WhenAll(operators.Moves);
+
+        Assert.Equal(JobOutcome.Complete, result.Outcome);
+        Assert.Equal((JobOutcome.Refused, "JOB0030", JobOutcome.Complete), (moves[0].Outcome, moves[0].Diagnostics.Single().Id, moves[1].Outcome));
+        Assert.Equal(TravelLimits.Of(axes.Y with { Travel = new AxisTravel(-90.0, 700.0) })!.Value.Least, moves[1].FinalPosition!.Value.Y);
+        AssertCut(bench, program);
+    }
+
+    [Theory]
+    [MemberData(nameof(Machines))]
+    public async Task A_stop_while_it_is_jogged_away_is_resumed_at_the_place_where_it_was_held(JobMode mode, bool isAxis)
+    {
+        await using var bench = new SimulatedBench();
+        var program = Program(mode, isAxis);
+        using var stop = new CancellationTokenSource();
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.To(new CountsPoint(20000, 30000), withHeight: false)) { WhenMoved = stop.Cancel };
+
+        var first = await RunAsync(bench, program, mode, operators, journal: "a", stop: stop.Token);
+        var second = await ResumeAsync(bench, program, mode, "a", "b");
+
+        Assert.Equal((JobOutcome.Stopped, new CountsPoint(20000, 30000)), (first.Outcome, first.FinalPosition!.Value with { Z = 0 }));
+        Assert.Equal((JobOutcome.Complete, program.SegmentCount), (second.Outcome, second.SegmentsExecuted));
+        AssertCut(bench, program);
+    }
+
+    [Theory]
+    [MemberData(nameof(Machines))]
+    public async Task A_host_that_dies_while_a_key_is_held_brakes_within_the_dead_mans_time_and_is_resumed_at_the_place(JobMode mode, bool isAxis)
+    {
+        await using var bench = new SimulatedBench();
+        var program = Program(mode, isAxis);
+        var (died, diedAt) = (false, 0L);
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.While(new JogControl(new JogVelocity(1500.0, 0.0))))
+        {
+            WhileMoving = now =>
+            {
+                if (died || now.X < 45000) return;
+                (died, diedAt) = (true, bench.Controller.Status.Sample);
+                bench.Controller.DropConnections();
+                bench.Controller.Advance(TimeSpan.FromSeconds(3));
+            },
+        };
+
+        var first = await RunAsync(bench, program, mode, operators, journal: "a");
+        var moves = await Task.WhenAll(operators.Moves);
+        bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
+        var record = bench.Controller.Record.Snapshot();
+        var lastMove = record.Zip(record.Skip(1)).Last(pair => pair.First.A != pair.Second.A).Second.Sample;
+        var second = await ResumeAsync(bench, program, mode, "a", "b");
+
+        Assert.Equal(JobOutcome.LinkLost, first.Outcome);
+        Assert.InRange(lastMove - diedAt, 1, 500);
+        Assert.Equal(JobOutcome.LinkLost, moves.Single().Outcome);
+        Assert.Equal((JobOutcome.Complete, program.SegmentCount), (second.Outcome, second.SegmentsExecuted));
+        AssertCut(bench, program);
+    }
+
+    [Theory]
+    [MemberData(nameof(Machines))]
+    public async Task A_limit_switch_ends_the_move_and_not_the_job(JobMode mode, bool isAxis)
+    {
+        await using var bench = new SimulatedBench();
+        var program = Program(mode, isAxis);
+        var pressed = false;
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.While(new JogControl(new JogVelocity(1500.0, 0.0))), HeldMove.By(new CountsPoint(-3000, 0)))
+        {
+            WhileMoving = now =>
+            {
+                if (!pressed && now.X > 45000) bench.Controller.SetLimitSwitch(0, forward: true, active: pressed = true);
+                else if (pressed && now.X < 45000) bench.Controller.SetLimitSwitch(0, forward: true, active: false);
+            },
+        };
+
+        var result = await RunAsync(bench, program, mode, operators);
+        var moves = await Task.WhenAll(operators.Moves);
+
+        Assert.Equal((JobOutcome.Refused, JobOutcome.Complete), (moves[0].Outcome, moves[1].Outcome));
+        Assert.Contains("limit", moves[0].Sentence, StringComparison.Ordinal);
+        Assert.Equal(JobOutcome.Complete, result.Outcome);
+        AssertCut(bench, program);
+    }
+
+    [Theory]
+    [MemberData(nameof(Machines))]
+    public async Task A_move_that_is_asked_for_just_before_the_resume_is_not_made_at_the_next_hold(JobMode mode, bool isAxis)
+    {
+        await using var bench = new SimulatedBench();
+        var program = Program(mode, isAxis);
+        var late = default(Task<JobResult>);
+        var holds = 0;
+        var operators = default(MovingOperator);
+        operators = new MovingOperator(Cutting(isAxis), _ => false)
+        {
+            WhenMoved = () =>
+            {
+                if (holds++ == 0) late = operators!.Control.MoveAsync(HeldMove.By(new CountsPoint(7777, -9999)));
+                operators!.Control.Resume();
+            },
+        };
+        var again = new CancelWhen(now => late is not null && now.Phase == JobPhase.Running && now.ToolOn, operators.Control.Hold);
+
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, Control = operators.Control, Frame = default(CountsPoint) }, new Both(operators, again));
+
+        Assert.Equal((JobOutcome.Complete, 2), (result.Outcome, result.Holds));
+        Assert.Equal(JobOutcome.Refused, (await late!).Outcome);
+        AssertCut(bench, program);
+        var held = operators.HeldAt;
+        Assert.DoesNotContain(bench.Controller.Record.Snapshot(), sample => Math.Abs(sample.A - held.X - 7777) < 3 && Math.Abs(sample.B - held.Y + 9999) < 3);
+    }
+
+    /// <summary>A pen that is raised to look, or lowered, is back at the height of the cut before anything is cut, and moves up or down with the tool off.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream, 4000)]
+    [InlineData(JobMode.Calls, 4000)]
+    [InlineData(JobMode.Program, 4000)]
+    [InlineData(JobMode.Stream, -1600)]
+    [InlineData(JobMode.Program, -1600)]
+    public async Task The_height_of_a_tool_that_an_output_switches_is_brought_back_too(JobMode mode, int up)
+    {
+        await using var bench = new SimulatedBench();
+        var program = Pen();
+        var operators = new MovingOperator(Cutting(isAxis: false), _ => false, HeldMove.By(new CountsPoint(0, 0, up)), HeldMove.By(new CountsPoint(500, -2000, 0)));
+
+        var result = await RunAsync(bench, program, mode, operators);
+
+        Assert.Equal((JobOutcome.Complete, program.SegmentCount, 1), (result.Outcome, result.SegmentsExecuted, result.Holds));
+        AssertCutAtItsHeight(bench, program, up);
+        var record = bench.Controller.Record.Snapshot();
+        var back = record.SkipWhile(sample => sample.C != up).Where(sample => sample.C != up && sample.C != 0).ToList();
+        Assert.NotEmpty(back);
+        Assert.All(back, sample => Assert.Equal(up > 0 ? 0 : -2000, sample.B)); // up before the way, down behind it
+    }
+
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task Held_and_moved_again_on_the_way_back_it_still_knows_the_height_of_the_cut(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        var program = Pen();
+        var (stage, again) = (0, default(Task<JobResult>));
+        var operators = default(MovingOperator);
+        operators = new MovingOperator(Cutting(isAxis: false), _ => false, HeldMove.By(new CountsPoint(500, -20000, 4000)))
+        {
+            WhenMoved = () =>
+            {
+                if (stage == 1) again = operators!.Control.MoveAsync(HeldMove.By(new CountsPoint(0, 0, 1000)));
+                else if (stage == 0 || again!.IsCompleted) operators!.Control.Resume();
+                stage++;
+            },
+        };
+        var onTheWay = new CancelWhen(now => stage == 1 && now.Phase != JobPhase.Held && now.Place.Y is > -15000 and < -1000, operators.Control.Hold);
+
+        var result = await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, Control = operators.Control, Frame = default(CountsPoint) }, new Both(onTheWay, operators));
+
+        Assert.Equal((JobOutcome.Complete, 2), (result.Outcome, result.Holds));
+        Assert.Equal(JobOutcome.Complete, (await again!).Outcome);
+        AssertCutAtItsHeight(bench, program, 5000);
+    }
+
+    [Fact]
+    public async Task A_job_that_is_not_held_lets_nobody_move_the_machine()
+    {
+        var control = new JobControl();
+        var running = await control.MoveAsync(HeldMove.By(new CountsPoint(100, 0)));
+        control.Hold();
+        control.Enter(JobPhase.Held);
+        var first = control.MoveAsync(HeldMove.By(new CountsPoint(100, 0)));
+        var second = await control.MoveAsync(HeldMove.By(new CountsPoint(100, 0)));
+        control.Over(JobResult.NotStarted(0, "over"));
+
+        Assert.Contains("does not stand held", running.Sentence, StringComparison.Ordinal);
+        Assert.Contains("under way", second.Sentence, StringComparison.Ordinal);
+        Assert.Equal("over", (await first).Sentence);
+        Assert.Contains("does not stand held", (await control.MoveAsync(HeldMove.By(new CountsPoint(1, 0)))).Sentence, StringComparison.Ordinal);
+    }
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    private static MotionProgram Program(JobMode mode, bool isAxis) => isAxis ? HeightBench.Part(style: mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous) : MotionPrograms.LongLine(40000);
+
+    private static MotionProgram Pen()
+    {
+        var line = MotionPrograms.LongLine(40000);
+        return line with { Profile = line.Profile with { Axes = line.Profile.Axes with { Z = new MachineAxis('C', 800.0) } } };
+    }
+
+    private static void AssertCutAtItsHeight(SimulatedBench bench, MotionProgram program, int away)
+    {
+        AssertCut(bench, program);
+        var record = bench.Controller.Record.Snapshot();
+        Assert.Contains(record, sample => sample.C == away);
+        Assert.All(record.Where(sample => sample.Outputs != 0), sample => Assert.Equal(0, sample.C));
+    }
+
+    private static Func<JobProgress, bool> Cutting(bool isAxis) => isAxis ? HeightHoldTests.At("slope") : now => now.X > 20000;
+
+    private static void AssertCut(SimulatedBench bench, MotionProgram program)
+    {
+        if (program.Profile.Height is not null)
+        {
+            HeightBench.AssertCut(bench, program, most: 1500.0);
+            return;
+        }
+
+        HoldRecord.AssertEverythingWasCut(bench, program);
+        HoldRecord.AssertNothingWasCutTwice(bench, program, most: 1500.0);
+    }
+
+    private Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, MovingOperator operators, IReadOnlyList<SoftLimit>? limits = null, string? journal = null, CancellationToken stop = default) =>
+        bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, Control = operators.Control, SoftLimits = limits ?? [], Frame = default(CountsPoint), Address = "bench", JournalPath = journal is null ? null : PathOf(journal) }, operators, stop);
+
+    private async Task<JobResult> ResumeAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, string next)
+    {
+        ResumePlace found;
+        await using (var session = await bench.OpenAsync()) found = await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);
+        Assert.Equal((null, true), (found.Refusal, found.IsSameZero));
+        return await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, JournalPath = PathOf(next), Frame = default(CountsPoint), Address = "bench", From = found.Place, LeadIn = 500.0 + found.Doubt });
+    }
+
+    private string PathOf(string name) => Path.Combine(_folder, name + ".jsonl");
+}

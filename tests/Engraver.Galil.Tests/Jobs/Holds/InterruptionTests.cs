@@ -1,0 +1,199 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
+using Engraver.Core.Motion;
+using Engraver.Galil.Jobs.Journal;
+using Engraver.TestKit;
+
+namespace Engraver.Galil.Tests.Jobs.Holds;
+
+/// <summary>Holds, stops, cut cables and overrides at random moments, one after the other, until the job is done. By the simulator's record every piece of the drawing is cut, and nothing twice beyond its bound.</summary>
+public sealed class InterruptionTests : IDisposable
+{
+    private const double LeadIn = 300.0;
+
+    /// <summary>Counts at the fastest override in the age of the last poll of a job, 60 ms.</summary>
+    private const double SinceLastPoll = 40.0 * 60.0;
+
+    private readonly string _folder = Directory.CreateTempSubdirectory("interrupted").FullName;
+
+    public static TheoryData<int> Seeds => [.. Enumerable.Range(1, TestExtent.Cases(24, 1000, "ENGRAVER_INTERRUPTIONS"))];
+
+    /// <summary>Until the machine stands; a tool that an axis holds is in the work meanwhile, and cuts on.</summary>
+    private const double Braking = 40.0 * 40.0 * 1000.0 / 512.0;
+
+    [Theory]
+    [MemberData(nameof(Seeds))]
+    public async Task However_it_is_interrupted_the_drawing_is_cut_once(int seed)
+    {
+        var random = new Random(seed);
+        var mode = (JobMode)(seed % 3);
+        var program = RandomProgram(random, mode, MachineProfile.Default);
+        await using var bench = new SimulatedBench();
+
+        var (resumes, kills) = await CutAsync(bench, random, mode, program, seed);
+
+        HoldRecord.AssertEverythingWasCut(bench, program);
+        HoldRecord.AssertNothingWasCutTwice(bench, program, (resumes * (LeadIn + SinceLastPoll)) + (RemainingProgram.WholeCountSearch * HoldsAway));
+        HoldRecord.AssertNoBurnAtRest(bench, program.Profile, kills);
+    }
+
+    /// <summary>The same where an axis holds the tool: lines that rise and fall, plunges, and every place in X, Y and Z.</summary>
+    [Theory]
+    [MemberData(nameof(Seeds))]
+    public async Task However_a_machine_with_a_tool_axis_is_interrupted_the_drawing_is_cut_once(int seed)
+    {
+        var random = new Random(seed);
+        var mode = (JobMode)(seed % 3);
+        var program = RandomProgram(random, mode, HeightBench.Profile);
+        await using var bench = new SimulatedBench();
+
+        var (resumes, _) = await CutAsync(bench, random, mode, program, seed);
+
+        HeightBench.AssertCut(bench, program, (resumes * (LeadIn + SinceLastPoll + Braking)) + (RemainingProgram.WholeCountSearch * HoldsAway));
+        HeightBench.AssertGentle(bench, program);
+    }
+
+    /// <summary>More holds than a seed has.</summary>
+    private const int HoldsAway = 60;
+
+    /// <returns>How often it was resumed, and how often its host had died.</returns>
+    private async Task<(int Resumes, int Kills)> CutAsync(SimulatedBench bench, Random random, JobMode mode, MotionProgram program, int seed)
+    {
+        var (from, resumes, kills, journal, outcome) = (default(ResumePlace), 0, 0, "", JobOutcome.Stopped);
+        for (var run = 0; outcome != JobOutcome.Complete; run++)
+        {
+            Assert.InRange(run, 0, 12);
+            journal = Path.Combine(_folder, $"{run}.jsonl");
+            using var stop = new CancellationTokenSource();
+            var trouble = run < 6 ? new Trouble(bench, random, stop) : null;
+            var options = SimulatedBench.Job with { Mode = mode, JournalPath = journal, Frame = default(CountsPoint), Address = "bench", Control = trouble?.Control };
+            if (from is not null) options = options with { From = from.Place, LeadIn = LeadIn + from.Doubt };
+
+            var result = await bench.RunAsync(program, options, trouble, stop.Token);
+
+            outcome = result.Outcome;
+            Assert.True(outcome is JobOutcome.Complete or JobOutcome.Stopped or JobOutcome.LinkLost, $"seed {seed}, run {run}: {result.Sentence}");
+            bench.Controller.AdvanceUntil(status => status.IsIdle, TimeSpan.FromSeconds(10));
+            if (outcome == JobOutcome.Complete) continue;
+            resumes++;
+            kills += outcome == JobOutcome.LinkLost ? 1 : 0;
+            var found = await FindAsync(bench, program, mode, journal);
+            if (found.Refusal is null) from = found; // else it ended before it began, and goes on from where it would have
+        }
+
+        return (resumes, kills);
+    }
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    private static async Task<ResumePlace> FindAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal)
+    {
+        await using var session = await bench.OpenAsync();
+        return await ResumeFinder.FindAsync(session.Commands, program, mode, journal, CancellationToken.None);
+    }
+
+    /// <summary>Strokes of lines and arcs far from each other, so that what is cut can be told apart; each goes on as the one before it ended, and sequences end where they like. Behind an arc comes a line, which ends on its own count: the ends of a chain of arcs are aimed by the generator, which has no part in this.</summary>
+    /// <remarks>Where an axis holds the tool lines may rise or fall; such a sequence has no arcs.</remarks>
+    private static MotionProgram RandomProgram(Random random, JobMode mode, MachineProfile profile)
+    {
+        var strokes = new List<MotionStroke>();
+        for (var s = random.Next(2, 5); s > 0; s--)
+        {
+            var at = new CountsPoint(random.Next(-3000, 3000), strokes.Count * 60000, profile.Height is null ? 0 : -random.Next(100, 3000));
+            var (isSlope, isSteep) = (false, false);
+            var heading = random.Next(0, 360) * 1.0;
+            var (start, sequences, begin, segments) = (at, new List<VectorSequence>(), at, new List<VectorSegment>());
+            for (var i = random.Next(1, 30); i > 0; i--)
+            {
+                if (segments.Count == 0) (isSlope, isSteep) = (profile.Height is not null && random.Next(2) == 0, random.Next(3) == 0);
+                segments.Add(isSlope || random.Next(3) > 0 || segments is [.., { Kind: VectorSegmentKind.Arc }] ? Line(random, at, heading) : Arc(random, at, heading) is var arc ? arc with { End = arc.End with { Z = at.Z } } : default);
+                if (segments[^1].Kind == VectorSegmentKind.Line) segments[^1] = HeightBench.Line(at, segments[^1].End with { Z = isSlope ? Rise(random, at.Z, segments[^1].Length, isSteep) : at.Z });
+                heading += segments[^1].DeltaDegrees;
+                at = segments[^1].End;
+                if (mode != JobMode.Calls && random.Next(8) > 0 && i > 1 && !(isSlope && isSteep)) continue;
+                sequences.Add(new VectorSequence(begin, 20000, segments) { ChangesHeight = isSlope });
+                (begin, segments) = (at, []);
+            }
+
+            strokes.Add(new MotionStroke(strokes.Count, start, sequences));
+        }
+
+        return new MotionProgram(profile, default, strokes) { Style = mode == JobMode.Calls ? MotionStyle.Calls : MotionStyle.Continuous };
+    }
+
+    /// <summary>A gentle slope, which may go on in another one; or a steep line, which is a sequence of its own because its bends are sharp.</summary>
+    private static int Rise(Random random, int from, double length, bool isSteep) =>
+        isSteep ? random.Next(-4000, -100) : Math.Clamp(from + random.Next((int)(-length / 20.0), 1 + (int)(length / 20.0)), -4000, -100);
+
+    private static VectorSegment Line(Random random, CountsPoint from, double heading)
+    {
+        var length = random.Next(40, random.Next(3) == 0 ? 6000 : 300);
+        var to = CountsScale.Round(new Point2D(from.X, from.Y) + Vector2D.FromPolar(length, Angle.FromDegrees(heading)));
+        return new VectorSegment(VectorSegmentKind.Line, to, 0, 0, 0, random.Next(100), new Point2D(from.X, from.Y).DistanceTo(new Point2D(to.X, to.Y)));
+    }
+
+    private static VectorSegment Arc(Random random, CountsPoint from, double heading)
+    {
+        var (radius, sign) = (random.Next(500, 2000), random.Next(2) == 0 ? -1.0 : 1.0);
+        var delta = sign * random.Next(10, 360);
+        var theta = Angle.FromDegrees(heading - (sign * 90.0)).Positive().Degrees;
+        var centre = new Point2D(from.X, from.Y) - Vector2D.FromPolar(radius, Angle.FromDegrees(theta));
+        var to = CountsScale.Round(centre + Vector2D.FromPolar(radius, Angle.FromDegrees(theta + delta)));
+        return new VectorSegment(VectorSegmentKind.Arc, to, radius, theta, delta, random.Next(100), radius * Math.Abs(delta) * Math.PI / 180.0);
+    }
+
+    /// <summary>Holds, steps away while it is held, and overrides by chance, and one end.</summary>
+    private sealed class Trouble(SimulatedBench bench, Random random, CancellationTokenSource stop) : IProgress<JobProgress>
+    {
+        private readonly double _end = 0.1 + (4.0 * random.NextDouble());
+        private readonly bool _isKill = random.Next(2) == 0;
+        private double _next = random.NextDouble();
+        private double _until;
+        private int _steps;
+        private bool _ended;
+
+        public JobControl Control { get; } = new();
+
+        public void Report(JobProgress value)
+        {
+            if (_ended) return;
+            if (value.Seconds > _end)
+            {
+                End();
+                return;
+            }
+
+            if (value.Phase == JobPhase.Held && _steps > 0)
+            {
+                _steps--;
+                _ = Control.MoveAsync(HeldMove.By(new CountsPoint(random.Next(-4000, 4000), random.Next(-4000, 4000))));
+            }
+
+            if (Control.IsHoldWanted && value.Seconds > _until) Control.Resume();
+            if (Control.IsHoldWanted || value.Seconds < _next) return;
+            (_next, _until) = (value.Seconds + random.NextDouble(), value.Seconds + (0.6 * random.NextDouble()));
+            if (random.Next(2) == 0) Hold();
+            else (Control.FeedRatio, Control.RapidRatio) = (random.Next(1, 21) / 10.0, random.Next(1, 11) / 10.0);
+        }
+
+        private void Hold()
+        {
+            _steps = random.Next(3);
+            Control.Hold();
+        }
+
+        private void End()
+        {
+            _ended = true;
+            if (!_isKill)
+            {
+                stop.Cancel();
+                return;
+            }
+
+            bench.Controller.DropConnections();
+            bench.Controller.Advance(TimeSpan.FromSeconds(3));
+        }
+    }
+}

@@ -1,0 +1,158 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
+using Engraver.Simulator;
+
+namespace Engraver.Workbench.Tests.Machines.Faults;
+
+/// <summary>One case of the matrix on a machine of its own: what comes before the activity, the activity with its fault, and the hosts behind it.</summary>
+internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) : IAsyncDisposable
+{
+    /// <summary>Counts of a whole part: its drawn length is 64.1 mm, and what settles at its ends is within a tenth.</summary>
+    private const double PartCounts = 65_000.0;
+
+    /// <summary>Counts that a resumed run may cut again: its lead-in, and at the planned feed what was cut in 60 ms since the last poll.</summary>
+    private const double AgainCounts = (FaultyMachine.LeadIn * 1_000.0) + (20.0 * 60.0);
+
+    /// <summary>Samples for which a tool may be on while nothing moves: settling, a few polls, and the second until the watchdog trips where a host falls silent, or as long as the late answers of a case keep it waiting.</summary>
+    private const long MostBurn = 2_500;
+
+    /// <summary>How exactly a switch is found again, counts.</summary>
+    private const int HomingTolerance = 5;
+
+    /// <summary>Position error that a motor at rest may keep without a word, counts: 0.2 mm.</summary>
+    private const int MostError = 200;
+
+    private static readonly CountsPoint s_goal = new(20_000, -7_000);
+
+    private readonly FaultyMachine _machine = new(one.Activity == HostActivity.Home);
+    private readonly List<string> _faults = [];
+    private CountsPoint _zero;
+    private int _since;
+    private int _resumes;
+    private string _journal = "";
+
+    /// <summary>A switch, an input or a shaft that nobody frees: the next run meets it again.</summary>
+    private bool IsStanding => one.Fault is { Kind: FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.Jam, ForSeconds: null };
+
+    public static async Task<ActivityExtent> MeasureAsync(HostActivity activity, JobMode mode)
+    {
+        using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
+        await using var trial = new FaultTrial(new FaultCase(0, activity, mode, new ScheduledFault { Kind = FaultKind.Reset, AtSeconds = 1e6 }, 4), limit);
+        await trial.PrepareAsync();
+        var (seconds, bytes, segments) = (trial._machine.Seconds, trial._machine.Controller.BytesArrived, trial._machine.Controller.Status.SegmentsExecuted);
+        var run = await trial.ActAsync();
+        Assert.True(run.IsComplete, run.ToString());
+        return new ActivityExtent(trial._machine.Seconds - seconds, trial._machine.Controller.BytesArrived - bytes, (int)(trial._machine.Controller.Status.SegmentsExecuted - segments));
+    }
+
+    /// <returns>The outcome by the host's own account, and what was wrong.</returns>
+    public async Task<(string Outcome, IReadOnlyList<string> Faults)> TryAsync()
+    {
+        await PrepareAsync();
+        if (one.Activity is not (HostActivity.Holding or HostActivity.Held or HostActivity.Resuming or HostActivity.LeadIn)) _machine.Happen(one.Fault);
+        var run = await ActAsync();
+        Judge(run);
+        await NextAsync(run);
+        return (run.Result?.Outcome.ToString() ?? "unconnected", _faults);
+    }
+
+    public ValueTask DisposeAsync() => _machine.DisposeAsync();
+
+    private void Claim(bool holds, string what, FaultyRun run)
+    {
+        if (!holds) _faults.Add($"{what}: {run}");
+    }
+
+    /// <summary>What goes well before the fault: a homing, an origin, a run that is stopped.</summary>
+    private async Task PrepareAsync()
+    {
+        if (one.Activity == HostActivity.Home)
+        {
+            var homed = await _machine.HomeAsync(limit.Token);
+            Assert.True(homed.IsComplete, homed.ToString());
+            await _machine.SetOriginAsync(30_000, 12_000, limit.Token);
+            _zero = new CountsPoint(_machine.Controller.PlaceOf(0, 30_000), _machine.Controller.PlaceOf(1, 12_000));
+            var away = await _machine.GoToAsync(new CountsPoint(11_000, 9_000), limit.Token);
+            Assert.True(away.IsComplete, away.ToString());
+        }
+
+        if (one.Activity is HostActivity.GoTo or HostActivity.Jog) await _machine.SetOriginAsync(0, 0, limit.Token); // else any zero of the controller would do
+
+        _since = _machine.Rows;
+        if (one.Activity is HostActivity.LeadIn or HostActivity.Resume)
+        {
+            var stopped = await _machine.RunAsync(one.Mode, stop => new FaultOperator(_machine, one with { Activity = HostActivity.Stop }, stop), limit.Token);
+            Assert.True(stopped.Result is { Outcome: JobOutcome.Stopped or JobOutcome.Complete }, stopped.ToString());
+            _journal = stopped.Journal;
+        }
+    }
+
+    private Task<FaultyRun> ActAsync() => one.Activity switch
+    {
+        HostActivity.GoTo => _machine.GoToAsync(s_goal, limit.Token),
+        HostActivity.Jog => _machine.JogAsync(new JogVelocity(900, -300), far: 15_000, limit.Token),
+        HostActivity.Home => _machine.HomeAsync(limit.Token),
+        HostActivity.LeadIn or HostActivity.Resume => ResumeAsync(Watched),
+        _ => _machine.RunAsync(one.Mode, Watched, limit.Token),
+    };
+
+    private FaultOperator Watched(CancellationTokenSource stop) => new(_machine, one, stop);
+
+    /// <summary>Goes on with the run that was interrupted.</summary>
+    private Task<FaultyRun> ResumeAsync(Func<CancellationTokenSource, FaultOperator>? watched)
+    {
+        _resumes++;
+        return _machine.RunAsync(one.Mode, watched, limit.Token, _since, _journal);
+    }
+
+    private void Judge(FaultyRun run)
+    {
+        Claim(!limit.IsCancellationRequested, "it hung", run);
+        Claim(run.Sentence.Length > 0 && !run.Sentence.Contains("Exception", StringComparison.Ordinal), "it is not told in a sentence", run);
+        Claim(!one.IsRun || !run.IsComplete || run.IsCutRight, "complete and wrong", run);
+        Claim(!one.IsRun || !run.IsComplete || run.Zero == _zero, "complete and at another place", run);
+        Claim(one.Activity != HostActivity.GoTo || !run.IsComplete || IsAt(s_goal), $"complete and at {_machine.Controller.MotorPlace(0)}, {_machine.Controller.MotorPlace(1)}", run);
+        Claim(run.Result is null || _resumes > 0 || run.Result.SegmentsExecuted <= _machine.Controller.Status.SegmentsExecuted, "it counts segments that were not executed", run);
+        Claim(run.CutCounts <= PartCounts + (_resumes * AgainCounts), "something was cut twice", run);
+        Claim(run.LongestBurn <= MostBurn, "the tool was on at a standstill", run);
+        var rest = _machine.Rest();
+        Claim(!rest.IsMoving && (rest.Outputs & 1) == 0, "the tool is on or the machine moves", run);
+    }
+
+    private bool IsAt(CountsPoint goal) => Math.Abs(_machine.Controller.MotorPlace(0) - goal.X) <= MostError && Math.Abs(_machine.Controller.MotorPlace(1) - goal.Y) <= MostError;
+
+    /// <summary>The next host cuts the part at its place or is told why not: anew, behind a homing, or what is left of it. It comes again while the rest of the fault meets it.</summary>
+    private async Task NextAsync(FaultyRun run)
+    {
+        var isResumed = one.Activity is not (HostActivity.Run or HostActivity.Stop) && one.IsRun && !run.IsComplete;
+        if (isResumed) Interrupted(run);
+        var next = await OnceMoreAsync(isResumed);
+        for (var host = 0; host < 4 && next.Result is null or { Outcome: JobOutcome.LinkLost }; host++)
+        {
+            if (isResumed) Interrupted(next);
+            next = await OnceMoreAsync(isResumed);
+        }
+
+        var isRight = next.IsCutRight && IsItsPlace(next.Zero);
+        if (IsStanding) Claim(!next.IsComplete || isRight, "the next run is complete and wrong", next);
+        else Claim(next.Refusal is not null || isRight || next.Result?.Outcome is JobOutcome.Refused, "the next run is neither right nor refused", next);
+        if (isResumed) Claim(next.CutCounts <= PartCounts + (_resumes * AgainCounts), "the next run has cut something twice", next);
+        Claim((_machine.Rest().Outputs & 1) == 0, "the tool is on after the next run", next);
+    }
+
+    private bool IsItsPlace(CountsPoint? zero) =>
+        zero is { } at && Math.Abs(at.X - _zero.X) <= (one.Activity == HostActivity.Home ? HomingTolerance : 0) && Math.Abs(at.Y - _zero.Y) <= (one.Activity == HostActivity.Home ? HomingTolerance : 0);
+
+    /// <summary>A run that never began has left nothing: the one before it is gone on with.</summary>
+    private void Interrupted(FaultyRun run)
+    {
+        if (run.Result is { FrameOrigin: not null }) _journal = run.Journal;
+    }
+
+    private async Task<FaultyRun> OnceMoreAsync(bool isResumed)
+    {
+        if (isResumed && _journal.Length > 0) return await ResumeAsync(null);
+        if (one.Activity == HostActivity.Home && await _machine.HomeAsync(limit.Token) is { IsComplete: false } unhomed) return unhomed;
+        return await _machine.RunAsync(one.Mode, null, limit.Token);
+    }
+}
