@@ -185,83 +185,6 @@ public sealed partial class MachineSession : IAsyncDisposable
         return await WithStopAsync(stop => RunWatchedAsync(connection, job, program, options(address), stop), cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Where the active work origin puts a job on the connected machine, by the position that the controller reports now.</summary>
-    /// <returns>Null while none is connected, or while a job has the wire.</returns>
-    /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task<PlacementResult?> PlaceAsync(MotionProgram program, CancellationToken cancellation)
-    {
-        ArgumentNullException.ThrowIfNull(program);
-        await FreeAsync().ConfigureAwait(false);
-        if (_watched.Watch is not { } watch || Hold is not { } hold) return null;
-        var place = _place = await watch.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
-        hold.Recognise(place);
-        return Placed(program, hold.Memory, place);
-    }
-
-    /// <summary>Where the active origin puts a job; a job that would leave the travel there has no place.</summary>
-    private static PlacementResult Placed(MotionProgram program, MachineMemory memory, ControllerPlace place)
-    {
-        var found = WorkPlacement.Find(memory, place, new OriginRequest.Work(), program.Profile, program.Start);
-        return program.Strokes.Count == 0 ? found : WorkPlacement.Within(found, program, memory, place);
-    }
-
-    /// <summary>Looks at the controller now and finds where the active work origin puts a job. That nobody answers is told by the status.</summary>
-    /// <returns>Null while none is connected, while a job has the wire, or when nobody answers.</returns>
-    public async Task<PlacementResult?> AskAsync(MotionProgram program, CancellationToken cancellation)
-    {
-        await FreeAsync().ConfigureAwait(false);
-        if (_watched.Watch is not { } watch || IsRunning) return null;
-        try
-        {
-            Seen(await watch.LookAsync(cancellation).ConfigureAwait(false));
-            return await PlaceAsync(program, cancellation).ConfigureAwait(false);
-        }
-        catch (ControllerException failure)
-        {
-            _status.Lost(failure);
-            return null;
-        }
-    }
-
-    /// <summary>The same by the position that the watch saw last, for a list that is always shown; the controller is not asked.</summary>
-    /// <returns>Null while no controller is connected, or before it was looked at.</returns>
-    public PlacementResult? LastPlacement(MotionProgram program)
-    {
-        ArgumentNullException.ThrowIfNull(program);
-        var scale = program.Profile.Scale;
-        return Status.MachinePosition is { } at ? LastPlacement(program, scale.ToCounts(at) with { Z = scale.ToHeight(Status.MachineHeight ?? 0.0) }) : null;
-    }
-
-    private PlacementResult? LastPlacement(MotionProgram program, CountsPoint at) => _place is { } place && Hold is { } hold
-        ? Placed(program, hold.Memory, place with { Mark = hold.KnowsZero ? hold.Memory.Mark : null, Clock = null, Position = at })
-        : null;
-
-    /// <summary>Changes the work origins, with the machine's position as the controller tells it now. Disarms.</summary>
-    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
-    /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
-    public async Task<MachineMemory> SetOriginAsync(Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation)
-    {
-        await FreeAsync().ConfigureAwait(false);
-        if (_watched.Watch is not { } watch || Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
-        Disarm();
-        var memory = await watch.SetOriginAsync(Profile.Axes, hold, set, cancellation).ConfigureAwait(false);
-        OriginChanged(hold);
-        return memory;
-    }
-
-    /// <summary>Chooses the work origin that jobs use from now on. Disarms.</summary>
-    /// <param name="name">One of <see cref="WorkOriginNames"/>.</param>
-    /// <returns>Why it could not be kept; null when it was.</returns>
-    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
-    public string? ChooseOrigin(string name)
-    {
-        if (Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
-        Disarm();
-        var failure = hold.Set(memory => memory with { Active = name });
-        OriginChanged(hold);
-        return failure;
-    }
-
     /// <summary>Stops the job under way: the machine brakes, the tool goes off, the job ends as stopped. With no job the axes of a connected machine brake all the same. Never waits, from any thread.</summary>
     /// <returns>False when no job runs.</returns>
     public bool Stop()
@@ -392,15 +315,6 @@ public sealed partial class MachineSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Takes the new place of the drawing's zero and forgets the last job, which was cut elsewhere, and what START should cut of it.</summary>
-    private void OriginChanged(MachineHold hold)
-    {
-        Part = null;
-        _status.Placed(hold.Memory.ActiveOrigin?.Plane);
-        if (Status.MachinePosition is { } at) _status.OriginIs(OriginMissing(Profile.Scale.ToCounts(at) with { Z = Profile.Scale.ToHeight(Status.MachineHeight ?? 0.0) }));
-        DismissJob();
-    }
-
     private void Seen(MachineReading poll)
     {
         while (_watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message);
@@ -410,9 +324,6 @@ public sealed partial class MachineSession : IAsyncDisposable
         _status.HomedIs(IsHomed);
         _status.Seen(poll);
     }
-
-    /// <summary>Why the active origin gives no place for a job, by what the watch saw; empty when it gives one.</summary>
-    private string OriginMissing(CountsPoint at) => LastPlacement(new MotionProgram(Profile, default, []), at)?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message : "";
 
     private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {

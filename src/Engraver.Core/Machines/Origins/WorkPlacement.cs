@@ -27,12 +27,14 @@ public static class WorkPlacement
     }
 
     /// <summary>The same place, unless the job that is placed there leaves the machine's travel.</summary>
-    public static PlacementResult Within(PlacementResult found, MotionProgram program, MachineMemory memory, ControllerPlace place)
+    /// <param name="dryRun">The tool stays out of the work.</param>
+    public static PlacementResult Within(PlacementResult found, MotionProgram program, bool dryRun, MachineMemory memory, ControllerPlace place)
     {
         ArgumentNullException.ThrowIfNull(found);
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(memory);
-        return found.Frame is { } frame && memory.KnowsTravel(program.Profile, place) && TravelLimits.Refusal(program, frame) is { } outside ? found with { Frame = null, Refusal = outside } : found;
+        if (found.Frame is not { } frame || !memory.KnowsTravel(program.Profile, place)) return found;
+        return TravelLimits.Refusal(program.Profile, program, frame, dryRun) is { } outside ? found with { Frame = null, Refusal = outside } : found with { StaysInside = true };
     }
 
     /// <summary>Why the controller's position cannot be trusted by what is kept; null when it can.</summary>
@@ -121,6 +123,9 @@ public sealed record PlacementResult(CountsPoint? Frame, OriginSource Source, Di
 {
     /// <summary>No origin was set: the controller counts 0, and that place is taken.</summary>
     public bool IsAssumed { get; init; }
+
+    /// <summary>The job was held against the travel of the machine and does not leave it; false also where nobody knows the travel.</summary>
+    public bool StaysInside { get; init; }
 }
 
 /// <summary>Where a job's origin comes from.</summary>

@@ -15,7 +15,7 @@ internal sealed class CncStatusCommand : ICommand
     {
         var machine = context.Machine;
         var job = context.Derivation is { IsCurrent: true, Current.Job: { } derived } ? derived : null;
-        var placement = machine is { Description: not null, IsRunning: false } ? await machine.AskAsync(job?.Motion.Program ?? new MotionProgram(machine.Profile, default, []), cancellation).ConfigureAwait(false) : null;
+        var placement = machine is { Description: not null, IsRunning: false } ? await machine.AskAsync(job?.Motion.Program, dryRun: machine.Armed is { DryRun: true }, cancellation).ConfigureAwait(false) : null;
         context.SayResult(output =>
         {
             output.WriteLine(machine.Description is { } description ? Wording.Get("CncStatus.At", machine.IsSimulation ? Wording.Get("CncStatus.Simulation") : Wording.Get("CncStatus.Connected"), machine.Identity?.Model, description) : Wording.Get("CncStatus.Offline"));
