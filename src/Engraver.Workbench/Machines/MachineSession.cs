@@ -30,6 +30,7 @@ public sealed partial class MachineSession : IAsyncDisposable
         _watched = new WatchedConnection(time, () => Profile.Axes, Seen, _status.Lost);
         _work = new ActiveJob(_status.JobIsOver, RaiseChanged);
         Terminal = new LiveTerminal(time, AnswerAsync);
+        Presence = new OperatorPresence(time, RaiseChanged);
     }
 
     /// <summary>Raised when a connection or a job begins or ends, with each look at the controller and each progress; on any thread.</summary>
@@ -42,6 +43,9 @@ public sealed partial class MachineSession : IAsyncDisposable
 
     /// <summary>The lines of the terminal page.</summary>
     public LiveTerminal Terminal { get; }
+
+    /// <summary>Begins continuous jogs, and hears the front end's signs of life meanwhile.</summary>
+    public OperatorPresence Presence { get; }
 
     /// <summary>The machine profile, by which counts become millimetres and the tool's output is known. Setting another one disarms.</summary>
     public MachineProfile Profile

@@ -35,8 +35,8 @@ public class TravelLimitsTests
         var line = new VectorSegment(VectorSegmentKind.Line, new CountsPoint(-1000, -70), 0, 0, 0, 0, 70);
         var program = new MotionProgram(Profile(), new CountsPoint(-5, 3), [new MotionStroke(0, new CountsPoint(1000, 0), [new VectorSequence(new CountsPoint(1000, 0), 1000, [arc, line])])]);
 
-        Assert.Equal(new MotionExtents(-1000, -70, 1000, 1000), MotionExtents.Of(program));
-        Assert.Equal(new MotionExtents(-1000, -70, 2000, 1000), MotionExtents.Of(program with { Finish = new CountsPoint(2000, 0) }));
+        Assert.Equal(new MotionExtents(-1000, -70, 1000, 1000, new CountsRange(0, 0)), MotionExtents.Of(program));
+        Assert.Equal(new MotionExtents(-1000, -70, 2000, 1000, new CountsRange(0, 0)), MotionExtents.Of(program with { Finish = new CountsPoint(2000, 0) }));
         var clockwise = program with { Strokes = [new MotionStroke(0, new CountsPoint(1000, 0), [new VectorSequence(new CountsPoint(1000, 0), 1000, [arc with { DeltaDegrees = -180.0 }])])] };
         Assert.Equal(-1000, MotionExtents.Of(clockwise).LeastY);
     }

@@ -58,7 +58,7 @@ public static class WorkPlacement
         ArgumentNullException.ThrowIfNull(profile);
         if (LossOf(memory, place) is { } lost) return (null, lost);
         if (memory.ActiveOrigin?.Z is null && memory.IsHomedAt(profile, place) && IsAtTop(place, profile)) return (place.Position.Z, null);
-        if (HeightOf(memory.ActiveOrigin, place) is not { } work) return (null, PreparationRules.HeightNotSet.At(default, memory.Active));
+        if (memory.ActiveOrigin?.Z is not { } work) return (null, PreparationRules.HeightNotSet.At(default, memory.Active));
         var clearance = work + profile.ClearanceCounts;
         return (profile.IsLower(place.Position.Z, clearance) ? clearance : place.Position.Z, null);
     }
@@ -90,8 +90,8 @@ public static class WorkPlacement
         return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
     }
 
-    /// <summary>Where nobody set a height and the controller counts 0 there, that is the height, as for the places in plan; otherwise null.</summary>
-    private static int? HeightOf(WorkOrigin? origin, ControllerPlace place) => origin?.Z ?? (place.Position.Z == 0 && origin is null or { IsAssumed: true } ? 0 : null);
+    /// <summary>Where nobody set an origin and the controller counts 0 in all axes, a job's work is taken to be there, in height as in plan, and the list before the start says so; otherwise null.</summary>
+    private static int? HeightOf(WorkOrigin? origin, ControllerPlace place) => origin?.Z ?? (place.Position == default && origin is null or { IsAssumed: true } ? 0 : null);
 
     private static PlacementResult Work(MachineMemory memory, ControllerPlace place, MachineProfile profile)
     {

@@ -32,8 +32,8 @@ internal sealed class CncStatusCommand : ICommand
 
     private static string StateText(MachineStatus status)
     {
-        var place = status.MachinePosition is { } at ? Wording.Get("CncStatus.MachineMm", PointPrompt.Show(at)) : "";
-        var work = status.WorkPosition is { } here ? Wording.Get("CncStatus.WorkMm", PointPrompt.Show(here)) : "";
+        var place = status.MachinePosition is { } at ? Wording.Get("CncStatus.MachineMm", PlaceText.Show(at, status.MachineHeight)) : "";
+        var work = status.WorkPosition is { } here ? Wording.Get("CncStatus.WorkMm", PlaceText.Show(here, status.WorkHeight)) : "";
         return Wording.Get("CncStatus.State", status.State.Said(), status.Reason.Length > 0 ? $" ({status.Reason})" : "", place, work, status.LastRefusal is { } refused ? Wording.Get("CncStatus.LastRefusal", refused) : "");
     }
 }

@@ -99,8 +99,9 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement, CheckSpeech speech)
     {
         if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? speech.Finding(refused).TrimEnd('.') : Wording.Get("ArmingChecklist.PlaceNotKnown"));
-        var scale = job.Settings.Machine.Scale;
-        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroLies", PointPrompt.Show(new Point2D(frame.X / scale.X, frame.Y / scale.Y))));
+        var machine = job.Settings.Machine;
+        var scale = machine.Height is null ? machine.Scale with { Z = 0.0 } : machine.Scale; // without a tool on it the height of an axis means nothing to a job
+        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroLies", PlaceText.Show(frame, scale)));
     }
 
     private static IEnumerable<ArmingCheck> LastJob(MachineStatus status)
