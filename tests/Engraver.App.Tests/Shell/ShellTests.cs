@@ -324,13 +324,13 @@ public sealed class ShellTests(DesktopFixture fixture)
 
     /// <summary>A figure that is too long becomes smaller; none of its digits is hidden.</summary>
     [Theory]
-    [InlineData("-123.456", "-1234.567")]
-    [InlineData("-12345.678", "-1234.567")]
-    [InlineData("12345.678", "1234.567")]
+    [InlineData("-123.456", "-1234.565")]
+    [InlineData("-12345.678", "-1234.565")]
+    [InlineData("12345.678", "1234.565")]
     public Task In_the_smallest_window_no_digit_of_a_place_is_hidden(string plane, string height) => fixture.WithOperator(here =>
     {
         here.Hands.Resize(new Size(1024, 700));
-        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:?speed=max", "CNCMOTORS", "ON", "CNCZERO", "All", "CNCJOG", $"{plane},{plane}", "CNCJOG", "Z+", height);
+        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:?speed=max", "CNCMOTORS", "ON", "CNCZERO", "All", "CNCJOG", $"{plane},{plane}", "CNCJOG", height[0] == '-' ? "Z-" : "Z+", height.TrimStart('-'));
         here.Until(() => here.Find<TextBlock>("ZText").Text == height && here.Find<TextBlock>("YText").Text == plane);
         var field = here.Find<Border>("PlaceField");
         var room = new Rect(field.Bounds.Size).Deflate(field.Padding).Inflate(0.5);
