@@ -35,7 +35,7 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule HeightOutsideTravel = new("JOB0033", Severity.Error, "axis", "place", "least", "most");
 
-    public static readonly DiagnosticRule DryRunOutsideTravel = new("JOB0034", Severity.Error, "axis", "place", "least", "most", "lift");
+    public static readonly DiagnosticRule DryRunOutsideTravel = new("JOB0034", Severity.Error, "lift", "axis", "place", "least", "most");
 
     public static readonly DiagnosticRule NotResumed = new("JOB0040", Severity.Error, "journal", "reason");
 

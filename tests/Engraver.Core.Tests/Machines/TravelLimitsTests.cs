@@ -67,8 +67,8 @@ public class TravelLimitsTests
     [InlineData(3.01, false, "JOB0033 C 8.01 -1 8")]
     [InlineData(-4, true, null)]
     [InlineData(-6, true, null)]
-    [InlineData(-3.99, true, "JOB0034 C 8.01 -1 8 7")]
-    [InlineData(-6.01, true, "JOB0034 C -1.01 -1 8 7")]
+    [InlineData(-3.99, true, "JOB0034 7 C 8.01 -1 8")]
+    [InlineData(-6.01, true, "JOB0034 7 C -1.01 -1 8")]
     public void A_job_whose_tool_would_leave_its_travel_is_refused_by_the_height_of_the_work_and_a_dry_run_by_its_own(double work, bool dryRun, string? said)
     {
         foreach (var scaleZ in (double[])[100, -100])

@@ -66,7 +66,7 @@ public static class TravelLimits
         var (letter, place) = (axis.Letter.ToString(), Number((least < limit.Least ? least : most) / axis.CountsPerMillimetre));
         var (down, up) = (Number(axis.Travel!.Least), Number(axis.Travel.Most));
         return dryRun
-            ? PreparationRules.DryRunOutsideTravel.At(default, letter, place, down, up, Number(DryLift.Of(program.Profile, extents) / axis.CountsPerMillimetre))
+            ? PreparationRules.DryRunOutsideTravel.At(default, Number(DryLift.Of(program.Profile, extents) / axis.CountsPerMillimetre), letter, place, down, up)
             : PreparationRules.HeightOutsideTravel.At(default, letter, place, down, up);
     }
 
