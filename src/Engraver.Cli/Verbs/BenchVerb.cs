@@ -29,7 +29,7 @@ internal static class BenchVerb
     /// <summary><c>engraver bench stop</c>: how long a STOP takes to the wire under each kind of fault.</summary>
     private static Command Stops(VerbHost host)
     {
-        var presses = new Option<int>("--presses") { HelpName = "N", Description = Wording.Get("Bench.Presses"), DefaultValueFactory = _ => 50 };
+        var presses = new Option<int>("--presses") { HelpName = "N", Description = Wording.Get("Bench.Presses"), DefaultValueFactory = _ => 200 };
         presses.Validators.Add(result =>
         {
             if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count is > 0 and <= 10_000)) result.AddError(Wording.Get("Bench.NoPresses", token.Value));
