@@ -8,8 +8,13 @@ namespace Engraver.Core.Offsets;
 /// What is taken away is certainly too near; what is left is judged later, so that it does not matter how much is left.</remarks>
 internal sealed class CoveredEnds
 {
-    /// <summary>Part of the distance by which what is taken away must be nearer.</summary>
-    private const double Depth = 1e-3;
+    /// <summary>Part of the distance, and tolerances, by which what is taken away must be nearer.</summary>
+    private const double Depth = 1e-6;
+
+    private const double DepthTolerances = 16.0;
+
+    /// <summary>Part of the distance: nearer to the border than this no further step is worth its search.</summary>
+    private const double LeastStep = 1e-3;
 
     /// <summary>Places at which one end of a piece is measured at most.</summary>
     private const int MostSteps = 40;
@@ -29,7 +34,7 @@ internal sealed class CoveredEnds
 
     private CoveredEnds(RawOffset raw, PieceTree? source)
     {
-        (_source, _drawn, _radius) = (source, raw.Drawn, raw.Distance * (1.0 - Depth));
+        (_source, _drawn, _radius) = (source, raw.Drawn, (raw.Distance * (1.0 - Depth)) - (DepthTolerances * raw.Tolerance));
         (_pieces, _nodes) = ([.. raw.Pieces], [.. raw.Nodes]);
         _gone = new bool[_pieces.Length];
         (_pieceBefore, _pieceBehind) = (new int[_nodes.Count], new int[_nodes.Count]);
@@ -50,7 +55,7 @@ internal sealed class CoveredEnds
     public static CoveredEnds TakenFrom(RawOffset raw, PieceTree? source)
     {
         var ends = new CoveredEnds(raw, source);
-        if (source is not null) ends.TakeAway();
+        if (source is not null && ends._radius > 0.0) ends.TakeAway();
         return ends;
     }
 
@@ -132,7 +137,7 @@ internal sealed class CoveredEnds
             var source = _source!.NearestPiece(piece.At(at), ref near);
             if (source < 0) break;
             at = Math.Max(at + ((_radius - near) / piece.Length), PieceReach.CoveredFrom(piece, at, _source.Pieces[source], _radius));
-            if (_radius - near < Depth * _radius) break;
+            if (_radius - near < LeastStep * _radius) break;
         }
 
         return Math.Min(at, 1.0);

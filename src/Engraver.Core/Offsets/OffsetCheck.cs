@@ -20,18 +20,26 @@ internal static class OffsetCheck
         List<RationalCurve> curves = [.. segments.Where(segment => segment.IsFreeCurve).Select(segment => segment.Curve)];
         var boxes = curves.Count == 0 ? null : BoxTree.Build([.. curves.Select(curve => curve.Bounds)]);
         var largest = 0.0;
-        foreach (var place in Places(drawn, loops, options.Join == OffsetJoin.Round))
+        foreach (var (place, own) in Places(drawn, loops, options.Join == OffsetJoin.Round))
         {
-            var nearest = tree.Nearest(place, distance * NearEnough);
-            if (nearest >= distance * NearEnough) nearest = tree.Nearest(place, double.PositiveInfinity);
-            boxes?.Nearest(place, (curve, from) => curves[curve].DistanceTo(from), nearest, out nearest);
+            var nearest = options.Join == OffsetJoin.Bevel ? DistanceTo(own, place) : Nearest(place); // a bevelled corner may be nearer
             largest = Math.Max(largest, Math.Abs(nearest - distance));
         }
 
         return largest;
+
+        double Nearest(Point2D place)
+        {
+            var nearest = tree.Nearest(place, distance * NearEnough);
+            if (nearest >= distance * NearEnough) nearest = tree.Nearest(place, double.PositiveInfinity);
+            boxes?.Nearest(place, (curve, from) => curves[curve].DistanceTo(from), nearest, out nearest);
+            return nearest;
+        }
     }
 
-    private static IEnumerable<Point2D> Places(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetLoop> loops, bool joinsAreRound)
+    private static double DistanceTo(in Segment segment, Point2D place) => segment.IsFreeCurve ? segment.Curve.DistanceTo(place) : PathPiece.FromSegment(segment).DistanceTo(place);
+
+    private static IEnumerable<(Point2D Place, Segment Own)> Places(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetLoop> loops, bool joinsAreRound)
     {
         var (step, number) = (1 + (loops.Sum(loop => loop.Segments.Count) / MostMeasured), 0);
         foreach (var loop in loops)
@@ -39,8 +47,9 @@ internal static class OffsetCheck
             for (var i = 0; i < loop.Segments.Count; i++)
             {
                 if (number++ % step != 0) continue;
-                if (joinsAreRound) yield return loop.Segments[i].PointAt(0.5);
-                else if (!loop.Sources[i].IsJoin && Beside(loop.Segments[i], drawn[loop.Sources[i].Contour].Segments[loop.Sources[i].Segment]) is { } place) yield return place;
+                var own = drawn[loop.Sources[i].Contour].Segments[loop.Sources[i].Segment];
+                if (joinsAreRound) yield return (loop.Segments[i].PointAt(0.5), own);
+                else if (!loop.Sources[i].IsJoin && Beside(loop.Segments[i], own) is { } place) yield return (place, own);
             }
         }
     }
