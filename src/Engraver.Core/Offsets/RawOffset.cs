@@ -114,10 +114,10 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         if (!before.Exists || !after.Exists) return false;
         if (!source.IsArc && !next.IsArc)
         {
-            var setback = distance * sin / (1.0 + cos);
+            var setback = cos > 0.0 ? distance * sin / (1.0 + cos) : distance * (1.0 - cos) / sin; // the same, without a difference of nearly equal numbers
             if (!(setback <= source.Length && setback <= next.Length)) return false;
-            var bisector = (Left(source.EndTangent) + Left(next.StartTangent)) * (distance / (1.0 + cos));
-            TrimAt(ref before, ref after, source.End + bisector, 1.0 - (setback / source.Length), setback / next.Length);
+            var place = source.End + (Left(source.EndTangent) * distance) - (source.EndTangent * setback);
+            TrimAt(ref before, ref after, place, 1.0 - (setback / source.Length), setback / next.Length);
             return true;
         }
 

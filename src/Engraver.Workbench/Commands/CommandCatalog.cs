@@ -37,6 +37,6 @@ public sealed class CommandCatalog
         new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(),
         new CncSimCommand(), new CncArmCommand(), new CncRunCommand(), new CncHoldCommand(), new CncResumeCommand(), new CncOverrideCommand(), new CncStopCommand(), new CncAbortCommand(),
         new CncTraceCommand(), new AlarmsCommand(), new CncTerminalCommand(),
-        .. SettingCommand.All, .. SystemVariableCommand.All,
+        .. SettingCommand.All, new KerfCommand(), .. SystemVariableCommand.All,
     ]);
 }
