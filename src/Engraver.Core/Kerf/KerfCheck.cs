@@ -91,22 +91,7 @@ internal sealed class KerfCheck
 
     private static double Nearest(BoxTree boxes, Segment[] segments, Point2D place)
     {
-        boxes.Nearest(place, (item, from) => Distance(segments[item], from), double.PositiveInfinity, out var distance);
+        boxes.Nearest(place, (item, from) => SegmentDistance.Measure(segments[item], from), double.PositiveInfinity, out var distance);
         return distance;
-    }
-
-    private static double Distance(in Segment segment, Point2D place)
-    {
-        if (segment.IsFreeCurve) return segment.Curve.DistanceTo(place);
-        if (segment.Kind == SegmentKind.Line)
-        {
-            var (way, from) = (segment.End - segment.Start, place - segment.Start);
-            return way.LengthSquared == 0.0 ? from.Length : (from - (way * Math.Clamp(from.Dot(way) / way.LengthSquared, 0.0, 1.0))).Length;
-        }
-
-        var arc = segment.Arc;
-        var spoke = place - arc.Centre;
-        var ahead = arc.Sweep.Degrees >= 0.0 ? (spoke.Direction - arc.Start).Positive().Degrees : (arc.Start - spoke.Direction).Positive().Degrees;
-        return ahead <= Math.Abs(arc.Sweep.Degrees) ? Math.Abs(spoke.Length - arc.Radius) : Math.Min(place.DistanceTo(segment.Start), place.DistanceTo(segment.End));
     }
 }
