@@ -116,8 +116,8 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         {
             var setback = cos > 0.0 ? distance * sin / (1.0 + cos) : distance * (1.0 - cos) / sin; // the same, without a difference of nearly equal numbers
             if (!(setback <= source.Length && setback <= next.Length)) return false;
-            var place = source.End + (Left(source.EndTangent) * distance) - (source.EndTangent * setback);
-            TrimAt(ref before, ref after, place, 1.0 - (setback / source.Length), setback / next.Length);
+            var meeting = source.End + (Left(source.EndTangent) * distance) - (source.EndTangent * setback);
+            TrimAt(ref before, ref after, meeting, 1.0 - (setback / source.Length), setback / next.Length);
             return true;
         }
 
