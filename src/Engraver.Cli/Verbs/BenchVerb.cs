@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Engraver.Benchmarks.Offsets;
 using Engraver.Benchmarks.Stages;
 using Engraver.Benchmarks.Stops;
 using Engraver.Benchmarks.Trajectories;
@@ -23,6 +24,7 @@ internal static class BenchVerb
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(sizes), stop));
         command.Subcommands.Add(Stops(host));
         command.Subcommands.Add(Trajectories(host));
+        command.Subcommands.Add(Offsets(host));
         return command;
     }
 
@@ -51,6 +53,20 @@ internal static class BenchVerb
         });
         var command = new Command("trajectories", Wording.Get("Bench.Trajectories")) { curves };
         command.SetAction((parsed, stop) => TrajectoriesAsync(host, parsed.GetValue(curves), stop));
+        return command;
+    }
+
+    /// <summary><c>engraver bench offsets</c>: processor time of offsets and how it grows.</summary>
+    private static Command Offsets(VerbHost host)
+    {
+        var sizes = new Argument<int[]>("VERTICES") { Description = Wording.Get("Bench.Vertices"), Arity = ArgumentArity.ZeroOrMore, DefaultValueFactory = _ => [10_000, 100_000], CustomParser = Sizes };
+        var command = new Command("offsets", Wording.Get("Bench.Offsets")) { sizes };
+        command.SetAction(async (parsed, stop) =>
+        {
+            await SayAsync(host, OffsetBenchmark.Head, stop).ConfigureAwait(false);
+            foreach (var row in OffsetBenchmark.Rows(parsed.GetRequiredValue(sizes), stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            return ExitCode.Done;
+        });
         return command;
     }
 
@@ -107,7 +123,7 @@ internal static class BenchVerb
         foreach (var token in result.Tokens)
         {
             if (int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var size) && size is > 0 and <= 10_000_000) sizes.Add(size);
-            else result.AddError(Wording.Get("Bench.EntitiesNotNumberFrom", token.Value));
+            else result.AddError(Wording.Get("Bench.EntitiesNotNumberFrom", result.Argument.Name, token.Value));
         }
 
         return [.. sizes];

@@ -29,7 +29,7 @@ public sealed class CommandCatalog
         new OpenCommand(), new RecentCommand(), new CloseCommand(), new SaveAsCommand(), new ExportCommand(), new OptionsCommand(), new ScriptCommand(), new UndoCommand(), new UCommand(), new RedoCommand(), new HelpCommand(), new ReinitCommand(),
         new ZoomCommand(), new PanCommand(), new RegenCommand(), new OsnapCommand(), new ThemeCommand(), new ShowCommand(), new PlaybackCommand(), .. SwitchCommand.All, .. SpacingCommand.All,
         new SelectCommand(), new ListCommand(), new PropertiesCommand(), new DistCommand(), new IdCommand(), new AreaCommand(), new LayerCommand(), new CheckCommand(), new TableCommand(),
-        new EraseCommand(), new MoveCommand(), new CopyCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
+        new EraseCommand(), new MoveCommand(), new CopyCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new OffsetCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
         new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
         new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new PostCommand(), new VerifyCommand(), new PlotCommand(),
@@ -37,6 +37,6 @@ public sealed class CommandCatalog
         new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(),
         new CncSimCommand(), new CncArmCommand(), new CncRunCommand(), new CncHoldCommand(), new CncResumeCommand(), new CncOverrideCommand(), new CncStopCommand(), new CncAbortCommand(),
         new CncTraceCommand(), new AlarmsCommand(), new CncTerminalCommand(),
-        .. SettingCommand.All, .. SystemVariableCommand.All,
+        .. SettingCommand.All, new KerfCommand(), .. SystemVariableCommand.All,
     ]);
 }

@@ -13,10 +13,8 @@ public static class DrawingPlot
     public static PlotModel Create(Drawing drawing, DrawingSettings settings, bool asDrawn)
     {
         var title = Path.GetFileName(drawing.FileName);
-        var analysed = JobPreparation.Analyse(drawing, settings);
-        return asDrawn
-            ? PlotModel.FromDrawing(analysed, title)
-            : PlotModel.FromPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, analysed, settings), settings), title);
+        if (asDrawn) return PlotModel.FromDrawing(JobPreparation.Analyse(drawing, settings), title);
+        return PlotModel.FromPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, JobPreparation.ToCut(drawing, settings), settings), settings), title);
     }
 
     /// <summary>A run over the drawing.</summary>
@@ -26,7 +24,7 @@ public static class DrawingPlot
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(trace);
-        var (analysed, name) = (JobPreparation.Analyse(drawing, settings), Path.GetFileName(drawing.FileName));
+        var (analysed, name) = (JobPreparation.ToCut(drawing, settings).Table, Path.GetFileName(drawing.FileName));
         if (!trace.CanBeOf(DrawnFingerprint.Of(analysed.ToSegments()))) throw new FormatException(Wording.Get("Trace.OtherDrawing", name));
         if (measure == RunMeasure.Following && !trace.KnowsFollowing) throw new FormatException(Wording.Get("Trace.NoFollowing"));
         return RunPlot.Create(analysed, trace, measure, name);
