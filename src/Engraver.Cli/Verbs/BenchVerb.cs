@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Engraver.Benchmarks.Pockets;
 using Engraver.Benchmarks.Stages;
 using Engraver.Benchmarks.Stops;
 using Engraver.Benchmarks.Trajectories;
@@ -23,6 +24,7 @@ internal static class BenchVerb
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(sizes), stop));
         command.Subcommands.Add(Stops(host));
         command.Subcommands.Add(Trajectories(host));
+        command.Subcommands.Add(Pockets(host));
         return command;
     }
 
@@ -51,6 +53,19 @@ internal static class BenchVerb
         });
         var command = new Command("trajectories", Wording.Get("Bench.Trajectories")) { curves };
         command.SetAction((parsed, stop) => TrajectoriesAsync(host, parsed.GetValue(curves), stop));
+        return command;
+    }
+
+    /// <summary><c>engraver bench pockets</c>: processor time of pockets.</summary>
+    private static Command Pockets(VerbHost host)
+    {
+        var command = new Command("pockets", Wording.Get("Bench.Pockets"));
+        command.SetAction(async (_, stop) =>
+        {
+            await SayAsync(host, PocketBenchmark.Head, stop).ConfigureAwait(false);
+            foreach (var row in PocketBenchmark.Rows(stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            return ExitCode.Done;
+        });
         return command;
     }
 
