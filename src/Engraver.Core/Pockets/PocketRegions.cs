@@ -67,12 +67,13 @@ internal static class PocketRegions
         Segment[][] arcs = [.. closed.Select(contour => Arcs(contour, options))];
         ContourRegion[] insides = [.. arcs.Select(segments => new ContourRegion(segments))];
         var around = Around(arcs, insides);
+        var islands = Enumerable.Range(0, closed.Count).Where(hole => around[hole].Count % 2 == 1).ToLookup(hole => around[hole].Where(outer => around[outer].Count == around[hole].Count - 1).DefaultIfEmpty(-1).First());
         var regions = new List<PocketRegion>();
         for (var outer = 0; outer < closed.Count; outer++)
         {
             if (around[outer].Count % 2 != 0) continue;
-            int[] members = [outer, .. Enumerable.Range(0, closed.Count).Where(hole => around[hole].Count == around[outer].Count + 1 && around[hole].Contains(outer))];
-            regions.Add(new PocketRegion([.. members.Select(member => closed[member])], inset, [.. members.Select(member => Wall(arcs[member], member == outer))]));
+            int[] members = [outer, .. islands[outer]];
+            regions.Add(new PocketRegion([.. members.Select(member => closed[member])], inset, [.. members.Select(member => Wall(arcs[member], member == members[0]))]));
         }
 
         return regions;
