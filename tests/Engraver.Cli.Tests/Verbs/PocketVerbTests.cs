@@ -52,6 +52,21 @@ public class PocketVerbTests
     }
 
     [Fact]
+    public async Task The_drawing_that_is_written_is_planned_posted_and_verified()
+    {
+        using var folder = new TemporaryFolder();
+        var (written, program) = (folder.PathOf("pocket.dxf"), folder.PathOf("pocket.dmc"));
+        await CliRun.RunAsync("pocket", FileOf(folder, Square), "--tool", "2", "--overlap", "0.5", "--depth", "1", "--entry", "ramp", "-o", written);
+        var plan = await CliRun.RunAsync("plan", written, "--machine", SampleDrawing.MillProfile, "--order", "drawn", "--json");
+        var post = await CliRun.RunAsync("post", written, "--target", "galil", "--machine", SampleDrawing.MillProfile, "--order", "drawn", "-o", program);
+        var verify = await CliRun.RunAsync("verify", program, "--against", written, "--target", "galil", "--machine", SampleDrawing.MillProfile, "--order", "drawn", "--json");
+
+        Assert.Equal((ExitCode.Done, ExitCode.Done, ExitCode.Done), (plan.ExitCode, post.ExitCode, verify.ExitCode));
+        Assert.True(JsonText.Of(verify).GetProperty("ok").GetBoolean());
+        Assert.True(JsonText.Of(plan).GetProperty("cutLength").GetDouble() > 100.0);
+    }
+
+    [Fact]
     public async Task The_boundary_of_a_hatch_is_a_pocket()
     {
         using var folder = new TemporaryFolder();
