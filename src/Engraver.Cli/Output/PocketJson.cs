@@ -11,16 +11,16 @@ namespace Engraver.Cli.Output;
 /// <param name="Coverage">Covered part of the reachable area, 0 to 1.</param>
 /// <param name="Strokes">What is cut without a lift, in order, every level by itself.</param>
 internal sealed record PocketJson(
-    IReadOnlyList<PocketJson.PassJson> Loops, double MaxDeviation, int Regions, double DrawnArea, double ReachableArea, double CoveredArea, double UncoveredArea, double Coverage, double UnreachableArea,
-    IReadOnlyList<PocketJson.PlaceJson> Unreached, IReadOnlyList<PocketJson.NarrowJson> TooNarrow, IReadOnlyList<double> Levels, IReadOnlyList<PocketJson.StrokeJson> Strokes)
+    IReadOnlyList<PocketJson.PocketPassJson> Loops, double MaxDeviation, int Regions, double DrawnArea, double ReachableArea, double CoveredArea, double UncoveredArea, double Coverage, double UnreachableArea,
+    IReadOnlyList<PocketJson.PocketPlaceJson> Unreached, IReadOnlyList<PocketJson.PocketNarrowJson> TooNarrow, IReadOnlyList<double> Levels, IReadOnlyList<PocketJson.PocketStrokeJson> Strokes)
 {
     public static PocketJson From(PocketDrawing pocket, PocketDepths depths)
     {
         var result = pocket.Result;
         return new PocketJson(
             [.. result.Passes.Select(PassOf)], result.MaxDeviation, result.Regions, result.DrawnArea, result.ReachableArea, result.CoveredArea, result.UncoveredArea, result.Coverage, result.UnreachableArea,
-            [.. result.Unreached.Select(place => new PlaceJson(place.Place.X, place.Place.Y, place.Depth, place.Area))],
-            [.. result.TooNarrow.Select(narrow => new NarrowJson(narrow.Place.X, narrow.Place.Y, narrow.Width))],
+            [.. result.Unreached.Select(place => new PocketPlaceJson(place.Place.X, place.Place.Y, place.Depth, place.Area))],
+            [.. result.TooNarrow.Select(narrow => new PocketNarrowJson(narrow.Place.X, narrow.Place.Y, narrow.Width))],
             depths.Heights,
             [.. pocket.Cuts.Select(StrokeOf)]);
     }
@@ -39,17 +39,17 @@ internal sealed record PocketJson(
         output.WriteLine(Wording.Get("Offset.MaxDeviation", result.MaxDeviation));
     }
 
-    private static PassJson PassOf(PocketPass pass)
+    private static PocketPassJson PassOf(PocketPass pass)
     {
         var loop = new OffsetLoop(pass.Segments, pass.Closed);
-        return new PassJson(pass.Closed, loop.Lines, loop.Arcs, loop.Length, Math.Abs(loop.SignedArea), loop.IsHole, Word(pass.Kind), pass.Level, pass.Region);
+        return new PocketPassJson(pass.Closed, loop.Lines, loop.Arcs, loop.Length, Math.Abs(loop.SignedArea), loop.IsHole, Word(pass.Kind), pass.Level, pass.Region);
     }
 
-    private static StrokeJson StrokeOf(PocketCut cut)
+    private static PocketStrokeJson StrokeOf(PocketCut cut)
     {
         var moves = cut.Stroke.Moves;
         var links = moves.Where(move => move.IsLink).Sum(move => move.Segment.Length);
-        return new StrokeJson(cut.Stroke.Region, cut.Stroke.IsFinish, cut.Z, Word(cut.Entry), cut.Stroke.Start.X, cut.Stroke.Start.Y, cut.Stroke.End.X, cut.Stroke.End.Y, moves.Sum(move => move.Segment.Length) - links, links);
+        return new PocketStrokeJson(cut.Stroke.Region, cut.Stroke.IsFinish, cut.Z, Word(cut.Entry), cut.Stroke.Start.X, cut.Stroke.Start.Y, cut.Stroke.End.X, cut.Stroke.End.Y, moves.Sum(move => move.Segment.Length) - links, links);
     }
 
     private static string Word<T>(T value)
@@ -59,14 +59,14 @@ internal sealed record PocketJson(
     /// <param name="Hole">The pocket lies around it.</param>
     /// <param name="Kind">wall, contour, sliver, row, finish.</param>
     /// <param name="Level">0 at the wall, counted inwards; the number of a row.</param>
-    internal sealed record PassJson(bool Closed, int Lines, int Arcs, double Length, double Area, bool Hole, string Kind, int Level, int Region);
+    internal sealed record PocketPassJson(bool Closed, int Lines, int Arcs, double Length, double Area, bool Hole, string Kind, int Level, int Region);
 
     /// <param name="Depth">Distance of the place from what the tool reaches, mm.</param>
     /// <param name="Area">mm2, null where it is not known.</param>
-    internal sealed record PlaceJson(double X, double Y, double Depth, double? Area);
+    internal sealed record PocketPlaceJson(double X, double Y, double Depth, double? Area);
 
-    internal sealed record NarrowJson(double X, double Y, double Width);
+    internal sealed record PocketNarrowJson(double X, double Y, double Width);
 
     /// <param name="Entry">plunge, ramp, helix.</param>
-    internal sealed record StrokeJson(int Region, bool Finish, double Z, string Entry, double StartX, double StartY, double EndX, double EndY, double CutLength, double LinkLength);
+    internal sealed record PocketStrokeJson(int Region, bool Finish, double Z, string Entry, double StartX, double StartY, double EndX, double EndY, double CutLength, double LinkLength);
 }
