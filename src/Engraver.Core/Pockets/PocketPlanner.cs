@@ -25,7 +25,7 @@ public static class PocketPlanner
         ArgumentOutOfRangeException.ThrowIfNegative(options.Allowance);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(options.Allowance, options.ToolRadius);
         var offset = new OffsetOptions { MaxErrorMm = options.MaxErrorMm };
-        var regions = PocketRegions.Of(contours, offset);
+        var (regions, unresolved) = PocketRegions.Of(contours, offset);
         var plans = regions.Select((region, number) => RegionPlan.Of(region, number, options, offset)).ToList();
         return new PocketResult
         {
@@ -37,7 +37,7 @@ public static class PocketPlanner
             Unreached = [.. plans.SelectMany(plan => plan.Unreached)],
             LeftStanding = [.. plans.SelectMany(plan => plan.LeftStanding)],
             TooNarrow = [.. plans.Select(plan => plan.Narrow).OfType<NarrowRegion>()],
-            Unresolved = [.. plans.SelectMany(plan => plan.Depths.Unresolved)],
+            Unresolved = [.. unresolved, .. plans.SelectMany(plan => plan.Depths.Unresolved)],
             MaxDeviation = plans.Count == 0 ? 0.0 : plans.Max(plan => plan.Depths.MaxDeviation),
             WithoutInside = contours.Count(contour => !contour.Closed),
             Regions = regions.Count,

@@ -19,21 +19,28 @@ internal sealed record PocketRegion(IReadOnlyList<OffsetContour> Contours, doubl
 /// <summary>Closed contours to regions by nesting: what lies inside an odd number of them.</summary>
 internal static class PocketRegions
 {
-    /// <summary>Millimetres by which contours that cross or touch are drawn in, which parts them.</summary>
-    private const double CrossingInset = 1e-7;
+    /// <summary>Millimetres by which contours that cross or touch are drawn in, which parts them; the least at which the offset closes.</summary>
+    private static readonly double[] s_insets = [1e-7, 1e-6, 1e-5, 1e-4, 1e-3];
 
     private const double Tolerance = 1e-10;
 
     /// <summary>Within which drawn ends are joined, millimetres.</summary>
     private const double JoinTolerance = 0.01;
 
-    public static List<PocketRegion> Of(IReadOnlyList<OffsetContour> contours, OffsetOptions options)
+    /// <summary>The regions in the order of their outer contours, and where contours that cross could not be parted.</summary>
+    public static (List<PocketRegion> Regions, IReadOnlyList<Point2D> Unresolved) Of(IReadOnlyList<OffsetContour> contours, OffsetOptions options)
     {
         List<OffsetContour> closed = [.. contours.Where(contour => contour.Closed && contour.Segments.Any(segment => segment.Length > 0.0))];
-        if (closed.Count == 0) return [];
-        if (!TouchEachOther(closed, options)) return Split(closed, 0.0, options);
-        var parted = ContourOffset.Offset(closed, CrossingInset, OffsetSide.In, options);
-        return Split([.. parted.Loops.Select(loop => new OffsetContour(loop.Segments, true))], CrossingInset, options);
+        if (closed.Count == 0) return ([], []);
+        if (!TouchEachOther(closed, options)) return (Split(closed, 0.0, options), []);
+        var (inset, parted) = (0.0, default(OffsetResult));
+        foreach (var by in s_insets)
+        {
+            (inset, parted) = (by, ContourOffset.Offset(closed, by, OffsetSide.In, options));
+            if (parted.Unresolved.Count == 0) break;
+        }
+
+        return (Split([.. parted!.Loops.Select(loop => new OffsetContour(loop.Segments, true))], inset, options), parted.Unresolved);
     }
 
     /// <summary>True when any two pieces have a point in common besides that of neighbours. Where that is in doubt it is true, which only costs the inset.</summary>
