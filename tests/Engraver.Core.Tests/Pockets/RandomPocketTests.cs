@@ -22,6 +22,16 @@ public class RandomPocketTests
         for (var seed = 0; seed < Seeds; seed++) Judge(seed, strategy, fromCentre, allowance);
     }
 
+    /// <summary>An island across the wall, which an offset by a ten-millionth of a millimetre did not part from it: the island beside it was cleared and the pocket not.</summary>
+    [Theory]
+    [InlineData(19)]
+    [InlineData(107)]
+    public void Contours_that_cross_are_parted(int seed)
+    {
+        Judge(seed, PocketStrategy.Contour, fromCentre: false, 0.0);
+        Judge(seed, PocketStrategy.Zigzag, fromCentre: false, 0.0);
+    }
+
     /// <summary>Overlaps from 0.3 to 0.95 and angles in steps of 24 degrees on one shape.</summary>
     [Fact]
     public void Every_overlap_and_angle_leaves_nothing()
