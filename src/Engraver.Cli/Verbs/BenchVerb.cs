@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using Engraver.Benchmarks.Offsets;
+using Engraver.Benchmarks.Pockets;
 using Engraver.Benchmarks.Stages;
 using Engraver.Benchmarks.Stops;
 using Engraver.Benchmarks.Trajectories;
@@ -25,6 +26,7 @@ internal static class BenchVerb
         command.Subcommands.Add(Stops(host));
         command.Subcommands.Add(Trajectories(host));
         command.Subcommands.Add(Offsets(host));
+        command.Subcommands.Add(Pockets(host));
         return command;
     }
 
@@ -65,6 +67,19 @@ internal static class BenchVerb
         {
             await SayAsync(host, OffsetBenchmark.Head, stop).ConfigureAwait(false);
             foreach (var row in OffsetBenchmark.Rows(parsed.GetRequiredValue(sizes), stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    /// <summary><c>engraver bench pockets</c>: processor time of pockets.</summary>
+    private static Command Pockets(VerbHost host)
+    {
+        var command = new Command("pockets", Wording.Get("Bench.Pockets"));
+        command.SetAction(async (_, stop) =>
+        {
+            await SayAsync(host, PocketBenchmark.Head, stop).ConfigureAwait(false);
+            foreach (var row in PocketBenchmark.Rows(stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
             return ExitCode.Done;
         });
         return command;

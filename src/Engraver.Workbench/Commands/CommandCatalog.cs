@@ -6,6 +6,7 @@ using Engraver.Workbench.Commands.Machine;
 using Engraver.Workbench.Commands.Sequencing;
 using Engraver.Workbench.Commands.Session;
 using Engraver.Workbench.Commands.Settings;
+using Engraver.Workbench.Commands.Toolpaths;
 using Engraver.Workbench.Commands.View;
 
 namespace Engraver.Workbench.Commands;
@@ -30,7 +31,7 @@ public sealed class CommandCatalog
         new ZoomCommand(), new PanCommand(), new RegenCommand(), new OsnapCommand(), new ThemeCommand(), new ShowCommand(), new PlaybackCommand(), .. SwitchCommand.All, .. SpacingCommand.All,
         new SelectCommand(), new ListCommand(), new PropertiesCommand(), new DistCommand(), new IdCommand(), new AreaCommand(), new LayerCommand(), new CheckCommand(), new TableCommand(),
         new EraseCommand(), new MoveCommand(), new CopyCommand(), new RotateCommand(), new ScaleCommand(), new MirrorCommand(), new OffsetCommand(), new ReverseCommand(), new ArrayCommand(), new ExplodeCommand(), new JoinCommand(), new OverkillCommand(),
-        new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
+        new PocketCommand(), new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
         new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new PostCommand(), new VerifyCommand(), new PlotCommand(),
         new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncStatusCommand(), new CncProfileCommand(), new CncCommissionCommand(), new CncOutputCommand(),
