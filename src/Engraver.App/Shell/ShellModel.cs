@@ -20,6 +20,7 @@ using Engraver.App.Tables;
 using Engraver.App.Tabs;
 using Engraver.App.Terminals;
 using Engraver.App.Texts;
+using Engraver.App.Trajectories;
 using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Shell;
@@ -75,6 +76,7 @@ public sealed class ShellModel : Observable
         new("Layers", () => new LayersView { DataContext = new LayersModel(Desk) }),
         new("Properties", () => new PropertiesView { DataContext = new PropertiesModel(Desk) }),
         new("Contours", () => new ContoursView { DataContext = new ContoursModel(Desk) }),
+        new("Trajectories", () => new TrajectoriesView { DataContext = new TrajectoriesModel(Desk) }),
         new("Job", () => new JobView { DataContext = new JobModel(Desk) }),
         new("Program", () => new ProgramView { DataContext = new ProgramModel(Desk) }),
         new("Machine", () => new HandMovesView { DataContext = new HandMovesModel(Desk) }),

@@ -18,6 +18,7 @@ public static class SvgPlotWriter
           .cut{fill:none;stroke-linejoin:round;stroke-linecap:round} .closed{stroke:#4fc3f7} .open{stroke:#ffb74d}
           .rapid{fill:none;stroke:#ef6f6c;stroke-opacity:.8;stroke-dasharray:6 5} .start{fill:none;stroke:#7ee787;stroke-width:2}
           .number{fill:#f0f3f6;stroke:#1b1f24;stroke-width:3;paint-order:stroke} .arrow.closed{fill:#4fc3f7;stroke:none} .arrow.open{fill:#ffb74d;stroke:none}
+          .point{fill:#f0f3f6} .corner{fill:none;stroke:#d2a8ff;stroke-width:1.5}
         </style>
         """;
 
@@ -32,6 +33,7 @@ public static class SvgPlotWriter
         Line(output, $"<rect class=\"field\" width=\"100%\" height=\"100%\"/>");
         WriteRapids(plot, frame, output);
         WriteStrokes(plot, frame, output);
+        WritePoints(plot, frame, output);
         WriteMarks(plot, frame, output);
         WriteCaption(plot, frame, output);
         Line(output, "</svg>");
@@ -59,6 +61,17 @@ public static class SvgPlotWriter
         var every = ((plot.Strokes.Count - 1) / LabelsAtMost) + 1;
         for (var i = 0; i < plot.Strokes.Count; i += every) WriteNumber(plot.Strokes[i], frame, labels, output);
         for (var i = 0; i < plot.Strokes.Count; i += every) WriteArrow(plot.Strokes[i], frame, labels, output);
+    }
+
+    /// <summary>A dot for each point of a trajectory, a diamond round each corner.</summary>
+    private static void WritePoints(PlotModel plot, PlotFrame frame, TextWriter output)
+    {
+        foreach (var mark in plot.Marks)
+        {
+            var place = frame.Place(mark.Place);
+            if (mark.IsCorner) Line(output, $"<path class=\"corner\" d=\"M{Number(place.X - 6.0)},{Number(place.Y)}L{Number(place.X)},{Number(place.Y - 6.0)}L{Number(place.X + 6.0)},{Number(place.Y)}L{Number(place.X)},{Number(place.Y + 6.0)}Z\"/>");
+            else Line(output, $"<circle class=\"point\" cx=\"{Number(place.X)}\" cy=\"{Number(place.Y)}\" r=\"2.2\"/>");
+        }
     }
 
     private static void WriteToolStart(Point2D place, TextWriter output) =>
