@@ -1,4 +1,5 @@
 using Avalonia.Controls;
+using Avalonia.Input;
 
 namespace Engraver.App.Trajectories;
 
@@ -6,4 +7,12 @@ namespace Engraver.App.Trajectories;
 public partial class TrajectoriesView : UserControl
 {
     public TrajectoriesView() => InitializeComponent();
+
+    /// <summary>Enter takes what was typed, as leaving the field does.</summary>
+    private void OnKey(object? sender, KeyEventArgs e)
+    {
+        if (e.Key != Key.Enter) return;
+        e.Handled = true;
+        TrajectoryList.Focus();
+    }
 }

@@ -32,7 +32,7 @@ internal sealed record RunJson(
     IReadOnlyList<StartCheckJson>? Checks)
 {
     /// <summary>The trajectories that were run; null for a job of the drawing itself.</summary>
-    public TrajectoryJson? Trajectory { get; init; }
+    public FollowedJson? Trajectory { get; init; }
 
     /// <summary>Where the run went on that was begun before.</summary>
     /// <param name="Segments">Segments of the whole program that were cut whole.</param>
@@ -40,9 +40,9 @@ internal sealed record RunJson(
     internal sealed record ResumedJson(int Segments, double Along);
 
     /// <param name="VerifiedBound">Largest distance of the path that was asked for from what the trajectories follow, mm, proven.</param>
-    internal sealed record TrajectoryJson(int Count, int Points, double VerifiedBound)
+    internal sealed record FollowedJson(int Count, int Points, double VerifiedBound)
     {
-        public static TrajectoryJson? From(TrajectoryJob? job) => job is null ? null : new(job.Trajectories.Count, job.Trajectories.Sum(one => one.Curve.Points), job.Bound);
+        public static FollowedJson? From(TrajectoryJob? job) => job is null ? null : new(job.Trajectories.Count, job.Trajectories.Sum(one => one.Curve.Points), job.Bound);
     }
 
     internal sealed record ScaleJson(double X, double Y);

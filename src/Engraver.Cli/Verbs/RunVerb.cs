@@ -173,7 +173,7 @@ internal sealed class RunVerb
         _host.Report(parsed, job.Drawing.FileName, report.Result.Diagnostics);
         if (report.ResumeRefusal is { } unresumed) return NotPlaced(parsed, job, unresumed, checks);
         if (report.Placement?.Refusal is { } unplaced) return NotPlaced(parsed, job, unplaced, checks);
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.TrajectoryJson.From(_followed) }, ContractJson.Default.RunJson);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.FollowedJson.From(_followed) }, ContractJson.Default.RunJson);
         else _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
         if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.EngraverTraceNotWhole", failure));

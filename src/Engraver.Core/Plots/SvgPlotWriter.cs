@@ -18,7 +18,6 @@ public static class SvgPlotWriter
           .cut{fill:none;stroke-linejoin:round;stroke-linecap:round} .closed{stroke:#4fc3f7} .open{stroke:#ffb74d}
           .rapid{fill:none;stroke:#ef6f6c;stroke-opacity:.8;stroke-dasharray:6 5} .start{fill:none;stroke:#7ee787;stroke-width:2}
           .number{fill:#f0f3f6;stroke:#1b1f24;stroke-width:3;paint-order:stroke} .arrow.closed{fill:#4fc3f7;stroke:none} .arrow.open{fill:#ffb74d;stroke:none}
-          .point{fill:#f0f3f6} .corner{fill:none;stroke:#d2a8ff;stroke-width:1.5}
         </style>
         """;
 
@@ -30,6 +29,7 @@ public static class SvgPlotWriter
         Line(output, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {size}\" width=\"{Number(frame.FieldWidth)}\" height=\"{Number(frame.Height)}\">");
         Line(output, Style.ReplaceLineEndings("\n"));
         if (plot.Heat is not null) Line(output, HeatStyle());
+        if (plot.Marks.Count > 0) Line(output, "<style>.point{fill:#f0f3f6} .corner{fill:none;stroke:#d2a8ff;stroke-width:1.5}</style>");
         Line(output, $"<rect class=\"field\" width=\"100%\" height=\"100%\"/>");
         WriteRapids(plot, frame, output);
         WriteStrokes(plot, frame, output);

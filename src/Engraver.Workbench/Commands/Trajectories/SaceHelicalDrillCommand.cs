@@ -19,7 +19,7 @@ internal sealed class SaceHelicalDrillCommand : ICommand
         var depth = await TrajectoryPrompts.LengthAsync(context, "SACEHELICALDRILL.depth", "Trajectories.FinalDepth", 1.0).ConfigureAwait(false);
         var pitch = await TrajectoryPrompts.LengthAsync(context, "SACEHELICALDRILL.pitch", "Trajectories.Pitch", 0.1).ConfigureAwait(false);
         var sense = await context.ChoiceAsync(Wording.Get("Trajectories.Sense"), Keyword.List("Clockwise", "cOunterclockwise"), "cOunterclockwise").ConfigureAwait(false);
-        var making = new TrajectoryMaking(context);
+        var making = new TrajectoryMaking(context, cancellation);
         var unit = making.Unit;
         var helix = HelixPlanner.Plan(new Point2D(centre.X * unit, centre.Y * unit), (hole - tool) * unit, making.Settings.PlaneZ, depth * unit, pitch * unit, sense == "Clockwise", making.Settings.MaxErrorMm)
             ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooMany", HelixPlanner.MostTurns));

@@ -14,7 +14,7 @@ internal sealed class SaceOffsetCommand : ICommand
         var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
         var radius = await TrajectoryPrompts.LengthAsync(context, TrajectoryPrompts.Removal, "Trajectories.RemovalRadius", 0.25).ConfigureAwait(false);
         var side = await TrajectoryPrompts.SideAsync(context, contours).ConfigureAwait(false);
-        SaceOffsets.Make(context, contours, [radius], side, (_, loop) => number => $"traj{number}_offset-{loop}");
+        SaceOffsets.Make(context, contours, [radius], side, (_, loop) => number => $"traj{number}_offset-{loop}", cancellation);
     }
 }
 
@@ -30,7 +30,7 @@ internal sealed class SaceUniformOffsetCommand : ICommand
         var step = await TrajectoryPrompts.LengthAsync(context, "SACE.step", "Trajectories.OffsetStep", 0.25).ConfigureAwait(false);
         var passes = (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Trajectories.Passes")) { Default = "3", Least = 1, Most = SaceOffsets.MostPasses, Whole = true }).ConfigureAwait(false);
         var side = await TrajectoryPrompts.SideAsync(context, contours).ConfigureAwait(false);
-        SaceOffsets.Make(context, contours, [.. Enumerable.Range(0, passes).Select(pass => radius + ((passes - 1 - pass) * step))], side, SaceOffsets.NameOfPass);
+        SaceOffsets.Make(context, contours, [.. Enumerable.Range(0, passes).Select(pass => radius + ((passes - 1 - pass) * step))], side, SaceOffsets.NameOfPass, cancellation);
     }
 }
 
@@ -49,7 +49,7 @@ internal sealed class SaceConstantOffsetsCommand : ICommand
         if (largest < radius) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.LargestTooSmall", NumberPrompt.Show(largest), NumberPrompt.Show(radius)));
         if ((largest - radius) / step >= SaceOffsets.MostPasses) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooMany", SaceOffsets.MostPasses));
         var side = await TrajectoryPrompts.SideAsync(context, contours).ConfigureAwait(false);
-        SaceOffsets.Make(context, contours, Distances(radius, step, largest), side, SaceOffsets.NameOfPass);
+        SaceOffsets.Make(context, contours, Distances(radius, step, largest), side, SaceOffsets.NameOfPass, cancellation);
     }
 
     internal static IReadOnlyList<double> Distances(double radius, double step, double largest)
@@ -76,9 +76,9 @@ internal static class SaceOffsets
     /// <summary>Every pass is an offset of the objects themselves, never of another pass.</summary>
     /// <param name="distances">Drawing units, in the order in which they are made.</param>
     /// <param name="name">From the pass and the loop in it.</param>
-    public static void Make(CommandContext context, SelectedContours contours, IReadOnlyList<double> distances, Func<SelectedContour, OffsetSide> side, Func<int, int, Func<int, string>> name)
+    public static void Make(CommandContext context, SelectedContours contours, IReadOnlyList<double> distances, Func<SelectedContour, OffsetSide> side, Func<int, int, Func<int, string>> name, CancellationToken cancellation)
     {
-        var making = new TrajectoryMaking(context);
+        var making = new TrajectoryMaking(context, cancellation);
         var groups = contours.All.GroupBy(side).ToList();
         for (var pass = 0; pass < distances.Count; pass++)
         {

@@ -10,7 +10,7 @@ internal sealed class SacePathCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
-        var making = new TrajectoryMaking(context);
+        var making = new TrajectoryMaking(context, cancellation);
         foreach (var one in contours.All) making.Add(one.Contour.Segments, one.Contour.Closed, one.Handles, number => $"traj{number}_path");
         making.Take();
     }
@@ -30,7 +30,7 @@ internal sealed class SaceDeepEngravingCommand : ICommand
         var step = await TrajectoryPrompts.LengthAsync(context, "SACEDEEPENGRAVING.step", "Trajectories.DepthStep", 0.1).ConfigureAwait(false);
         var depth = await TrajectoryPrompts.LengthAsync(context, "SACEDEEPENGRAVING.depth", "Trajectories.FinalDepth", 1.0).ConfigureAwait(false);
         if (depth / step > MostDepths) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooMany", MostDepths));
-        var making = new TrajectoryMaking(context);
+        var making = new TrajectoryMaking(context, cancellation);
         var count = (int)Math.Ceiling((depth / step) - 1e-9);
         double[] heights = [.. Enumerable.Range(0, count + 1).Select(i => making.Settings.PlaneZ - (making.Unit * Math.Min(depth, i * step)))];
         foreach (var one in contours.All) making.Add(one.Contour.Segments, one.Contour.Closed, one.Handles, number => $"traj{number}_deep", heights);

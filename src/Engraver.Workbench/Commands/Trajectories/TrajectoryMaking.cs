@@ -8,7 +8,8 @@ using Engraver.Workbench.Sidecars;
 namespace Engraver.Workbench.Commands.Trajectories;
 
 /// <summary>Collects the trajectories that one command makes, and takes them as one step.</summary>
-internal sealed class TrajectoryMaking(CommandContext context)
+/// <param name="cancellation">Honoured before each contour.</param>
+internal sealed class TrajectoryMaking(CommandContext context, CancellationToken cancellation)
 {
     private readonly TrajectoryList _list = context.Document.Current.Sidecar.Trajectories;
     private readonly List<DocumentTrajectory> _made = [];
@@ -26,6 +27,7 @@ internal sealed class TrajectoryMaking(CommandContext context)
     /// <summary>The same at several heights.</summary>
     public void Add(IReadOnlyList<Segment> contour, bool closed, IReadOnlyList<string> handles, Func<int, string> name, IReadOnlyList<double> heights)
     {
+        cancellation.ThrowIfCancellationRequested();
         var planned = TrajectoryPlanner.Plan(contour, closed, Settings.ToOptions());
         foreach (var z in heights)
         {

@@ -234,6 +234,21 @@ public class SaceCommandTests
         Assert.False(Directory.Exists(talk.PathOf("flat")));
     }
 
+    /// <summary>"No simulation" (sace-xps-agie.md 1.4): the machine's record against what the trajectories follow.</summary>
+    [Fact]
+    public async Task SACESIMULATE_tells_how_far_the_machine_was_from_what_the_trajectories_follow()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("SACESETMAXERROR", "0.02", "SACEPATH", "H", "A3", "", "SACEOFFSET", "H", "A4", "", "1", "Out");
+        var result = await talk.TypeAsync("SACESIMULATE");
+        var judged = talk.Session.Machine.LastRun!.Judgement;
+
+        Assert.IsType<InputResult.Done>(result);
+        Assert.InRange(judged.MaxDeviationMm!.Value, 0.004, 0.0228); // the spline's own error is seen, for the judge knows the source alone
+        Assert.Equal(0.0, judged.MissingLengthMm);
+        Assert.Contains("proven", talk.Said, StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task In_a_drawing_in_inches_typed_lengths_are_inches_and_trajectories_millimetres()
     {
