@@ -58,7 +58,6 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
     {
         here.Open("gasket.dxf");
         here.Show("Trajectories");
-        here.Enter("SACEPATH", "LA", "VENTS", "", "UNDO", "1");
         var circles = Enumerable.Range(0, here.Commands.Document.Current.Drawing!.Entities.Count).Where(entity => here.Commands.Document.Current.Drawing!.Entities[entity].Type == Engraver.Core.Drawings.CurveType.Circle).Take(2).ToList();
         foreach (var circle in circles) here.Enter("SACEPATH", "H", here.Commands.Document.Current.Drawing!.SourceOf(circle).Handle!, "");
         here.Rest();
