@@ -138,15 +138,19 @@ public sealed class HandMovesModel : Observable, IDisposable
             return;
         }
 
-        var jog = HeldJog.Begin(_desk.Session.Machine, way.At(Speed(shift)), _before, _desk.Session.NewRunJournal("jog"), _desk.Time);
-        (_jog, _before) = (jog, jog.Ended);
-        _ = TellEndAsync(jog);
+        var jog = _desk.Session.Machine.Presence.Begin(way.At(Speed(shift)));
+        var (before, journal) = (_before, _desk.Session.NewRunJournal("jog"));
+        var ended = Task.Run(() => JogAsync(jog, before, journal));
+        (_jog, _before) = (jog, ended);
+        _ = TellEndAsync(jog, ended);
     }
 
     /// <summary>The window lives and the key is held.</summary>
     public void Hold(bool shift)
     {
-        if (_jog is { IsReleased: false } jog) jog.IsHeld(Speed(shift));
+        if (_jog is not { IsReleased: false } jog) return;
+        jog.Steer(Speed(shift));
+        _desk.Session.Machine.Presence.Sign();
     }
 
     /// <summary>The key goes up, the pad loses the focus or the window closes: the machine brakes. Never waits.</summary>
@@ -180,12 +184,19 @@ public sealed class HandMovesModel : Observable, IDisposable
         else _ = _desk.RunAsync("CNCJOG", $"{Show(way.X * step)},{Show(way.Y * step)}");
     }
 
-    private async Task TellEndAsync(HeldJog jog)
+    /// <param name="before">The jog before this one, which leaves the controller as it was found first.</param>
+    private async Task<JobResult> JogAsync(HeldJog jog, Task before, string journal)
+    {
+        await before.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
+        return jog.IsReleased ? JobResult.NotStarted(0, "") : await _desk.Session.Machine.JogAndStayReadyAsync(jog, journal).ConfigureAwait(false);
+    }
+
+    private async Task TellEndAsync(HeldJog jog, Task<JobResult> ended)
     {
         try
         {
-            var result = await jog.Ended;
-            if (jog.WasLate) _desk.Tell(MessageKind.Warning, Text.Get("Pad.Late"));
+            var result = await ended;
+            if (jog.Lost is { IsCompletedSuccessfully: true, Result: true }) _desk.Tell(MessageKind.Warning, Text.Get("Pad.Late"));
             if (result.Outcome != JobOutcome.Complete && result.Sentence.Length > 0) _desk.Tell(MessageKind.Error, result.Sentence);
             foreach (var left in result.NotRestored) _desk.Tell(MessageKind.Warning, left);
         }

@@ -6,6 +6,7 @@ using Avalonia.Layout;
 using Avalonia.Threading;
 using Engraver.App.Texts;
 using Engraver.Core.Machines.Moves;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.App.HandMoves;
 
@@ -140,7 +141,7 @@ public sealed class JogPad : UserControl
         if (Model is not { } model) return;
         model.Press(way, _shift);
         _beat?.Dispose();
-        _beat = model.Time.CreateTimer(_ => Dispatcher.UIThread.Post(IsHeld, DispatcherPriority.Background), null, HeldJog.Beat, HeldJog.Beat);
+        _beat = model.Time.CreateTimer(_ => Dispatcher.UIThread.Post(IsHeld, DispatcherPriority.Background), null, OperatorPresence.Beat, OperatorPresence.Beat);
     }
 
     private void Release()

@@ -38,6 +38,7 @@ public partial class ShellWindow : Window
         _panels = new PanelSizes(desk, Rows, Columns, Pages, Palettes);
         (Width, Height) = (desk.Session.Settings.Current.WindowWidth, desk.Session.Settings.Current.WindowHeight);
         if (desk.Session.Settings.Current.WindowMaximised) WindowState = WindowState.Maximized;
+        _ = new WindowPresence(this, desk);
         MainMenu.Closed += GiveKeyboardBack;
         AddHandler(TextInputEvent, OnTyped, RoutingStrategies.Tunnel);
         AddHandler(KeyDownEvent, OnKey, RoutingStrategies.Tunnel);

@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
+using Engraver.Workbench.CommandLanguage;
 
 namespace Engraver.Cli.Terminals;
 
@@ -29,7 +30,7 @@ internal sealed class RunKeys(JobControl control, CountsScale scale, Func<Consol
         if (_move is { IsCompletedSuccessfully: true, Result: var moved })
         {
             _move = null;
-            say(moved is { Outcome: JobOutcome.Complete, FinalPosition: { } at } ? Wording.Get("RunKeys.Moved", at.X / scale.X, at.Y / scale.Y) : moved.Sentence);
+            say(moved is { Outcome: JobOutcome.Complete, FinalPosition: { } at } ? Wording.Get("RunKeys.Moved", PlaceText.Show(at, scale)) : moved.Sentence);
         }
 
         TellLimit(value.FeedRatio);

@@ -49,8 +49,8 @@ internal sealed class FrameVerb
         if (frame is null) return NotMoved($"{job.WithoutProgram}.");
         await using var machine = new MachineSession(TimeProvider.System) { OriginsFolder = MachineMemories.FolderIn(null), Profile = settings.Machine };
         await machine.ConnectAsync(parsed.GetRequiredValue(_connect)!, stop).ConfigureAwait(false);
-        var placement = job.Motion.Program is { } program ? await machine.AskAsync(program, stop).ConfigureAwait(false) : null;
-        var list = ArmingChecklist.OnConsole(job, machine.Profile, machine.Status, placement);
+        var placement = await machine.AskAsync(frame, dryRun: true, stop).ConfigureAwait(false);
+        var list = ArmingChecklist.OfFrameOnConsole(job, machine.Profile, machine.Status, placement);
         if (!parsed.GetValue(_json)) _host.Print(parsed, list);
         var code = list.WhyNot is { } unready ? NotMoved(unready) : Conclude(await machine.FrameAsync(frame, JournalFolder.NewJournal("frame", TimeProvider.System), stop).ConfigureAwait(false));
         var status = StatusJson.From(machine.Status, machine.Hold?.Memory, machine.Profile) with { Checks = StartCheckJson.Of(list) };

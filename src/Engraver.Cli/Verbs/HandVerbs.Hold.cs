@@ -38,16 +38,18 @@ internal sealed partial class HandVerbs
     private async Task<int> HoldAsync(MachineSession machine, JogVelocity way, double? feed, CancellationToken stop)
     {
         if (way.Z != 0.0 && machine.Profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        var control = new JogControl(way.At(feed ?? machine.Profile.JogMmPerMinute));
+        using var jog = machine.Presence.Begin(way.At(feed ?? machine.Profile.JogMmPerMinute));
+        await using var alive = TimeProvider.System.CreateTimer(_ => machine.Presence.Sign(), null, OperatorPresence.Beat, OperatorPresence.Beat).ConfigureAwait(false); // a console has no window that could hang or be left
         using var ended = CancellationTokenSource.CreateLinkedTokenSource(stop);
-        var typed = Task.Run(() => ReleaseAtEnterAsync(control, ended.Token), CancellationToken.None); // a console blocks the thread that reads it
-        var result = await machine.JogAsync(control, JournalFolder.NewJournal("jog", TimeProvider.System), stop).ConfigureAwait(false);
+        var typed = Task.Run(() => ReleaseAtEnterAsync(jog, ended.Token), CancellationToken.None); // a console blocks the thread that reads it
+        var result = await machine.JogAsync(jog, JournalFolder.NewJournal("jog", TimeProvider.System), stop).ConfigureAwait(false);
         await ended.CancelAsync().ConfigureAwait(false);
         if (typed.IsCompleted) await typed.ConfigureAwait(false);
+        if (jog.Lost.IsCompleted) _host.Error.WriteLine(Wording.Get("Hand.JogNotHeard"));
         return Concluded(result);
     }
 
-    private async Task ReleaseAtEnterAsync(JogControl control, CancellationToken ended)
+    private async Task ReleaseAtEnterAsync(HeldJog jog, CancellationToken ended)
     {
         try
         {
@@ -58,6 +60,6 @@ internal sealed partial class HandVerbs
             // The jog has ended by itself.
         }
 
-        control.Release();
+        jog.Release();
     }
 }

@@ -43,8 +43,8 @@ internal sealed partial class HandVerbs
         var (profile, way) = (machine.Profile, options.Read(parsed));
         if (way.Z && profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
         var place = way.Point ?? way.Centre ?? default;
-        if (!profile.Scale.Holds(Bounds2D.FromCorners(place, place), default)) return NotMoved(Wording.Get("Hand.NotCountable"));
-        var at = profile.Scale.ToCounts(place);
+        if (!profile.Scale.Holds(Bounds2D.FromCorners(place, place), default) || !profile.Scale.HoldsHeight(way.Height)) return NotMoved(Wording.Get("Hand.NotCountable"));
+        var at = profile.Scale.ToCounts(place) with { Z = profile.Scale.ToHeight(way.Height) };
         (int? X, int? Y) Zero(CountsPoint here) => way switch
         {
             { Edge: { } edge } => EdgeTouch.ZeroAt(here, edge, way.Radius, profile.Scale),
@@ -55,7 +55,7 @@ internal sealed partial class HandVerbs
             (memory, here) =>
             {
                 var ((x, y), chosen) = (Zero(here.Position), way.Name ?? memory.Active);
-                return (memory with { Active = chosen }).WithOrigin(chosen, way.X ? x : null, way.Y ? y : null, (way.Z || way.IsWhole) && profile.Axes.Z is not null ? here.Position.Z : null);
+                return (memory with { Active = chosen }).WithOrigin(chosen, way.X ? x : null, way.Y ? y : null, (way.Z || way.IsWhole) && profile.Axes.Z is not null ? here.Position.Z - at.Z : null);
             },
             stop).ConfigureAwait(false);
         return ExitCode.Done;
@@ -67,8 +67,9 @@ internal sealed partial class HandVerbs
     /// <param name="Point">It is this place of the drawing, mm.</param>
     /// <param name="Edge">It touches this edge.</param>
     /// <param name="Centre">It is the second touch; this was the first, machine mm.</param>
+    /// <param name="Height">The tool stands at this height of the drawing, mm.</param>
     /// <param name="Name">The origin that is set and becomes the active one; null for the active one.</param>
-    private sealed record ZeroWay(bool X, bool Y, bool Z, bool IsWhole, Point2D? Point, WorkEdge? Edge, double Radius, Point2D? Centre, string? Name);
+    private sealed record ZeroWay(bool X, bool Y, bool Z, bool IsWhole, Point2D? Point, WorkEdge? Edge, double Radius, Point2D? Centre, double Height, string? Name);
 
     private sealed class ZeroOptions
     {
@@ -79,6 +80,7 @@ internal sealed partial class HandVerbs
         private readonly Option<string?> _edge = new("--edge") { HelpName = "left|bottom|right|top", Description = Wording.Get("Hand.ZeroEdge") };
         private readonly Option<double> _radius = new("--radius") { HelpName = "MM", Description = Wording.Get("Hand.ZeroRadius"), CustomParser = ParseRadius };
         private readonly Option<string?> _centre = PlaceOption("--centre", Wording.Get("Hand.ZeroCentre"));
+        private readonly Option<double?> _height = new("--height") { HelpName = "MM", Description = Wording.Get("Hand.ZeroHeight"), CustomParser = ParseHeight };
         private readonly Option<string?> _name = new("--origin") { HelpName = "G54", Description = Wording.Get("Hand.ZeroOrigin") };
 
         public ZeroOptions()
@@ -89,22 +91,22 @@ internal sealed partial class HandVerbs
 
         public void AddTo(Command command)
         {
-            foreach (var option in (Option[])[_x, _y, _z, _point, _edge, _radius, _centre, _name]) command.Options.Add(option);
+            foreach (var option in (Option[])[_x, _y, _z, _point, _edge, _radius, _centre, _height, _name]) command.Options.Add(option);
             command.Validators.Add(result =>
             {
                 bool Has(Option option) => result.GetResult(option) is { Implicit: false };
-                if (new Option[] { _point, _edge, _centre }.Count(Has) > 1 || (Has(_z) && (Has(_edge) || Has(_centre))) || (Has(_edge) && (Has(_x) || Has(_y)))) result.AddError(Wording.Get("Hand.ZeroOneWay"));
+                if (new Option[] { _point, _edge, _centre }.Count(Has) > 1 || ((Has(_z) || Has(_height)) && (Has(_edge) || Has(_centre))) || (Has(_edge) && (Has(_x) || Has(_y)))) result.AddError(Wording.Get("Hand.ZeroOneWay"));
                 if (Has(_radius) && !Has(_edge)) result.AddError(Wording.Get("Hand.ZeroRadiusOfEdge"));
             });
         }
 
         public ZeroWay Read(ParseResult parsed)
         {
-            var (x, y, z) = (parsed.GetValue(_x), parsed.GetValue(_y), parsed.GetValue(_z));
+            var (x, y, z) = (parsed.GetValue(_x), parsed.GetValue(_y), parsed.GetValue(_z) || parsed.GetValue(_height) is not null);
             var (point, centre) = (Place(parsed.GetValue(_point)), Place(parsed.GetValue(_centre)));
             var all = !x && !y && (!z || point is not null);
             WorkEdge? edge = parsed.GetValue(_edge) is { } name ? Enum.Parse<WorkEdge>(name, ignoreCase: true) : null;
-            return new ZeroWay(all || x, all || y, z, all && point is null && edge is null && centre is null, point, edge, parsed.GetValue(_radius), centre, parsed.GetValue(_name) is { } given ? WorkOriginNames.Find(given) : null);
+            return new ZeroWay(all || x, all || y, z, all && point is null && edge is null && centre is null, point, edge, parsed.GetValue(_radius), centre, parsed.GetValue(_height) ?? 0.0, parsed.GetValue(_name) is { } given ? WorkOriginNames.Find(given) : null);
         }
 
         /// <summary>The text is the name of a work origin.</summary>
@@ -123,6 +125,13 @@ internal sealed partial class HandVerbs
                 if (result.Tokens is [var token] && PlacementOptions.TryPlace(token.Value) is null) result.AddError(Wording.Get("Hand.NoPlace", token.Value));
             });
             return option;
+        }
+
+        private static double? ParseHeight(ArgumentResult result)
+        {
+            if (NumberPrompt.TryNumber(result.Tokens[0].Value, out var height)) return height;
+            result.AddError(Wording.Get("Hand.ZeroNoHeight", result.Tokens[0].Value));
+            return null;
         }
 
         private static double ParseRadius(ArgumentResult result)

@@ -131,7 +131,7 @@ internal sealed partial class HandVerbs
         var (scale, zero) = (machine.Profile.Scale, default(CountsPoint));
         if (!byMachine)
         {
-            var found = await machine.PlaceAsync(new MotionProgram(machine.Profile, default, []), stop).ConfigureAwait(false);
+            var found = await machine.FindZeroAsync(stop).ConfigureAwait(false);
             if (found?.Frame is not { } frame) return NotMoved(WhyUnplaced(found));
             zero = frame;
         }
@@ -145,7 +145,7 @@ internal sealed partial class HandVerbs
     private async Task<int> ClearAsync(MachineSession machine, CancellationToken stop)
     {
         if (machine.Profile.Height is null) return NotMoved(Wording.Get("Hand.NoClearance"));
-        var found = await machine.PlaceAsync(new MotionProgram(machine.Profile, default, []), stop).ConfigureAwait(false);
+        var found = await machine.FindZeroAsync(stop).ConfigureAwait(false);
         if (found?.Frame is not { } zero || machine.Status.MachinePosition is not { } here) return NotMoved(WhyUnplaced(found));
         var goal = machine.Profile.Scale.ToCounts(here) with { Z = zero.Z + machine.Profile.ClearanceCounts };
         return Concluded(await machine.StepAsync(goal, withHeight: true, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));

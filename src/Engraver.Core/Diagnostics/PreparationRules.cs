@@ -33,8 +33,12 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule HeightNotSet = new("JOB0032", Severity.Error, "name");
 
+    public static readonly DiagnosticRule HeightOutsideTravel = new("JOB0033", Severity.Error, "axis", "place", "least", "most");
+
+    public static readonly DiagnosticRule DryRunOutsideTravel = new("JOB0034", Severity.Error, "lift", "axis", "place", "least", "most");
+
     public static readonly DiagnosticRule NotResumed = new("JOB0040", Severity.Error, "journal", "reason");
 
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, TraceNotKept, OutsideTravel, NotHomed, HeightNotSet, NotResumed];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, TraceNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed];
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;

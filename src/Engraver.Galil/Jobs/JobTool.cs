@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Jobs.Execution;
 using Engraver.Galil.Jobs.Watching;
 using Engraver.Galil.Language;
@@ -107,18 +108,5 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
         var from = machine.State.Time;
         var samples = Math.Ceiling(seconds * SamplesPerSecond);
         return await machine.GlanceUntilAsync(state => PollTimes.SamplesSince(from, state.Time) >= samples, seconds).ConfigureAwait(false);
-    }
-}
-
-/// <summary>A dry run of a machine whose tool is moved by an axis: everything is made as it will be, so much higher that the deepest cut passes at clearance height.</summary>
-internal static class DryLift
-{
-    /// <summary>Counts of the Z axis to add to the frame; 0 where an output is the tool.</summary>
-    public static int Of(MotionProgram program)
-    {
-        if (program.Profile.Height is null || program.Strokes.Count == 0) return 0;
-        var up = program.Profile.Up;
-        var deepest = program.Strokes.SelectMany(stroke => stroke.Sequences).SelectMany(sequence => sequence.Segments.Select(segment => segment.End.Z).Append(sequence.Start.Z)).Min(z => z * (long)up);
-        return checked((int)((program.Profile.ClearanceCounts * (long)up) - deepest)) * up;
     }
 }

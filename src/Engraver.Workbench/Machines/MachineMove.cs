@@ -73,7 +73,7 @@ internal sealed record MachineMove(
         "CNCCOMMISSION",
         Wording.Get("MachineSession.OnTheWay"),
         journal,
-        (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(path with { Profile = known }, place.Position) : null,
+        (memory, place) => memory.KnowsTravel(known, place) ? TravelLimits.Refusal(known, path, place.Position, dryRun: true) : null,
         (machine, _, options, stop) => machine.RunAsync(path, options, progress, stop));
 
     /// <summary>The tool's output on for the settle time, at standstill.</summary>

@@ -44,7 +44,7 @@ public sealed partial class MachineSession
     {
         using var clock = connection.TakeClock();
         await using var machine = await clock.ShakeHandsAsync(connection, trace: null, stop).ConfigureAwait(false);
-        var placement = await JobPlacement.FindAsync(machine, hold, frame, new OriginRequest.Work(), FinishPlace.Stay, clock.Time, stop).ConfigureAwait(false);
+        var placement = await JobPlacement.FindAsync(machine, hold, frame, dryRun: true, new OriginRequest.Work(), FinishPlace.Stay, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found is { Refusal: { } unplaced }) return JobResult.NotStarted(frame.Strokes.Count, unplaced.Message) with { Diagnostics = [unplaced] };
         _status.Placed(placement.Found.Frame);
         placement.Begin();

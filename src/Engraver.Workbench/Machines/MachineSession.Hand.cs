@@ -9,23 +9,24 @@ public sealed partial class MachineSession
     /// <summary>A job stands held: the machine may be moved by hand, and a resume goes back to where it was held.</summary>
     public bool IsHeld => _overrides.Control is { Phase: JobPhase.Held, IsHoldWanted: true };
 
-    /// <summary>Moves the connected machine as long as a key is held, tool off, and disarms; also while a job stands held. It brakes when <paramref name="control"/> is released, by a stop, and 0.25 s after this program was heard last.</summary>
+    /// <summary>Moves the connected machine as long as a key is held, tool off, and disarms; also while a job stands held. It brakes when the jog is released or the operator is not heard of any more (<see cref="Presence"/>), by a stop, and 0.25 s after this program was heard last.</summary>
+    /// <param name="jog">Begun by <see cref="Presence"/> when the key went down.</param>
     /// <param name="journal">Where what is found in the controller is written down.</param>
     /// <returns>How it ended; complete when it was released or came to the end of the travel.</returns>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
     /// <exception cref="ControllerException">The link never came up.</exception>
-    public async Task<JobResult> JogAsync(JogControl control, string journal, CancellationToken cancellation)
+    public async Task<JobResult> JogAsync(HeldJog jog, string journal, CancellationToken cancellation)
     {
-        ArgumentNullException.ThrowIfNull(control);
+        ArgumentNullException.ThrowIfNull(jog);
         await FreeAsync().ConfigureAwait(false);
         if (_watched.Connection is not { } connection) throw new InvalidOperationException("No controller is connected.");
         if (IsHeld && _overrides.Control is { } held)
         {
-            await using var released = cancellation.UnsafeRegister(key => ((JogControl)key!).Release(), control).ConfigureAwait(false);
-            return await held.MoveAsync(HeldMove.While(control)).ConfigureAwait(false);
+            await using var released = cancellation.UnsafeRegister(key => ((HeldJog)key!).Release(), jog).ConfigureAwait(false);
+            return await held.MoveAsync(HeldMove.While(jog.Control)).ConfigureAwait(false);
         }
 
-        return await _work.RunAsync(stop => MoveWatchedAsync(connection, Profile, MachineMove.Jog(control, journal, new JobListener(TellMove)), stop), cancellation).ConfigureAwait(false);
+        return await _work.RunAsync(stop => MoveWatchedAsync(connection, Profile, MachineMove.Jog(jog.Control, journal, new JobListener(TellMove)), stop), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Moves the connected machine with the tool off, at the profile's rapid speed, and disarms. It is stopped as a job is. A tool that an axis holds goes up to its clearance height over the work first; where nobody knows the height of the work the move is refused.</summary>

@@ -16,12 +16,12 @@ public sealed partial class MachineSession
     /// <summary>Moves as <see cref="JogAsync"/> does, and stays ready for the next jog.</summary>
     /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
     /// <exception cref="ControllerException">The link never came up, or what is known of the machine cannot be written down.</exception>
-    public async Task<JobResult> JogAndStayReadyAsync(JogControl control, string journal)
+    public async Task<JobResult> JogAndStayReadyAsync(HeldJog held, string journal)
     {
-        ArgumentNullException.ThrowIfNull(control);
-        if (IsHeld) return await JogAsync(control, journal, CancellationToken.None).ConfigureAwait(false); // the job that stands held is ready by itself
-        if (_ready is { } kept && kept.Profile == Profile && TakeUp(kept, control) is { } jog) return await EndedAsync(kept, jog).ConfigureAwait(false);
-        var ready = await BeginReadyAsync(control, journal).ConfigureAwait(false);
+        ArgumentNullException.ThrowIfNull(held);
+        if (IsHeld) return await JogAsync(held, journal, CancellationToken.None).ConfigureAwait(false); // the job that stands held is ready by itself
+        if (_ready is { } kept && kept.Profile == Profile && TakeUp(kept, held.Control) is { } jog) return await EndedAsync(kept, jog).ConfigureAwait(false);
+        var ready = await BeginReadyAsync(held.Control, journal).ConfigureAwait(false);
         return await EndedAsync(ready, ready.First!).ConfigureAwait(false);
     }
 

@@ -5,9 +5,20 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Machines;
 
-/// <summary>The part of the machine session that knows of runs beside the one under way: the last one's trace or a kept one, an interrupted one, a simulated one.</summary>
+/// <summary>The part of the machine session that runs jobs, and knows of runs beside the one under way: the last one's trace or a kept one, an interrupted one, a simulated one.</summary>
 public sealed partial class MachineSession
 {
+    /// <summary>Runs a job on the connected controller. One at a time.</summary>
+    /// <param name="options">Gives the options of the run for the address of the session.</param>
+    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
+    /// <exception cref="ControllerException">The link never came up.</exception>
+    public async Task<MachineRunReport> RunAsync(PreparedJob job, MotionProgram program, Func<ControllerAddress, MachineRunOptions> options, CancellationToken cancellation)
+    {
+        await FreeAsync().ConfigureAwait(false);
+        if (_watched is not { Connection: { } connection, Address: { } address }) throw new InvalidOperationException("No controller is connected.");
+        return await WithStopAsync(stop => RunWatchedAsync(connection, job, program, options(address), stop), cancellation).ConfigureAwait(false);
+    }
+
     /// <summary>Where the machine was in the last run of which that is known, real or simulated; null before the first.</summary>
     public RecordedRun? Recorded { get; private set; }
 
@@ -41,5 +52,35 @@ public sealed partial class MachineSession
         Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;
         RaiseChanged();
         return report;
+    }
+
+    private Task<MachineRunReport> WithStopAsync(Func<CancellationToken, Task<MachineRunReport>> run, CancellationToken cancellation) => _work.RunAsync(
+        async stop =>
+        {
+            Progress = null;
+            return LastRun = await run(stop).ConfigureAwait(false);
+        },
+        cancellation);
+
+    private async Task<MachineRunReport> RunWatchedAsync(MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, CancellationToken stop)
+    {
+        ShownJob = job;
+        Recorded = null;
+        var live = LiveTrace.Of(job, options.DryRun);
+        _status.JobBegins(options.DryRun);
+        await _watched.GiveWayAsync().ConfigureAwait(false);
+        try
+        {
+            var report = await MachineRun.RunAsync(job, program, connection, options with { Hold = Hold, Control = _overrides.Begin(), Placed = frame => _status.Placed(frame) }, _time, Listener(_status, live), stop).ConfigureAwait(false);
+            Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;
+            _status.JobEnds(report.Result);
+            if (report.Result.Outcome == JobOutcome.Complete && !options.DryRun) Part = null;
+            return report;
+        }
+        finally
+        {
+            _overrides.End();
+            await _watched.ResumeAsync(connection).ConfigureAwait(false);
+        }
     }
 }

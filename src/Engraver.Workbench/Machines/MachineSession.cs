@@ -8,7 +8,6 @@ using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Machines.Terminals;
-using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Machines;
 
@@ -30,6 +29,7 @@ public sealed partial class MachineSession : IAsyncDisposable
         _watched = new WatchedConnection(time, () => Profile.Axes, Seen, _status.Lost);
         _work = new ActiveJob(_status.JobIsOver, RaiseChanged);
         Terminal = new LiveTerminal(time, AnswerAsync);
+        Presence = new OperatorPresence(time, RaiseChanged);
     }
 
     /// <summary>Raised when a connection or a job begins or ends, with each look at the controller and each progress; on any thread.</summary>
@@ -42,6 +42,9 @@ public sealed partial class MachineSession : IAsyncDisposable
 
     /// <summary>The lines of the terminal page.</summary>
     public LiveTerminal Terminal { get; }
+
+    /// <summary>Begins continuous jogs, and hears the front end's signs of life meanwhile.</summary>
+    public OperatorPresence Presence { get; }
 
     /// <summary>The machine profile, by which counts become millimetres and the tool's output is known. Setting another one disarms.</summary>
     public MachineProfile Profile
@@ -167,208 +170,11 @@ public sealed partial class MachineSession : IAsyncDisposable
     /// <summary>The program with its feed fitted to the present link.</summary>
     public LinkFeedFit FitToLink(MotionProgram program, JobMode mode, Drawing drawing) => JobPlan.FitToLink(program, _watched.Address, mode, drawing);
 
-    /// <summary>Brakes the axes of a connected machine; a job under way is left to its own stop (<see cref="Stop"/>).</summary>
-    public async Task BrakeAsync()
-    {
-        await FreeAsync().ConfigureAwait(false);
-        if (!IsRunning) await _watched.StopAsync(Profile.OffAtStop).ConfigureAwait(false);
-    }
-
-    /// <summary>Runs a job on the connected controller. One at a time.</summary>
-    /// <param name="options">Gives the options of the run for the address of the session.</param>
-    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs already.</exception>
-    /// <exception cref="ControllerException">The link never came up.</exception>
-    public async Task<MachineRunReport> RunAsync(PreparedJob job, MotionProgram program, Func<ControllerAddress, MachineRunOptions> options, CancellationToken cancellation)
-    {
-        await FreeAsync().ConfigureAwait(false);
-        if (_watched is not { Connection: { } connection, Address: { } address }) throw new InvalidOperationException("No controller is connected.");
-        return await WithStopAsync(stop => RunWatchedAsync(connection, job, program, options(address), stop), cancellation).ConfigureAwait(false);
-    }
-
-    /// <summary>Where the active work origin puts a job on the connected machine, by the position that the controller reports now.</summary>
-    /// <returns>Null while none is connected, or while a job has the wire.</returns>
-    /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task<PlacementResult?> PlaceAsync(MotionProgram program, CancellationToken cancellation)
-    {
-        ArgumentNullException.ThrowIfNull(program);
-        await FreeAsync().ConfigureAwait(false);
-        if (_watched.Watch is not { } watch || Hold is not { } hold) return null;
-        var place = _place = await watch.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
-        hold.Recognise(place);
-        return Placed(program, hold.Memory, place);
-    }
-
-    /// <summary>Where the active origin puts a job; a job that would leave the travel there has no place.</summary>
-    private static PlacementResult Placed(MotionProgram program, MachineMemory memory, ControllerPlace place)
-    {
-        var found = WorkPlacement.Find(memory, place, new OriginRequest.Work(), program.Profile, program.Start);
-        return program.Strokes.Count == 0 ? found : WorkPlacement.Within(found, program, memory, place);
-    }
-
-    /// <summary>Looks at the controller now and finds where the active work origin puts a job. That nobody answers is told by the status.</summary>
-    /// <returns>Null while none is connected, while a job has the wire, or when nobody answers.</returns>
-    public async Task<PlacementResult?> AskAsync(MotionProgram program, CancellationToken cancellation)
-    {
-        await FreeAsync().ConfigureAwait(false);
-        if (_watched.Watch is not { } watch || IsRunning) return null;
-        try
-        {
-            Seen(await watch.LookAsync(cancellation).ConfigureAwait(false));
-            return await PlaceAsync(program, cancellation).ConfigureAwait(false);
-        }
-        catch (ControllerException failure)
-        {
-            _status.Lost(failure);
-            return null;
-        }
-    }
-
-    /// <summary>The same by the position that the watch saw last, for a list that is always shown; the controller is not asked.</summary>
-    /// <returns>Null while no controller is connected, or before it was looked at.</returns>
-    public PlacementResult? LastPlacement(MotionProgram program)
-    {
-        ArgumentNullException.ThrowIfNull(program);
-        var scale = program.Profile.Scale;
-        return Status.MachinePosition is { } at ? LastPlacement(program, scale.ToCounts(at) with { Z = scale.ToHeight(Status.MachineHeight ?? 0.0) }) : null;
-    }
-
-    private PlacementResult? LastPlacement(MotionProgram program, CountsPoint at) => _place is { } place && Hold is { } hold
-        ? Placed(program, hold.Memory, place with { Mark = hold.KnowsZero ? hold.Memory.Mark : null, Clock = null, Position = at })
-        : null;
-
-    /// <summary>Changes the work origins, with the machine's position as the controller tells it now. Disarms.</summary>
-    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
-    /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
-    public async Task<MachineMemory> SetOriginAsync(Func<MachineMemory, ControllerPlace, MachineMemory> set, CancellationToken cancellation)
-    {
-        await FreeAsync().ConfigureAwait(false);
-        if (_watched.Watch is not { } watch || Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
-        Disarm();
-        var memory = await watch.SetOriginAsync(Profile.Axes, hold, set, cancellation).ConfigureAwait(false);
-        OriginChanged(hold);
-        return memory;
-    }
-
-    /// <summary>Chooses the work origin that jobs use from now on. Disarms.</summary>
-    /// <param name="name">One of <see cref="WorkOriginNames"/>.</param>
-    /// <returns>Why it could not be kept; null when it was.</returns>
-    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
-    public string? ChooseOrigin(string name)
-    {
-        if (Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
-        Disarm();
-        var failure = hold.Set(memory => memory with { Active = name });
-        OriginChanged(hold);
-        return failure;
-    }
-
-    /// <summary>Stops the job under way: the machine brakes, the tool goes off, the job ends as stopped. With no job the axes of a connected machine brake all the same. Never waits, from any thread.</summary>
-    /// <returns>False when no job runs.</returns>
-    public bool Stop()
-    {
-        var (job, watch) = AtWork();
-        if (job is not null) UrgentThread.Run(job.Cancel);
-        else if (watch is not null) _watched.ActUrgently(watch, one => one.StopAsync(Profile.OffAtStop));
-        _status.StopSent();
-        return job is not null;
-    }
-
-    /// <summary>Halts every motion at once, without braking, and switches the motors off; a job ends as stopped. Never waits, from any thread.</summary>
-    /// <remarks>On a serial line, whose one wire the job uses, a job is stopped as by <see cref="Stop"/>: its axes brake, and the motors stay as they are.</remarks>
-    public void Abort()
-    {
-        var (job, watch) = AtWork();
-        if (watch is not null) _watched.ActUrgently(watch, one => one.AbortAsync(Profile.OffAtAbort));
-        if (job is not null) UrgentThread.Run(job.Cancel);
-        _status.StopSent();
-    }
-
-    /// <summary>Holds the job under way: it brakes on its path, and the tool goes off once it stands. Never waits, from any thread.</summary>
-    /// <returns>False when nothing runs that can be held; a stop is what is left then.</returns>
-    public bool HoldJob() => Control(control => control.Hold(), held: true);
-
-    /// <summary>Lets a held job go on.</summary>
-    /// <returns>False when no job is held.</returns>
-    public bool ResumeJob() => _overrides.Control is { IsHoldWanted: true } && Control(control => control.Resume(), held: false);
-
-    /// <summary>Factors of feed and rapid speed for the job under way and those that follow.</summary>
-    /// <param name="feed">Null leaves it as it is.</param>
-    /// <param name="rapid">Null leaves it as it is.</param>
-    /// <returns>What is asked for now.</returns>
-    public (double Feed, double Rapid) Override(double? feed, double? rapid)
-    {
-        var set = _overrides.Set(feed, rapid);
-        _status.Overridden(set.Feed, set.Rapid);
-        RaiseChanged();
-        return set;
-    }
-
-    /// <summary>Switches the motors of both axes on or off.</summary>
-    /// <returns>The refusal; null when it was done.</returns>
-    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
-    /// <exception cref="ControllerException">The link failed.</exception>
-    public async Task<MachineRefusal?> SetMotorsAsync(bool on, CancellationToken cancellation)
-    {
-        await FreeAsync().ConfigureAwait(false);
-        if (_watched.Watch is not { } watch || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
-        Disarm();
-        var refused = await watch.SetMotorsAsync(on, cancellation).ConfigureAwait(false);
-        if (refused is not null) _status.Refused(refused);
-        Seen(await watch.LookAsync(cancellation).ConfigureAwait(false));
-        return refused;
-    }
-
     public async ValueTask DisposeAsync()
     {
         await _work.EndAsync().ConfigureAwait(false);
         await DisconnectAsync().ConfigureAwait(false);
         _status.Dispose();
-    }
-
-    private bool Control(Action<JobControl> act, bool held)
-    {
-        if (_overrides.Control is not { } control || _work.Stop is not { IsCancellationRequested: false }) return false;
-        act(control);
-        _status.HoldAsked(held);
-        RaiseChanged();
-        return true;
-    }
-
-    private (CancellationTokenSource? Job, MachineWatch? Watch) AtWork()
-    {
-        _status.StopAsked();
-        var watch = _watched.Watch;
-        return (_work.Stop, watch); // in this order: a job that begins meanwhile is stopped as well
-    }
-
-    private Task<MachineRunReport> WithStopAsync(Func<CancellationToken, Task<MachineRunReport>> run, CancellationToken cancellation) => _work.RunAsync(
-        async stop =>
-        {
-            Progress = null;
-            return LastRun = await run(stop).ConfigureAwait(false);
-        },
-        cancellation);
-
-    private async Task<MachineRunReport> RunWatchedAsync(MachineConnection connection, PreparedJob job, MotionProgram program, MachineRunOptions options, CancellationToken stop)
-    {
-        ShownJob = job;
-        Recorded = null;
-        var live = LiveTrace.Of(job, options.DryRun);
-        _status.JobBegins(options.DryRun);
-        await _watched.GiveWayAsync().ConfigureAwait(false);
-        try
-        {
-            var report = await MachineRun.RunAsync(job, program, connection, options with { Hold = Hold, Control = _overrides.Begin(), Placed = frame => _status.Placed(frame) }, _time, Listener(_status, live), stop).ConfigureAwait(false);
-            Recorded = report.Trace is { } trace ? new RecordedRun(job, trace) : Recorded;
-            _status.JobEnds(report.Result);
-            if (report.Result.Outcome == JobOutcome.Complete && !options.DryRun) Part = null;
-            return report;
-        }
-        finally
-        {
-            _overrides.End();
-            await _watched.ResumeAsync(connection).ConfigureAwait(false);
-        }
     }
 
     private Task<JobResult> MoveWatchedAsync(MachineConnection connection, MachineProfile profile, MachineMove move, CancellationToken stop) =>
@@ -392,15 +198,6 @@ public sealed partial class MachineSession : IAsyncDisposable
         }
     }
 
-    /// <summary>Takes the new place of the drawing's zero and forgets the last job, which was cut elsewhere, and what START should cut of it.</summary>
-    private void OriginChanged(MachineHold hold)
-    {
-        Part = null;
-        _status.Placed(hold.Memory.ActiveOrigin?.Plane);
-        if (Status.MachinePosition is { } at) _status.OriginIs(OriginMissing(Profile.Scale.ToCounts(at) with { Z = Profile.Scale.ToHeight(Status.MachineHeight ?? 0.0) }));
-        DismissJob();
-    }
-
     private void Seen(MachineReading poll)
     {
         while (_watched.Watch is { } watch && watch.TryTakeMessage(out var message)) Terminal.Add(TerminalAnswerKind.Message, message);
@@ -410,9 +207,6 @@ public sealed partial class MachineSession : IAsyncDisposable
         _status.HomedIs(IsHomed);
         _status.Seen(poll);
     }
-
-    /// <summary>Why the active origin gives no place for a job, by what the watch saw; empty when it gives one.</summary>
-    private string OriginMissing(CountsPoint at) => LastPlacement(new MotionProgram(Profile, default, []), at)?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message : "";
 
     private async Task<IReadOnlyList<TerminalAnswer>> AnswerAsync(string line, CancellationToken cancellation)
     {

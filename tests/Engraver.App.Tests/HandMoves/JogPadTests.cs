@@ -55,6 +55,49 @@ public sealed class JogPadTests(DesktopFixture fixture)
         NobodyWasLate(here);
     });
 
+    /// <summary>Begun by a command, not by the pad: the window gives the signs, and whatever takes the operator away ends it.</summary>
+    [Theory]
+    [InlineData("leaves the window", "The window was left")]
+    [InlineData("makes it small", "The window was left")]
+    [InlineData("asks to close", "The window was left")]
+    [InlineData("hangs", "did not answer in time")]
+    public Task A_jog_without_an_end_that_a_command_began_stops_too(string what, string said)
+    {
+        var clock = new ManualTimeProvider();
+        return WithPad(
+            here =>
+            {
+                here.Enter("CNCJOG", "X+", "Continuous");
+                here.Until(() => X(here) > 60.0); // several times as long as the machine would wait for a sign
+                Assert.True(here.Commands.Machine.IsRunning);
+
+                if (what == "leaves the window") here.Hands.LoseFocus();
+                if (what == "makes it small") here.Window.WindowState = WindowState.Minimized;
+                if (what == "asks to close") here.Hands.AskToClose();
+                if (what == "hangs") clock.Advance(TimeSpan.FromSeconds(0.4)); // on the window's own thread, which does nothing else meanwhile
+                here.Until(() => !here.Commands.Machine.IsRunning);
+
+                here.Until(() => here.History.Any(line => line.Contains(said, StringComparison.Ordinal)));
+                if (what == "makes it small") here.Window.WindowState = WindowState.Normal;
+                here.Hands.Press(Key.Escape);
+            },
+            clock);
+    }
+
+    /// <summary>Typed just before the window is left: nobody would see what moves.</summary>
+    [Fact]
+    public Task A_jog_that_begins_in_a_window_that_was_left_gets_no_sign() => WithPad(here =>
+    {
+        here.Enter("CNCJOG", "X+");
+        here.Hands.LoseFocus();
+        var asked = here.Desk.EnterAsync("Continuous");
+        here.Until(() => asked.IsCompleted);
+        here.Until(() => here.History.Any(line => line.Contains("did not answer in time", StringComparison.Ordinal)) && !here.Commands.Machine.IsRunning);
+
+        Assert.InRange(X(here), 0.0, 40.0);
+        here.Hands.Press(Key.Escape);
+    });
+
     [Fact]
     public Task Keys_jog_only_while_the_pad_has_the_focus_and_a_second_control_makes_them_fast() => WithPad(here =>
     {
@@ -146,7 +189,7 @@ public sealed class JogPadTests(DesktopFixture fixture)
         here.Show("Machine");
         Assert.False(here.Find<Button>("ZeroZKey").IsEffectivelyVisible);
         Assert.Equal("X and Y", here.Find<Button>("ZeroAllKey").Content);
-        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCGOTO", "3,4", "CNCJOG", "Z+", "7.5", "CNCZERO", "X");
+        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "3,4", "CNCJOG", "Z+", "11.5", "CNCZERO", "X");
         Assert.Equal("X, Y and Z", here.Find<Button>("ZeroAllKey").Content);
         here.Click(here.Find<Button>("ZeroZKey"));
         here.Rest();

@@ -308,7 +308,7 @@ public sealed class ShellTests(DesktopFixture fixture)
     public Task The_smallest_window_has_room_for_a_z_axis_and_both_overrides() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(new Size(1024, 700));
-        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCGOTO", "-123.456,-234.567", "CNCJOG", "Z-", "112.345", "CNCJOG", "X+", "123.456", "CNCJOG", "Y+", "234.567", "CNCZERO", "X", "CNCZERO", "Y");
+        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "-123.456,-234.567", "CNCJOG", "Z-", "108.345", "CNCJOG", "X+", "123.456", "CNCJOG", "Y+", "234.567", "CNCZERO", "X", "CNCZERO", "Y");
         var strip = here.Find<Control>("MachineStrip");
         foreach (var name in new[] { "ZText", "MachineHeightText", "OverrideText", "RapidsText", "RapidsSlowerKey", "RapidsFasterKey", "SlowerKey", "FasterKey", "FeedText", "StopKey" })
         {
@@ -320,6 +320,31 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Equal(("R 100 %", "/ -108.345 mm"), (here.Find<TextBlock>("RapidsText").Text, here.Find<TextBlock>("MachineHeightText").Text));
         Assert.All(strip.GetVisualDescendants().OfType<TextBlock>().Where(text => text.IsEffectivelyVisible && text.Name != "ReasonText"), text => Assert.True(text.Bounds.Width <= ((Control)text.GetVisualParent()!).Bounds.Width + 0.5 && !text.TextLayout.TextLines.Any(line => line.HasCollapsed || line.HasOverflowed), text.Text));
         Assert.Equal("", CutOff(here));
+    });
+
+    /// <summary>A figure that is too long becomes smaller; none of its digits is hidden.</summary>
+    [Theory]
+    [InlineData("-123.456", "-1234.565")]
+    [InlineData("-12345.678", "-1234.565")]
+    [InlineData("12345.678", "1234.565")]
+    public Task In_the_smallest_window_no_digit_of_a_place_is_hidden(string plane, string height) => fixture.WithOperator(here =>
+    {
+        here.Hands.Resize(new Size(1024, 700));
+        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:?speed=max", "CNCMOTORS", "ON", "CNCZERO", "All", "CNCJOG", $"{plane},{plane}", "CNCJOG", height[0] == '-' ? "Z-" : "Z+", height.TrimStart('-'));
+        here.Until(() => here.Find<TextBlock>("ZText").Text == height && here.Find<TextBlock>("YText").Text == plane);
+        var field = here.Find<Border>("PlaceField");
+        var room = new Rect(field.Bounds.Size).Deflate(field.Padding).Inflate(0.5);
+        Assert.Equal((plane, $"machine {plane}  {plane} mm", $"/ {height} mm"), (here.Find<TextBlock>("XText").Text, here.Find<TextBlock>("MachinePlaceText").Text, here.Find<TextBlock>("MachineHeightText").Text));
+        var boxes = new List<Rect>();
+        foreach (var text in field.GetVisualDescendants().OfType<TextBlock>())
+        {
+            var box = new Rect(text.Bounds.Size).TransformToAABB(text.TransformToVisual(field)!.Value);
+            Assert.True(room.Contains(box), $"{text.Text} at {box} in {room}");
+            Assert.True(text.Bounds.Width + 0.5 >= text.TextLayout.Width && !text.TextLayout.TextLines.Any(line => line.HasCollapsed || line.HasOverflowed), text.Text);
+            Assert.True(text.FontSize * box.Height / text.Bounds.Height >= 7.5, $"{text.Text} is {box.Height / text.Bounds.Height} of its size");
+            Assert.DoesNotContain(boxes, other => other.Deflate(0.5).Intersects(box.Deflate(0.5)));
+            boxes.Add(box);
+        }
     });
 
     /// <summary>Pages and palettes that were drawn large in a large window take no more than there is, and have their size again when there is room.</summary>

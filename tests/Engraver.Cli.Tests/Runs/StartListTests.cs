@@ -73,5 +73,38 @@ public class StartListTests
         Assert.Equal("READY", json.GetProperty("state").GetString());
     }
 
+    /// <summary>A cut 2.5 mm deep under a clearance of 4 mm; the frame and a dry run go 6.5 mm higher.</summary>
+    [Theory]
+    [InlineData("-2", "20", "JOB0033", true)]
+    [InlineData("-5", "10", "JOB0034", false)]
+    public async Task The_height_of_the_tool_is_held_against_its_travel_by_run_dry_run_and_frame(string least, string most, string id, bool isTooDeep)
+    {
+        using var patience = new CancellationTokenSource(s_patience);
+        using var folder = new TemporaryFolder();
+        await using var controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity });
+        var clock = (await controller.ListenClockAsync(patience.Token)).Port;
+        var port = (await controller.ListenTcpAsync(0, patience.Token)).Port;
+        var profile = folder.PathOf("mill.json");
+        var mill = await File.ReadAllTextAsync(SampleDrawing.MillProfile, patience.Token);
+        await File.WriteAllTextAsync(profile, mill.Replace("\"cutDepth\": 0", $"\"cutDepth\": 2.5, \"travelZ\": {{ \"min\": {least}, \"max\": {most} }}", StringComparison.Ordinal), patience.Token);
+        string[] words = [SampleDrawing.PathOf("paper-001"), "--machine", profile, "--connect", string.Create(CultureInfo.InvariantCulture, $"tcp://127.0.0.1:{port}?clock={clock}")];
+
+        var refused = isTooDeep
+            ? await CliRun.RunAsync(["run", .. words, "--journal", folder.PathOf("a.jsonl")])
+            : await CliRun.RunAsync(["run", .. words, "--dry-run", "--journal", folder.PathOf("a.jsonl")]);
+        var frame = await CliRun.RunAsync(["frame", .. words]);
+
+        Assert.Equal(ExitCode.Usage, refused.ExitCode);
+        Assert.Contains(id, refused.Error, StringComparison.Ordinal);
+        Assert.Contains("NOT OK ", refused.Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("stays inside", refused.Error, StringComparison.Ordinal);
+        Assert.Equal(isTooDeep ? ExitCode.Done : ExitCode.DrawingError, frame.ExitCode);
+        Assert.Equal(isTooDeep, frame.Error.Contains("ok     The way round the placed job stays inside the travel of the machine.", StringComparison.Ordinal));
+        Assert.Equal(isTooDeep, controller.Record.Snapshot().Any(row => row.A != 0));
+        var runs = await CliRun.RunAsync(isTooDeep ? ["run", .. words, "--dry-run", "--journal", folder.PathOf("b.jsonl")] : ["run", .. words, "--journal", folder.PathOf("b.jsonl")]);
+        Assert.True(runs.ExitCode == ExitCode.Done, runs.Error);
+        Assert.Contains("ok     The placed job stays inside the travel of the machine.", runs.Error, StringComparison.Ordinal);
+    }
+
     private static IEnumerable<string?> Sentences(JsonElement json) => json.GetProperty("checks").EnumerateArray().Select(check => check.GetProperty("sentence").GetString());
 }

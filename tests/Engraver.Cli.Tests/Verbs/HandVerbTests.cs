@@ -105,6 +105,9 @@ public class HandVerbTests
         Assert.Contains("clearance height", flat.Error, StringComparison.Ordinal);
         await SeenAsync(["jog", "--z", "-3", .. mill]);
         Assert.Equal((5.0, 6.0), Work(await SeenAsync(["zero", "--point", "5,6", "--z", .. mill]))); // all three
+        Assert.Equal(-3.5, WorkZero(await SeenAsync(["zero", "--height", "0.5", .. mill])));
+        Assert.Equal((5.0, 6.0), Work(await SeenAsync(["status", .. mill]))); // the height alone
+        Assert.Contains("no Z axis", (await CliRun.RunAsync(["zero", "--height", "0.5", .. machine])).Error, StringComparison.Ordinal);
         await SeenAsync(["zero", .. mill]);
         Assert.Equal(1.0, Height(await SeenAsync(["goto", "clearance", .. mill]))); // 4 mm over the zero at -3
     }
@@ -117,6 +120,9 @@ public class HandVerbTests
     [InlineData("zero", "--edge", "left", "--radius", "-2")]
     [InlineData("zero", "--point", "1")]
     [InlineData("zero", "--centre", "1,2", "--z")]
+    [InlineData("zero", "--edge", "left", "--height", "1")]
+    [InlineData("zero", "--height", "high")]
+    [InlineData("zero", "--height", "NaN")]
     [InlineData("origin", "G60")]
     [InlineData("motors")]
     [InlineData("motors", "perhaps")]
@@ -158,6 +164,9 @@ public class HandVerbTests
     private static string? Name(JsonElement seen) => seen.GetProperty("work").GetProperty("name").GetString();
 
     private static IEnumerable<string?> Off(JsonElement seen) => seen.GetProperty("motorsOff").EnumerateArray().Select(axis => axis.GetString());
+
+    /// <summary>Machine height of the work's zero.</summary>
+    private static double WorkZero(JsonElement seen) => Height(seen) - seen.GetProperty("work").GetProperty("z").GetDouble();
 
     private static double Height(JsonElement seen) => seen.GetProperty("machine").GetProperty("z").GetDouble();
 

@@ -35,10 +35,72 @@ public class TravelLimitsTests
         var line = new VectorSegment(VectorSegmentKind.Line, new CountsPoint(-1000, -70), 0, 0, 0, 0, 70);
         var program = new MotionProgram(Profile(), new CountsPoint(-5, 3), [new MotionStroke(0, new CountsPoint(1000, 0), [new VectorSequence(new CountsPoint(1000, 0), 1000, [arc, line])])]);
 
-        Assert.Equal(new MotionExtents(-1000, -70, 1000, 1000), MotionExtents.Of(program));
-        Assert.Equal(new MotionExtents(-1000, -70, 2000, 1000), MotionExtents.Of(program with { Finish = new CountsPoint(2000, 0) }));
+        Assert.Equal(new MotionExtents(-1000, -70, 1000, 1000, new CountsRange(0, 0)), MotionExtents.Of(program));
+        Assert.Equal(new MotionExtents(-1000, -70, 2000, 1000, new CountsRange(0, 0)), MotionExtents.Of(program with { Finish = new CountsPoint(2000, 0) }));
         var clockwise = program with { Strokes = [new MotionStroke(0, new CountsPoint(1000, 0), [new VectorSequence(new CountsPoint(1000, 0), 1000, [arc with { DeltaDegrees = -180.0 }])])] };
         Assert.Equal(-1000, MotionExtents.Of(clockwise).LeastY);
+    }
+
+    /// <summary>Cuts from 0.5 to 2 mm deep under rapids at 5 mm, on an axis that counts upwards or downwards.</summary>
+    [Theory]
+    [InlineData(100, false, -200, 500)]
+    [InlineData(100, true, 500, 1200)]
+    [InlineData(-100, false, -500, 200)]
+    [InlineData(-100, true, -1200, -500)]
+    public void The_heights_of_a_job_reach_from_its_deepest_cut_to_its_clearance_and_a_dry_run_is_lifted_by_both(double scaleZ, bool dryRun, long least, long most)
+    {
+        var program = Slope(Mill(scaleZ));
+
+        Assert.Equal(new CountsRange(least, most), MotionExtents.Of(program).Heights(program.Profile, dryRun));
+        Assert.Equal(700 * Math.Sign(scaleZ), DryLift.Of(program));
+        var drawn = program with { Profile = program.Profile with { Height = null } };
+        Assert.Null(MotionExtents.Of(drawn).Heights(drawn.Profile, dryRun)); // an output is the tool: the height stays as it is
+        Assert.Equal(0, DryLift.Of(drawn));
+        Assert.Null(MotionExtents.Of(program with { Strokes = [] }).Heights(program.Profile, dryRun));
+    }
+
+    /// <summary>The travel is -1 to 8 mm; the job reaches from -2 to 5 mm over the work, a dry run from 5 to 12.</summary>
+    [Theory]
+    [InlineData(1, false, null)]
+    [InlineData(3, false, null)]
+    [InlineData(0.99, false, "JOB0033 C -1.01 -1 8")]
+    [InlineData(3.01, false, "JOB0033 C 8.01 -1 8")]
+    [InlineData(-4, true, null)]
+    [InlineData(-6, true, null)]
+    [InlineData(-3.99, true, "JOB0034 7 C 8.01 -1 8")]
+    [InlineData(-6.01, true, "JOB0034 7 C -1.01 -1 8")]
+    public void A_job_whose_tool_would_leave_its_travel_is_refused_by_the_height_of_the_work_and_a_dry_run_by_its_own(double work, bool dryRun, string? said)
+    {
+        foreach (var scaleZ in (double[])[100, -100])
+        {
+            var frame = new CountsPoint(0, 0, (int)Math.Round(work * scaleZ));
+            var program = Slope(Mill(scaleZ));
+            var refused = TravelLimits.Refusal(program.Profile, program, frame, dryRun);
+            Assert.Equal(said, refused is null ? null : $"{refused.Id} {string.Join(' ', refused.Facts)}");
+            var found = WorkPlacement.Within(new PlacementResult(frame, OriginSource.Given, null), program, dryRun, MachineMemory.Empty, new ControllerPlace(default));
+            Assert.Equal((said?[..7], said is null, said is null), (found.Refusal?.Id, found.Frame is not null, found.StaysInside));
+        }
+    }
+
+    [Fact]
+    public void Where_nobody_knows_the_travel_nothing_was_held_against_it()
+    {
+        var found = WorkPlacement.Within(new PlacementResult(default(CountsPoint), OriginSource.Here, null), Slope(Mill(100)), dryRun: false, MachineMemory.Empty with { Lost = "it slipped" }, new ControllerPlace(default));
+
+        Assert.Equal((true, false), (found.Frame is not null, found.StaysInside));
+    }
+
+    private static MachineProfile Mill(double scaleZ) => MachineProfile.Default with
+    {
+        Axes = MachineProfile.Default.Axes with { Z = new MachineAxis('C', scaleZ) { Travel = new AxisTravel(-1, 8) } },
+        Height = new HeightDrive { ClearanceHeight = 5.0 },
+    };
+
+    private static MotionProgram Slope(MachineProfile mill)
+    {
+        CountsPoint At(int x, double height) => new(x, 0, (int)Math.Round(height * mill.Scale.Z));
+        var line = new VectorSegment(VectorSegmentKind.Line, At(1000, -2), 0, 0, 0, 0, 1011);
+        return new MotionProgram(mill, default, [new MotionStroke(0, At(0, -0.5), [new VectorSequence(At(0, -0.5), 1000, [line])])]);
     }
 
     [Fact]
@@ -46,7 +108,7 @@ public class TravelLimitsTests
     {
         var line = new VectorSegment(VectorSegmentKind.Line, new CountsPoint(5000, 0), 0, 0, 0, 0, 5000);
         var program = new MotionProgram(Profile(), default, [new MotionStroke(0, default, [new VectorSequence(default, 1000, [line])])]);
-        PlacementResult At(int x) => WorkPlacement.Within(new PlacementResult(new CountsPoint(x, 0), OriginSource.Given, null), program, MachineMemory.Empty, new ControllerPlace(default));
+        PlacementResult At(int x) => WorkPlacement.Within(new PlacementResult(new CountsPoint(x, 0), OriginSource.Given, null), program, dryRun: false, MachineMemory.Empty, new ControllerPlace(default));
 
         Assert.NotNull(At(25000).Frame);
         Assert.Equal((null, "JOB0030"), (At(25001).Frame, At(25001).Refusal?.Id));

@@ -130,6 +130,20 @@ public sealed class GoToCommandTests : IAsyncDisposable
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "30,0"));
     }
 
+    /// <summary>Where it was switched on says nothing about the work, although the controller counts 0 there.</summary>
+    [Fact]
+    public async Task A_tool_that_was_switched_on_somewhere_does_not_travel_before_the_height_of_the_work_is_set()
+    {
+        await using var session = await ConnectedAsync();
+        await TypeAsync(session, "CNCPROFILE", Path.Combine(RepositoryFolder.Samples, "machine-mill.json"));
+
+        Assert.Contains("has no height", await FailedAsync(session, "CNCGOTO", "30,0"), StringComparison.Ordinal);
+        Assert.DoesNotContain(_controller.Record.Snapshot(), sample => (sample.A, sample.B, sample.C) is not (0, 0, 0)); // and was not raised either
+        await TypeAsync(session, "CNCZERO", "Z");
+        Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "30,0"));
+        Assert.Equal(3200, _controller.Record.Snapshot()[^1].C);
+    }
+
     [Theory]
     [InlineData(false)]
     [InlineData(true)]

@@ -137,6 +137,7 @@ public class JobCommandTests
         var away = talk.Session.Machine.Status.MachinePosition!.Value;
         Assert.Equal((2.0, -0.5), (Math.Round(away.X - held.X, 2), Math.Round(away.Y - held.Y, 2)));
         Assert.Equal(MachineState.Held, talk.Session.Machine.Status.State);
+        using var alive = new FrontEnd(talk.Session.Machine);
         Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCJOG X+ Continuous"));
         await UntilAsync(talk, () => talk.Session.Machine.Status.MachinePosition!.Value.X > away.X + 1.0, limit.Token);
         Assert.IsType<InputResult.Done>(await talk.TypeAsync(""));

@@ -35,6 +35,7 @@ public sealed class JogCommandTests : IDisposable
         await TypeAsync(session, "CNCJOG", "X+");
         var asked = await session.EnterAsync("Continuous", CancellationToken.None);
         Assert.IsType<InputResult.Asking>(asked);
+        using var alive = new FrontEnd(session.Machine);
         await StandsAtAsync(session, 30.0);
         Assert.IsType<InputResult.Done>(await TypeAsync(session, ""));
 

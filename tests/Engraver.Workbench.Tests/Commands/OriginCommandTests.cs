@@ -195,12 +195,35 @@ public class OriginCommandTests
     public async Task On_a_machine_with_a_z_axis_every_sentence_of_an_origin_tells_its_height()
     {
         await using var talk = CommandTalk.WithDrawing();
-        await talk.TypeAsync("CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCGOTO", "12,-4", "CNCJOG", "Z+", "2.5");
+        await talk.TypeAsync("CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "12,-4", "CNCJOG", "Z+", "6.5");
 
         await talk.TypeAsync("CNCZERO", "Z");
         Assert.EndsWith("G54: the drawing's zero lies at X (not set), Y (not set), Z 6.5 mm of the machine.", talk.Said, StringComparison.Ordinal);
         await talk.TypeAsync("CNCZERO", "All", "Yes", "CNCORIGIN", "List");
         Assert.Contains("G54: the drawing's zero lies at X 12 mm, Y -4 mm, Z 6.5 mm of the machine.", talk.Said, StringComparison.Ordinal);
+    }
+
+    /// <summary>Over a feeler gauge of 0.5 mm, say; and every sentence about the present place tells it.</summary>
+    [Fact]
+    public async Task The_height_at_which_the_tool_stands_may_be_typed_and_every_sentence_about_the_place_tells_the_height()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("CNCCONNECT", "sim:");
+        Assert.Contains("no Z axis", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Height")).Sentence, StringComparison.Ordinal);
+        await talk.TypeAsync("CNCDISCONNECT", "CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "12,-4", "CNCJOG", "Z+", "6.5");
+        Assert.EndsWith("The machine stands at 12,-4,6.5 mm.", talk.Said, StringComparison.Ordinal);
+
+        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("CNCZERO", "Height", "high"));
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("0.5"));
+        Assert.Equal((null, null, 4800), (Active(talk).Item1, Active(talk).Item2, talk.Session.Machine.Hold!.Memory.ActiveOrigin?.Z));
+        Assert.EndsWith("Z 6 mm of the machine.", talk.Said, StringComparison.Ordinal);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCZERO", "Height", "-1.25", "Yes")); // it was set
+        Assert.Equal(6200, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Z);
+        Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCZERO", "Height", "1e9", "Yes")).Sentence, StringComparison.Ordinal);
+
+        await talk.TypeAsync("CNCZERO", "All", "Yes", "CNCJOG", "Z-", "1.5", "CNCSTATUS", "CNCARM", "Stream");
+        Assert.Contains("machine 12,-4,5 mm, work 0,0,-1.5 mm", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("The drawing's zero lies at 12,-4,6.5 mm of the machine.", talk.Said, StringComparison.Ordinal);
     }
 
     private static (int?, int?) Active(CommandTalk talk) => (talk.Session.Machine.Hold!.Memory.ActiveOrigin?.X, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Y);

@@ -99,10 +99,10 @@ public class ArmingTests
     {
         await using var bench = await MachineBench.ConnectedAsync();
         var job = MachineBench.Job();
-        Assert.NotNull(await bench.Machine.AskAsync(job.Motion.Program!, bench.Limit));
+        Assert.NotNull(await bench.Machine.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit));
         await bench.Controller.DisposeAsync();
 
-        Assert.Null(await bench.Machine.AskAsync(job.Motion.Program!, bench.Limit)); // nobody has looked since
+        Assert.Null(await bench.Machine.AskAsync(job.Motion.Program!, dryRun: false, bench.Limit)); // nobody has looked since
         Assert.Equal((MachineState.Fault, true), (bench.Machine.Status.State, bench.Machine.Status.IsLinkLost));
     }
 

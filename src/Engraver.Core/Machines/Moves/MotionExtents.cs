@@ -1,7 +1,8 @@
 namespace Engraver.Core.Machines.Moves;
 
-/// <summary>The counts between which a motion program moves the axes of the plane, job frame: strokes with the bulge of their arcs, the way to the first of them, between them and to the finish.</summary>
-public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX, long MostY)
+/// <summary>The counts between which a motion program moves the axes, job frame. In plan: strokes with the bulge of their arcs, the way to the first of them, between them and to the finish.</summary>
+/// <param name="Cuts">The heights of its strokes; null for a program without any.</param>
+public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX, long MostY, CountsRange? Cuts = null)
 {
     public static MotionExtents Of(MotionProgram program)
     {
@@ -14,6 +15,7 @@ public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX
             foreach (var sequence in stroke.Sequences)
             {
                 var from = sequence.Start;
+                extents = extents.At(from.Z);
                 foreach (var segment in sequence.Segments)
                 {
                     extents = extents.With(from, segment);
@@ -25,14 +27,32 @@ public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX
         return extents;
     }
 
+    /// <summary>The heights that the tool's axis reaches, over the drawing's height 0: from the deepest cut to the clearance height of the rapids; in a dry run as much higher as it is lifted (<see cref="DryLift"/>).</summary>
+    /// <returns>Null where no axis holds the tool, or nothing is cut: the height stays as it is.</returns>
+    public CountsRange? Heights(MachineProfile profile, bool dryRun)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        if (profile.Height is null || Cuts is not { } cuts) return null;
+        var lift = dryRun ? DryLift.Of(profile, this) : 0;
+        var reached = cuts.With(profile.ClearanceCounts);
+        return new CountsRange(reached.Least + lift, reached.Most + lift);
+    }
+
     private static MotionExtents At(CountsPoint point) => new(point.X, point.Y, point.X, point.Y);
 
-    private MotionExtents With(double x, double y) => new(
-        Math.Min(LeastX, (long)Math.Floor(x)), Math.Min(LeastY, (long)Math.Floor(y)), Math.Max(MostX, (long)Math.Ceiling(x)), Math.Max(MostY, (long)Math.Ceiling(y)));
+    private MotionExtents At(int height) => this with { Cuts = Cuts?.With(height) ?? new CountsRange(height, height) };
+
+    private MotionExtents With(double x, double y) => this with
+    {
+        LeastX = Math.Min(LeastX, (long)Math.Floor(x)),
+        LeastY = Math.Min(LeastY, (long)Math.Floor(y)),
+        MostX = Math.Max(MostX, (long)Math.Ceiling(x)),
+        MostY = Math.Max(MostY, (long)Math.Ceiling(y)),
+    };
 
     private MotionExtents With(CountsPoint from, in VectorSegment segment)
     {
-        var extents = With(segment.End.X, segment.End.Y);
+        var extents = With(segment.End.X, segment.End.Y).At(segment.End.Z);
         if (segment.Kind == VectorSegmentKind.Line) return extents;
         var theta = segment.ThetaDegrees * Math.PI / 180.0;
         var (centreX, centreY) = (from.X - (segment.Radius * Math.Cos(theta)), from.Y - (segment.Radius * Math.Sin(theta)));
@@ -45,4 +65,10 @@ public readonly record struct MotionExtents(long LeastX, long LeastY, long MostX
 
         return extents;
     }
+}
+
+/// <summary>Counts of one axis, both ends reached.</summary>
+public readonly record struct CountsRange(long Least, long Most)
+{
+    public CountsRange With(long counts) => new(Math.Min(Least, counts), Math.Max(Most, counts));
 }

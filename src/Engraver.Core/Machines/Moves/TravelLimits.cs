@@ -50,13 +50,24 @@ public static class TravelLimits
         return Refusal(profile, counts, counts);
     }
 
-    /// <summary>The same for a job whose drawing zero lies at these counts.</summary>
-    public static Diagnostic? Refusal(MotionProgram program, CountsPoint frame)
+    /// <summary>The same for a job whose drawing zero lies at these counts: its way in plan, and where an axis holds the tool the heights from its deepest cut to its clearance.</summary>
+    /// <param name="profile">The machine with its travel; the axes of the program's own profile are in the same order.</param>
+    /// <param name="dryRun">The tool stays out of the work: everything is made higher (<see cref="DryLift"/>).</param>
+    public static Diagnostic? Refusal(MachineProfile profile, MotionProgram program, CountsPoint frame, bool dryRun)
     {
+        ArgumentNullException.ThrowIfNull(profile);
         ArgumentNullException.ThrowIfNull(program);
-        if (Of(program.Profile).Count == 0) return null;
+        if (Of(profile).Count == 0) return null;
         var extents = MotionExtents.Of(program);
-        return Refusal(program.Profile, [extents.LeastX + frame.X, extents.LeastY + frame.Y], [extents.MostX + frame.X, extents.MostY + frame.Y]);
+        if (Refusal(profile, [extents.LeastX + frame.X, extents.LeastY + frame.Y], [extents.MostX + frame.X, extents.MostY + frame.Y]) is { } inPlan) return inPlan;
+        if (extents.Heights(program.Profile, dryRun) is not { } heights || profile.Axes.Z is not { } axis || Of(axis) is not { } limit) return null;
+        var (least, most) = (heights.Least + frame.Z, heights.Most + frame.Z);
+        if (least >= limit.Least && most <= limit.Most) return null;
+        var (letter, place) = (axis.Letter.ToString(), Number((least < limit.Least ? least : most) / axis.CountsPerMillimetre));
+        var (down, up) = (Number(axis.Travel!.Least), Number(axis.Travel.Most));
+        return dryRun
+            ? PreparationRules.DryRunOutsideTravel.At(default, Number(DryLift.Of(program.Profile, extents) / axis.CountsPerMillimetre), letter, place, down, up)
+            : PreparationRules.HeightOutsideTravel.At(default, letter, place, down, up);
     }
 
     private static int Clamp(double counts) => (int)Math.Clamp(counts, int.MinValue, int.MaxValue);

@@ -27,12 +27,14 @@ public static class WorkPlacement
     }
 
     /// <summary>The same place, unless the job that is placed there leaves the machine's travel.</summary>
-    public static PlacementResult Within(PlacementResult found, MotionProgram program, MachineMemory memory, ControllerPlace place)
+    /// <param name="dryRun">The tool stays out of the work.</param>
+    public static PlacementResult Within(PlacementResult found, MotionProgram program, bool dryRun, MachineMemory memory, ControllerPlace place)
     {
         ArgumentNullException.ThrowIfNull(found);
         ArgumentNullException.ThrowIfNull(program);
         ArgumentNullException.ThrowIfNull(memory);
-        return found.Frame is { } frame && memory.KnowsTravel(program.Profile, place) && TravelLimits.Refusal(program, frame) is { } outside ? found with { Frame = null, Refusal = outside } : found;
+        if (found.Frame is not { } frame || !memory.KnowsTravel(program.Profile, place)) return found;
+        return TravelLimits.Refusal(program.Profile, program, frame, dryRun) is { } outside ? found with { Frame = null, Refusal = outside } : found with { StaysInside = true };
     }
 
     /// <summary>Why the controller's position cannot be trusted by what is kept; null when it can.</summary>
@@ -56,7 +58,7 @@ public static class WorkPlacement
         ArgumentNullException.ThrowIfNull(profile);
         if (LossOf(memory, place) is { } lost) return (null, lost);
         if (memory.ActiveOrigin?.Z is null && memory.IsHomedAt(profile, place) && IsAtTop(place, profile)) return (place.Position.Z, null);
-        if (HeightOf(memory.ActiveOrigin, place) is not { } work) return (null, PreparationRules.HeightNotSet.At(default, memory.Active));
+        if (memory.ActiveOrigin?.Z is not { } work) return (null, PreparationRules.HeightNotSet.At(default, memory.Active));
         var clearance = work + profile.ClearanceCounts;
         return (profile.IsLower(place.Position.Z, clearance) ? clearance : place.Position.Z, null);
     }
@@ -88,8 +90,8 @@ public static class WorkPlacement
         return HeightOf(memory.ActiveOrigin, place) is { } height ? Placed(profile.Scale.ToCounts(at) with { Z = height }, OriginSource.Given) : Refused(PreparationRules.OriginHalfSet.At(default, memory.Active, "Z"));
     }
 
-    /// <summary>Where nobody set a height and the controller counts 0 there, that is the height, as for the places in plan; otherwise null.</summary>
-    private static int? HeightOf(WorkOrigin? origin, ControllerPlace place) => origin?.Z ?? (place.Position.Z == 0 && origin is null or { IsAssumed: true } ? 0 : null);
+    /// <summary>Where nobody set an origin and the controller counts 0 in all axes, a job's work is taken to be there, in height as in plan, and the list before the start says so; otherwise null.</summary>
+    private static int? HeightOf(WorkOrigin? origin, ControllerPlace place) => origin?.Z ?? (place.Position == default && origin is null or { IsAssumed: true } ? 0 : null);
 
     private static PlacementResult Work(MachineMemory memory, ControllerPlace place, MachineProfile profile)
     {
@@ -121,6 +123,9 @@ public sealed record PlacementResult(CountsPoint? Frame, OriginSource Source, Di
 {
     /// <summary>No origin was set: the controller counts 0, and that place is taken.</summary>
     public bool IsAssumed { get; init; }
+
+    /// <summary>The job was held against the travel of the machine and does not leave it; false also where nobody knows the travel.</summary>
+    public bool StaysInside { get; init; }
 }
 
 /// <summary>Where a job's origin comes from.</summary>

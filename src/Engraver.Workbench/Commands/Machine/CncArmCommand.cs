@@ -27,7 +27,7 @@ internal sealed class CncArmCommand : ICommand
         JobStart.SayPart(context, job, mode.Mode);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false);
-        var placement = job.Motion.Program is { } program ? await context.Machine.AskAsync(program, cancellation).ConfigureAwait(false) : null;
+        var placement = job.Motion.Program is { } program ? await context.Machine.AskAsync(program, mode.DryRun, cancellation).ConfigureAwait(false) : null;
         var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow());
         foreach (var check in checklist.Checks) CheckText.Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));

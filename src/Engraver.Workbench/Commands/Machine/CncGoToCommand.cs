@@ -57,7 +57,7 @@ internal sealed class CncGoToCommand : ICommand
     {
         var memory = context.Machine.Hold!.Memory;
         if (memory.ActiveOrigin?.Plane is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.OriginNotSet", memory.Active));
-        var found = await context.Machine.PlaceAsync(new MotionProgram(context.Machine.Profile, default, []), cancellation).ConfigureAwait(false);
+        var found = await context.Machine.FindZeroAsync(cancellation).ConfigureAwait(false);
         return found?.Frame ?? throw new CommandException(CommandFailure.Refused, found?.Refusal is { } refused ? SettingWording.AtCommandLine(refused).Message : Wording.Get("CncGoTo.OriginNotSet", memory.Active));
     }
 }

@@ -41,15 +41,16 @@ internal sealed class CncJogCommand : ICommand
         if (context.IsScripted) throw new CommandException(CommandFailure.Usage, Wording.Get("CncJog.OnlyByHand"));
         HandMotion.CheckMotors(context);
         var speed = context.Machine.Profile.JogMmPerMinute;
-        var control = new JogControl(way.At(speed));
-        var jogging = context.Machine.JogAsync(control, context.NewRunJournal("jog"), cancellation);
+        using var jog = context.Machine.Presence.Begin(way.At(speed));
+        var jogging = context.Machine.JogAsync(jog, context.NewRunJournal("jog"), cancellation);
+        _ = jog.Lost.ContinueWith(lost => context.Say(Wording.Get(lost.Result ? "CncJog.Late" : "CncJog.Left"), MessageKind.Warning), CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default);
         try
         {
             await context.ChoiceAsync(Wording.Get("CncJog.Moving", speed), Keyword.List("Stop"), "Stop").ConfigureAwait(false);
         }
         finally
         {
-            control.Release();
+            jog.Release();
             HandMotion.Conclude(context, await jogging.ConfigureAwait(false));
         }
     }

@@ -15,7 +15,7 @@ internal sealed class CncStatusCommand : ICommand
     {
         var machine = context.Machine;
         var job = context.Derivation is { IsCurrent: true, Current.Job: { } derived } ? derived : null;
-        var placement = machine is { Description: not null, IsRunning: false } ? await machine.AskAsync(job?.Motion.Program ?? new MotionProgram(machine.Profile, default, []), cancellation).ConfigureAwait(false) : null;
+        var placement = machine is { Description: not null, IsRunning: false } ? await machine.AskAsync(job?.Motion.Program, dryRun: machine.Armed is { DryRun: true }, cancellation).ConfigureAwait(false) : null;
         context.SayResult(output =>
         {
             output.WriteLine(machine.Description is { } description ? Wording.Get("CncStatus.At", machine.IsSimulation ? Wording.Get("CncStatus.Simulation") : Wording.Get("CncStatus.Connected"), machine.Identity?.Model, description) : Wording.Get("CncStatus.Offline"));
@@ -32,8 +32,8 @@ internal sealed class CncStatusCommand : ICommand
 
     private static string StateText(MachineStatus status)
     {
-        var place = status.MachinePosition is { } at ? Wording.Get("CncStatus.MachineMm", PointPrompt.Show(at)) : "";
-        var work = status.WorkPosition is { } here ? Wording.Get("CncStatus.WorkMm", PointPrompt.Show(here)) : "";
+        var place = status.MachinePosition is { } at ? Wording.Get("CncStatus.MachineMm", PlaceText.Show(at, status.MachineHeight)) : "";
+        var work = status.WorkPosition is { } here ? Wording.Get("CncStatus.WorkMm", PlaceText.Show(here, status.WorkHeight)) : "";
         return Wording.Get("CncStatus.State", status.State.Said(), status.Reason.Length > 0 ? $" ({status.Reason})" : "", place, work, status.LastRefusal is { } refused ? Wording.Get("CncStatus.LastRefusal", refused) : "");
     }
 }

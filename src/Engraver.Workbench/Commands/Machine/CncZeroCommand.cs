@@ -6,10 +6,10 @@ using Engraver.Workbench.Machines.Runs;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCZERO: The place where the machine stands becomes a place of the drawing, in the active work origin: its zero, or what is typed.</summary>
+/// <summary>CNCZERO: The place where the machine stands becomes a place of the drawing, in the active work origin: its zero, or what is typed; with Height the tool stands at a typed height of the drawing, as over a feeler gauge.</summary>
 internal sealed class CncZeroCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y", "Z", "Point", "Edges", "Centre");
+    private static readonly IReadOnlyList<Keyword> s_axes = Keyword.List("All", "X", "Y", "Z", "Point", "Height", "Edges", "Centre");
 
     public CommandInfo Info { get; } = new("CNCZERO", CommandGroup.Machine);
 
@@ -24,18 +24,20 @@ internal sealed class CncZeroCommand : ICommand
             return;
         }
 
-        if (axes == "Z" && context.Machine.Profile.Axes.Z is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncZero.NoZAxis"));
+        if (axes is "Z" or "Height" && context.Machine.Profile.Axes.Z is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncZero.NoZAxis"));
         var place = axes == "Point" ? await context.ValueAsync(new PointPrompt(Wording.Get("CncZero.SpecifyPlace"))).ConfigureAwait(false) : default;
+        var height = axes == "Height" ? await context.ValueAsync(new NumberPrompt(Wording.Get("CncZero.SpecifyHeight"))).ConfigureAwait(false) : 0.0;
         if (IsSet(before, axes) && !await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", before.Active)).ConfigureAwait(false)) return;
-        if (!context.Machine.Profile.Scale.Holds(Bounds2D.FromCorners(place, place), default)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
-        var at = context.Machine.Profile.Scale.ToCounts(place);
+        var scale = context.Machine.Profile.Scale;
+        if (!scale.Holds(Bounds2D.FromCorners(place, place), default) || !scale.HoldsHeight(height)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
+        var at = scale.ToCounts(place) with { Z = scale.ToHeight(height) };
         var part = context.Machine.Part;
         var memory = await context.Machine.SetOriginAsync(
             (memory, here) => memory.WithOrigin(
                 memory.Active,
-                axes is "Y" or "Z" ? null : here.Position.X - at.X,
-                axes is "X" or "Z" ? null : here.Position.Y - at.Y,
-                axes is "Z" or "All" && context.Machine.Profile.Axes.Z is not null ? here.Position.Z : null),
+                axes is "Y" or "Z" or "Height" ? null : here.Position.X - at.X,
+                axes is "X" or "Z" or "Height" ? null : here.Position.Y - at.Y,
+                axes is "Z" or "Height" or "All" && context.Machine.Profile.Axes.Z is not null ? here.Position.Z - at.Z : null),
             cancellation).ConfigureAwait(false);
         context.Say(OriginText.Sentence(memory.Active, memory.ActiveOrigin, context.Machine.Profile), MessageKind.Result);
         OriginText.TellPart(context, part);
@@ -43,7 +45,7 @@ internal sealed class CncZeroCommand : ICommand
 
     /// <summary>True for an origin that an operator set on one of these axes: the command asks before it is overwritten.</summary>
     private static bool IsSet(MachineMemory memory, string axes) => memory.ActiveOrigin is { IsAssumed: false } origin &&
-        ((axes is not ("Y" or "Z") && origin.X is not null) || (axes is not ("X" or "Z") && origin.Y is not null) || (axes is "Z" or "All" && origin.Z is not null));
+        ((axes is not ("Y" or "Z" or "Height") && origin.X is not null) || (axes is not ("X" or "Z" or "Height") && origin.Y is not null) || (axes is "Z" or "Height" or "All" && origin.Z is not null));
 }
 
 /// <summary>CNCORIGIN: Chooses the work origin that jobs use, G54 to G59, and lists where they lie.</summary>

@@ -61,8 +61,7 @@ internal static class HandMotion
         if (result.Outcome == JobOutcome.Refused && result.Diagnostics is [{ } refusal, ..] && result.FinalPosition is null) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
         if (result.Outcome != JobOutcome.Complete) throw JobStart.Failure(result);
         if (result.FinalPosition is not { } at) return;
-        var scale = context.Machine.Profile.Scale;
-        context.Say(Wording.Get("CncGoTo.MachineStandsMm", PointPrompt.Show(new Point2D(at.X / scale.X, at.Y / scale.Y))), MessageKind.Result);
+        context.Say(Wording.Get("CncGoTo.MachineStandsMm", PlaceText.Show(at, context.Machine.Profile.Scale)), MessageKind.Result);
     }
 
     private static CountsPoint Counts(CommandContext context, Point2D machine)

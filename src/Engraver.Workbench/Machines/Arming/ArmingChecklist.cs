@@ -28,6 +28,11 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     public static ArmingChecklist OnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement) =>
         Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console);
 
+    /// <summary>The same before the machine goes round a job, tool out of the work.</summary>
+    /// <param name="placement">Where the way round the job would go.</param>
+    public static ArmingChecklist OfFrameOnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement) =>
+        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console with { StaysInside = "ArmingChecklist.FrameStaysInside" });
+
     /// <summary>The first line that prevents the start; null when none does.</summary>
     public string? WhyNot => Checks.FirstOrDefault(check => !check.Passed)?.Sentence;
 
@@ -39,7 +44,7 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
         .. OfDrawing(job, errorsAccepted, speech),
         .. OfMachine(status, now, speech),
         Asked(status, now, Origin(job, placement, speech)),
-        .. Travel(job, placement).Select(check => Asked(status, now, check)),
+        .. Travel(job, placement, speech).Select(check => Asked(status, now, check)),
         .. Warnings(job, speech),
         .. LastJob(status),
     ]);
@@ -86,16 +91,17 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
             .Select(found => Warning(speech.Finding(found).TrimEnd('.')));
 
     /// <summary>A job that would leave the travel has no place, and the line of the origin says so.</summary>
-    private static IEnumerable<ArmingCheck> Travel(PreparedJob job, PlacementResult? placement)
+    private static IEnumerable<ArmingCheck> Travel(PreparedJob job, PlacementResult? placement, CheckSpeech speech)
     {
-        if (placement?.Frame is not null && job.Settings.Machine.Axes.All.Any(axis => axis.Travel is not null)) yield return Check(true, Wording.Get("ArmingChecklist.StaysInside"));
+        if (placement is { Frame: not null, StaysInside: true } && job.Settings.Machine.Axes.All.Any(axis => axis.Travel is not null)) yield return Check(true, Wording.Get(speech.StaysInside));
     }
 
     private static ArmingCheck Origin(PreparedJob job, PlacementResult? placement, CheckSpeech speech)
     {
         if (placement?.Frame is not { } frame) return Check(false, placement?.Refusal is { } refused ? speech.Finding(refused).TrimEnd('.') : Wording.Get("ArmingChecklist.PlaceNotKnown"));
-        var scale = job.Settings.Machine.Scale;
-        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroLies", PointPrompt.Show(new Point2D(frame.X / scale.X, frame.Y / scale.Y))));
+        var machine = job.Settings.Machine;
+        var scale = machine.Height is null ? machine.Scale with { Z = 0.0 } : machine.Scale; // without a tool on it the height of an axis means nothing to a job
+        return Check(true, Wording.Get(placement.IsAssumed ? "ArmingChecklist.ZeroAssumed" : "ArmingChecklist.ZeroLies", PlaceText.Show(frame, scale)));
     }
 
     private static IEnumerable<ArmingCheck> LastJob(MachineStatus status)
@@ -126,6 +132,9 @@ internal sealed record CheckSpeech(Func<Diagnostic, Diagnostic> Translate, Func<
     public static CheckSpeech Desktop { get; } = new(SettingWording.AtCommandLine, SettingWording.AtCommandLine, SwitchesMotors: false);
 
     public static CheckSpeech Console { get; } = new(SettingWording.OnConsole, SettingWording.OnConsole, SwitchesMotors: true);
+
+    /// <summary>Key of the line that nothing leaves the travel.</summary>
+    public string StaysInside { get; init; } = "ArmingChecklist.StaysInside";
 
     /// <summary>A text with its settings and commands named.</summary>
     public string Text(string key) => Spell(Wording.Get(key));

@@ -21,17 +21,18 @@ public sealed class JobPlacement
     public bool KnowsTravel { get; private init; }
 
     /// <summary>Asks the controller where the machine is and finds the place by the kept work origin.</summary>
+    /// <param name="dryRun">The tool stays out of the work, which takes a tool that an axis holds higher.</param>
     /// <param name="time">Gives the number of the mark that is left in the controller.</param>
     /// <exception cref="ControllerException">The link failed.</exception>
     /// <exception cref="MachineMemoryException">What is found out cannot be kept.</exception>
-    public static async Task<JobPlacement> FindAsync(IMachineConnection machine, MachineHold hold, MotionProgram program, OriginRequest origin, FinishPlace finish, TimeProvider time, CancellationToken cancellation)
+    public static async Task<JobPlacement> FindAsync(IMachineConnection machine, MachineHold hold, MotionProgram program, bool dryRun, OriginRequest origin, FinishPlace finish, TimeProvider time, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(machine);
         ArgumentNullException.ThrowIfNull(hold);
         ArgumentNullException.ThrowIfNull(program);
         var place = await machine.LocateAsync(program.Profile.Axes, cancellation).ConfigureAwait(false);
         var found = WorkPlacement.Find(hold.Memory, place, origin, program.Profile, program.Start);
-        if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, hold.Memory, place);
+        if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, hold.Memory, place);
         if (found.Frame is not { } frame) return new JobPlacement(hold, found, program);
         if (found.Source == OriginSource.Work) await VouchAsync(machine, hold, place, memory => found.IsAssumed ? memory.AssumeZero(program.Profile.Axes.Z is not null) : memory, time, cancellation).ConfigureAwait(false);
         else hold.Recognise(place);

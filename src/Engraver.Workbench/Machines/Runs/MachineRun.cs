@@ -72,7 +72,7 @@ public static class MachineRun
         using var taken = options.Hold is null ? options.Memories.Take(connection.Description, machine.Identity, await machine.LocateAsync(program.Profile.Axes, stop).ConfigureAwait(false), options.Holder) : null;
         var beginning = await JobBeginning.FindAsync(machine, program, options, (options.Hold ?? taken!).Memory, stop).ConfigureAwait(false);
         if (beginning.Refusal is { } refused) return MachineRunReport.NotResumed(refused, program, machine.Identity.Model);
-        var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, beginning.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
+        var placement = await JobPlacement.FindAsync(machine, options.Hold ?? taken!, program, options.DryRun, beginning.Origin, options.Finish, clock.Time, stop).ConfigureAwait(false);
         var planned = machine.PlannedSeconds(beginning.RestOf(placement.Program), options.Mode);
         var unready = await WhyNotAsync(placement, options.Hold ?? taken!, machine, connection, options, clock.Time, stop).ConfigureAwait(false);
         if (placement.Found.Frame is not { } frame) return MachineRunReport.NotPlaced(placement, machine.Identity.Model, planned);

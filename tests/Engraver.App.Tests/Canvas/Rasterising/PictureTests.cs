@@ -96,7 +96,7 @@ public sealed class PictureTests(DesktopFixture fixture)
     public Task A_machine_with_a_z_axis_is_commissioned() => fixture.WithOperator(here =>
     {
         here.Hands.Resize(s_usual);
-        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCGOTO", "12,-4", "CNCJOG", "Z+", "7.5", "CNCZERO", "All", "CNCJOG", "Z-", "2.25");
+        here.Enter("CNCPROFILE", "machine-mill.json", "CNCCONNECT", "sim:", "CNCMOTORS", "ON", "CNCJOG", "12,-4", "CNCJOG", "Z+", "11.5", "CNCZERO", "All", "CNCJOG", "Z-", "2.25");
         here.Show("Machine");
         Take(here, "machine-page");
         here.Show("Commissioning");

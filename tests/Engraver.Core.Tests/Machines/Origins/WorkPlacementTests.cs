@@ -128,5 +128,19 @@ public class WorkPlacementTests
         Assert.Equal(default(CountsPoint), later.Frame);
     }
 
+    [Fact]
+    public void A_height_that_nobody_set_is_not_taken_from_where_the_controller_counts_0()
+    {
+        var tall = MachineProfile.Default with { Axes = MachineAxes.Default with { Z = new MachineAxis('C', 400.0) }, Height = new HeightDrive { ClearanceHeight = 5.0 } };
+        var at = new ControllerPlace(new CountsPoint(7, 8, 0), Mark: 77, Clock: 9999);
+
+        Assert.Equal("JOB0032", WorkPlacement.Over(MachineMemory.Empty, new ControllerPlace(default), tall).Refusal?.Id);
+        Assert.Equal("JOB0032", WorkPlacement.Over(s_set, at, tall).Refusal?.Id);
+        Assert.Equal((2100, null), WorkPlacement.Over(s_set.WithOrigin("G54", null, null, 100), at, tall));
+        Assert.Equal((2000, null), WorkPlacement.Over(MachineMemory.Empty.AssumeZero(hasHeight: true) with { Mark = 77 }, at, tall)); // the zero of a job that was run there
+        Assert.Equal("JOB0011", WorkPlacement.Find(MachineMemory.Empty, new ControllerPlace(new CountsPoint(7, 8, 0)), new OriginRequest.Given(new Point2D(2, 3)), tall, default).Refusal?.Id);
+        Assert.Equal(new CountsPoint(2000, 3000, 0), WorkPlacement.Find(MachineMemory.Empty, new ControllerPlace(default), new OriginRequest.Given(new Point2D(2, 3)), tall, default).Frame);
+    }
+
     private static PlacementResult Work(MachineMemory memory, ControllerPlace place) => WorkPlacement.Find(memory, place, new OriginRequest.Work(), MachineProfile.Default, default);
 }
