@@ -76,7 +76,6 @@ public sealed class ShellModel : Observable
         new("Layers", () => new LayersView { DataContext = new LayersModel(Desk) }),
         new("Properties", () => new PropertiesView { DataContext = new PropertiesModel(Desk) }),
         new("Contours", () => new ContoursView { DataContext = new ContoursModel(Desk) }),
-        new("Trajectories", () => new TrajectoriesView { DataContext = new TrajectoriesModel(Desk) }),
         new("Job", () => new JobView { DataContext = new JobModel(Desk) }),
         new("Program", () => new ProgramView { DataContext = new ProgramModel(Desk) }),
         new("Machine", () => new HandMovesView { DataContext = new HandMovesModel(Desk) }),
@@ -89,6 +88,7 @@ public sealed class ShellModel : Observable
     [
         new("Command", () => new CommandWindowView { DataContext = Command }),
         new("Table", () => new TableView { DataContext = new TableModel(Desk) }),
+        new("Trajectories", () => new TrajectoriesView { DataContext = new TrajectoriesModel(Desk) }),
         new("Findings", () => new FindingsView { DataContext = new FindingsModel(Desk) }),
         _alarms,
         new("Terminal", () => new TerminalView { DataContext = new TerminalModel(Desk) }),

@@ -1,4 +1,5 @@
 using Avalonia.Controls;
+using Avalonia.Data;
 using Avalonia.Input;
 
 namespace Engraver.App.Trajectories;
@@ -11,8 +12,8 @@ public partial class TrajectoriesView : UserControl
     /// <summary>Enter takes what was typed, as leaving the field does.</summary>
     private void OnKey(object? sender, KeyEventArgs e)
     {
-        if (e.Key != Key.Enter) return;
+        if (e.Key != Key.Enter || sender is not TextBox box) return;
         e.Handled = true;
-        TrajectoryList.Focus();
+        BindingOperations.GetBindingExpressionBase(box, TextBox.TextProperty)?.UpdateSource();
     }
 }

@@ -27,7 +27,7 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
         here.Click(here.Find<Button>("DeleteOneButton"));
         here.Rest();
         Assert.Equal(["traj1_path"], Rows(here).Select(row => row.Name));
-        here.Enter("U", "U", "U", "U");
+        for (var step = 0; step < 4; step++) Run(here, "U");
         Assert.Equal(("traj0_path", 0.0), (Rows(here)[0].Name, All(here)[0].Curve.Z));
     });
 
@@ -48,18 +48,25 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
         var (curves, marks) = (here.Window.Canvas.Overlay!.Trajectories.Count, here.Window.Canvas.Overlay!.TrajectoryMarks.Count);
 
         Assert.Equal((8 * All(here).Sum(one => one.Curve.Points - 1), All(here).Sum(one => one.Curve.Points)), (curves, marks));
-        here.Enter("SHOW", "T", "OFF");
+        Run(here, "SHOW", "T", "OFF");
         Assert.False(here.Commands.View.Current.Shown.HasFlag(CanvasLayers.Trajectories));
-        here.Enter("U", "U");
+        Run(here, "U");
+        Run(here, "U");
         Assert.Equal(0, here.Window.Canvas.Overlay!.Trajectories.Count);
     });
 
     private static void WithTwo(Operator here)
     {
         here.Open("gasket.dxf");
-        here.Show("Trajectories");
         var circles = Enumerable.Range(0, here.Commands.Document.Current.Drawing!.Entities.Count).Where(entity => here.Commands.Document.Current.Drawing!.Entities[entity].Type == Engraver.Core.Drawings.CurveType.Circle).Take(2).ToList();
-        foreach (var circle in circles) here.Enter("SACEPATH", "H", here.Commands.Document.Current.Drawing!.SourceOf(circle).Handle!, "");
+        foreach (var circle in circles) Run(here, "SACEPATH", "H", here.Commands.Document.Current.Drawing!.SourceOf(circle).Handle!, "");
+        here.Show("Trajectories");
+    }
+
+    /// <summary>As a menu does, for a page other than the command window is in front.</summary>
+    private static void Run(Operator here, params string[] inputs)
+    {
+        _ = here.Desk.RunAsync(inputs);
         here.Rest();
     }
 
