@@ -1,7 +1,9 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
@@ -15,6 +17,15 @@ public static class DrawingPlot
         var title = Path.GetFileName(drawing.FileName);
         if (asDrawn) return PlotModel.FromDrawing(JobPreparation.Analyse(drawing, settings), title);
         return PlotModel.FromPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, JobPreparation.ToCut(drawing, settings), settings), settings), title);
+    }
+
+    /// <summary>Trajectories over the drawing: those of the document, or those that stand beside the drawing, else one along each contour.</summary>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    public static (PlotModel Plot, IReadOnlyList<Diagnostic> Findings) OfTrajectories(Drawing drawing, DrawingSettings settings, IReadOnlyList<DocumentTrajectory>? known)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        var (trajectories, findings) = known is { Count: > 0 } ? (known, []) : TrajectoryJob.Find(drawing, settings);
+        return (TrajectoryPlot.Create(JobPreparation.Analyse(drawing, settings), [.. trajectories.Select(one => one.Curve)], Path.GetFileName(drawing.FileName)), findings);
     }
 
     /// <summary>A run over the drawing.</summary>
