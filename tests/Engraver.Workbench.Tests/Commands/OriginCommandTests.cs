@@ -188,6 +188,8 @@ public class OriginCommandTests
         Assert.Contains("stepper", talk.Said, StringComparison.Ordinal);
         Assert.Equal((12000, -4000), Active(talk));
         await talk.TypeAsync("CNCTERMINAL", "SHA");
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why); // with current again it stands where somebody may have moved it
+        await talk.TypeAsync("CNCZERO", "All");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
     }
 

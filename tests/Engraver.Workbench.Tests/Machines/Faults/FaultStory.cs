@@ -39,7 +39,7 @@ internal static class FaultStory
         FaultKind.AbortInput => ["abort input"],
         FaultKind.MotorOff => ["motor", "switched off because of the position error"],
         FaultKind.Jam => ["position error", "could not follow", "what holds it"],
-        FaultKind.Reset or FaultKind.PowerCycle => ["closed the connection", "link"],
+        FaultKind.Reset or FaultKind.PowerCycle => ["closed the connection", "link", "switched off or reset"],
         FaultKind.Delay or FaultKind.DropCommand or FaultKind.DropReply => ["did not answer", "link is slow", "heard nothing"],
         _ => ["answered", "did not answer"],
     };

@@ -150,8 +150,9 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         var wanted = FaultStory.StateOf(one, run, truth, status);
         Claim(status.State == wanted.State && wanted.Words.All(word => status.Reason.Contains(word, StringComparison.Ordinal)), $"the state is {status.State} '{status.Reason}' and not {wanted.State} '{string.Join(' ', wanted.Words)}'", run);
 
-        // A link that was lost is one event, a switch that is hit another.
-        Claim(_machine.View.Alarms.Count <= (run.Result is { Outcome: JobOutcome.LinkLost } && (truth.Abort || truth.Limits.Length > 0 || truth.OffByError.Length > 0) ? 2 : 1), $"{_machine.View.Alarms.Count} alarms: {string.Join(" | ", _machine.View.Alarms.Select(alarm => $"{alarm.Cause} {alarm.What}"))}", run);
+        // A link that was lost is one event, and so is each of what stands: the abort input, a switch, an axis that was switched off.
+        var events = (run.Result is { Outcome: JobOutcome.LinkLost } ? 1 : 0) + (truth.Abort ? 1 : 0) + (truth.Limits.Length > 0 ? 1 : 0) + (truth.OffByError.Length > 0 ? 1 : 0);
+        Claim(_machine.View.Alarms.Count <= Math.Max(1, events), $"{_machine.View.Alarms.Count} alarms: {string.Join(" | ", _machine.View.Alarms.Select(alarm => $"{alarm.Cause} {alarm.What}"))}", run);
         Claim(run.IsComplete || _machine.View.Alarms.Count > 0 || run.Result is null or { FrameOrigin: null }, "it ended before its end, and no alarm tells it", run);
         Claim(!_machine.HasHeight || IsToolSafe(run, truth), $"the tool stands at {_machine.ToolHeight}, the work at {_machine.TopOfWork}", run);
         return status.State.ToString();
