@@ -8,10 +8,15 @@ internal static class OffsetBenchmark
 {
     private const double Distance = 1.0;
 
-    /// <summary>Vertices that a row of runs passes through before it is long enough for a median.</summary>
-    private const int VerticesPerRow = 300_000;
+    /// <summary>Runs of which the median is taken; more where one run is too short for a clock of milliseconds.</summary>
+    private const int Runs = 5;
 
-    private const int LeastRuns = 5;
+    private const int MoreRuns = 31;
+
+    private const int ShortRun = 50_000;
+
+    /// <summary>With fewer vertices no time can be told anyway.</summary>
+    private const int NoRun = 5_000;
 
     /// <summary>The two lines above the rows.</summary>
     public const string Head = "| Contour | side | vertices | CPU ms (median) | times that of the row before | loops | open | unresolved | deviation mm |\n|---|---|---:|---:|---:|---:|---:|---:|---:|";
@@ -38,7 +43,7 @@ internal static class OffsetBenchmark
 
     private static (OffsetResult Result, double Milliseconds) Timed(OffsetContour contour, OffsetSide side, CancellationToken stop)
     {
-        var times = new double[Math.Max(LeastRuns, VerticesPerRow / contour.Segments.Count)];
+        var times = new double[contour.Segments.Count is > NoRun and < ShortRun ? MoreRuns : Runs];
         var result = ContourOffset.Offset([contour], Distance, side, OffsetOptions.Default); // compiles what is measured
         for (var i = 0; i < times.Length; i++)
         {

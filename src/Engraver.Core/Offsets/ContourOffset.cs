@@ -15,6 +15,9 @@ public static class ContourOffset
 
     private const double SizeTolerance = 1e-14;
 
+    /// <summary>What the largest radius adds: the rounding of a distance from its centre.</summary>
+    private const double RadiusTolerance = 3e-16;
+
     /// <summary>Distance from the origin, in sizes of the drawing, from which on it is computed about its middle.</summary>
     private const double FarAway = 100.0;
 
@@ -29,7 +32,7 @@ public static class ContourOffset
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(distance);
         var (origin, extent) = Place(contours);
-        var tolerance = LeastTolerance + (SizeTolerance * (extent + distance));
+        var tolerance = LeastTolerance + (SizeTolerance * (extent + distance)) + (RadiusTolerance * LargestRadius(contours));
         List<SourceChain> chains = [.. contours.Select((contour, number) => SourceChain.From(contour, number, options, tolerance)?.Moved(-origin)).OfType<SourceChain>()];
         var work = new OffsetWork(origin, distance, options, tolerance);
         List<SourceChain> closed = [.. chains.Where(chain => chain.Closed)];
@@ -54,6 +57,20 @@ public static class ContourOffset
         if (box.IsEmpty) return (default, 0.0);
         var (size, middle) = (box.Width + box.Height, new Vector2D((box.MinX + box.MaxX) / 2.0, (box.MinY + box.MaxY) / 2.0));
         return middle.Length > FarAway * size ? (middle, size) : (default, middle.Length + size);
+    }
+
+    private static double LargestRadius(IReadOnlyList<OffsetContour> contours)
+    {
+        var largest = 0.0;
+        foreach (var contour in contours)
+        {
+            foreach (var segment in contour.Segments)
+            {
+                if (segment.Kind is SegmentKind.Arc or SegmentKind.Circle) largest = Math.Max(largest, PathPiece.FromSegment(segment).Radius);
+            }
+        }
+
+        return largest;
     }
 
     /// <summary>The loops found so far.</summary>

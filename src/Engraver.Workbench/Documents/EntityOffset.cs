@@ -7,6 +7,9 @@ namespace Engraver.Workbench.Documents;
 /// <summary>The offset of one object of a drawing, in drawing units: to the side on which a place lies, at a distance or through the place.</summary>
 internal static class EntityOffset
 {
+    /// <summary>Part of the way to a place at which its side is asked for: in the middle of a circle nothing of the offset through it would be left.</summary>
+    private const double NearlyThrough = 1.0 - 1e-6;
+
     /// <param name="drawing">The drawing.</param>
     /// <param name="entity">Index of the object.</param>
     /// <param name="side">A place on the wanted side.</param>
@@ -19,10 +22,9 @@ internal static class EntityOffset
         var options = OffsetOptions.Default with { MaxErrorMm = maxErrorMm / drawing.Unit.ToMillimetres };
         var away = contour.Segments.Count == 0 ? 0.0 : contour.Segments.Min(segment => SegmentDistance.Measure(segment, side));
         if (!(away > 0.0)) return [];
-        var (left, right) = (Through(contour, away, OffsetSide.Left, options), Through(contour, away, OffsetSide.Right, options));
+        var (left, right) = (Through(contour, NearlyThrough * away, OffsetSide.Left, options), Through(contour, NearlyThrough * away, OffsetSide.Right, options));
         var isLeft = Away(left, side) <= Away(right, side); // the place lies on the offset of its side that goes through it
-        if (distance is not { } wanted) return isLeft ? left : right;
-        return Through(contour, wanted, isLeft ? OffsetSide.Left : OffsetSide.Right, options);
+        return Through(contour, distance ?? away, isLeft ? OffsetSide.Left : OffsetSide.Right, options);
     }
 
     /// <summary>Adds loops to a drawing as lines, arcs, circles and polylines, behind all that is there.</summary>

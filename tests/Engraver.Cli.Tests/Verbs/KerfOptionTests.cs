@@ -17,7 +17,7 @@ public class KerfOptionTests
     /// <summary>The posted program follows the compensated path and no other; without the option it is not what is drawn.</summary>
     [Theory]
     [InlineData("galil")]
-    [InlineData("gcode")]
+    [InlineData("galil-calls")]
     public async Task What_is_posted_is_verified_against_the_compensated_path(string target)
     {
         using var folder = new TemporaryFolder();

@@ -53,7 +53,7 @@ internal static class HardContours
         ("teeth at twice the distance", [Comb(10, 2, 5)], [0.999999, 1, 1.000001, 3]),
         ("tiny segments between long ones", [Polygon((0, 0), (10, 0), (10, 1e-7), (10 + 1e-7, 2e-7), (10, 10), (1e-7, 10), (0, 10))], [1, 5, 6]),
         ("nearly smooth corner", [Chain(true, (0, 0, 0), (10, 0, 0), (20, 1e-6, 0), (20, 10, 0), (10, 10 - 1e-6, 0), (0, 10, 0))], [1, 5, 6]),
-        ("arcs of nearly no sweep", [Chain(true, (0, 0, 1e-6), (10, 0, -1e-6), (10, 10, 1e-5), (0, 10, -1e-5))], [1, 4.9, 6]),
+        ("arcs of nearly no sweep", [Chain(true, (0, 0, 1e-5), (10, 0, -1e-5), (10, 10, 2e-5), (0, 10, -2e-5))], [1, 4.9, 6]),
         ("keyhole", [Chain(true, (-1, 0, 0), (-1, -10, 0), (1, -10, 0), (1, 0, Math.Tan(Math.PI * 0.45)))], [0.5, 0.999999, 1, 1.2, 4]),
         ("gear", [Gear(12, 8, 10)], [0.2, 0.9, 1, 1.1, 3]),
         ("far from everything it is offset by", [Star(5, 10, 4)], [1e-6, 1e3, 1e4]),

@@ -47,7 +47,7 @@ public class OffsetCommandTests
         await using var talk = CommandTalk.WithDrawing();
         await talk.TypeAsync("OFFSET", "0,0", "3,4", "5,0", "5,9", "", "OFFSET", "", "5,0", "5,-9", "");
 
-        Assert.Equal([("0,5", "10,5"), ("0,-5", "10,-5")], [Ends(talk.State.Drawing!, 4), Ends(talk.State.Drawing!, 5)]);
+        Assert.Equal([("0,5", "10,5"), ("0,-5", "10,-5")], new[] { Ends(talk.State.Drawing!, 4), Ends(talk.State.Drawing!, 5) });
     }
 
     [Fact]

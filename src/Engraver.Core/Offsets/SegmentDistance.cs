@@ -1,4 +1,6 @@
-namespace Engraver.Core.Geometry;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Offsets;
 
 /// <summary>How far a place is from a segment.</summary>
 public static class SegmentDistance
