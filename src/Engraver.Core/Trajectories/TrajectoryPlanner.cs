@@ -47,5 +47,5 @@ public static class TrajectoryPlanner
 
 /// <summary>What became of a contour.</summary>
 /// <param name="Trajectories">In the order of travel.</param>
-/// <param name="Failed">Runs for which no spline could be proven to keep the error, as at a cusp inside a curve.</param>
-public sealed record TrajectoryResult(IReadOnlyList<Trajectory> Trajectories, IReadOnlyList<IReadOnlyList<Segment>> Failed);
+/// <param name="Unproven">Runs for which no spline could be proven to keep the error, as at a cusp inside a curve.</param>
+public sealed record TrajectoryResult(IReadOnlyList<Trajectory> Trajectories, IReadOnlyList<IReadOnlyList<Segment>> Unproven);

@@ -53,6 +53,10 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         yield return TrajectoryRules.TooFast.At(default, name, Fact(motion.Velocity), Fact(Math.Ceiling(needed)), Fact(motion.Acceleration), Fact(Math.Floor(speed * 1000.0) / 1000.0));
     }
 
+    /// <summary>What is to be said of runs for which no spline was proven to keep the error.</summary>
+    internal static IEnumerable<Diagnostic> NotKept(IEnumerable<IReadOnlyList<Segment>> unproven, double maxErrorMm) =>
+        unproven.Select(run => TrajectoryRules.ErrorNotKept.At(default, Fact(maxErrorMm), Fact(run.Sum(segment => segment.Length)), Fact(run[0].Start.X), Fact(run[0].Start.Y)));
+
     private static double? ReachOf(MachineAxis axis) => axis.Travel is { } travel ? travel.Most - travel.Least : null;
 
     private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
@@ -99,7 +103,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
                 if (file.VerifiedBound > settings.MaxErrorMm) Findings.Add(TrajectoryRules.StepsTooLong.At(default, named.FileName, Fact(file.VerifiedBound), Fact(settings.MaxErrorMm)));
             }
 
-            foreach (var run in result.Unproven) Findings.Add(TrajectoryRules.ErrorNotKept.At(default, Fact(settings.MaxErrorMm), Fact(run.Sum(segment => segment.Length)), Fact(run[0].Start.X), Fact(run[0].Start.Y)));
+            Findings.AddRange(NotKept(result.Unproven, settings.MaxErrorMm));
         }
 
         /// <summary>The entity that the first segment of a trajectory was drawn as; of an offset null.</summary>

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
@@ -65,13 +64,11 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         {
             var planned = TrajectoryPlanner.Plan([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed, new TrajectoryOptions(settings.MaxErrorMm));
             made.AddRange(planned.Trajectories.Select((one, i) => new DocumentTrajectory($"traj{made.Count + i}_path", one, settings.MaxErrorMm)));
-            findings.AddRange(planned.Failed.Select(run => TrajectoryRules.ErrorNotKept.At(default, Fact(settings.MaxErrorMm), Fact(run.Sum(segment => segment.Length)), Fact(run[0].Start.X), Fact(run[0].Start.Y))));
+            findings.AddRange(TrajectoryDrawing.NotKept(planned.Unproven, settings.MaxErrorMm));
         }
 
         return made;
     }
-
-    private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 }
 
 /// <summary>Segments in millimetres as a drawing of one layer.</summary>

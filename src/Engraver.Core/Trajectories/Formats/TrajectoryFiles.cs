@@ -15,7 +15,7 @@ public static class TrajectoryFiles
         if (format is TrajectoryFormat.Sace or TrajectoryFormat.XpsSpline)
         {
             var planned = TrajectoryPlanner.Plan(contour, closed, options);
-            return new TrajectoryFilesResult([.. planned.Trajectories.Select(one => format == TrajectoryFormat.Sace ? SplineText.Sace(one) : SplineText.Xps(one, motion))], planned.Failed);
+            return new TrajectoryFilesResult([.. planned.Trajectories.Select(one => format == TrajectoryFormat.Sace ? SplineText.Sace(one) : SplineText.Xps(one, motion))], planned.Unproven);
         }
 
         var (files, failed) = (new List<TrajectoryFile>(), new List<IReadOnlyList<Segment>>());

@@ -34,7 +34,7 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
             foreach (var one in planned.Trajectories) Add(one.Moved(z), handles, name);
         }
 
-        foreach (var run in planned.Failed) _findings.Add(TrajectoryRules.ErrorNotKept.At(default, Fact(Settings.MaxErrorMm), Fact(run.Sum(segment => segment.Length)), Fact(run[0].Start.X), Fact(run[0].Start.Y)));
+        _findings.AddRange(TrajectoryDrawing.NotKept(planned.Unproven, Settings.MaxErrorMm));
     }
 
     public void Add(Trajectory curve, IReadOnlyList<string> handles, Func<int, string> name)
