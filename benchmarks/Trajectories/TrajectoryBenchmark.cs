@@ -58,7 +58,7 @@ internal static class TrajectoryBenchmark
             var before = Environment.CpuUsage.TotalTime;
             var result = TrajectoryPlanner.Plan(segments, closed, new TrajectoryOptions(error));
             cpu += Environment.CpuUsage.TotalTime - before;
-            failed += result.Failed.Count;
+            failed += result.Unproven.Count;
             foreach (var one in result.Trajectories)
             {
                 points += one.Points;

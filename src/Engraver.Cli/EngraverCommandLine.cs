@@ -17,6 +17,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(TableVerb.Build(host));
         root.Subcommands.Add(SequenceVerb.Build(host));
         root.Subcommands.Add(OffsetVerb.Build(host));
+        root.Subcommands.Add(PocketVerb.Build(host));
         root.Subcommands.Add(TrajectoryVerb.Build(host));
         root.Subcommands.Add(PlotVerb.Build(host));
         root.Subcommands.Add(PlanVerb.Build(host));

@@ -38,6 +38,9 @@ internal sealed class CanvasCursor : Control
     /// <summary>From the point before to the place that a click gives; null for no line.</summary>
     public (Point From, Point To)? Line { get; set; }
 
+    /// <summary>What a click would give, as runs of places; empty for nothing.</summary>
+    public IReadOnlyList<Point[]> Ghost { get; set; } = [];
+
     /// <summary>The text beside the crosshair; empty for none.</summary>
     public string Tip { get; set; } = "";
 
@@ -45,12 +48,22 @@ internal sealed class CanvasCursor : Control
 
     public override void Render(DrawingContext context)
     {
+        DrawGhost(context);
         if (Box is { } box) DrawBox(context, box);
         if (Line is { } line) context.DrawLine(CanvasBrushes.Pen(Colours.Crosshair, dashed: true), line.From, line.To);
         if (Snap is { } snap) DrawSnap(context, snap.Place, snap.Kind);
         if (Place is not { } place) return;
         DrawCrosshair(context, place);
         if (Tip.Length > 0) DrawTip(context, place);
+    }
+
+    private void DrawGhost(DrawingContext context)
+    {
+        var pen = CanvasBrushes.Pen(Colours.Crosshair, dashed: true);
+        foreach (var run in Ghost)
+        {
+            for (var i = 1; i < run.Length; i++) context.DrawLine(pen, run[i - 1], run[i]);
+        }
     }
 
     /// <summary>Right below the cursor, or on its other side where there is no room.</summary>

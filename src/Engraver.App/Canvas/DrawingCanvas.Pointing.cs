@@ -9,6 +9,12 @@ namespace Engraver.App.Canvas;
 /// <summary>Where the cursor points, and the drafting aids: pickbox, object snaps, snap raster, ORTHO, the line or box from the point before, and the text beside the crosshair.</summary>
 public sealed partial class DrawingCanvas
 {
+    /// <summary>Chords of a ghost's arc to a whole turn, and of a curve.</summary>
+    private const int GhostChords = 72;
+
+    /// <summary>Segments of a ghost that are drawn at most.</summary>
+    private const int MostGhostSegments = 20_000;
+
     private PointAim? _aim;
 
     /// <summary>Half the side of the box in which object snaps are found, units of the control (APERTURE).</summary>
@@ -19,6 +25,9 @@ public sealed partial class DrawingCanvas
 
     /// <summary>The box from the first corner that a command has to the cursor, or the one that is being drawn; units of the control.</summary>
     internal SelectionBox? Box => _cursor.Box;
+
+    /// <summary>What a click would give, drawing units.</summary>
+    internal IReadOnlyList<Segment> Ghost => _ghosts.Shown;
 
     private double UnitsPerPoint => _keeper.View.UnitsPerPixel * Scaling;
 
@@ -78,8 +87,16 @@ public sealed partial class DrawingCanvas
         _cursor.Box = _pointer.Box ?? (_aim is { Use: PointUse.Corner } && from is { } corner && at is { } opposite ? new SelectionBox(new Point2D(corner.X, corner.Y), opposite) : null);
         _cursor.Line = _aim is { Use: PointUse.Place } && from is { } start && at is { } end ? (start, ToControl(Aimed(end))) : null;
         _cursor.Tip = _aim is { } aim && at is { } place && View?.Current is { DynamicInput: true } ? CursorTip.Format(Commands?.Asked ?? "", aim, Aimed(place)) : "";
+        _ghosts.Want(_aim?.Ghost, at is { } pointed ? Aimed(pointed) : null);
+        _cursor.Ghost = [.. _ghosts.Shown.Take(MostGhostSegments).Select(Chords)];
         (_cursor.AsksForPoint, _cursor.PickBox) = (AsksForPlace, PickBox);
         _cursor.InvalidateVisual();
+    }
+
+    private Point[] Chords(Segment segment)
+    {
+        var chords = segment.Kind == SegmentKind.Line ? 1 : segment.IsFreeCurve ? GhostChords : 1 + (int)(Math.Abs(segment.Arc.Sweep.Degrees) / 360.0 * GhostChords);
+        return [.. Enumerable.Range(0, chords + 1).Select(i => ToControl(segment.PointAt((double)i / chords)))];
     }
 
     /// <summary>The place that a click here gives, drawing units.</summary>

@@ -4,6 +4,7 @@ using Avalonia.Input;
 using Avalonia.Media;
 using Avalonia.Threading;
 using Engraver.App.Canvas.Colours;
+using Engraver.App.Canvas.Interaction;
 using Engraver.App.Canvas.Overlays;
 using Engraver.App.Canvas.Pictures;
 using Engraver.App.Canvas.Scenes;
@@ -31,6 +32,7 @@ public sealed partial class DrawingCanvas : Panel
     private readonly CanvasSigns _signs = new() { IsHitTestVisible = false };
     private readonly CanvasCursor _cursor = new() { IsHitTestVisible = false };
     private readonly PictureRefiner _refiner;
+    private readonly GhostRunner _ghosts;
 
     public DrawingCanvas()
     {
@@ -38,6 +40,7 @@ public sealed partial class DrawingCanvas : Panel
         Children.AddRange([_picture, _signs, _cursor]);
         (Background, Focusable, ClipToBounds, Cursor) = (Brushes.Transparent, true, true, new Cursor(StandardCursorType.None));
         _refiner = new PictureRefiner(_keeper);
+        _ghosts = new GhostRunner(ShowCursor);
         _keeper.Refined += (_, _) => _picture.InvalidateVisual();
     }
 

@@ -7,6 +7,7 @@ using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Desk;
 
@@ -18,6 +19,7 @@ public sealed class CanvasSource
     private Drawing? _drawing;
     private PreparedJob? _job;
     private MachineOverlay? _machine;
+    private TrajectoryList _trajectories = TrajectoryList.Empty;
     private bool _machineLeads;
 
     public CanvasSource(DesktopModel desk, DrawingCanvas canvas)
@@ -41,6 +43,7 @@ public sealed class CanvasSource
         if (!ReferenceEquals(state.Drawing, _drawing)) Shown = Task.WhenAll(Shown, ShowDrawingAsync(_drawing = state.Drawing));
         if (!ReferenceEquals(_desk.Derived.Job, _job)) Shown = Task.WhenAll(Shown, ShowJobAsync(_job = _desk.Derived.Job));
         if (!ReferenceEquals(_canvas.Selection, state.Selection)) _canvas.Selection = state.Selection;
+        ShowTrajectories(state.Sidecar.Trajectories);
         ShowMachine();
         TakeVariables(_desk.Session.Settings.Current);
         _canvas.TakeAim();
@@ -59,6 +62,7 @@ public sealed class CanvasSource
         if (!ReferenceEquals(drawing, _drawing)) return;
         _canvas.Overlay = null;
         _canvas.Scene = scene;
+        _canvas.Overlay = WithTrajectories(null);
         if (_job is { } job && ReferenceEquals(job.Drawing, drawing)) await ShowJobAsync(job);
     }
 
@@ -67,7 +71,20 @@ public sealed class CanvasSource
         var derived = _desk.Derived.Current;
         var machine = _machine = MachineOverlay.Of(job, _desk.Session.Machine, _desk.Session.Settings.Current.TraceColour());
         var overlay = job is null ? null : await Task.Run(() => OverlayScene.From(job, machine.Over(CanvasInputs.From(derived))));
-        if (ReferenceEquals(job, _job)) _canvas.Overlay = overlay;
+        if (ReferenceEquals(job, _job)) _canvas.Overlay = WithTrajectories(overlay);
+    }
+
+    private void ShowTrajectories(TrajectoryList list)
+    {
+        if (ReferenceEquals(list.All, _trajectories.All)) return;
+        _trajectories = list;
+        _canvas.Overlay = WithTrajectories(_canvas.Overlay);
+    }
+
+    private OverlayScene? WithTrajectories(OverlayScene? overlay)
+    {
+        if (_drawing is null || (_trajectories.All.Count == 0 && overlay is null)) return overlay;
+        return (overlay ?? OverlayScene.Empty).WithTrajectories(_trajectories.All, 1.0 / _drawing.Unit.ToMillimetres);
     }
 
     /// <summary>The machine has another origin, another run is recorded or grows, or its colour tells something else.</summary>

@@ -20,6 +20,7 @@ using Engraver.App.Tables;
 using Engraver.App.Tabs;
 using Engraver.App.Terminals;
 using Engraver.App.Texts;
+using Engraver.App.Trajectories;
 using Engraver.Workbench.Machines;
 
 namespace Engraver.App.Shell;
@@ -87,6 +88,7 @@ public sealed class ShellModel : Observable
     [
         new("Command", () => new CommandWindowView { DataContext = Command }),
         new("Table", () => new TableView { DataContext = new TableModel(Desk) }),
+        new("Trajectories", () => new TrajectoriesView { DataContext = new TrajectoriesModel(Desk) }),
         new("Findings", () => new FindingsView { DataContext = new FindingsModel(Desk) }),
         _alarms,
         new("Terminal", () => new TerminalView { DataContext = new TerminalModel(Desk) }),

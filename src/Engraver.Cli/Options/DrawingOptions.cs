@@ -4,6 +4,7 @@ using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
+using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Sequencing.Ordering;
@@ -30,6 +31,8 @@ internal sealed class DrawingOptions
     private readonly Option<string> _order = Choice(SettingTable.Order, "nearest");
     private readonly Option<bool> _keepDuplicates = Described<bool>(SettingTable.KeepDuplicates);
     private readonly Option<bool> _recoverArcs = Described<bool>(SettingTable.RecoverArcs);
+    private readonly Option<string> _kerf = Choice(SettingTable.Kerf, "off");
+    private readonly Option<double?> _toolDiameter = Described<double?>(SettingTable.ToolDiameter, result => OptionValue.PositiveNumber(result));
     private readonly Option<string?> _machine = Described<string?>(SettingTable.Machine);
     private readonly Option<double?> _feed = Described<double?>(SettingTable.Feed, result => OptionValue.PositiveNumber(result));
 
@@ -42,12 +45,13 @@ internal sealed class DrawingOptions
     /// <summary>For a verb whose drawing is named by an option of its own.</summary>
     public void AddOptionsTo(Command command)
     {
-        foreach (var option in (Option[])[_layers, _skip, _units, _cut, _join, _maxError, _start, _finish, _enter, _order, _keepDuplicates, _recoverArcs, _machine, _feed]) command.Options.Add(option);
+        foreach (var option in (Option[])[_layers, _skip, _units, _cut, _join, _maxError, _start, _finish, _enter, _order, _keepDuplicates, _recoverArcs, _kerf, _toolDiameter, _machine, _feed]) command.Options.Add(option);
     }
 
     public string File(ParseResult parsed) => parsed.GetRequiredValue(_file);
 
     /// <exception cref="SettingException">The machine profile cannot be used.</exception>
+    /// <exception cref="UsageException">Options that do not go together.</exception>
     public DrawingSettings Settings(ParseResult parsed) => new()
     {
         Unit = parsed.GetValue(_units) switch { "mm" => new LengthUnit(4, "mm", "option", 1.0), "inch" => new LengthUnit(1, "in", "option", 25.4), _ => null },
@@ -62,8 +66,16 @@ internal sealed class DrawingOptions
         Order = parsed.GetValue(_order) == "drawn" ? StrokeOrder.Drawn : StrokeOrder.Nearest,
         KeepDuplicates = parsed.GetValue(_keepDuplicates),
         RecoverArcs = parsed.GetValue(_recoverArcs),
+        Kerf = Kerf(parsed),
+        ToolDiameterMm = parsed.GetValue(_toolDiameter) ?? 0.0,
         Machine = Machine(parsed),
     };
+
+    private KerfSide Kerf(ParseResult parsed)
+    {
+        var side = Enum.Parse<KerfSide>(parsed.GetValue(_kerf)!, ignoreCase: true);
+        return side == KerfSide.Off || parsed.GetValue(_toolDiameter) is not null ? side : throw new UsageException(Wording.Get("DrawingOptions.KerfNeedsDiameter"));
+    }
 
     private static EnteringPlace? Entering(string? word) => word switch
     {
@@ -84,7 +96,7 @@ internal sealed class DrawingOptions
 
     private static Option<string> Choice(SettingDescription setting, string standard)
     {
-        var option = new Option<string>(setting.Flag!) { Description = setting.Meaning, DefaultValueFactory = _ => standard };
+        var option = new Option<string>(setting.Flag!) { Description = SettingWording.OnConsole(setting.Meaning), DefaultValueFactory = _ => standard };
         option.AcceptOnlyFromAmong(setting.Argument!.Split('|'));
         return option;
     }

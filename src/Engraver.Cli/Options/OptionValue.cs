@@ -20,6 +20,12 @@ internal static class OptionValue
 
     public static double NumberFromOne(ArgumentResult result) => Number(result, value => value >= 1.0, Wording.Get("OptionValue.NumberFromOne"));
 
+    /// <summary>Above 0 and below 1.</summary>
+    public static double NumberBelowOne(ArgumentResult result) => Number(result, value => value is > 0.0 and < 1.0, Wording.Get("OptionValue.NumberBelowOne"));
+
+    /// <summary>Degrees above 0 and below 90.</summary>
+    public static double RampAngle(ArgumentResult result) => Number(result, value => value is > 0.0 and < 90.0, Wording.Get("OptionValue.RampAngle"));
+
     public static Point2D Point(ArgumentResult result)
     {
         var word = result.Tokens[0].Value;

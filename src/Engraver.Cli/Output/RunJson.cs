@@ -1,3 +1,4 @@
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Cli.Output;
@@ -30,10 +31,19 @@ internal sealed record RunJson(
     RunJson.ResumedJson? ResumedFrom,
     IReadOnlyList<StartCheckJson>? Checks)
 {
+    /// <summary>The trajectories that were run; null for a job of the drawing itself.</summary>
+    public FollowedJson? Trajectory { get; init; }
+
     /// <summary>Where the run went on that was begun before.</summary>
     /// <param name="Segments">Segments of the whole program that were cut whole.</param>
     /// <param name="Along">Millimetres along the next one that were cut too.</param>
     internal sealed record ResumedJson(int Segments, double Along);
+
+    /// <param name="VerifiedBound">Largest distance of the path that was asked for from what the trajectories follow, mm, proven.</param>
+    internal sealed record FollowedJson(int Count, int Points, double VerifiedBound)
+    {
+        public static FollowedJson? From(TrajectoryJob? job) => job is null ? null : new(job.Trajectories.Count, job.Trajectories.Sum(one => one.Curve.Points), job.Bound);
+    }
 
     internal sealed record ScaleJson(double X, double Y);
 

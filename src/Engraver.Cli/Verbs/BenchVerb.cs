@@ -1,6 +1,8 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
+using Engraver.Benchmarks.Offsets;
+using Engraver.Benchmarks.Pockets;
 using Engraver.Benchmarks.Stages;
 using Engraver.Benchmarks.Stops;
 using Engraver.Benchmarks.Trajectories;
@@ -23,13 +25,15 @@ internal static class BenchVerb
         command.SetAction((parsed, stop) => RunAsync(host, parsed.GetRequiredValue(sizes), stop));
         command.Subcommands.Add(Stops(host));
         command.Subcommands.Add(Trajectories(host));
+        command.Subcommands.Add(Offsets(host));
+        command.Subcommands.Add(Pockets(host));
         return command;
     }
 
     /// <summary><c>engraver bench stop</c>: how long a STOP takes to the wire under each kind of fault.</summary>
     private static Command Stops(VerbHost host)
     {
-        var presses = new Option<int>("--presses") { HelpName = "N", Description = Wording.Get("Bench.Presses"), DefaultValueFactory = _ => 50 };
+        var presses = new Option<int>("--presses") { HelpName = "N", Description = Wording.Get("Bench.Presses"), DefaultValueFactory = _ => 200 };
         presses.Validators.Add(result =>
         {
             if (result.Tokens is [var token] && !(int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count is > 0 and <= 10_000)) result.AddError(Wording.Get("Bench.NoPresses", token.Value));
@@ -51,6 +55,33 @@ internal static class BenchVerb
         });
         var command = new Command("trajectories", Wording.Get("Bench.Trajectories")) { curves };
         command.SetAction((parsed, stop) => TrajectoriesAsync(host, parsed.GetValue(curves), stop));
+        return command;
+    }
+
+    /// <summary><c>engraver bench offsets</c>: processor time of offsets and how it grows.</summary>
+    private static Command Offsets(VerbHost host)
+    {
+        var sizes = new Argument<int[]>("VERTICES") { Description = Wording.Get("Bench.Vertices"), Arity = ArgumentArity.ZeroOrMore, DefaultValueFactory = _ => [10_000, 100_000], CustomParser = Sizes };
+        var command = new Command("offsets", Wording.Get("Bench.Offsets")) { sizes };
+        command.SetAction(async (parsed, stop) =>
+        {
+            await SayAsync(host, OffsetBenchmark.Head, stop).ConfigureAwait(false);
+            foreach (var row in OffsetBenchmark.Rows(parsed.GetRequiredValue(sizes), stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    /// <summary><c>engraver bench pockets</c>: processor time of pockets.</summary>
+    private static Command Pockets(VerbHost host)
+    {
+        var command = new Command("pockets", Wording.Get("Bench.Pockets"));
+        command.SetAction(async (_, stop) =>
+        {
+            await SayAsync(host, PocketBenchmark.Head, stop).ConfigureAwait(false);
+            foreach (var row in PocketBenchmark.Rows(stop)) await SayAsync(host, row, stop).ConfigureAwait(false);
+            return ExitCode.Done;
+        });
         return command;
     }
 
@@ -107,7 +138,7 @@ internal static class BenchVerb
         foreach (var token in result.Tokens)
         {
             if (int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var size) && size is > 0 and <= 10_000_000) sizes.Add(size);
-            else result.AddError(Wording.Get("Bench.EntitiesNotNumberFrom", token.Value));
+            else result.AddError(Wording.Get("Bench.EntitiesNotNumberFrom", result.Argument.Name, token.Value));
         }
 
         return [.. sizes];

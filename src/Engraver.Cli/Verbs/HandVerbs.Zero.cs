@@ -6,6 +6,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Cli.Verbs;
 
@@ -29,14 +30,34 @@ internal sealed partial class HandVerbs
         var verb = new HandVerbs(host);
         var name = new Argument<string?>("NAME") { Arity = ArgumentArity.ZeroOrOne, Description = Wording.Get("Hand.OriginName") };
         name.Validators.Add(ZeroOptions.CheckName);
+        var at = new Option<string?>("--at") { HelpName = "X,Y[,Z]", Description = Wording.Get("Hand.OriginAt") };
+        at.Validators.Add(result =>
+        {
+            if (result.Tokens is [var token] && MachinePlaceOf(token.Value) is null) result.AddError(Wording.Get("Hand.NoMachinePlace", token.Value));
+        });
         var command = verb.Command("origin", Wording.Get("Hand.Origin"));
         command.Arguments.Add(name);
-        command.SetAction((parsed, stop) => verb.WithMachineAsync(parsed, (machine, _) => Task.FromResult(verb.Choose(machine, parsed.GetValue(name))), stop));
+        command.Options.Add(at);
+        command.SetAction((parsed, stop) => verb.WithMachineAsync(
+            parsed,
+            (machine, cancellation) => parsed.GetValue(at) is { } typed ? verb.TypeAsync(machine, parsed.GetValue(name), MachinePlaceOf(typed)!, cancellation) : Task.FromResult(verb.Choose(machine, parsed.GetValue(name))),
+            stop));
         return command;
     }
 
     private int Choose(MachineSession machine, string? name) =>
         name is not null && machine.ChooseOrigin(WorkOriginNames.Find(name)!) is { } failure ? NotMoved(failure) : ExitCode.Done;
+
+    private static MachinePlace? MachinePlaceOf(string typed) => new MachinePlacePrompt("") { MayHaveHeight = true }.Read(typed, default) is Reading<MachinePlace>.Value { Of: var place } ? place : null;
+
+    private async Task<int> TypeAsync(MachineSession machine, string? name, MachinePlace place, CancellationToken stop)
+    {
+        var axes = machine.Profile.Axes;
+        if (place.Z is not null && axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
+        if (!place.IsCountable(axes.Scale)) return NotMoved(Wording.Get("Hand.NotCountable"));
+        var chosen = name is null ? machine.Hold!.Memory.Active : WorkOriginNames.Find(name)!;
+        return await machine.TypeOriginAsync(chosen, place.ToCounts(axes.Scale), withHeight: place.Z is not null, stop).ConfigureAwait(false) is { } refusal ? NotMoved(SettingWording.OnConsole(refusal).Message) : ExitCode.Done;
+    }
 
     private async Task<int> ZeroAsync(MachineSession machine, ZeroOptions options, ParseResult parsed, CancellationToken stop)
     {

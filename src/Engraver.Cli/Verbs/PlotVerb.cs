@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
 using Engraver.Workbench.Documents;
@@ -16,7 +17,7 @@ internal static class PlotVerb
         var drawing = new DrawingOptions();
         var output = new Option<string>("-o", "--output") { Required = true, HelpName = "OUT.svg", Description = Wording.Get("Plot.FileWrite") };
         var what = new Option<string>("--what") { Description = Wording.Get("Plot.DrawingDrawnPathStrokes"), DefaultValueFactory = _ => "path" };
-        what.AcceptOnlyFromAmong("drawing", "path", "deviation", "following", "speed");
+        what.AcceptOnlyFromAmong("drawing", "path", "deviation", "following", "speed", "trajectory");
         var journal = new Option<string?>("--journal") { HelpName = "FILE", Description = Wording.Get("Plot.Journal") };
         var command = new Command("plot", Wording.Get("Plot.DrawsPictureDrawingIts"));
         drawing.AddTo(command);
@@ -27,15 +28,23 @@ internal static class PlotVerb
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
+            IReadOnlyList<Diagnostic> findings = [];
             var plot = parsed.GetValue(what) switch
             {
+                "trajectory" => Trajectories(DrawingPlot.OfTrajectories(read, settings, null)),
                 "deviation" => OfRun(read, settings, RunMeasure.Deviation, parsed.GetValue(journal)),
                 "following" => OfRun(read, settings, RunMeasure.Following, parsed.GetValue(journal)),
                 "speed" => OfRun(read, settings, RunMeasure.Speed, parsed.GetValue(journal)),
                 var chosen => DrawingPlot.Create(read, settings, chosen == "drawing"),
             };
             if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => SvgPlotWriter.Write(plot, writer));
-            return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
+            return Task.FromResult(host.Report(parsed, read.FileName, [.. read.Diagnostics, .. findings]));
+
+            PlotModel Trajectories((PlotModel Plot, IReadOnlyList<Diagnostic> Findings) made)
+            {
+                findings = made.Findings;
+                return made.Plot;
+            }
         });
         return command;
     }

@@ -32,7 +32,11 @@ internal sealed class RunVerb
     private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = Wording.Get("Run.StartAlthoughDrawingHas") };
 
     private readonly Option<string?> _resume = new("--resume") { HelpName = "JOURNAL", Description = Wording.Get("Run.Resume") };
+    private readonly Option<bool> _trajectory = new("--trajectory") { Description = Wording.Get("Run.Trajectory") };
     private readonly Option<double> _leadIn = new("--lead-in") { HelpName = "MM", Description = Wording.Get("Run.LeadIn"), DefaultValueFactory = _ => ResumeRequest.UsualLeadInMm, CustomParser = ParseLeadIn };
+
+    /// <summary>The trajectories that are run; null for a job of the drawing itself.</summary>
+    private TrajectoryJob? _followed;
 
     private RunVerb(VerbHost host) => _host = host;
 
@@ -41,7 +45,7 @@ internal sealed class RunVerb
         var verb = new RunVerb(host);
         var command = new MachineCommand("run", Wording.Get("Run.RunsDrawingOnController"));
         verb._drawing.AddTo(command);
-        foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors, verb._resume, verb._leadIn]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._connect, verb._mode, verb._json, verb._journal, verb._dryRun, verb._trace, verb._acceptErrors, verb._resume, verb._leadIn, verb._trajectory]) command.Options.Add(option);
         verb._placement.AddTo(command);
         command.SetAction(verb.RunAsync);
         return command;
@@ -54,6 +58,7 @@ internal sealed class RunVerb
         if (settings is { Finish: FinishPlace.Park, Machine.Park: null }) throw new SettingException(Wording.Get("Placement.NoPark"));
         var (job, fit) = await PrepareAsync(parsed, settings, mode, stop).ConfigureAwait(false);
         var code = _host.Report(parsed, job.Drawing.FileName, job.Diagnostics);
+        if (_followed is { } followed && !parsed.GetValue(_json)) _host.Out.WriteLine(Wording.Get("Run.Trajectories", followed.Trajectories.Count, followed.Trajectories.Sum(one => one.Curve.Points), followed.Bound));
         if (job.Motion.Program is not { } program || (code != ExitCode.Done && !parsed.GetValue(_acceptErrors)))
         {
             return NotStarted(parsed, job, job.Motion.Program is null ? job.WithoutProgram : Wording.Get("Run.DrawingHasErrorsLook"));
@@ -76,7 +81,8 @@ internal sealed class RunVerb
             return await StoppableVerb.ComputeAsync(
                 () =>
                 {
-                    var job = JobPreparation.Prepare(DrawingFile.Open(file, settings, stop), settings, JobPlan.StyleOf(mode));
+                    var (drawing, style) = (DrawingFile.Open(file, settings, stop), JobPlan.StyleOf(mode));
+                    var job = parsed.GetValue(_trajectory) ? Follow(TrajectoryJob.Prepare(drawing, settings, style)) : JobPreparation.Prepare(drawing, settings, style);
                     return (job, job.Motion.Program is { } program ? JobPlan.FitToLink(program, address, mode, job.Drawing) : null);
                 },
                 stop).ConfigureAwait(false);
@@ -87,6 +93,8 @@ internal sealed class RunVerb
             throw;
         }
     }
+
+    private PreparedJob Follow(TrajectoryJob followed) => (_followed = followed).Job;
 
     private async Task SayNotStartedAsync(DrawingSettings settings, PreparedJob? job, JobOutcome outcome)
     {
@@ -165,7 +173,7 @@ internal sealed class RunVerb
         _host.Report(parsed, job.Drawing.FileName, report.Result.Diagnostics);
         if (report.ResumeRefusal is { } unresumed) return NotPlaced(parsed, job, unresumed, checks);
         if (report.Placement?.Refusal is { } unplaced) return NotPlaced(parsed, job, unplaced, checks);
-        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal, checks), ContractJson.Default.RunJson);
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.Json(job, report, journal, checks) with { Trajectory = RunJson.FollowedJson.From(_followed) }, ContractJson.Default.RunJson);
         else _host.Out.WriteLine(RunText.Sentence(job, report, SettingWording.OnConsole));
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
         if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.EngraverTraceNotWhole", failure));

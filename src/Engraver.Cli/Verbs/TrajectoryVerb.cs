@@ -25,6 +25,8 @@ internal sealed class TrajectoryVerb
     private readonly Option<double> _z = new("--z") { HelpName = "MM", Description = Wording.Get("Trajectory.Z"), CustomParser = OptionValue.AnyNumber, DefaultValueFactory = _ => 0.0 };
     private readonly Option<string> _format = Choice("--format", Wording.Get("Trajectory.Format"), [.. TrajectoryFormatName.All]);
 
+    private readonly Option<bool> _acceptErrors = new("--accept-errors") { Description = Wording.Get("Trajectory.AcceptErrors") };
+
     private TrajectoryVerb(VerbHost host)
     {
         _host = host;
@@ -36,7 +38,7 @@ internal sealed class TrajectoryVerb
         var verb = new TrajectoryVerb(host);
         var command = new Command("trajectory", Wording.Get("Trajectory.WritesTrajectories"));
         verb._drawing.AddTo(command);
-        foreach (var option in (Option[])[verb._folder, verb._json, verb._density, verb._segment, verb._offset, verb._side, verb._passes, verb._step, verb._corners, verb._z, verb._format]) command.Options.Add(option);
+        foreach (var option in (Option[])[verb._folder, verb._json, verb._density, verb._segment, verb._offset, verb._side, verb._passes, verb._step, verb._corners, verb._z, verb._format, verb._acceptErrors]) command.Options.Add(option);
         command.Validators.Add(verb.Check);
         command.SetAction((parsed, stop) => Task.FromResult(verb.Run(parsed, stop)));
         return command;
@@ -48,10 +50,13 @@ internal sealed class TrajectoryVerb
         var read = DrawingFile.Open(_drawing.File(parsed), settings, stop);
         var request = Request(parsed);
         var made = TrajectoryDrawing.Create(read, settings, request);
-        if (made.Trajectories.Count > 0) Write(parsed.GetRequiredValue(_folder), made, request);
+        var isRefused = made.Trajectories.Any(one => one.File.BrokenLimits.Count > 0) && !parsed.GetValue(_acceptErrors);
+        if (made.Trajectories.Count > 0 && !isRefused) Write(parsed.GetRequiredValue(_folder), made, request);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, TrajectoryJson.From(made), ContractJson.Default.TrajectoryJson);
         else TrajectoryJson.Text(_host.Out, made);
-        return _host.Report(parsed, read.FileName, made.Diagnostics);
+        var code = _host.Report(parsed, read.FileName, made.Diagnostics);
+        if (isRefused) _host.Error.WriteLine(Wording.Get("Trajectory.NotWritten"));
+        return code;
     }
 
     private static void Write(string folder, TrajectoryDrawing made, TrajectoryRequest request)
@@ -70,10 +75,13 @@ internal sealed class TrajectoryVerb
     {
         Format = TrajectoryFormatName.Parse(parsed.GetValue(_format)!),
         Corners = parsed.GetValue(_corners) == "stop" ? CornerMode.Stop : CornerMode.Continuous,
-        SegmentLength = parsed.GetValue(_density) == "uniform" ? parsed.GetValue(_segment) : null,
+        SegmentLength = IsUniform(parsed.CommandResult) ? parsed.GetValue(_segment) : null,
         Z = parsed.GetValue(_z),
         Offset = parsed.GetValue(_offset) is { } distance ? new TrajectoryOffset(distance, Enum.Parse<OffsetSide>(parsed.GetValue(_side)!, ignoreCase: true), (int)parsed.GetValue(_passes), parsed.GetValue(_step) ?? 0.0) : null,
     };
+
+    /// <summary>A length of steps alone asks for equal steps.</summary>
+    private bool IsUniform(CommandResult result) => result.GetResult(_density) is { Implicit: false, Tokens: [var value, ..] } ? value.Value == "uniform" : result.GetResult(_segment) is { Implicit: false };
 
     /// <summary>Refuses options that go together and do not come together, instead of ignoring one.</summary>
     private void Check(CommandResult result)
@@ -82,10 +90,11 @@ internal sealed class TrajectoryVerb
         string? Given(Option option) => result.GetResult(option) is { Tokens: [var value, ..] } ? value.Value : null;
         if (Given(_format) is ("xps-linearc" or "xps-pvt") and var format)
         {
-            if (Given(_density) == "uniform") result.AddError(Wording.Get("Trajectory.UniformIsForSplines", format));
+            if (IsUniform(result)) result.AddError(Wording.Get("Trajectory.UniformIsForSplines", format));
             if (Given(_corners) == "continuous") result.AddError(Wording.Get("Trajectory.ContinuousIsForSplines", format));
         }
 
+        if (Given(_density) == "dynamic" && Has(_segment)) result.AddError(Wording.Get("Trajectory.NeedsUniform"));
         if (!Has(_offset))
         {
             foreach (var option in ((Option[])[_side, _passes, _step]).Where(Has)) result.AddError(Wording.Get("Trajectory.NeedsOffset", option.Name.TrimStart('-')));

@@ -13,7 +13,7 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule TooLarge = new("JOB0005", Severity.Warning, "width", "height", "distance", "size", "far", "guess");
 
-    public static readonly DiagnosticRule NoOrigin = new("JOB0008", Severity.Error, "name", "x", "y");
+    public static readonly DiagnosticRule NoOrigin = new("JOB0008", Severity.Error, "name", "x", "y", "height");
 
     public static readonly DiagnosticRule ZeroLost = new("JOB0009", Severity.Error, "name");
 

@@ -11,6 +11,8 @@ public static class TrajectoryRules
 
     public static readonly DiagnosticRule StepsTooLong = new("TRJ0004", Severity.Warning, "file", "bound", "error");
 
+    public static readonly DiagnosticRule TooFast = new("TRJ0005", Severity.Warning, "file", "feed", "acceleration", "limit", "speed");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [ErrorNotKept, LimitBroken, LineUnreadable, StepsTooLong];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [ErrorNotKept, LimitBroken, LineUnreadable, StepsTooLong, TooFast];
 }

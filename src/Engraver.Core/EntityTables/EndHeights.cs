@@ -1,9 +1,13 @@
 namespace Engraver.Core.EntityTables;
 
 /// <summary>The height (z, millimetres) at which each segment of a table begins and ends: slots 3 and 6. End number 2 x row is a segment's start, 2 x row + 1 its end.</summary>
-/// <remarks>Heights that differ by no more than the tolerance are one level, so that the noise of real drawings (1e-10) separates nothing. A drawing at one level, at any height, is flat.</remarks>
+/// <remarks>Heights that differ by no more than the tolerance are one level, so that the noise of real drawings (1e-10) separates nothing. A level is no higher than the tolerance: the small steps of a ramp do not
+/// make one of all depths. A drawing at one level, at any height, is flat.</remarks>
 public sealed class EndHeights
 {
+    /// <summary>Heights that differ by no more belong to one place, and no level ends between them, mm.</summary>
+    private const double Noise = 1e-6;
+
     private readonly double[] _heights;
     private readonly int[] _levels;
 
@@ -56,7 +60,15 @@ public sealed class EndHeights
         for (var end = 0; end < ends.Length; end++) ends[end] = end;
         Array.Sort(ascending, ends);
         var levels = new int[heights.Length];
-        for (var i = 1; i < ends.Length; i++) levels[ends[i]] = levels[ends[i - 1]] + (ascending[i] - ascending[i - 1] > tolerance ? 1 : 0);
+        var lowest = ascending[0];
+        for (var i = 1; i < ends.Length; i++)
+        {
+            var step = ascending[i] - ascending[i - 1];
+            var isNext = step > tolerance || (step > Noise && ascending[i] - lowest > tolerance);
+            if (isNext) lowest = ascending[i];
+            levels[ends[i]] = levels[ends[i - 1]] + (isNext ? 1 : 0);
+        }
+
         return new EndHeights(heights, levels);
     }
 }

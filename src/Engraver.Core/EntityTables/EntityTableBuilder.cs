@@ -21,6 +21,14 @@ public static class EntityTableBuilder
         return table;
     }
 
+    /// <summary>The same of some entities, in file order, whatever their layer; what is hidden itself is left out.</summary>
+    public static EntityTable Build(Drawing drawing, IEnumerable<int> entities)
+    {
+        var table = new EntityTable();
+        foreach (var entity in entities.Distinct().Order().Where(entity => !drawing.Entities[entity].Hidden)) AppendParts(table, drawing, entity);
+        return table;
+    }
+
     private static bool IsCut(in DrawingEntity entity, bool[] taken) => !entity.Hidden && taken[entity.Layer];
 
     private static void AppendParts(EntityTable table, Drawing drawing, int entityIndex)

@@ -29,6 +29,9 @@ public sealed record JobOptions
     /// <summary>Counts of the path before <see cref="From"/> that are cut again.</summary>
     public double LeadIn { get; init; }
 
+    /// <summary>Where an output is the tool of a machine with a Z axis: the height at which a job that is resumed was cut, the controller's own counts; the axis goes there first. Null: it is cut at the height at which the machine stands.</summary>
+    public int? HeightOfCut { get; init; }
+
     /// <summary>Hold, resume and overrides by the operator; null for a job that nobody holds.</summary>
     public JobControl? Control { get; init; }
 
@@ -63,6 +66,9 @@ public sealed record JournalHeader(string Drawing, string Controller, JobMode Mo
 
     /// <summary>What is added to heights of the drawing; 0 where an output is the tool.</summary>
     public int FrameZ { get; init; }
+
+    /// <summary>Where an output is the tool of a machine with a Z axis: the height at which the job is cut, the controller's own counts; null elsewhere.</summary>
+    public int? HeightOfCut { get; init; }
 
     /// <summary>By what the motion program is known again; empty in journals of an older version.</summary>
     public string Program { get; init; } = "";

@@ -29,6 +29,9 @@ public sealed record ResumePlace(JobPlace Place, double Doubt, CountsPoint Frame
     /// <summary>The mode in which the job was begun; null where no journal tells it.</summary>
     public JobMode? Mode { get; init; }
 
+    /// <summary>As in <see cref="JournalHeader.HeightOfCut"/>.</summary>
+    public int? HeightOfCut { get; init; }
+
     /// <summary>Why the job cannot be resumed, and what to do; null when it can.</summary>
     public string? Refusal { get; init; }
 

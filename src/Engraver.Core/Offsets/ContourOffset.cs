@@ -15,6 +15,9 @@ public static class ContourOffset
 
     private const double SizeTolerance = 1e-14;
 
+    /// <summary>What the largest radius adds: the rounding of a distance from its centre.</summary>
+    private const double RadiusTolerance = 3e-16;
+
     /// <summary>Distance from the origin, in sizes of the drawing, from which on it is computed about its middle.</summary>
     private const double FarAway = 100.0;
 
@@ -29,8 +32,8 @@ public static class ContourOffset
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(distance);
         var (origin, extent) = Place(contours);
-        var tolerance = LeastTolerance + (SizeTolerance * (extent + distance));
-        List<SourceChain> chains = [.. contours.Select(contour => SourceChain.From(contour, options, tolerance)?.Moved(-origin)).OfType<SourceChain>()];
+        var tolerance = LeastTolerance + (SizeTolerance * (extent + distance)) + (RadiusTolerance * LargestRadius(contours));
+        List<SourceChain> chains = [.. contours.Select((contour, number) => SourceChain.From(contour, number, options, tolerance)?.Moved(-origin)).OfType<SourceChain>()];
         var work = new OffsetWork(origin, distance, options, tolerance);
         List<SourceChain> closed = [.. chains.Where(chain => chain.Closed)];
         List<SourceChain> open = [.. chains.Where(chain => !chain.Closed)];
@@ -56,6 +59,20 @@ public static class ContourOffset
         return middle.Length > FarAway * size ? (middle, size) : (default, middle.Length + size);
     }
 
+    private static double LargestRadius(IReadOnlyList<OffsetContour> contours)
+    {
+        var largest = 0.0;
+        foreach (var contour in contours)
+        {
+            foreach (var segment in contour.Segments)
+            {
+                if (segment.Kind is SegmentKind.Arc or SegmentKind.Circle) largest = Math.Max(largest, PathPiece.FromSegment(segment).Radius);
+            }
+        }
+
+        return largest;
+    }
+
     /// <summary>The loops found so far.</summary>
     private sealed class OffsetWork(Vector2D origin, double distance, OffsetOptions options, double tolerance)
     {
@@ -63,13 +80,13 @@ public static class ContourOffset
 
         public List<Point2D> Unresolved { get; } = [];
 
-        /// <summary>In or out of the material that all closed contours enclose together.</summary>
-        public void AddRegion(IReadOnlyList<SourceChain> closed, bool inside)
+        /// <summary>In or out of the material that all closed contours enclose together; of a flat curve clockwise where it was drawn so.</summary>
+        public void AddRegion(IReadOnlyList<SourceChain> closed, bool inside, bool clockwise = false)
         {
             var tree = new PieceTree([.. closed.SelectMany(chain => chain.Pieces)]);
             if (ContourDepth.TouchEachOther(tree, closed, tolerance))
             {
-                AddCrossing(tree, closed, inside);
+                AddCrossing(tree, closed, inside, clockwise);
                 return;
             }
 
@@ -80,6 +97,12 @@ public static class ContourOffset
         /// <summary>The left or right side, or both, of one contour by itself.</summary>
         public void AddSide(SourceChain chain, OffsetSide side)
         {
+            if (chain.FlatTurn != 0)
+            {
+                if (chain.FlatTurn == 1 != (side == OffsetSide.Left)) AddRegion([chain], inside: false, clockwise: chain.FlatTurn < 0);
+                return;
+            }
+
             var tree = new PieceTree(chain.Pieces);
             var isSimple = chain.Closed && !ContourDepth.TouchEachOther(tree, [chain], tolerance);
             IReadOnlyList<RawChain> around = !chain.Closed ? [RawChain.Around(chain)] : [RawChain.LeftOf(chain), RawChain.RightOf(chain)];
@@ -92,14 +115,14 @@ public static class ContourOffset
         }
 
         /// <summary>Contours that cross or touch: both sides of all, of which the loops in (or out of) the material are taken.</summary>
-        private void AddCrossing(PieceTree tree, IReadOnlyList<SourceChain> closed, bool inside)
+        private void AddCrossing(PieceTree tree, IReadOnlyList<SourceChain> closed, bool inside, bool clockwise)
         {
             var material = ContourDepth.RegionOf(closed);
             var pass = Run(tree, [.. closed.SelectMany(chain => (RawChain[])[RawChain.LeftOf(chain), RawChain.RightOf(chain)])]);
             foreach (var loop in pass.Loops)
             {
                 var longest = loop.MaxBy(pass.Graph.LengthOf);
-                if (material.Contains(pass.Graph.PointOn(longest, 0.5)) == inside) AddClosed(pass.Graph, loop, reversed: !inside);
+                if (material.Contains(pass.Graph.PointOn(longest, 0.5)) == inside) AddClosed(pass.Graph, loop, reversed: !inside && !clockwise);
             }
         }
 
@@ -127,7 +150,7 @@ public static class ContourOffset
                 if (graph.SidesOf(edge).HasFlag(side)) part.Add(edge);
                 else if (part.Count > 0)
                 {
-                    Add(LoopBuilder.Open(graph, part, origin), closed: false, reversed: side == RawSides.Right);
+                    Add(LoopBuilder.Open(graph, part, origin), reversed: side == RawSides.Right);
                     part.Clear();
                 }
             }
@@ -135,19 +158,11 @@ public static class ContourOffset
 
         private void AddClosed(RawGraph graph, List<int> loop, bool reversed)
         {
-            var segments = LoopBuilder.Closed(graph, loop, origin);
-            if (Math.Abs(ChainArea.Of(segments)) > SliverTolerances * tolerance * segments.Sum(segment => segment.Length)) Add(segments, closed: true, reversed);
+            var closed = LoopBuilder.Closed(graph, loop, origin);
+            if (Math.Abs(closed.SignedArea) > SliverTolerances * graph.Tolerance * closed.Length) Add(closed, reversed);
         }
 
-        private void Add(List<Segment> segments, bool closed, bool reversed)
-        {
-            if (reversed)
-            {
-                segments.Reverse();
-                for (var i = 0; i < segments.Count; i++) segments[i] = segments[i].Reversed();
-            }
-
-            Loops.Add(new OffsetLoop(segments, closed));
-        }
+        private void Add(OffsetLoop loop, bool reversed) =>
+            Loops.Add(reversed ? loop with { Segments = [.. loop.Segments.Reverse().Select(segment => segment.Reversed())], Sources = [.. loop.Sources.Reverse()] } : loop);
     }
 }

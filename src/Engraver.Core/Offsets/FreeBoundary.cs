@@ -13,6 +13,7 @@ internal sealed class FreeBoundary
     private readonly int[] _arriving;
     private readonly int[] _leaving;
     private readonly int[] _onlyNext;
+    private readonly List<int> _run = [];
 
     public FreeBoundary(RawGraph graph, OffsetReach reach)
     {
@@ -64,7 +65,8 @@ internal sealed class FreeBoundary
     /// <summary>A run goes on through every node at which nothing else meets; what remains after the runs between such nodes are whole loops.</summary>
     private void JudgeRun(int first, bool[] seen)
     {
-        var run = new List<int>();
+        var run = _run;
+        run.Clear();
         var longest = first;
         for (var edge = first; !seen[edge]; edge = _onlyNext[_graph.Edges[edge].End])
         {

@@ -6,19 +6,21 @@ namespace Engraver.Core.Offsets;
 /// <summary>Makes segments of a run of edges: parts of one raw piece that follow each other become one segment again.</summary>
 internal static class LoopBuilder
 {
-    /// <summary>The segments of a closed loop, moved; none begins within a raw piece.</summary>
-    public static List<Segment> Closed(RawGraph graph, IReadOnlyList<int> edges, Vector2D by)
+    /// <summary>A closed loop, moved; no segment begins within a raw piece.</summary>
+    public static OffsetLoop Closed(RawGraph graph, IReadOnlyList<int> edges, Vector2D by)
     {
         var first = 0;
         while (first < edges.Count && Continues(graph, edges[(first + edges.Count - 1) % edges.Count], edges[first])) first++;
         if (first == edges.Count) first = 0;
-        return Open(graph, [.. Enumerable.Range(0, edges.Count).Select(i => edges[(first + i) % edges.Count])], by);
+        return Built(graph, closed: true, [.. Enumerable.Range(0, edges.Count).Select(i => edges[(first + i) % edges.Count])], by);
     }
 
-    /// <summary>The segments of edges that follow each other, moved.</summary>
-    public static List<Segment> Open(RawGraph graph, IReadOnlyList<int> edges, Vector2D by)
+    /// <summary>Edges that follow each other, moved.</summary>
+    public static OffsetLoop Open(RawGraph graph, IReadOnlyList<int> edges, Vector2D by) => Built(graph, closed: false, edges, by);
+
+    private static OffsetLoop Built(RawGraph graph, bool closed, IReadOnlyList<int> edges, Vector2D by)
     {
-        var segments = new List<Segment>(edges.Count);
+        var (segments, sources) = (new List<Segment>(edges.Count), new List<OffsetSource>(edges.Count));
         for (var i = 0; i < edges.Count;)
         {
             var (part, last) = (graph.Edges[edges[i]], i);
@@ -29,10 +31,11 @@ internal static class LoopBuilder
             }
 
             segments.Add(graph.PieceOf(part).Moved(by).ToSegment());
+            sources.Add(graph.SourceOf(part));
             i = last + 1;
         }
 
-        return segments;
+        return new OffsetLoop(segments, closed) { Sources = sources };
     }
 
     /// <summary>True when the second edge is the next part of the same raw piece; a whole circle also goes on from its end to its start.</summary>

@@ -9,7 +9,10 @@ internal static class OffsetCheck
     /// <summary>Radius of the first search, in distances: nearly always the nearest piece lies at the distance.</summary>
     private const double NearEnough = 1.0001;
 
-    /// <summary>Largest difference from the distance at the middles of all segments, millimetres; joins with a mitre or bevel have another distance and are not measured.</summary>
+    /// <summary>Segments that are measured at most, evenly spread.</summary>
+    private const int MostMeasured = 20_000;
+
+    /// <summary>Largest difference from the distance, millimetres, at the middle of each segment or of that part which runs beside its source; mitres and bevels have another distance and are not measured.</summary>
     public static double MaxDeviation(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetLoop> loops, double distance, OffsetOptions options)
     {
         List<Segment> segments = [.. drawn.SelectMany(contour => contour.Segments)];
@@ -17,16 +20,48 @@ internal static class OffsetCheck
         List<RationalCurve> curves = [.. segments.Where(segment => segment.IsFreeCurve).Select(segment => segment.Curve)];
         var boxes = curves.Count == 0 ? null : BoxTree.Build([.. curves.Select(curve => curve.Bounds)]);
         var largest = 0.0;
-        foreach (var found in loops.SelectMany(loop => loop.Segments))
+        foreach (var (place, own) in Places(drawn, loops, options.Join == OffsetJoin.Round))
         {
-            var place = found.PointAt(0.5);
-            var nearest = tree.Nearest(place, distance * NearEnough);
-            if (nearest >= distance * NearEnough) nearest = tree.Nearest(place, double.PositiveInfinity);
-            boxes?.Nearest(place, (curve, from) => curves[curve].DistanceTo(from), nearest, out nearest);
-            var deviation = Math.Abs(nearest - distance);
-            if (options.Join == OffsetJoin.Round || deviation < distance * 1e-3) largest = Math.Max(largest, deviation);
+            var nearest = options.Join == OffsetJoin.Bevel ? DistanceTo(own, place) : Nearest(place); // a bevelled corner may be nearer
+            largest = Math.Max(largest, Math.Abs(nearest - distance));
         }
 
         return largest;
+
+        double Nearest(Point2D place)
+        {
+            var nearest = tree.Nearest(place, distance * NearEnough);
+            if (nearest >= distance * NearEnough) nearest = tree.Nearest(place, double.PositiveInfinity);
+            boxes?.Nearest(place, (curve, from) => curves[curve].DistanceTo(from), nearest, out nearest);
+            return nearest;
+        }
+    }
+
+    private static double DistanceTo(in Segment segment, Point2D place) => segment.IsFreeCurve ? segment.Curve.DistanceTo(place) : PathPiece.FromSegment(segment).DistanceTo(place);
+
+    private static IEnumerable<(Point2D Place, Segment Own)> Places(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetLoop> loops, bool joinsAreRound)
+    {
+        var (step, number) = (1 + (loops.Sum(loop => loop.Segments.Count) / MostMeasured), 0);
+        foreach (var loop in loops)
+        {
+            for (var i = 0; i < loop.Segments.Count; i++)
+            {
+                if (number++ % step != 0) continue;
+                var own = drawn[loop.Sources[i].Contour].Segments[loop.Sources[i].Segment];
+                if (joinsAreRound) yield return (loop.Segments[i].PointAt(0.5), own);
+                else if (!loop.Sources[i].IsJoin && Beside(loop.Segments[i], own) is { } place) yield return (place, own);
+            }
+        }
+    }
+
+    /// <summary>The middle of what lies beside the source: a mitre lengthens lines beyond it. Null where nothing does, or where the source is a curve of which the line stands for a part.</summary>
+    private static Point2D? Beside(in Segment found, in Segment source)
+    {
+        if (found.Kind != SegmentKind.Line) return found.PointAt(0.5);
+        if (source.Kind != SegmentKind.Line) return null;
+        var (way, length) = (found.End - found.Start, found.Length * found.Length);
+        var (one, other) = ((source.Start - found.Start).Dot(way) / length, (source.End - found.Start).Dot(way) / length);
+        var (from, to) = (Math.Max(0.0, Math.Min(one, other)), Math.Min(1.0, Math.Max(one, other)));
+        return from < to ? found.Start + (way * ((from + to) / 2.0)) : null;
     }
 }

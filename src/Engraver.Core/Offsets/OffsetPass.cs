@@ -9,6 +9,9 @@ internal sealed class OffsetPass
     /// <summary>Distances to try, as differences from the one asked for in tolerances. Where a contour touches itself in so many places that a crossing is judged in two ways, one a little larger or smaller is not.</summary>
     private static readonly double[] Attempts = [0.0, 3.0, -3.0, 7.0, -7.0];
 
+    /// <summary>Coarser tolerances for a drawing that coincides with itself nearly but not quite, as multiples.</summary>
+    private static readonly double[] Coarser = [1.0, 30.0, 1_000.0];
+
     private OffsetPass(RawGraph graph, FreeBoundary boundary) => (Graph, Loops, Unresolved) = (graph, boundary.Loops(), [.. boundary.Unbalanced.Select(graph.PlaceOf)]);
 
     public RawGraph Graph { get; }
@@ -27,11 +30,14 @@ internal sealed class OffsetPass
     public static OffsetPass Run(PieceTree source, IReadOnlyList<RawChain> chains, double distance, OffsetOptions options, double tolerance)
     {
         OffsetPass? best = null;
-        foreach (var attempt in Attempts)
+        foreach (var length in Coarser.Select(factor => factor * tolerance))
         {
-            var pass = RunOnce(source, chains, distance + (attempt * tolerance), options, tolerance);
-            if (best is null || pass.Unresolved.Count < best.Unresolved.Count) best = pass;
-            if (best.Unresolved.Count == 0) break;
+            foreach (var attempt in Attempts)
+            {
+                var pass = RunOnce(source, chains, distance + (attempt * length), options, length);
+                if (best is null || pass.Unresolved.Count < best.Unresolved.Count) best = pass;
+                if (best.Unresolved.Count == 0) return best;
+            }
         }
 
         return best!;
@@ -41,7 +47,7 @@ internal sealed class OffsetPass
     {
         var raw = new RawOffset(distance, options, tolerance);
         foreach (var chain in chains) raw.Add(chain);
-        var graph = RawGraph.From(raw);
+        var graph = RawGraph.From(raw, options.Join == OffsetJoin.Bevel ? null : source);
         return new OffsetPass(graph, new FreeBoundary(graph, new OffsetReach(source, chains, distance, options, tolerance)));
     }
 }

@@ -7,11 +7,20 @@ namespace Engraver.Core.Offsets;
 /// <param name="Closed">True when the last segment ends where the first begins, but for such a gap.</param>
 public sealed record OffsetContour(IReadOnlyList<Segment> Segments, bool Closed);
 
+/// <summary>Where a segment of an offset comes from.</summary>
+/// <param name="Contour">Number of the contour among those that were offset.</param>
+/// <param name="Segment">Number of the segment within it; of a join the one before the corner in the direction in which the contour was followed.</param>
+/// <param name="IsJoin">It goes round the outside of a corner, or round the end of an open contour.</param>
+public readonly record struct OffsetSource(int Contour, int Segment, bool IsJoin);
+
 /// <summary>One contour of an offset: lines, arcs and circles, end exactly on start.</summary>
 /// <param name="Segments">At least one.</param>
 /// <param name="Closed">True when the last segment ends exactly where the first begins; always for the offset of a closed contour.</param>
 public sealed record OffsetLoop(IReadOnlyList<Segment> Segments, bool Closed)
 {
+    /// <summary>What each segment is the offset of; as many as <see cref="Segments"/>.</summary>
+    public IReadOnlyList<OffsetSource> Sources { get; init; } = [];
+
     public int Lines => Segments.Count(segment => segment.Kind == SegmentKind.Line);
 
     /// <summary>Arcs, whole circles among them.</summary>

@@ -4,18 +4,27 @@ namespace Engraver.Core.Offsets;
 
 /// <summary>A closed chain whose left side is offset: a side of a closed contour, or both sides of an open one, there and back.</summary>
 /// <param name="Pieces">Each begins where the one before ends, the first at the end of the last.</param>
+/// <param name="Sources">The segment that each piece is a part of.</param>
 /// <param name="Forwards">Pieces in the drawn direction; the others run back.</param>
 /// <param name="IsOpen">An open contour, which turns back at its two ends.</param>
-internal sealed record RawChain(PathPiece[] Pieces, int Forwards, bool IsOpen, double Smoothness)
+internal sealed record RawChain(PathPiece[] Pieces, OffsetSource[] Sources, int Forwards, bool IsOpen, double Smoothness)
 {
     /// <summary>The left side of a closed contour.</summary>
-    public static RawChain LeftOf(SourceChain chain) => new(chain.Pieces, chain.Pieces.Length, false, chain.Smoothness);
+    public static RawChain LeftOf(SourceChain chain) => new(chain.Pieces, chain.Sources, chain.Pieces.Length, false, chain.Smoothness);
 
     /// <summary>The right side of a closed contour.</summary>
-    public static RawChain RightOf(SourceChain chain) => new(chain.Reversed().Pieces, 0, false, chain.Smoothness);
+    public static RawChain RightOf(SourceChain chain)
+    {
+        var reversed = chain.Reversed();
+        return new RawChain(reversed.Pieces, reversed.Sources, 0, false, chain.Smoothness);
+    }
 
     /// <summary>Both sides of an open contour.</summary>
-    public static RawChain Around(SourceChain chain) => new([.. chain.Pieces, .. chain.Reversed().Pieces], chain.Pieces.Length, true, chain.Smoothness);
+    public static RawChain Around(SourceChain chain)
+    {
+        var reversed = chain.Reversed();
+        return new RawChain([.. chain.Pieces, .. reversed.Pieces], [.. chain.Sources, .. reversed.Sources], chain.Pieces.Length, true, chain.Smoothness);
+    }
 
     public RawSides SideOf(int piece) => piece < Forwards ? RawSides.Left : RawSides.Right;
 

@@ -26,20 +26,25 @@ internal sealed class RawGraph
     private bool[] _gone = [];
     private RawSides[] _sides = [];
 
-    private RawGraph(RawOffset raw)
+    private RawGraph(RawOffset raw, CoveredEnds ends)
     {
-        _raw = raw.Pieces;
+        _raw = ends.Pieces;
         _tolerance = raw.Tolerance;
-        _nodes = new NodeMerger(raw.Nodes, raw.Same, NodeTolerances * raw.Tolerance);
+        _nodes = new NodeMerger(ends.Nodes, raw.Same, NodeTolerances * raw.Tolerance);
     }
+
+    /// <summary>Length that counted as none.</summary>
+    public double Tolerance => _tolerance;
 
     public IReadOnlyList<RawEdge> Edges => _edges;
 
     public int NodeCount => _nodes.Count;
 
-    public static RawGraph From(RawOffset raw)
+    /// <param name="raw">The raw offset.</param>
+    /// <param name="source">What was drawn, when everything nearer to it than the distance is covered; null when corners have another shape.</param>
+    public static RawGraph From(RawOffset raw, PieceTree? source)
     {
-        var graph = new RawGraph(raw);
+        var graph = new RawGraph(raw, CoveredEnds.TakenFrom(raw, source));
         graph.AddEdges(graph.FindCuts());
         graph.RemoveCoincident();
         return graph;
@@ -52,6 +57,9 @@ internal sealed class RawGraph
 
     /// <summary>The part of the raw piece between the edge's nodes.</summary>
     public PathPiece PieceOf(in RawEdge part) => _raw[part.Raw].Piece.Part(part.From, PlaceOf(part.Start), part.To, PlaceOf(part.End));
+
+    /// <summary>What an edge is the offset of.</summary>
+    public OffsetSource SourceOf(in RawEdge edge) => _raw[edge.Raw].Source;
 
     /// <summary>The sides of all edges that coincide with it in its direction.</summary>
     public RawSides SidesOf(int edge) => _sides[edge];

@@ -16,8 +16,9 @@ internal enum RawSides : byte
 }
 
 /// <summary>A piece of the raw offset and the nodes that it begins and ends at.</summary>
-/// <param name="Source">Number of the source piece, or -1 of a join.</param>
-internal readonly record struct RawPiece(PathPiece Piece, int Start, int End, RawSides Side, int Source);
+/// <param name="Place">Number among <see cref="RawOffset.Drawn"/> of the piece that it lies beside, or that ends at the corner.</param>
+/// <param name="Source">The segment that it is the offset of, or that it joins to the next one.</param>
+internal readonly record struct RawPiece(PathPiece Piece, int Start, int End, RawSides Side, int Place, OffsetSource Source);
 
 /// <summary>The raw offset to the left of closed chains: every piece shifted, corners joined on their outside and trimmed on their inside. It still crosses itself; what is left of it lies at least the distance from all that was drawn.</summary>
 /// <remarks>
@@ -27,15 +28,20 @@ internal readonly record struct RawPiece(PathPiece Piece, int Start, int End, Ra
 internal sealed class RawOffset(double distance, OffsetOptions options, double tolerance)
 {
     private readonly List<RawPiece> _pieces = [];
+    private readonly List<PathPiece> _drawn = [];
     private readonly List<Point2D> _nodes = [];
     private readonly List<(int One, int Other)> _same = [];
 
     public double Distance => distance;
 
+    /// <summary>The pieces of all chains, one after the other.</summary>
+    public IReadOnlyList<PathPiece> Drawn => _drawn;
+
     public double Tolerance => tolerance;
 
     public IReadOnlyList<RawPiece> Pieces => _pieces;
 
+    /// <summary>Places that pieces begin and end at, by their numbers.</summary>
     public IReadOnlyList<Point2D> Nodes => _nodes;
 
     /// <summary>Nodes that are one because the piece between them has no length.</summary>
@@ -54,13 +60,14 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
             Meet(ref shifted[i], ref shifted[next], pieces[i], pieces[next], chain.Smoothness, chain.IsCapBehind(i), out joins[i]);
         }
 
-        var cover = new NeighbourCover(pieces, distance, options.Join != OffsetJoin.Bevel);
         for (var i = 0; i < pieces.Length; i++)
         {
-            AddTip(shifted[i].TipAhead, shifted[i].StartNode, chain.SideOf(i));
-            AddPiece(shifted[i], chain.SideOf(i), i, cover);
-            AddTip(shifted[i].EndNode, shifted[i].TipBehind, chain.SideOf(i));
-            if (joins[i].To >= 0) AddJoin(pieces[i], pieces[i + 1 == pieces.Length ? 0 : i + 1], joins[i], chain.IsCapBehind(i) ? RawSides.Cap : chain.SideOf(i), i, cover);
+            _drawn.Add(pieces[i]);
+            var (side, source, join) = (chain.SideOf(i), chain.Sources[i], chain.Sources[i] with { IsJoin = true });
+            AddTip(shifted[i].TipAhead, shifted[i].StartNode, side, join);
+            AddPiece(shifted[i], side, source);
+            AddTip(shifted[i].EndNode, shifted[i].TipBehind, side, join);
+            if (joins[i].To >= 0) AddJoin(pieces[i], pieces[i + 1 == pieces.Length ? 0 : i + 1], joins[i], chain.IsCapBehind(i) ? RawSides.Cap : side, join);
         }
     }
 
@@ -107,10 +114,10 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         if (!before.Exists || !after.Exists) return false;
         if (!source.IsArc && !next.IsArc)
         {
-            var setback = distance * sin / (1.0 + cos);
+            var setback = cos > 0.0 ? distance * sin / (1.0 + cos) : distance * (1.0 - cos) / sin; // the same, without a difference of nearly equal numbers
             if (!(setback <= source.Length && setback <= next.Length)) return false;
-            var bisector = (Left(source.EndTangent) + Left(next.StartTangent)) * (distance / (1.0 + cos));
-            TrimAt(ref before, ref after, source.End + bisector, 1.0 - (setback / source.Length), setback / next.Length);
+            var meeting = source.End + (Left(source.EndTangent) * distance) - (source.EndTangent * setback);
+            TrimAt(ref before, ref after, meeting, 1.0 - (setback / source.Length), setback / next.Length);
             return true;
         }
 
@@ -136,7 +143,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         after.From = from;
     }
 
-    private void AddPiece(in ShiftedPiece shifted, RawSides side, int source, NeighbourCover cover)
+    private void AddPiece(in ShiftedPiece shifted, RawSides side, OffsetSource source)
     {
         if (shifted.IsPoint) _same.Add((shifted.StartNode, shifted.EndNode));
         if (!shifted.Exists) return;
@@ -147,16 +154,16 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
             return;
         }
 
-        AddUncovered(shifted.Trimmed(start, end), shifted.StartNode, shifted.EndNode, side, source, source + 1, source - 1, cover);
+        _pieces.Add(new RawPiece(shifted.Trimmed(start, end), shifted.StartNode, shifted.EndNode, side, _drawn.Count - 1, source));
     }
 
     /// <summary>The line between an arc and the tip of its mitre.</summary>
-    private void AddTip(int from, int to, RawSides side)
+    private void AddTip(int from, int to, RawSides side, OffsetSource source)
     {
-        if (from >= 0 && to >= 0) _pieces.Add(new RawPiece(PathPiece.Line(_nodes[from], _nodes[to]), from, to, side, -1));
+        if (from >= 0 && to >= 0) _pieces.Add(new RawPiece(PathPiece.Line(_nodes[from], _nodes[to]), from, to, side, _drawn.Count - 1, source));
     }
 
-    private void AddJoin(in PathPiece source, in PathPiece next, (int From, int To) join, RawSides side, int index, NeighbourCover cover)
+    private void AddJoin(in PathPiece source, in PathPiece next, (int From, int To) join, RawSides side, OffsetSource origin)
     {
         var (leaving, arriving, corner) = (source.EndTangent, next.StartTangent, source.End);
         var (start, end) = (_nodes[join.From], _nodes[join.To]);
@@ -164,23 +171,12 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
         {
             var turn = -Math.Abs(Math.Atan2(leaving.Cross(arriving), leaving.Dot(arriving)));
             var outward = Left(leaving);
-            AddUncovered(PathPiece.Arc(corner, distance, Math.Atan2(outward.Y, outward.X), turn, start, end), join.From, join.To, side, -1, index + 1, index, cover);
+            _pieces.Add(new RawPiece(PathPiece.Arc(corner, distance, Math.Atan2(outward.Y, outward.X), turn, start, end), join.From, join.To, side, _drawn.Count - 1, origin));
         }
         else
         {
-            _pieces.Add(new RawPiece(PathPiece.Line(start, end), join.From, join.To, side, -1));
+            _pieces.Add(new RawPiece(PathPiece.Line(start, end), join.From, join.To, side, _drawn.Count - 1, origin));
         }
-    }
-
-    /// <summary>Leaves out what lies deep inside the reach of near corners of the same chain; a piece that is shortened breaks off there.</summary>
-    private void AddUncovered(in PathPiece piece, int start, int end, RawSides side, int source, int ahead, int behind, NeighbourCover cover)
-    {
-        var left = PiecePart.Whole;
-        if (!cover.TryClip(piece, ahead, behind, ref left)) return;
-        var (from, to) = left;
-        if (from > 0.0) start = NewNode(piece.At(from));
-        if (to < 1.0) end = NewNode(piece.At(to));
-        _pieces.Add(new RawPiece(from > 0.0 || to < 1.0 ? piece.Part(from, _nodes[start], to, _nodes[end]) : piece, start, end, side, source));
     }
 
     private static Vector2D Left(Vector2D tangent) => new(-tangent.Y, tangent.X);

@@ -10,39 +10,45 @@ internal sealed class SourceChain
     /// <summary>Part of the tolerance of an ellipse's or spline's arcs by which a corner between two of them may be cut: a joint that was meant smooth stays smooth.</summary>
     private const double CurveJointShare = 0.01;
 
-    private SourceChain(PathPiece[] pieces, bool closed, double smoothness) => (Pieces, Closed, Smoothness) = (pieces, closed, smoothness);
+    private SourceChain(PathPiece[] pieces, OffsetSource[] sources, bool closed, double smoothness) => (Pieces, Sources, Closed, Smoothness) = (pieces, sources, closed, smoothness);
 
     public PathPiece[] Pieces { get; }
+
+    /// <summary>The segment that each piece is a part of.</summary>
+    public OffsetSource[] Sources { get; }
 
     public bool Closed { get; }
 
     /// <summary>Millimetres by which the offset may leave the exact one where two pieces meet nearly without a corner.</summary>
     public double Smoothness { get; }
 
+    /// <summary>Of a closed curve without width, which is a line there and back: the side on which its inside would be, 1 left, -1 right; 0 for all others.</summary>
+    public int FlatTurn { get; private init; }
+
     /// <param name="contour">As drawn.</param>
+    /// <param name="number">Of the contour among all that are offset.</param>
     /// <param name="options">Tolerances.</param>
     /// <param name="tolerance">Length that counts as none, millimetres.</param>
     /// <returns>Null when nothing with a length is in it.</returns>
-    public static SourceChain? From(OffsetContour contour, OffsetOptions options, double tolerance)
+    public static SourceChain? From(OffsetContour contour, int number, OffsetOptions options, double tolerance)
     {
+        if (contour is { Closed: true, Segments: [{ IsFreeCurve: true } only] } && FlatCurve.From(only.Curve, options.MaxErrorMm) is { } flat) return Flat(flat.Places, flat.Turn, number, tolerance);
         var hasCurves = false;
-        var pieces = new List<PathPiece>();
-        foreach (var segment in contour.Segments)
+        var pieces = new List<PathPiece>(contour.Segments.Count);
+        var sources = new List<OffsetSource>(contour.Segments.Count);
+        for (var i = 0; i < contour.Segments.Count; i++)
         {
-            if (segment.IsFreeCurve)
-            {
-                hasCurves = true;
-                foreach (var part in BiarcFit.Fit(segment.Curve, options.MaxErrorMm)) AddWithLength(pieces, PathPiece.FromSegment(part), tolerance);
-            }
-            else
-            {
-                AddWithLength(pieces, PathPiece.FromSegment(segment), tolerance);
-            }
+            var segment = contour.Segments[i];
+            hasCurves |= segment.IsFreeCurve;
+            if (!segment.IsFreeCurve) AddWithLength(pieces, PathPiece.FromSegment(segment), tolerance);
+            else foreach (var part in BiarcFit.Fit(segment.Curve, options.MaxErrorMm)) AddWithLength(pieces, PathPiece.FromSegment(part), tolerance);
+            while (sources.Count < pieces.Count) sources.Add(new OffsetSource(number, i, IsJoin: false));
         }
 
         if (pieces.Count == 0) return null;
         var smoothness = hasCurves ? Math.Max(tolerance, CurveJointShare * options.MaxErrorMm) : tolerance;
-        return new SourceChain(Joined(pieces, contour.Closed, tolerance), contour.Closed, smoothness);
+        var joined = Joined(pieces, sources, contour.Closed, tolerance);
+        return new SourceChain(joined, [.. sources], contour.Closed, smoothness);
     }
 
     /// <summary>The same points in the opposite direction.</summary>
@@ -50,10 +56,17 @@ internal sealed class SourceChain
     {
         var pieces = new PathPiece[Pieces.Length];
         for (var i = 0; i < pieces.Length; i++) pieces[i] = Pieces[^(i + 1)].Reversed();
-        return new SourceChain(pieces, Closed, Smoothness);
+        return new SourceChain(pieces, [.. Sources.Reverse()], Closed, Smoothness);
     }
 
-    public SourceChain Moved(Vector2D by) => new([.. Pieces.Select(piece => piece.Moved(by))], Closed, Smoothness);
+    public SourceChain Moved(Vector2D by) => by == default ? this : new([.. Pieces.Select(piece => piece.Moved(by))], Sources, Closed, Smoothness) { FlatTurn = FlatTurn };
+
+    private static SourceChain? Flat(IReadOnlyList<Point2D> places, int turn, int number, double tolerance)
+    {
+        var pieces = new List<PathPiece>();
+        for (var i = 1; i < places.Count; i++) AddWithLength(pieces, PathPiece.Line(places[i - 1], places[i]), tolerance);
+        return pieces.Count == 0 ? null : new SourceChain([.. pieces], [.. pieces.Select(_ => new OffsetSource(number, 0, IsJoin: false))], true, tolerance) { FlatTurn = turn };
+    }
 
     private static void AddWithLength(List<PathPiece> pieces, in PathPiece piece, double tolerance)
     {
@@ -61,7 +74,7 @@ internal sealed class SourceChain
     }
 
     /// <summary>Closes the gaps: both ends move to the middle. An arc keeps its sweep and is bent to its new ends.</summary>
-    private static PathPiece[] Joined(List<PathPiece> pieces, bool closed, double tolerance)
+    private static PathPiece[] Joined(List<PathPiece> pieces, List<OffsetSource> sources, bool closed, double tolerance)
     {
         var count = pieces.Count;
         var starts = new Point2D[count + 1];
@@ -69,15 +82,23 @@ internal sealed class SourceChain
         for (var i = 1; i < count; i++) starts[i] = Meeting(pieces[i - 1].End, pieces[i].Start);
         if (closed) starts[0] = starts[count] = Meeting(pieces[^1].End, pieces[0].Start);
         var joined = new List<PathPiece>(count);
+        var kept = new List<OffsetSource>(count);
         for (var i = 0; i < count; i++)
         {
             var piece = Between(pieces[i], starts[i], starts[i + 1], tolerance);
-            if (piece.Length > tolerance) joined.Add(piece);
+            if (piece.Length > tolerance)
+            {
+                joined.Add(piece);
+                kept.Add(sources[i]);
+            }
             else if (i + 1 < count) starts[i + 1] = starts[i];
             else if (joined.Count > 0) joined[^1] = Between(joined[^1], joined[^1].Start, starts[count], tolerance);
         }
 
-        return joined.Count > 0 ? [.. joined] : [pieces[0]];
+        if (joined.Count == 0) (joined, kept) = ([pieces[0]], [sources[0]]);
+        sources.Clear();
+        sources.AddRange(kept);
+        return [.. joined];
     }
 
     private static Point2D Meeting(Point2D end, Point2D start) => end == start ? end : end + ((start - end) * 0.5);

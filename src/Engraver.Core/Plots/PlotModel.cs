@@ -20,6 +20,9 @@ public sealed record PlotModel(string Title, IReadOnlyList<PlotStroke> Strokes, 
     /// <summary>What the colours of a run mean; null in a picture of a drawing or a path.</summary>
     public PlotHeat? Heat { get; init; }
 
+    /// <summary>Points and corners of trajectories; none in other pictures.</summary>
+    public IReadOnlyList<PlotMark> Marks { get; init; } = [];
+
     public double CutLength => Strokes.Sum(stroke => stroke.Length);
 
     public double Travel => Rapids.Sum(rapid => rapid.Length);
@@ -67,6 +70,10 @@ public sealed record PlotStroke(IReadOnlyList<Segment> Segments, bool Closed, in
     /// <summary>Step of the colours of a run, or <see cref="RunPlot.Beneath"/>; null where the colour says closed or open.</summary>
     public int? Heat { get; init; }
 }
+
+/// <summary>A place of a trajectory.</summary>
+/// <param name="IsCorner">Where what it follows turns sharply; otherwise a point that it visits.</param>
+public readonly record struct PlotMark(Point2D Place, bool IsCorner);
 
 /// <summary>What the colours of a run mean, in words.</summary>
 /// <param name="Caption">What is shown and where it comes from.</param>

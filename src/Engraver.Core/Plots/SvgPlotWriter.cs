@@ -29,9 +29,11 @@ public static class SvgPlotWriter
         Line(output, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {size}\" width=\"{Number(frame.FieldWidth)}\" height=\"{Number(frame.Height)}\">");
         Line(output, Style.ReplaceLineEndings("\n"));
         if (plot.Heat is not null) Line(output, HeatStyle());
+        if (plot.Marks.Count > 0) Line(output, "<style>.point{fill:#f0f3f6} .corner{fill:none;stroke:#d2a8ff;stroke-width:1.5}</style>");
         Line(output, $"<rect class=\"field\" width=\"100%\" height=\"100%\"/>");
         WriteRapids(plot, frame, output);
         WriteStrokes(plot, frame, output);
+        WritePoints(plot, frame, output);
         WriteMarks(plot, frame, output);
         WriteCaption(plot, frame, output);
         Line(output, "</svg>");
@@ -59,6 +61,17 @@ public static class SvgPlotWriter
         var every = ((plot.Strokes.Count - 1) / LabelsAtMost) + 1;
         for (var i = 0; i < plot.Strokes.Count; i += every) WriteNumber(plot.Strokes[i], frame, labels, output);
         for (var i = 0; i < plot.Strokes.Count; i += every) WriteArrow(plot.Strokes[i], frame, labels, output);
+    }
+
+    /// <summary>A dot for each point of a trajectory, a diamond round each corner.</summary>
+    private static void WritePoints(PlotModel plot, PlotFrame frame, TextWriter output)
+    {
+        foreach (var mark in plot.Marks)
+        {
+            var place = frame.Place(mark.Place);
+            if (mark.IsCorner) Line(output, $"<path class=\"corner\" d=\"M{Number(place.X - 6.0)},{Number(place.Y)}L{Number(place.X)},{Number(place.Y - 6.0)}L{Number(place.X + 6.0)},{Number(place.Y)}L{Number(place.X)},{Number(place.Y + 6.0)}Z\"/>");
+            else Line(output, $"<circle class=\"point\" cx=\"{Number(place.X)}\" cy=\"{Number(place.Y)}\" r=\"2.2\"/>");
+        }
     }
 
     private static void WriteToolStart(Point2D place, TextWriter output) =>

@@ -106,9 +106,9 @@ internal sealed class ChainPiece
     }
 
     /// <summary>The fraction at which a place lies abeam, beginning the search at a guess; below 0 or above 1 when that is beyond an end.</summary>
-    public double Foot(Point2D place, double guess)
+    public double Foot(Point2D place, double guess, double near = 1e-6)
     {
-        if (_span is not null) return FreeFoot(place, guess);
+        if (_span is not null) return FreeFoot(place, guess, near);
         if (IsLine) return (place - _segment.Start).Dot(_segment.StartTangent) / Length;
         var arc = _segment.Arc;
         var ahead = arc.TangentAt(guess).Dot(place - arc.Centre);
@@ -131,7 +131,7 @@ internal sealed class ChainPiece
         return new BezierSpan([start.X, start.Y, 0.0, 1.0, shoulder.X * weight, shoulder.Y * weight, 0.0, weight, end.X, end.Y, 0.0, 1.0]);
     }
 
-    private double FreeFoot(Point2D place, double guess)
+    private double FreeFoot(Point2D place, double guess, double near)
     {
         var fraction = Math.Clamp(guess, 0.0, 1.0);
         for (var step = 0; step < MostNewtonSteps; step++)
@@ -144,7 +144,7 @@ internal sealed class ChainPiece
             if (next < 0.0 && fraction <= 0.0) return next;
             if (next > 1.0 && fraction >= 1.0) return next;
             next = Math.Clamp(next, 0.0, 1.0);
-            if (Math.Abs(next - fraction) < 1e-6) return next;
+            if (Math.Abs(next - fraction) < near) return next;
             fraction = next;
         }
 

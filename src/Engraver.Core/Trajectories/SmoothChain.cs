@@ -63,14 +63,15 @@ internal sealed class SmoothChain
     }
 
     /// <summary>The place beside a point, searched from a guess of the length: its signed distance (left positive) and the direction of travel there.</summary>
-    public (double Distance, Vector2D Tangent) Beside(Point2D point, double guess)
+    /// <param name="near">Part of a piece to which the place is sought.</param>
+    public (double Distance, Vector2D Tangent) Beside(Point2D point, double guess, double near = 1e-6)
     {
         guess = Wrapped(guess);
         var index = PieceAt(guess);
         var (fraction, came) = (_pieces[index].FractionAt(guess), 0);
         for (var step = 0; step < _pieces.Length + 2; step++)
         {
-            var foot = _pieces[index].Foot(point, fraction);
+            var foot = _pieces[index].Foot(point, fraction, near);
             var way = foot < 0.0 ? -1 : foot > 1.0 ? 1 : 0;
             var next = index + way;
             if (Closed) next = (next + _pieces.Length) % _pieces.Length;

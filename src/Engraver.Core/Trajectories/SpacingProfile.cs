@@ -24,6 +24,10 @@ internal sealed class SpacingProfile
     private readonly double[] _curvature;
     private readonly double[] _change;
     private readonly double[] _boost;
+    private readonly double[] _most;
+    private readonly double[] _perError;
+    private readonly double[] _affine;
+    private double _affinePart = double.NaN;
 
     public SpacingProfile(SmoothChain chain)
     {
@@ -47,7 +51,9 @@ internal sealed class SpacingProfile
 
         (_from, _width, _curvature) = ([.. from], [.. width], [.. curvature]);
         (_change, _boost, Spacing) = (new double[_from.Length], new double[_from.Length], new double[_from.Length]);
+        (_most, _perError, _affine) = (new double[_from.Length], new double[_from.Length], new double[_from.Length]);
         Differentiate(pieces);
+        MeasureCurvature();
     }
 
     /// <summary>For each cell, millimetres.</summary>
@@ -75,11 +81,8 @@ internal sealed class SpacingProfile
         if (soft is { } part) FillAffine(error, part);
         else FillByError(error);
         LimitAtJoints(error);
-        for (var round = 0; round < (_chain.Closed ? 2 : 1); round++)
-        {
-            Limit(error, growth, forwards: true, third: soft is null);
-            Limit(error, growth, forwards: false, third: soft is null);
-        }
+        Limit(error, growth, forwards: true, third: soft is null);
+        Limit(error, growth, forwards: false, third: soft is null);
     }
 
     /// <summary>Makes points denser between two lengths.</summary>
@@ -160,28 +163,42 @@ internal sealed class SpacingProfile
 
     private void FillByError(double error)
     {
-        for (var i = 0; i < Spacing.Length; i++) Spacing[i] = OfCurvature(error, Math.Abs(_curvature[i]));
+        for (var i = 0; i < Spacing.Length; i++) Spacing[i] = OfError(error, i);
     }
 
-    private double OfCurvature(double error, double curvature)
+    private double OfError(double error, int cell) => Math.Min(_most[cell], _perError[cell] * Math.Sqrt(Math.Sqrt(error)));
+
+    /// <summary>For each cell the longest step that its turn allows, and what the fourth root of the error is multiplied by: (128 error / (3 |k|^3))^(1/4).</summary>
+    private void MeasureCurvature()
     {
-        if (curvature * Longest < 1e-9) return Longest;
-        return Math.Min(Math.Min(Longest, MostTurn / curvature), Math.Pow(128.0 * error / (3.0 * curvature * curvature * curvature), 0.25));
+        for (var i = 0; i < _curvature.Length; i++)
+        {
+            var curvature = Math.Abs(_curvature[i]);
+            if (curvature * Longest < 1e-9) (_most[i], _perError[i]) = (Longest, double.PositiveInfinity);
+            else (_most[i], _perError[i]) = (Math.Min(Longest, MostTurn / curvature), Math.Pow(128.0 / (3.0 * curvature * curvature * curvature), 0.25));
+        }
     }
 
     private void FillAffine(double error, double part)
     {
-        var sum = 0.0;
-        for (var i = 0; i < Spacing.Length; i++) sum += _width[i] * _curvature[i] * _curvature[i];
-        var least = part * part * sum / _chain.Length;
+        if (_affinePart != part) MeasureAffine(part);
         var scale = double.PositiveInfinity;
         for (var i = 0; i < Spacing.Length; i++)
         {
-            Spacing[i] = Math.Pow((_curvature[i] * _curvature[i]) + least, -1.0 / 6.0);
-            if (double.IsFinite(Spacing[i])) scale = Math.Min(scale, OfCurvature(error, Math.Abs(_curvature[i])) / Spacing[i]);
+            if (double.IsFinite(_affine[i])) scale = Math.Min(scale, OfError(error, i) / _affine[i]);
         }
 
-        for (var i = 0; i < Spacing.Length; i++) Spacing[i] = double.IsFinite(Spacing[i]) ? Math.Min(Longest, scale * Spacing[i]) : Longest;
+        for (var i = 0; i < Spacing.Length; i++) Spacing[i] = double.IsFinite(_affine[i]) ? Math.Min(Longest, scale * _affine[i]) : Longest;
+    }
+
+    /// <summary>Steps of equal affine length, softened, up to a factor.</summary>
+    private void MeasureAffine(double part)
+    {
+        var sum = 0.0;
+        for (var i = 0; i < _affine.Length; i++) sum += _width[i] * _curvature[i] * _curvature[i];
+        var least = part * part * sum / _chain.Length;
+        for (var i = 0; i < _affine.Length; i++) _affine[i] = Math.Pow((_curvature[i] * _curvature[i]) + least, -1.0 / 6.0);
+        _affinePart = part;
     }
 
     private void LimitAtJoints(double error)

@@ -13,6 +13,13 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
 
     private const double MostBoost = 1.1;
 
+    /// <summary>Moving points across the chain can halve an error, hardly more: beyond this multiple of what is allowed it is in vain.</summary>
+    private const double Hopeless = 2.5;
+
+    /// <summary>Steps that may be measured for any chain, and for each point of it, in search of fewer points.</summary>
+    private const int MeasuredAtLeast = 60_000;
+    private const int MeasuredForPoint = 40;
+
     /// <summary>Scales of the error that are tried, finest and coarsest.</summary>
     private const double Finest = 1.0 / 4096.0;
     private const double Coarsest = 100.0;
@@ -28,13 +35,19 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     private readonly SpacingProfile _profile = new(chain);
     private SplineCandidate? _best;
 
+    /// <summary>The last one that was sought: the next is near it.</summary>
+    private double _lastScale = 1.0;
+
+    /// <summary>Steps measured so far.</summary>
+    private long _measured;
+
     public SplineCandidate? Find()
     {
         if (chain.Pieces.Count == 1 && chain.Pieces[0].IsLine) return Straight();
-        foreach (var growth in Growths) Refine(growth, null);
+        foreach (var growth in Growths.TakeWhile(_ => MayGoOn)) Refine(growth, null);
         if (chain.Pieces.Any(piece => piece.IsFree))
         {
-            foreach (var soft in Softnesses) Refine(1.1, soft);
+            foreach (var soft in Softnesses.TakeWhile(_ => MayGoOn)) Refine(1.1, soft);
         }
 
         return _best;
@@ -54,7 +67,7 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     {
         for (var scale = 1.0; _best is null && scale >= Finest; scale /= 3.0) Try(scale, growth, soft, int.MaxValue);
         if (_best is null) return;
-        for (var (fewer, tries) = (1 + (Count / 40), 0); fewer > 0 && tries < MostTries; tries++) fewer = TryFewer(fewer, growth, soft) ? 2 * fewer : fewer / 2;
+        for (var (fewer, tries) = (1 + (Count / 40), 0); fewer > 0 && tries < MostTries && MayGoOn; tries++) fewer = TryFewer(fewer, growth, soft) ? 2 * fewer : fewer / 2;
     }
 
     /// <summary>From the finest scale that needs so much fewer points, and from coarser ones, which repairs make dense where they must be.</summary>
@@ -64,22 +77,32 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
         return Coarser.Any(factor => Try(scale * factor, growth, soft, before));
     }
 
+    /// <summary>Until a first spline passes nothing is too much; then steps are measured as often as the length of the chain allows, so that the time is linear in it.</summary>
+    private bool MayGoOn => _best is null || _measured < MeasuredAtLeast + ((long)MeasuredForPoint * Count);
+
     /// <summary>Points of the best so far.</summary>
     private int Count => _best!.Value.Spline.Lines.Count - 2;
 
     /// <summary>The finest scale at which a family needs no more than a number of points.</summary>
     private double ScaleFor(int points, double growth, double? soft)
     {
-        var (low, high) = (Finest, Coarsest);
+        var (low, high) = (_lastScale, _lastScale);
+        while (low > Finest && IsEnough(low)) (low, high) = (low / 2.0, low);
+        while (high < Coarsest && !IsEnough(high)) (low, high) = (high, high * 2.0);
         while (high > low * 1.01)
         {
             var middle = Math.Sqrt(low * high);
-            _profile.Fill(middle * maxError, growth, soft);
-            if (KnotPlacement.Place(chain, _profile).Count <= points) high = middle;
+            if (IsEnough(middle)) high = middle;
             else low = middle;
         }
 
-        return high;
+        return _lastScale = high;
+
+        bool IsEnough(double scale)
+        {
+            _profile.Fill(scale * maxError, growth, soft);
+            return KnotPlacement.Place(chain, _profile).Count <= points;
+        }
     }
 
     /// <summary>One scale, made denser where it must be.</summary>
@@ -87,12 +110,13 @@ internal sealed class SpacingSearch(SmoothChain chain, double maxError)
     private bool Try(double scale, double growth, double? soft, int below)
     {
         _profile.Fill(scale * maxError, growth, soft);
-        for (var round = 0; round < Rounds; round++)
+        for (var round = 0; round < Rounds && MayGoOn; round++)
         {
             var knots = KnotPlacement.Place(chain, _profile);
             if (knots.Count >= below) return false;
             var fit = new SplineFit(chain, knots);
-            fit.Centre(0.9 * maxError, 5.0 * maxError);
+            fit.Centre(0.9 * maxError, Hopeless * maxError);
+            _measured += fit.Measured;
             if (!fit.RunsBack && fit.LargestError <= SampleShare * maxError && fit.Spline.SpacingRatio(chain.Closed) <= MostRatio)
             {
                 var bound = SplineBound.Measure(fit.Spline, chain, knots, maxError);

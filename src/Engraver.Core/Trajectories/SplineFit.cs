@@ -8,7 +8,11 @@ internal sealed class SplineFit
     /// <summary>Decimals of every coordinate, millimetres: what is proven is what stands in the file.</summary>
     public const int Decimals = 9;
 
-    private const int Samples = 10;
+    /// <summary>An odd number has the middle of a step among them, where the error of fourth order is greatest.</summary>
+    private const int Samples = 9;
+
+    /// <summary>A foot point is sought to this part of its piece, which is enough to steer by.</summary>
+    private const double FootShare = 1e-5;
 
     private const int Sweeps = 10;
 
@@ -63,9 +67,13 @@ internal sealed class SplineFit
         Measure();
     }
 
+    /// <summary>Steps that were measured so far: what the fit has cost.</summary>
+    public int Measured { get; private set; }
+
     /// <summary>Measures the points as they are.</summary>
     public void Measure()
     {
+        Measured += _errors.Length;
         RunsBack = false;
         for (var segment = 0; segment < _errors.Length; segment++)
         {
@@ -74,7 +82,7 @@ internal sealed class SplineFit
             for (var i = 0; i < Samples; i++)
             {
                 var at = (i + 0.5) / Samples;
-                var (distance, tangent) = _chain.Beside(cubic.At(at), from + (at * (to - from)));
+                var (distance, tangent) = _chain.Beside(cubic.At(at), from + (at * (to - from)), FootShare);
                 (least, most) = (Math.Min(least, distance), Math.Max(most, distance));
                 RunsBack |= cubic.SlopeAt(at).Dot(tangent) < 0.0;
             }

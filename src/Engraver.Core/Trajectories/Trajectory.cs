@@ -8,8 +8,14 @@ public sealed record Trajectory
     /// <summary>As they stand in the file, millimetres of the drawing, rounded to nine decimals: the phantom point that gives the start tangent, the points visited, the phantom of the end.</summary>
     public required IReadOnlyList<Point2D> Lines { get; init; }
 
-    /// <summary>Height of all of it, millimetres.</summary>
+    /// <summary>Height of all of it, millimetres; of one with <see cref="Heights"/> where it starts.</summary>
     public double Z { get; init; }
+
+    /// <summary>For each of <see cref="Lines"/>, millimetres, where they differ (a helix); null: all of it lies at <see cref="Z"/>.</summary>
+    public IReadOnlyList<double>? Heights { get; init; }
+
+    /// <summary>The lengths along the source that belong to the points visited, millimetres, increasing; of a closed one the last is the first plus one round.</summary>
+    public required IReadOnlyList<double> Knots { get; init; }
 
     /// <summary>What it follows: the segments of a contour from corner to corner, or all of them.</summary>
     public required IReadOnlyList<Segment> Source { get; init; }
@@ -35,6 +41,12 @@ public sealed record Trajectory
     public Point2D Start => Lines[1];
 
     public Point2D End => Lines[^2];
+
+    /// <summary>Height of one of <see cref="Lines"/>, millimetres.</summary>
+    public double HeightAt(int line) => Heights is { } heights ? heights[line] : Z;
+
+    /// <summary>The same at another height.</summary>
+    public Trajectory Moved(double z) => this with { Z = z, Heights = Heights is { } heights ? [.. heights.Select(height => height + (z - Z))] : null };
 }
 
 /// <summary>How trajectories are made.</summary>

@@ -31,18 +31,7 @@ public static class TrajectoryPlanner
     private static Trajectory? One(SmoothChain chain, IReadOnlyList<Segment> segments, TrajectoryOptions options)
     {
         var found = options.SegmentLength is { } step ? Evenly(chain, step) : new SpacingSearch(chain, options.MaxError).Find();
-        if (found is not { } candidate) return null;
-        return new Trajectory
-        {
-            Lines = candidate.Spline.Lines,
-            Z = options.Z,
-            Source = segments,
-            Closed = chain.Closed,
-            SampledError = SampledDistance.Of(candidate.Spline.Count, i => candidate.Spline[i], chain, candidate.Knots),
-            VerifiedBound = candidate.Bound,
-            SpacingRatio = candidate.Spline.SpacingRatio(chain.Closed),
-            Length = chain.Length,
-        };
+        return found is { } candidate ? TrajectoryProof.Describe(candidate, chain, segments) with { Z = options.Z } : null;
     }
 
     private static SplineCandidate? Evenly(SmoothChain chain, double step)
@@ -58,5 +47,5 @@ public static class TrajectoryPlanner
 
 /// <summary>What became of a contour.</summary>
 /// <param name="Trajectories">In the order of travel.</param>
-/// <param name="Failed">Runs for which no spline could be proven to keep the error, as at a cusp inside a curve.</param>
-public sealed record TrajectoryResult(IReadOnlyList<Trajectory> Trajectories, IReadOnlyList<IReadOnlyList<Segment>> Failed);
+/// <param name="Unproven">Runs for which no spline could be proven to keep the error, as at a cusp inside a curve.</param>
+public sealed record TrajectoryResult(IReadOnlyList<Trajectory> Trajectories, IReadOnlyList<IReadOnlyList<Segment>> Unproven);

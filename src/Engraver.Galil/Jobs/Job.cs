@@ -33,7 +33,7 @@ internal sealed class Job
     private readonly bool _isHandMove;
     private bool _touched;
 
-    /// <summary>Where an output is the tool: the height at which the job is cut, while the operator may have moved the machine away from it, the controller's own counts.</summary>
+    /// <summary>Where an output is the tool: the height at which the job is cut, while the operator may have moved the machine away from it, in this job or since the one that it resumes, the controller's own counts.</summary>
     private int? _heightOfCut;
 
     public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop, HandOperation? hand = null)
@@ -42,6 +42,7 @@ internal sealed class Job
         _options = options;
         _stop = stop;
         _whole = program;
+        _heightOfCut = program.Profile is { Height: null, Axes.Z: not null } ? options.HeightOfCut : null;
         var rest = options.From == default ? RemainingProgram.Whole(program) : RestFrom(options.From, options.LeadIn);
         _program = rest.Program;
         _ledger = new JobLedger(program, options.KeepsPolledTrace, rest, options.From);
@@ -52,6 +53,7 @@ internal sealed class Job
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
         _memory = new ProgramMemory(session);
         _machine.Hold.Changed = _log.ControlChanged;
+        _machine.Hold.Parted = _log.SequenceDone;
         _machine.Opened = _log.Opened;
         _found = new ControllerSnapshot(session, _memory, program.Profile, options, _log);
         _resident = hand?.Resident ?? ResidentServer.Program(options.Mode, program.Profile);
@@ -178,7 +180,7 @@ internal sealed class Job
     {
         if (!_isHandMove && await UpAndTurningAsync().ConfigureAwait(false) is { Ends: true } notReady) return notReady;
         if (_options.Frame is not null && _options.From == default && _program.Strokes.Count > 0 && await RapidMove.ToAsync(_machine, _program.Start).ConfigureAwait(false) is { Ends: true } lost) return lost;
-        return await ToTheEndAsync().ConfigureAwait(false);
+        return await ToHeightOfCutAsync().ConfigureAwait(false) is { Ends: true } away ? away : await ToTheEndAsync().ConfigureAwait(false);
     }
 
     /// <summary>The job stands held and what was under way is given up: stays so, and then cuts what is left as a resumed job does, from the place where it stood.</summary>
@@ -234,6 +236,8 @@ internal sealed class Job
         {
             var standstill = await _stopper.FinishAsync(_options.PollInterval, CancellationToken.None).ConfigureAwait(false);
             _ledger.IsStopping = step.Ends;
+            if (step.Outcome == JobOutcome.LinkLost && _machine.FrameTaken is null) return (step, null); // it has not moved; what answers now may have been switched off in between
+            if (await HasForgottenAsync().ConfigureAwait(false)) return (Forgotten(step), null);
             step = WithTool(step, standstill);
             step = Followed(step, await new FollowingCheck(_session, _program.Profile).AtRestAsync().ConfigureAwait(false));
             if (step.Ends) await _strategy.StoppedAsync(standstill.SegmentCounter).ConfigureAwait(false);
@@ -252,6 +256,12 @@ internal sealed class Job
             return (lost with { Sentence = lost.Sentence + LastWord }, null);
         }
     }
+
+    /// <summary>The controller was switched off or reset since the job began: its variables are gone, and it counts from wherever it stood. What it says of its place is of no use.</summary>
+    private async ValueTask<bool> HasForgottenAsync() => _machine.FrameTaken is not null && await _machine.AskAtRestAsync(ResidentProgram.Variables.JobMark).ConfigureAwait(false) is null;
+
+    /// <summary>A tool that an axis holds stands where it is: how high that is nobody knows.</summary>
+    private static JobStep Forgotten(JobStep step) => (step.Ends ? step with { Sentence = $"{step.Sentence} {Wording.Get("Job.Forgotten")}" } : JobStep.Broken(Wording.Get("Job.Forgotten"))) with { Doubt = Wording.Get("Job.ForgottenDoubt") };
 
     /// <summary>A tool that was on behind the job has marked the work where it stood; one that is still on is for hands.</summary>
     private static JobStep WithTool(JobStep step, StandstillReport standstill)

@@ -23,6 +23,7 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
             options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow())
         {
             FrameZ = machine.Frame.Z,
+            HeightOfCut = machine.Profile is { Height: null, Axes.Z: not null } ? options.HeightOfCut ?? at.Z : null,
             Program = program,
             Mark = machine.Mark,
             DryRun = options.DryRun,

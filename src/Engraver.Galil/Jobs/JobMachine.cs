@@ -253,7 +253,7 @@ internal sealed class JobMachine
         var isToolWrong = _toolWatch.IsWrong(State, Tool.IsOutputOn(State), Tool.Wanted(State), Tool.WantedByProgram is not null);
         var hasProgramEnded = State.Trip != 0 || State.ProgramError != 0 || !State.ProgramRuns;
         _ledger.IsToolMissing = _toolWatch.IsMissing && !hasProgramEnded; // then the controller switched it off and stopped
-        if (hasProgramEnded) return await ProgramEndedAsync().ConfigureAwait(false);
+        if (hasProgramEnded) return await _fault.ProgramEndedAsync().ConfigureAwait(false);
         if (_isGuarded && !State.WatchdogRuns) return _fault.Unwatched();
         if (isToolWrong) return _fault.ToolSwitched();
         return _progress.IsStalled(State) ? await _fault.StalledAsync().ConfigureAwait(false) : JobStep.Done;
@@ -377,42 +377,9 @@ internal sealed class JobMachine
     /// <summary>Ends the checks of the second handle.</summary>
     public ValueTask EndWatchAsync() => _stopHandle.EndAsync();
 
+    /// <summary>Why a motion ended early, in words (<see cref="JobFault.WhyStoppedAsync"/>).</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public ValueTask<string> WhyStoppedAsync() => _fault.WhyStoppedAsync();
+
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
-
-    /// <summary>Reports why the program in the controller has ended: the watchdog tripped, one of its lines was refused, or somebody halted it.</summary>
-    private async ValueTask<JobStep> ProgramEndedAsync()
-    {
-        if (State.Trip == WatchdogProgram.ToolForgotten) return _fault.ToolForgotten();
-        if (State.Trip != 0)
-            return JobStep.LinkLost(Wording.Get("JobMachine.ControllerHeardNothingFrom"), LinkLoss.Watchdog);
-        if (State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
-        if (State.ProgramError == SupervisedProgram.Strayed)
-            return JobStep.Broken(Wording.Get("JobMachine.MotionEndedBeforeIts", State.Position.X, State.Position.Y, StopCodes.Text(State.StopCode)));
-        if (State.ProgramError == PositionErrorProgram.Code) return await CannotFollowAsync().ConfigureAwait(false);
-        var (line, _) = await AskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false);
-        var code = (TcCode)State.ProgramError;
-        return Refuse(new Rejected(code, TcCodes.Text(code), Wording.Get("JobMachine.LineDownloadedProgram", line)), PlaceInProgram((int)line));
-    }
-
-    /// <summary>Reports a position error larger than ER: the axis is jammed, or driven faster than its motor can follow.</summary>
-    private async ValueTask<JobStep> CannotFollowAsync()
-    {
-        var errors = new List<string>();
-        foreach (var letter in Profile.Axes.Letters)
-        {
-            if (await AskAtRestAsync($"_TE{letter}").ConfigureAwait(false) is { } error) errors.Add(Wording.Get("JobMachine.AxisError", letter, error));
-        }
-
-        var far = errors.Count == Profile.Axes.All.Count ? Wording.Get("JobMachine.CountsOff", string.Join(Wording.Get("Common.And"), errors)) : "";
-        return JobStep.Broken(Wording.Get("JobMachine.PositionErrorBecameLarger", State.Position.X, State.Position.Y, far)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
-    }
-
-    /// <summary>Reports a halt from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is active, by AB, or by HX.</summary>
-    private async ValueTask<JobStep> ProgramHaltedAsync()
-    {
-        var where = Wording.Get("Common.At", State.Position.X, State.Position.Y);
-        if (State.StopCode == StopCodes.AbortInput || await AskAtRestAsync("_AB").ConfigureAwait(false) == 0)
-            return JobStep.Broken(Wording.Get("JobMachine.AbortInputControllerHit", where));
-        return JobStep.Broken(Wording.Get("JobMachine.SomebodyHaltedProgramController", StopCodes.Text(State.StopCode), where));
-    }
 }

@@ -312,7 +312,9 @@ public sealed class CommandChannel : IAsyncDisposable
     }
 
     private ControllerException Describe(Exception failure, string text) => failure is OperationCanceledException
-        ? text == SerialGreeting.Text
+        ? text.Length == 0
+            ? new ControllerTimeoutException(Wording.Get("CommandChannel.DidNotAnswer", _link.Description), failure)
+            : text == SerialGreeting.Text
             ? new ControllerTimeoutException(Wording.Get("CommandChannel.DidNotAnswerLook", _link.Description), failure)
             : new ControllerTimeoutException(Wording.Get("CommandChannel.DidNotAnswerTime", _link.Description, FirstLine(text)), failure)
         : new ControllerLinkException(Wording.Get("CommandChannel.LinkLost", _link.Description, failure.Message), failure);

@@ -16,6 +16,9 @@ public static class StopCodes
     /// <summary>A vector sequence that was ended by VE.</summary>
     public const int SequenceEnded = 101;
 
+    /// <summary>A switch, an input or the axis' own position error has stopped it, and no command.</summary>
+    public static bool IsFromOutside(int code) => code is 2 or 3 or AbortInput or 8 or 11;
+
     public static string Text(int code) => code switch
     {
         Running => "running",

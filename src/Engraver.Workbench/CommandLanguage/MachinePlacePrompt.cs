@@ -1,19 +1,34 @@
 using Engraver.Core.Geometry;
+using Engraver.Core.Machines;
 
 namespace Engraver.Workbench.CommandLanguage;
 
-/// <summary>Asks for a machine position: <c>x,y</c> by the controller's own zero. A click on the canvas and <c>@</c> are no answers, because they are places of the drawing.</summary>
+/// <summary>Asks for a machine position: <c>x,y</c> by the controller's own zero, and where it may have a height <c>x,y,z</c> too. A click on the canvas and <c>@</c> are no answers, because they are places of the drawing.</summary>
 public sealed record MachinePlacePrompt(string Instruction) : ValuePrompt<MachinePlace>(Instruction)
 {
+    /// <summary>A third number, the height, is allowed.</summary>
+    public bool MayHaveHeight { get; init; }
+
     public override Reading<MachinePlace> Read(string typed, Point2D lastPoint)
     {
         ArgumentNullException.ThrowIfNull(typed);
         var parts = typed.Split(',');
-        return parts.Length == 2 && NumberPrompt.TryNumber(parts[0], out var x) && NumberPrompt.TryNumber(parts[1], out var y) && double.IsFinite(x) && double.IsFinite(y)
-            ? new Reading<MachinePlace>.Value(new MachinePlace(x, y))
-            : new Reading<MachinePlace>.Wrong(Wording.Get("MachinePlacePrompt.NoMachinePositionType", typed));
+        var z = 0.0;
+        return (parts.Length == 2 || (MayHaveHeight && parts.Length == 3 && NumberPrompt.TryNumber(parts[2], out z))) && NumberPrompt.TryNumber(parts[0], out var x) && NumberPrompt.TryNumber(parts[1], out var y)
+            ? new Reading<MachinePlace>.Value(new MachinePlace(x, y, parts.Length == 3 ? z : null))
+            : new Reading<MachinePlace>.Wrong(Wording.Get(MayHaveHeight ? "MachinePlacePrompt.NoPositionWithHeight" : "MachinePlacePrompt.NoMachinePositionType", typed));
     }
 }
 
 /// <summary>A place by the controller's own zero, mm.</summary>
-public sealed record MachinePlace(double X, double Y);
+/// <param name="Z">Null where no height was given.</param>
+public sealed record MachinePlace(double X, double Y, double? Z = null)
+{
+    public Point2D Plane => new(X, Y);
+
+    /// <summary>True when the controller can count there.</summary>
+    public bool IsCountable(CountsScale scale) => scale.Holds(Bounds2D.FromCorners(Plane, Plane), default) && scale.HoldsHeight(Z ?? 0.0);
+
+    /// <summary>Counts; the height is 0 where none was given.</summary>
+    public CountsPoint ToCounts(CountsScale scale) => scale.ToCounts(Plane) with { Z = scale.ToHeight(Z ?? 0.0) };
+}

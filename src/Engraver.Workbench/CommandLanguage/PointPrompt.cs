@@ -12,7 +12,10 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
     /// <summary>Where the line to the point begins, or the first corner, drawing units; null when the point stands alone.</summary>
     public Point2D? From { get; init; }
 
-    public override PointAim Aim => new(Use, From);
+    /// <summary>What a place would give (<see cref="PointAim.Ghost"/>).</summary>
+    public GhostOf? Ghost { get; init; }
+
+    public override PointAim Aim => new(Use, From) { Ghost = Ghost };
 
     public override Reading<Point2D> Read(string typed, Point2D lastPoint)
     {
@@ -39,10 +42,16 @@ public sealed record PointPrompt(string Instruction) : ValuePrompt<Point2D>(Inst
     public static string Show(Point2D point) => string.Create(CultureInfo.InvariantCulture, $"{point.X:0.######},{point.Y:0.######}");
 }
 
+/// <summary>What a command would draw if this place were given, drawing units; empty for nothing. It is called while the cursor moves, on any thread, and must not change anything.</summary>
+public delegate IReadOnlyList<Segment> GhostOf(Point2D place);
+
 /// <summary>A place of the drawing that is asked for.</summary>
 /// <param name="From">Where the line to the place begins, or the first corner, drawing units; null when the place stands alone.</param>
 public sealed record PointAim(PointUse Use, Point2D? From)
 {
+    /// <summary>What a click at a place would give, so that it can be seen before; null when there is nothing to be seen beforehand.</summary>
+    public GhostOf? Ghost { get; init; }
+
     /// <summary>A place that stands alone.</summary>
     public static PointAim Place { get; } = new(PointUse.Place, null);
 

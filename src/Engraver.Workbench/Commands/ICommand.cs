@@ -18,6 +18,7 @@ public enum CommandGroup
     Ask,
     Drawing,
     Sequence,
+    Trajectory,
     Output,
     Machine,
     Setting,

@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
@@ -8,15 +9,20 @@ public sealed class DocumentSession
 {
     private readonly Stack<Step> _undo = new();
     private readonly Stack<Step> _redo = new();
+    private readonly Dictionary<string, string> _sidecars = new(StringComparer.Ordinal);
     private Drawing? _kept;
+    private Sidecar _keptSidecar = Sidecar.Empty;
 
     /// <summary>Raised after the current state has become another one.</summary>
     public event EventHandler? Changed;
 
     public DocumentState Current { get; private set; } = DocumentState.Nothing;
 
-    /// <summary>The drawing is another edition than was opened or written last: leaving the program would lose it.</summary>
-    public bool IsEdited => Current.Edition is { } edition && !ReferenceEquals(edition, _kept);
+    /// <summary>The drawing, or what belongs to it, is another edition than was opened or written last: leaving the program would lose it.</summary>
+    public bool IsEdited => IsDrawingEdited || (Current.Edition is not null && !Current.Sidecar.IsKeptBy(_keptSidecar));
+
+    /// <summary>The drawing itself is another edition.</summary>
+    public bool IsDrawingEdited => Current.Edition is { } edition && !ReferenceEquals(edition, _kept);
 
     /// <summary>Names of the steps that can be undone, the last one first.</summary>
     public IEnumerable<string> UndoNames => _undo.Select(step => step.Name);
@@ -35,8 +41,15 @@ public sealed class DocumentSession
         Become(next);
     }
 
-    /// <summary>Notes that the drawing as it is now stands in a file.</summary>
-    public void MarkKept() => _kept = Current.Edition;
+    /// <summary>Notes that the drawing as it is now, and what belongs to it, stand in files.</summary>
+    public void MarkKept() => (_kept, _keptSidecar) = (Current.Edition, Current.Sidecar);
+
+    /// <summary>The text of a sidecar file as this session read or wrote it last; null when it did neither.</summary>
+    /// <param name="path">Of the sidecar.</param>
+    public string? KnownSidecar(string path) => _sidecars.GetValueOrDefault(Path.GetFullPath(path));
+
+    /// <summary>Notes what stands in a sidecar file now.</summary>
+    public void MarkSidecar(string path, string text) => _sidecars[Path.GetFullPath(path)] = text;
 
     /// <summary>Sets what is selected, without a step.</summary>
     public void Select(IReadOnlyList<int> selection, IReadOnlyList<int> previous) => Become(Current with { Selection = selection, Previous = previous });

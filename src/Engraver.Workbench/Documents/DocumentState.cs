@@ -1,5 +1,6 @@
 using Engraver.Core.Drawings;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
@@ -19,6 +20,9 @@ public sealed record DocumentState
     public Drawing? Edition { get; init; }
 
     public DrawingSettings Settings { get; init; } = new();
+
+    /// <summary>What belongs to the drawing and stands in a file of its own beside it: trajectories.</summary>
+    public Sidecar Sidecar { get; init; } = Sidecar.Empty;
 
     /// <summary>Indices into the drawing's entities, each once, in the order in which they were picked.</summary>
     public IReadOnlyList<int> Selection { get; init; } = [];

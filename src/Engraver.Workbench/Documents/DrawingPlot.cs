@@ -1,7 +1,9 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Plots;
 using Engraver.Core.Verification;
 using Engraver.Workbench.Settings;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
 
@@ -13,10 +15,17 @@ public static class DrawingPlot
     public static PlotModel Create(Drawing drawing, DrawingSettings settings, bool asDrawn)
     {
         var title = Path.GetFileName(drawing.FileName);
-        var analysed = JobPreparation.Analyse(drawing, settings);
-        return asDrawn
-            ? PlotModel.FromDrawing(analysed, title)
-            : PlotModel.FromPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, analysed, settings), settings), title);
+        if (asDrawn) return PlotModel.FromDrawing(JobPreparation.Analyse(drawing, settings), title);
+        return PlotModel.FromPath(JobPreparation.PathOf(JobPreparation.Sequence(drawing, JobPreparation.ToCut(drawing, settings), settings), settings), title);
+    }
+
+    /// <summary>Trajectories over the drawing: those of the document, or those that stand beside the drawing, else one along each contour.</summary>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    public static (PlotModel Plot, IReadOnlyList<Diagnostic> Findings) OfTrajectories(Drawing drawing, DrawingSettings settings, IReadOnlyList<DocumentTrajectory>? known)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        var (trajectories, findings) = known is { Count: > 0 } ? (known, []) : TrajectoryJob.Find(drawing, settings);
+        return (TrajectoryPlot.Create(JobPreparation.Analyse(drawing, settings), [.. trajectories.Select(one => one.Curve)], Path.GetFileName(drawing.FileName)), findings);
     }
 
     /// <summary>A run over the drawing.</summary>
@@ -26,7 +35,7 @@ public static class DrawingPlot
     {
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(trace);
-        var (analysed, name) = (JobPreparation.Analyse(drawing, settings), Path.GetFileName(drawing.FileName));
+        var (analysed, name) = (JobPreparation.ToCut(drawing, settings).Table, Path.GetFileName(drawing.FileName));
         if (!trace.CanBeOf(DrawnFingerprint.Of(analysed.ToSegments()))) throw new FormatException(Wording.Get("Trace.OtherDrawing", name));
         if (measure == RunMeasure.Following && !trace.KnowsFollowing) throw new FormatException(Wording.Get("Trace.NoFollowing"));
         return RunPlot.Create(analysed, trace, measure, name);

@@ -2,6 +2,7 @@ using System.Diagnostics;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Sequencing;
@@ -16,6 +17,9 @@ namespace Engraver.Workbench.Documents;
 /// <summary>The stages from a drawing to its motion program, with the operator's settings translated into the options of each.</summary>
 public static class JobPreparation
 {
+    /// <summary>Gap of contours that were computed, millimetres.</summary>
+    private const double ExactJoint = 1e-6;
+
     /// <summary>The fixed-slot table of the selected layers, arcs analysed, file order.</summary>
     /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
     public static EntityTable Analyse(Drawing drawing, DrawingSettings settings)
@@ -37,6 +41,29 @@ public static class JobPreparation
 
     /// <summary>The layers that are cut.</summary>
     public static LayerSelection SelectionOf(DrawingSettings settings) => new(settings.Layers ?? [], settings.SkippedLayers);
+
+    /// <summary>The table that is cut: as it is drawn, or compensated for the radius of the tool.</summary>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    public static CutTable ToCut(Drawing drawing, DrawingSettings settings)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        var analysed = Analyse(drawing, settings);
+        if (settings.Kerf == KerfSide.Off) return new CutTable(analysed, null, []);
+        var chained = Sequencer.Chain(analysed, drawing, SequencingFor(drawing, settings));
+        var options = new KerfOptions(settings.Kerf, settings.ToolDiameterMm, settings.MaxErrorMm, settings.JoinToleranceMm, settings.Machine.Height is not null);
+        var kerf = KerfCompensation.Compensate(chained, options);
+        return new CutTable(kerf.Table, kerf, [.. chained.Diagnostics, .. kerf.Diagnostics]);
+    }
+
+    /// <summary>Contours, order, discontinuities of what is cut. Compensated contours meet exactly: their segments may be shorter than the join tolerance.</summary>
+    /// <exception cref="SettingException">The entering entity is not in the drawing.</exception>
+    public static SequencingResult Sequence(Drawing drawing, CutTable cut, DrawingSettings settings)
+    {
+        ArgumentNullException.ThrowIfNull(cut);
+        var options = SequencingFor(drawing, settings);
+        if (cut.Kerf is not { } kerf) return Sequencer.Sequence(cut.Table, drawing, options);
+        return Sequencer.Sequence(kerf.Table, drawing, options with { JoinTolerance = kerf.KeepsOpen ? options.JoinTolerance : Math.Min(options.JoinTolerance, ExactJoint), KeepDuplicates = true, ArcTolerance = null });
+    }
 
     /// <summary>Contours, order, discontinuities.</summary>
     /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
@@ -70,13 +97,14 @@ public static class JobPreparation
     /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
     public static PreparedJob PrepareUnlessCancelled(Drawing drawing, DrawingSettings settings, MotionStyle style, CancellationToken cancellation)
     {
-        var analysed = Analyse(drawing, settings);
+        var cut = ToCut(drawing, settings);
         cancellation.ThrowIfCancellationRequested();
-        var sequence = Sequence(drawing, analysed, settings);
+        var sequence = Sequence(drawing, cut, settings);
         cancellation.ThrowIfCancellationRequested();
         var toolpath = PathOf(sequence, settings);
         cancellation.ThrowIfCancellationRequested();
-        return FromPath(drawing, settings, analysed, sequence, toolpath, style);
+        var job = FromPath(drawing, settings, cut.Table, sequence, toolpath, style);
+        return job with { Kerf = cut.Kerf, Findings = [.. job.Findings, .. cut.FindingsBeside(sequence)] };
     }
 
     /// <summary>The last stages: the motion of a toolpath, when the toolpath is what is drawn. Otherwise there is no program, and the faults say where.</summary>
@@ -99,4 +127,19 @@ public static class JobPreparation
         EnteringPlace.ByHandle handle => new EnterAt.AtEntity(drawing.IndexOfHandle(handle.Handle) ?? throw SettingException.UnknownHandle(handle.Handle)),
         _ => throw new UnreachableException(),
     };
+}
+
+/// <summary>What is cut.</summary>
+/// <param name="Table">Analysed rows: as drawn, or of the path that the centre of the tool follows.</param>
+/// <param name="Kerf">The compensation; null without one.</param>
+/// <param name="Diagnostics">Of chaining what is drawn and of the compensation.</param>
+public sealed record CutTable(EntityTable Table, KerfResult? Kerf, IReadOnlyList<Diagnostic> Diagnostics)
+{
+    /// <summary>The findings that the sequencing of the compensated table does not repeat.</summary>
+    public IEnumerable<Diagnostic> FindingsBeside(SequencingResult sequence)
+    {
+        ArgumentNullException.ThrowIfNull(sequence);
+        var repeated = sequence.Diagnostics.Select(finding => finding.Id).ToHashSet();
+        return Diagnostics.Where(finding => !repeated.Contains(finding.Id));
+    }
 }

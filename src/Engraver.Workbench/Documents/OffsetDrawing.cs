@@ -3,6 +3,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Writing;
 using Engraver.Core.Geometry;
+using Engraver.Core.Kerf;
 using Engraver.Core.Offsets;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Chaining;
@@ -32,26 +33,10 @@ public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic
     }
 
     /// <summary>The contours of a chained drawing, in its direction.</summary>
-    public static IReadOnlyList<OffsetContour> ContoursOf(ChainedTable chained)
-    {
-        var segments = chained.Segments;
-        return [.. chained.Chain.Contours.Select(contour => new OffsetContour(SegmentsOf(contour, segments.Span), contour.Closed))];
-    }
+    public static IReadOnlyList<OffsetContour> ContoursOf(ChainedTable chained) => DrawnContours.From(chained);
 
     /// <summary>A closed run of lines and arcs is a closed polyline, a circle a circle.</summary>
     public DxfSheet ToSheet() => new([new DxfSheetLayer(Layer, 4)], [.. Result.Loops.SelectMany((loop, index) => EntitiesOf(loop, index + 1))]);
-
-    private static Segment[] SegmentsOf(Contour contour, ReadOnlySpan<Segment> rows)
-    {
-        var segments = new Segment[contour.Pieces.Length];
-        for (var i = 0; i < segments.Length; i++)
-        {
-            var piece = contour.Pieces.Span[i];
-            segments[i] = piece.Reversed ? rows[piece.Row].Reversed() : rows[piece.Row];
-        }
-
-        return segments;
-    }
 
     private static IEnumerable<DxfSheetEntity> EntitiesOf(OffsetLoop loop, int number)
     {

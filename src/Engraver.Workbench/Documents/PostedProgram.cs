@@ -27,8 +27,10 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(post);
         if (drawing.Entities.Count == 0) return NothingCut(drawing, settings, drawing.Diagnostics);
         if (post.Motion is { } style) return FromJob(JobPreparation.Prepare(drawing, settings, style), post, options);
-        var analysed = JobPreparation.Analyse(drawing, settings);
-        return FromSequence(drawing, analysed, JobPreparation.Sequence(drawing, analysed, settings), settings, post, options);
+        var cut = JobPreparation.ToCut(drawing, settings);
+        var sequence = JobPreparation.Sequence(drawing, cut, settings);
+        var posted = FromSequence(drawing, cut.Table, sequence, settings, post, options);
+        return posted with { Diagnostics = [.. posted.Diagnostics, .. cut.FindingsBeside(sequence)] };
     }
 
     /// <summary>The program of a job, which was prepared in the style of the post.</summary>

@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
+using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
@@ -9,7 +10,7 @@ using Engraver.Workbench.Settings;
 namespace Engraver.Workbench.Documents;
 
 /// <summary>A drawing with the result of every stage from table to motion program. Immutable; the findings are kept by stage and all together.</summary>
-/// <param name="Analysed">The table of what is to be cut, as drawn: what a run is judged by.</param>
+/// <param name="Analysed">The table of what is to be cut, as drawn or compensated for the radius of the tool: what a run is judged by.</param>
 /// <param name="Sequence">The table chained and ordered.</param>
 /// <param name="Toolpath">Ordered moves, mm.</param>
 /// <param name="Motion">The motion program, or why there is none. There is none for a path that is not the drawing's (see <see cref="Faults"/>).</param>
@@ -17,6 +18,9 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
 {
     /// <summary>What is seen and not cut, heights, size and place (<see cref="JobPreparation.Findings"/>).</summary>
     public IReadOnlyList<Diagnostic> Findings { get; init; } = [];
+
+    /// <summary>The compensation for the radius of the tool; null without one.</summary>
+    public KerfResult? Kerf { get; init; }
 
     /// <summary>What is seen on the layers that are cut and gives no cut.</summary>
     public NotCutFindings NotCut => NotCutFindings.From(Drawing, JobPreparation.SelectionOf(Settings));

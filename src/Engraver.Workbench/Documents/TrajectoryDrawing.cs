@@ -37,8 +37,29 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
     public static TrajectoryMotion MotionOf(MachineProfile machine)
     {
         ArgumentNullException.ThrowIfNull(machine);
-        return new TrajectoryMotion(machine.FeedMmPerMinute / 60.0, machine.AccelerationCounts / Math.Max(Math.Abs(machine.Scale.X), Math.Abs(machine.Scale.Y)));
+        return new TrajectoryMotion(machine.FeedMmPerMinute / 60.0, machine.AccelerationCounts / Math.Max(Math.Abs(machine.Scale.X), Math.Abs(machine.Scale.Y)))
+        {
+            TravelX = ReachOf(machine.Axes.X),
+            TravelY = ReachOf(machine.Axes.Y),
+        };
     }
+
+    /// <summary>What is to be said of a file for a machine.</summary>
+    internal static IEnumerable<Diagnostic> LimitsOf(TrajectoryFile file, string name, TrajectoryMotion motion)
+    {
+        foreach (var limit in file.BrokenLimits) yield return TrajectoryRules.LimitBroken.At(default, name, limit);
+        if (file.MaxSpeed is not { } speed || speed >= motion.Velocity) yield break;
+        var needed = motion.Acceleration * motion.Velocity * motion.Velocity / (speed * speed);
+        yield return TrajectoryRules.TooFast.At(default, name, Fact(motion.Velocity), Fact(Math.Ceiling(needed)), Fact(motion.Acceleration), Fact(Math.Floor(speed * 1000.0) / 1000.0));
+    }
+
+    /// <summary>What is to be said of runs for which no spline was proven to keep the error.</summary>
+    internal static IEnumerable<Diagnostic> NotKept(IEnumerable<IReadOnlyList<Segment>> unproven, double maxErrorMm) =>
+        unproven.Select(run => TrajectoryRules.ErrorNotKept.At(default, Fact(maxErrorMm), Fact(run.Sum(segment => segment.Length)), Fact(run[0].Start.X), Fact(run[0].Start.Y)));
+
+    private static double? ReachOf(MachineAxis axis) => axis.Travel is { } travel ? travel.Most - travel.Least : null;
+
+    private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 
     private sealed class TrajectoryCollector(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)
     {
@@ -78,11 +99,11 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
             {
                 var named = new NamedTrajectory(name(Made.Count) + ".txt", file, HandleOf(file.Source[0], moves), seconds);
                 Made.Add(named);
-                Findings.AddRange(file.BrokenLimits.Select(limit => TrajectoryRules.LimitBroken.At(default, named.FileName, limit)));
+                Findings.AddRange(LimitsOf(file, named.FileName, _motion));
                 if (file.VerifiedBound > settings.MaxErrorMm) Findings.Add(TrajectoryRules.StepsTooLong.At(default, named.FileName, Fact(file.VerifiedBound), Fact(settings.MaxErrorMm)));
             }
 
-            foreach (var run in result.Unproven) Findings.Add(TrajectoryRules.ErrorNotKept.At(default, Fact(settings.MaxErrorMm), Fact(run.Sum(segment => segment.Length)), Fact(run[0].Start.X), Fact(run[0].Start.Y)));
+            Findings.AddRange(NotKept(result.Unproven, settings.MaxErrorMm));
         }
 
         /// <summary>The entity that the first segment of a trajectory was drawn as; of an offset null.</summary>
@@ -91,8 +112,6 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
             var found = moves.Where(move => move.Segment.Start == first.Start).Concat(moves).Select(move => (int?)move.EntityIndex).FirstOrDefault();
             return found is { } entity ? drawing.SourceOf(entity).Handle : null;
         }
-
-        private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
     }
 }
 

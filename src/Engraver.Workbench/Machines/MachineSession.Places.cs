@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Machines.Origins;
@@ -53,6 +54,24 @@ public sealed partial class MachineSession
         var memory = await watch.SetOriginAsync(Profile.Axes, hold, set, cancellation).ConfigureAwait(false);
         OriginChanged(hold);
         return memory;
+    }
+
+    /// <summary>Puts a work origin at a typed place of the machine and makes it the active one. Disarms.</summary>
+    /// <param name="name">One of <see cref="WorkOriginNames"/>.</param>
+    /// <param name="at">The controller's own counts.</param>
+    /// <param name="withHeight">The height is given; otherwise the origin keeps its own.</param>
+    /// <returns>Why nobody knows where that is; null when it was set.</returns>
+    /// <exception cref="InvalidOperationException">No controller is connected, or a job runs.</exception>
+    /// <exception cref="ControllerException">The link failed, or it cannot be kept.</exception>
+    public async Task<Diagnostic?> TypeOriginAsync(string name, CountsPoint at, bool withHeight, CancellationToken cancellation)
+    {
+        await FreeAsync().ConfigureAwait(false);
+        if (_watched.Watch is not { } watch || Hold is not { } hold || IsRunning) throw new InvalidOperationException("No controller is connected, or a job runs.");
+        var place = _place = await watch.LocateAsync(Profile.Axes, cancellation).ConfigureAwait(false);
+        hold.Recognise(place);
+        if (WorkPlacement.WhyNotKnown(hold.Memory, place, Profile) is { } unknown) return unknown;
+        await SetOriginAsync((memory, _) => (memory with { Active = name }).WithOrigin(name, at.X, at.Y, withHeight ? at.Z : null), cancellation).ConfigureAwait(false);
+        return null;
     }
 
     /// <summary>Chooses the work origin that jobs use from now on. Disarms.</summary>

@@ -1,6 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Geometry;
+using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Core.Sequencing.Ordering;
@@ -43,6 +44,12 @@ public sealed record DrawingSettings
 
     /// <summary>Lines that approximate an arc within <see cref="MaxErrorMm"/> are cut as that arc.</summary>
     public bool RecoverArcs { get; init; }
+
+    /// <summary>On which side of the lines the tool runs.</summary>
+    public KerfSide Kerf { get; init; }
+
+    /// <summary>Diameter of the tool, mm; above 0 when <see cref="Kerf"/> is not off.</summary>
+    public double ToolDiameterMm { get; init; }
 
     /// <summary>The machine, with the feed of the feed option already in it.</summary>
     public MachineProfile Machine { get; init; } = MachineProfile.Default;

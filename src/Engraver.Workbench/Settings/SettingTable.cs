@@ -56,6 +56,10 @@ public static class SettingTable
         Flag = "--recover-arcs", Command = "CNCRECOVER", Least = 0, Most = 1, Whole = true, Default = "0",
     };
 
+    public static SettingDescription Kerf { get; } = new("kerf") { Flag = "--kerf", Argument = "off|nesting|outside|inside|left|right", Command = "KERF", Default = "off" };
+
+    public static SettingDescription ToolDiameter { get; } = new("tool-diameter") { Unit = "mm", Flag = "--tool-diameter", Argument = "MM", Command = "KERF", Least = 1e-3, Most = 1e3 };
+
     public static SettingDescription Machine { get; } = new("machine") { Flag = "--machine", Argument = "PROFILE.json", Command = "CNCPROFILE" };
 
     public static SettingDescription Feed { get; } = new("feed")
@@ -76,7 +80,7 @@ public static class SettingTable
     };
 
     public static IReadOnlyList<SettingDescription> All { get; } =
-        [Layers, SkippedLayers, Units, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Machine, Feed, VectorSpeed, Rapid, Acceleration];
+        [Layers, SkippedLayers, Units, Cut, JoinTolerance, MaxError, Start, Finish, Enter, Order, KeepDuplicates, RecoverArcs, Kerf, ToolDiameter, Machine, Feed, VectorSpeed, Rapid, Acceleration];
 
     /// <summary>The text of docs/settings.md.</summary>
     public static string ToMarkdown()

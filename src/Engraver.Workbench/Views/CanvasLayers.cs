@@ -37,5 +37,8 @@ public enum CanvasLayers
     /// <summary>Where the drawing's zero lies on the machine.</summary>
     WorkOrigin = 1024,
 
-    All = 2047,
+    /// <summary>The curves of the trajectories, coloured by their deviation, with points and corners.</summary>
+    Trajectories = 2048,
+
+    All = 4095,
 }

@@ -38,7 +38,7 @@ public sealed record ViewState
     public double SnapSpacing { get; init; } = 10.0;
 
     public CanvasLayers Shown { get; init; } =
-        CanvasLayers.Drawing | CanvasLayers.Rapids | CanvasLayers.StartPoints | CanvasLayers.Findings | CanvasLayers.Machine | CanvasLayers.WorkOrigin | CanvasLayers.Engraved;
+        CanvasLayers.Drawing | CanvasLayers.Rapids | CanvasLayers.StartPoints | CanvasLayers.Findings | CanvasLayers.Machine | CanvasLayers.WorkOrigin | CanvasLayers.Engraved | CanvasLayers.Trajectories;
 
     public DesktopTheme Theme { get; init; }
 

@@ -239,6 +239,23 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         Assert.Equal("", canvas.Tip);
     });
 
+    /// <summary>What a click would give comes from another thread and is drawn; it goes with the question.</summary>
+    [Fact]
+    public Task What_a_click_would_give_is_seen_while_the_cursor_moves() => With((canvas, _, hands, heard) =>
+    {
+        heard.Aim = PointAim.Place with { Ghost = place => [Segment.FromLine(new Point2D(-100.0, place.Y), new Point2D(100.0, place.Y))] };
+        hands.MovePointer(new Point(230, 130));
+        fixture.Desktop.StepUntil(() => canvas.Ghost is [{ Start.Y: 20.0 }], s_patience);
+        hands.MovePointer(new Point(230, 120));
+        fixture.Desktop.StepUntil(() => canvas.Ghost is [{ Start.Y: 30.0 }], s_patience);
+        Draw();
+        Assert.Contains(Enumerable.Range(110, 20), x => hands.PixelAt(x, 120) != Color.FromUInt32(CanvasTheme.Dark.Background));
+        heard.Aim = PointAim.Place;
+        hands.MovePointer(new Point(231, 120));
+
+        Assert.Empty(canvas.Ghost);
+    });
+
     private void Draw() => fixture.Desktop.Step();
 
     private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => fixture.Runner.RunAsync(() =>

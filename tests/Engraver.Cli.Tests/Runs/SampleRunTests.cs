@@ -76,9 +76,10 @@ public class SampleRunTests
         var report = JsonText.Of(await CliRun.RunAsync("run", SampleDrawing.PathOf("paper-001"), "--connect", "sim:", "--json", "--journal", folder.PathOf("run.jsonl")));
 
         Assert.Equal(
-            ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "missingLength", "deviationSource", "journal", "leftOut", "notCut", "origin", "finalZ", "holds", "resumedFrom", "checks"],
+            ["outcome", "segmentsSent", "segmentsExecuted", "seconds", "plannedSeconds", "underruns", "rejected", "finalX", "finalY", "countsPerMillimetre", "maxDeviation", "missingLength", "deviationSource", "journal", "leftOut", "notCut", "origin", "finalZ", "holds", "resumedFrom", "checks", "trajectory"],
             report.EnumerateObject().Select(field => field.Name));
         Assert.Equal(System.Text.Json.JsonValueKind.Null, report.GetProperty("finalZ").ValueKind); // a machine without a Z axis
+        Assert.Equal(System.Text.Json.JsonValueKind.Null, report.GetProperty("trajectory").ValueKind); // the drawing itself was run
         Assert.Equal((0, 0), (report.GetProperty("finalX").GetInt32(), report.GetProperty("finalY").GetInt32())); // behind the way back to the drawing's start
         Assert.Equal("""{"x":0,"y":0,"source":"work"}""", System.Text.Json.JsonSerializer.Serialize(report.GetProperty("origin")));
         Assert.True(File.Exists(folder.PathOf("run.jsonl")));

@@ -19,6 +19,18 @@ public class BenchVerbTests
     [InlineData("many")]
     public async Task A_size_that_is_no_number_of_lines_is_a_usage_error(string size) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", size)).ExitCode);
 
+    /// <summary>Eight contours, in and out, no loop open, none unresolved.</summary>
+    [Fact]
+    public async Task Offsets_have_a_row_for_each_contour_side_and_size()
+    {
+        var run = await CliRun.RunAsync("bench", "offsets", "200", "300");
+        var rows = run.Out.TrimEnd('\n').Split('\n')[2..].Select(line => line.Split('|', StringSplitOptions.TrimEntries)).ToList();
+
+        Assert.Equal((ExitCode.Done, 32), (run.ExitCode, rows.Count));
+        Assert.All(rows, row => Assert.Equal(("0", "0"), (row[7], row[8])));
+        Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", "offsets", "many")).ExitCode);
+    }
+
     /// <summary>No time is looked at: every fault has its row, and where the link stands the stop was heard on the wire.</summary>
     [Fact]
     public async Task A_stop_is_measured_under_the_faults_that_are_asked_for()

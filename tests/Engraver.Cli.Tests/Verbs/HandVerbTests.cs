@@ -85,6 +85,10 @@ public class HandVerbTests
         var chosen = await DoAsync("origin", "g54");
         Assert.Equal(("G54", (10.0, 1.0)), (Name(chosen), Work(chosen)));
         Assert.Equal("G54", Name(await DoAsync("origin")));
+        var typed = await DoAsync("origin", "G57", "--at", "40,11.5");
+        Assert.Equal(("G57", (10.0, -2.5)), (Name(typed), Work(typed)));
+        Assert.Equal((8.0, -2.5), Work(await DoAsync("origin", "--at", "42,11.5")));
+        Assert.Contains("no Z axis", (await CliRun.RunAsync(["origin", "--at", "1,2,3", .. machine])).Error, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -124,6 +128,9 @@ public class HandVerbTests
     [InlineData("zero", "--height", "high")]
     [InlineData("zero", "--height", "NaN")]
     [InlineData("origin", "G60")]
+    [InlineData("origin", "--at", "1")]
+    [InlineData("origin", "--at", "1,2,3,4")]
+    [InlineData("origin", "--at", "1,NaN")]
     [InlineData("motors")]
     [InlineData("motors", "perhaps")]
     [InlineData("goto", "home")]

@@ -52,6 +52,8 @@ public class TrajectoryVerbTests
     [InlineData("--passes", "--offset", "2", "--side", "in", "--passes", "1.5", "--step", "1")]
     [InlineData("--max-error", "--max-error", "0")]
     [InlineData("--segment-length", "--segment-length", "-1")]
+    [InlineData("--segment-length is for --density uniform", "--segment-length", "1", "--density", "dynamic")]
+    [InlineData("--density uniform does not go with --format xps-pvt", "--segment-length", "1", "--format", "xps-pvt")]
     [InlineData("'pdf'", "--format", "pdf")]
     [InlineData("--density uniform does not go with --format xps-linearc", "--density", "uniform", "--format", "xps-linearc")]
     [InlineData("--density uniform does not go with --format xps-pvt", "--density", "uniform", "--format", "xps-pvt")]
@@ -153,5 +155,105 @@ public class TrajectoryVerbTests
         Assert.Contains("VER0008", moved.Error, StringComparison.Ordinal);
         Assert.Contains("VER0009", shortened.Error, StringComparison.Ordinal);
         Assert.Contains("TRJ0003", unreadable.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_length_of_steps_alone_asks_for_equal_steps()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.WithFile("circle.dxf", Circle);
+        await CliRun.RunAsync("trajectory", drawing, "-o", folder.PathOf("a"), "--segment-length", "0.5");
+        await CliRun.RunAsync("trajectory", drawing, "-o", folder.PathOf("b"), "--segment-length", "0.5", "--density", "uniform");
+
+        Assert.Equal(126 + 3, (await File.ReadAllLinesAsync(folder.PathOf("a/traj0_path.txt"))).Length); // ceil(20 pi / 0.5) steps and the phantoms
+        Assert.Equal(await File.ReadAllTextAsync(folder.PathOf("b/traj0_path.txt")), await File.ReadAllTextAsync(folder.PathOf("a/traj0_path.txt")));
+    }
+
+    [Fact]
+    public async Task A_file_that_the_controller_would_not_take_is_written_only_when_asked_for()
+    {
+        using var folder = new TemporaryFolder();
+        var profile = folder.WithFile("machine.json", "{ \"travelX\": { \"min\": 0, \"max\": 15 } }");
+        var drawing = folder.WithFile("circle.dxf", Circle);
+        var refused = await CliRun.RunAsync("trajectory", drawing, "-o", folder.PathOf("out"), "--format", "xps-spline", "--machine", profile);
+        var isThere = Directory.Exists(folder.PathOf("out"));
+        var accepted = await CliRun.RunAsync("trajectory", drawing, "-o", folder.PathOf("out"), "--format", "xps-spline", "--machine", profile, "--accept-errors");
+
+        Assert.Equal((1, false, 1), (refused.ExitCode, isThere, accepted.ExitCode));
+        Assert.Contains("TRJ0002", refused.Error, StringComparison.Ordinal);
+        Assert.Contains("nothing was written", refused.Error, StringComparison.Ordinal);
+        Assert.True(File.Exists(folder.PathOf("out/traj0_path.txt")));
+    }
+
+    [Fact]
+    public async Task A_feed_that_the_axes_cannot_follow_is_told_with_the_speed_that_they_can()
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.RunAsync("trajectory", folder.WithFile("circle.dxf", Circle), "-o", folder.PathOf("out"), "--format", "xps-spline", "--feed", "6000");
+
+        Assert.Equal(0, run.ExitCode);
+        Assert.Contains("TRJ0005", run.Error, StringComparison.Ordinal);
+        Assert.Contains("up to 50.5", run.Error, StringComparison.Ordinal); // sqrt(256 x 10)
+    }
+
+    /// <summary>A trajectory on a machine of lines and arcs: what moved is compared with what was drawn, not with the spline.</summary>
+    [Theory]
+    [InlineData("paper-001", "stream")]
+    [InlineData("gasket", "stream")]
+    [InlineData("gasket", "calls")]
+    public async Task A_trajectory_runs_and_stays_within_its_bound_and_the_counts(string drawing, string mode)
+    {
+        var run = await CliRun.RunAsync("run", SampleDrawing.PathOf(drawing), "--trajectory", "--connect", "sim:", "--mode", mode, "--max-error", "0.01", "--json");
+        var report = JsonText.Of(run);
+        var bound = report.GetProperty("trajectory").GetProperty("verifiedBound").GetDouble();
+
+        Assert.Equal((0, "complete"), (run.ExitCode, report.GetProperty("outcome").GetString()));
+        Assert.InRange(bound, 0.0005, 0.0103);
+        Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, bound + 0.0025);
+        Assert.Equal(0.0, report.GetProperty("missingLength").GetDouble());
+        Assert.True(report.GetProperty("trajectory").GetProperty("points").GetInt32() > 10);
+    }
+
+    /// <summary>Not the drawing is run but what stands beside it.</summary>
+    [Fact]
+    public async Task The_trajectories_beside_a_drawing_are_the_ones_that_run()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.WithFile("circle.dxf", Circle);
+        var made = await CliRun.RunAsync("script", folder.WithFile("a.scr", $"OPEN \"{drawing}\"\nSACEOFFSET ALL\n\n2 In\nQSAVE\n"));
+        var run = await CliRun.RunAsync("run", drawing, "--trajectory", "--connect", "sim:", "--json", "--finish", "stay");
+        var report = JsonText.Of(run);
+        var end = double.Hypot((report.GetProperty("finalX").GetInt64() / 1000.0) - 100.0, (report.GetProperty("finalY").GetInt64() / 1000.0) - 50.0);
+
+        Assert.Equal((0, 0), (made.ExitCode, run.ExitCode));
+        Assert.InRange(end, 7.995, 8.005);
+        Assert.InRange(report.GetProperty("maxDeviation").GetDouble(), 0.0, report.GetProperty("trajectory").GetProperty("verifiedBound").GetDouble() + 0.0025);
+    }
+
+    [Fact]
+    public async Task A_damaged_file_beside_the_drawing_does_not_let_another_path_run()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.WithFile("circle.dxf", Circle);
+        folder.WithFile("circle.dxf.engraver.json", "{");
+        var run = await CliRun.RunAsync("run", drawing, "--trajectory", "--connect", "sim:", "--json");
+
+        Assert.Equal(1, run.ExitCode);
+        Assert.Contains("SID0001", run.Error, StringComparison.Ordinal);
+        Assert.Equal("refused", JsonText.Of(run).GetProperty("outcome").GetString());
+    }
+
+    /// <summary>The plug-in draws a CAD spline through the points instead (sace-xps-agie.md 1.2).</summary>
+    [Fact]
+    public async Task The_plot_shows_the_curve_that_is_run_with_points_and_corners()
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.RunAsync("plot", SampleDrawing.PathOf("gasket"), "--what", "trajectory", "-o", folder.PathOf("a.svg"));
+        var picture = await File.ReadAllTextAsync(folder.PathOf("a.svg"));
+
+        Assert.Equal(0, run.ExitCode);
+        Assert.Contains("class=\"cut heat15\"", picture, StringComparison.Ordinal);
+        Assert.Contains("class=\"point\"", picture, StringComparison.Ordinal);
+        Assert.Contains("from what they follow (proven: 0.00", picture, StringComparison.Ordinal);
     }
 }

@@ -10,7 +10,8 @@ namespace Engraver.Core.Tests.Offsets;
 /// <summary>The closed contours of real drawings.</summary>
 public class CorpusOffsetTests
 {
-    private const int MostSegments = 3_000;
+    /// <summary>In sizes of the contour.</summary>
+    private static readonly double[] s_distances = [1.0 / 20.0, 1.0 / 300.0, 1.0 / 3000.0, 0.4];
 
     /// <summary>Every drawing in the full run, every eighth in the other.</summary>
     private static readonly int Every = TestExtent.Cases(perCommit: 8, full: 1, "ENGRAVER_OFFSET_EVERY");
@@ -38,27 +39,32 @@ public class CorpusOffsetTests
         var drawing = Reading.Of(File.ReadAllBytes(file));
         var chained = Sequencer.Chain(ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, new LayerSelection([], []))), drawing, SequencingOptions.Default);
         var rows = chained.Segments.ToArray();
-        foreach (var contour in chained.Chain.Contours.Where(contour => contour.Closed && contour.Pieces.Length <= MostSegments))
+        foreach (var contour in chained.Chain.Contours.Where(contour => contour.Closed))
         {
             yield return new OffsetContour([.. contour.Pieces.ToArray().Select(piece => piece.Reversed ? rows[piece.Row].Reversed() : rows[piece.Row])], true);
         }
     }
 
-    /// <summary>A twentieth of the size, in and out: closed, not nearer than the distance, and outwards around everything. What was drawn with gaps or as a curve has their tolerance.</summary>
+    /// <summary>Several distances, in and out: closed, not nearer than the distance, and outwards around everything. What was drawn with gaps or as a curve has their tolerance.</summary>
     private static string? FaultOf(OffsetContour contour)
     {
-        var box = contour.Segments.Aggregate(Bounds2D.Empty, (all, segment) => all.Union(segment.Bounds));
-        var distance = Math.Max(box.Width, box.Height) / 20.0;
-        if (!(distance > 1e-6)) return null;
-        foreach (var side in new[] { OffsetSide.In, OffsetSide.Out })
+        var box = BoxOf(contour.Segments);
+        var size = Math.Max(box.Width, box.Height);
+        if (!(size > 1e-6)) return null;
+        foreach (var distance in s_distances)
         {
-            var result = ContourOffset.Offset([contour], distance, side, OffsetOptions.Default);
-            if (result.Unresolved.Count > 0) return $"{side} unresolved at {result.Unresolved[0]}";
-            if (result.Loops.Any(loop => !loop.Closed || loop.Segments[^1].End != loop.Segments[0].Start)) return $"{side} is open";
-            if (result.MaxDeviation > 0.012) return $"{side} deviates by {result.MaxDeviation}";
-            if (side == OffsetSide.Out && !result.Loops.Any(loop => !loop.IsHole && loop.Segments.Aggregate(Bounds2D.Empty, (all, segment) => all.Union(segment.Bounds)).Grown(0.02).Contains(box))) return "nothing goes round it";
+            foreach (var side in new[] { OffsetSide.In, OffsetSide.Out })
+            {
+                var result = ContourOffset.Offset([contour], size * distance, side, OffsetOptions.Default);
+                if (result.Unresolved.Count > 0) return $"{distance} {side} unresolved at {result.Unresolved[0]}";
+                if (result.Loops.Any(loop => !loop.Closed || loop.Segments[^1].End != loop.Segments[0].Start)) return $"{distance} {side} is open";
+                if (result.MaxDeviation > 0.012) return $"{distance} {side} deviates by {result.MaxDeviation}";
+                if (side == OffsetSide.Out && !result.Loops.Any(loop => !loop.IsHole && BoxOf(loop.Segments).Grown(0.02).Contains(box))) return $"{distance}: nothing goes round it";
+            }
         }
 
         return null;
     }
+
+    private static Bounds2D BoxOf(IEnumerable<Segment> segments) => segments.Aggregate(Bounds2D.Empty, (all, segment) => all.Union(segment.Bounds));
 }

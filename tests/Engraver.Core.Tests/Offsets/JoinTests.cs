@@ -1,3 +1,4 @@
+using Engraver.Core.Geometry;
 using Engraver.Core.Offsets;
 using static Engraver.Core.Tests.Offsets.OffsetShapes;
 
@@ -54,6 +55,31 @@ public class JoinTests
 
         Assert.Equal((8, 0), (loop.Lines, loop.Arcs));
         Assert.Equal(49.0 + 49.0 - 0.25, loop.SignedArea, 9);
+    }
+
+    /// <summary>The mitre of a corner of 2 degrees is 57 distances long: it is no part of the deviation, and what lies beside what was drawn is.</summary>
+    [Theory]
+    [InlineData(OffsetJoin.Mitre)]
+    [InlineData(OffsetJoin.Bevel)]
+    public void Joins_are_no_deviation_and_all_else_is_measured(OffsetJoin join)
+    {
+        var needle = Polygon((0, 0), (10, -0.17455), (10, 0.17455));
+        var result = ContourOffset.Offset([needle], 1, OffsetSide.Out, new OffsetOptions { Join = join, MitreLimit = 100.0 });
+
+        Assert.InRange(result.MaxDeviation, 0.0, 1e-9);
+        Assert.True(OffsetCheck.MaxDeviation([needle], [.. result.Loops.Select(loop => loop with { Segments = [.. loop.Segments.Select(segment => Segment.FromLine(Away(segment.Start), Away(segment.End)))] })], 1, new OffsetOptions { Join = join }) > 1e-4);
+
+        static Point2D Away(Point2D place) => new(place.X * 1.001, place.Y * 1.001);
+    }
+
+    /// <summary>A circle that touches another with its seam: what lies behind the seam is no corner.</summary>
+    [Fact]
+    public void A_seam_of_a_circle_is_no_mitre()
+    {
+        var result = Offset(OffsetJoin.Mitre, 0.5, OffsetSide.In, Rectangle(0, 0, 20, 20), Circle(8, 10, 2), Circle(12, 10, 2));
+
+        Assert.Empty(result.Unresolved);
+        Assert.Equal(2, result.Loops.Count);
     }
 
     [Theory]

@@ -37,7 +37,7 @@ public class TrajectoryBoundTests
             var error = (seed % 3) switch { 0 => 0.001, 1 => 0.002, _ => 0.01 };
             var result = Plan(segments, closed, error);
 
-            Assert.Empty(result.Failed);
+            Assert.Empty(result.Unproven);
             Assert.True(Math.Abs(result.Trajectories.Sum(one => one.Length) - segments.Sum(one => one.Length)) < 1e-3, $"seed {seed}");
             foreach (var trajectory in result.Trajectories) HoldsItsBound(trajectory, error);
         }

@@ -66,4 +66,30 @@ public class XpsFileTests
 
         Assert.InRange(file.SampledError, 1e-12, file.VerifiedBound);
     }
+
+    /// <summary>-69 and -35 of sace-xps-agie.md 2.5: at an even speed v an arc of radius r needs v^2 / r across the path.</summary>
+    [Theory]
+    [InlineData(TrajectoryFormat.XpsSpline, 0.01)]
+    [InlineData(TrajectoryFormat.XpsLineArc, 1e-9)]
+    public void The_speed_that_the_axes_can_follow_is_told(TrajectoryFormat format, double near)
+    {
+        var file = Assert.Single(TrajectoryFiles.Write(Shapes.Circle(4.0), closed: true, new TrajectoryOptions(0.001), format, s_motion).Files);
+        var line = Assert.Single(TrajectoryFiles.Write([Shapes.Line(0.0, 0.0, 9.0, 1.0)], closed: false, new TrajectoryOptions(0.001), format, s_motion).Files);
+
+        Assert.InRange(file.MaxSpeed!.Value / Math.Sqrt(256.0 * 4.0), 1.0 - near, 1.0 + near);
+        Assert.True(line.MaxSpeed is null or > 1000.0);
+    }
+
+    [Theory]
+    [InlineData(TrajectoryFormat.XpsSpline)]
+    [InlineData(TrajectoryFormat.XpsLineArc)]
+    [InlineData(TrajectoryFormat.XpsPvt)]
+    public void A_travel_that_is_too_short_is_named(TrajectoryFormat format)
+    {
+        IReadOnlyList<string> Broken(double x, double y) => Assert.Single(TrajectoryFiles.Write(Shapes.Ellipse(10.0, 5.0), closed: true, new TrajectoryOptions(0.001), format, s_motion with { TravelX = x, TravelY = y }).Files).BrokenLimits;
+
+        Assert.Empty(Broken(20.1, 10.1));
+        Assert.StartsWith("it is 20", Assert.Single(Broken(19.9, 10.1)), StringComparison.Ordinal);
+        Assert.Contains("in Y, and the machine reaches 9.9", Assert.Single(Broken(20.1, 9.9)), StringComparison.Ordinal);
+    }
 }

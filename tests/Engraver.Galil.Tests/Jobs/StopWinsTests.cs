@@ -1,5 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Galil.Jobs;
+using Engraver.Galil.Links;
+using Engraver.Galil.Sessions;
 using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs;
@@ -77,5 +79,62 @@ public class StopWinsTests
 
         Assert.Equal((false, 0), behind);
         Assert.Equal("CB 1;STS;ST AB;HX0\r", Assert.Single(said));
+    }
+
+    /// <summary>A job that waits between two polls is woken by the stop as well: it must not unwind, by exceptions and with the stop's own registration, before the stop is on the wire.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream)]
+    [InlineData(JobMode.Calls)]
+    [InlineData(JobMode.Program)]
+    public async Task In_a_pause_of_the_job_the_stop_is_said_first_and_in_one_line(JobMode mode)
+    {
+        await using var bench = new SimulatedBench();
+        using var stop = new CancellationTokenSource();
+        var (links, said, time) = (new List<WithheldLink>(), new List<string>(), new PausingTime(bench.Clock));
+        await using var session = await ControllerSession.OpenAsync(
+            _ =>
+            {
+                links.Add(new WithheldLink(new StreamLink(bench.Controller.OpenConnection(), "memory")));
+                return Task.FromResult<IControllerLink>(links[^1]);
+            },
+            new SessionOptions(), time, CancellationToken.None);
+        var running = JobRunner.RunAsync(MotionPrograms.LongLine(200000), session, SimulatedBench.Job with { Mode = mode }, new CancelWhen(progress => progress.X > 50000, time.Pause), stop.Token);
+        await time.Paused;
+        links[1].Sending = said.Add;
+
+        time.GoOn();
+        var key = new Thread(stop.Cancel); // as the desktop's: nothing keeps what waits from going on at once on it
+        key.Start();
+        key.Join();
+        var result = await running;
+
+        Assert.Equal(JobOutcome.Stopped, result.Outcome);
+        Assert.Equal("CB 1;STS;ST AB;HX0\r", said[0]);
+    }
+
+    /// <summary>Time whose next pause does not end.</summary>
+    private sealed class PausingTime(TimeProvider inner) : TimeProvider
+    {
+        private readonly TaskCompletionSource _paused = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        private volatile bool _isPausing;
+
+        public Task Paused => _paused.Task;
+
+        public override long TimestampFrequency => inner.TimestampFrequency;
+
+        public void Pause() => _isPausing = true;
+
+        public void GoOn() => _isPausing = false;
+
+        public override DateTimeOffset GetUtcNow() => inner.GetUtcNow();
+
+        public override long GetTimestamp() => inner.GetTimestamp();
+
+        public override ITimer CreateTimer(TimerCallback callback, object? state, TimeSpan dueTime, TimeSpan period)
+        {
+            if (!_isPausing) return inner.CreateTimer(callback, state, dueTime, period);
+            _paused.TrySetResult();
+            return inner.CreateTimer(callback, state, Timeout.InfiniteTimeSpan, period);
+        }
     }
 }

@@ -74,6 +74,7 @@ public sealed class GoToCommandTests : IAsyncDisposable
 
         Assert.Contains("G54", await FailedAsync(session, "CNCGOTO", "Work", "3,5"), StringComparison.Ordinal);
         Assert.Contains("G54", await FailedAsync(session, "CNCGOTO", "Start"), StringComparison.Ordinal);
+        Assert.Contains("G54", await FailedAsync(session, "CNCORIGIN", "Typed", "1,2", "Yes"), StringComparison.Ordinal); // a number from before would be another place now
         Assert.Equal(0, Moves(_controller.Record.Snapshot().Skip(rows)));
         Assert.IsType<InputResult.Done>(await TypeAsync(session, "CNCGOTO", "11,-4")); // a machine position needs no origin
     }

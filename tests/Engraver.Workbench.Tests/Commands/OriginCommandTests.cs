@@ -188,6 +188,8 @@ public class OriginCommandTests
         Assert.Contains("stepper", talk.Said, StringComparison.Ordinal);
         Assert.Equal((12000, -4000), Active(talk));
         await talk.TypeAsync("CNCTERMINAL", "SHA");
+        Assert.Equal(CommandFailure.Refused, Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCRUN", "Yes")).Why); // with current again it stands where somebody may have moved it
+        await talk.TypeAsync("CNCZERO", "All");
         Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCRUN", "Yes"));
     }
 
@@ -224,6 +226,27 @@ public class OriginCommandTests
         await talk.TypeAsync("CNCZERO", "All", "Yes", "CNCJOG", "Z-", "1.5", "CNCSTATUS", "CNCARM", "Stream");
         Assert.Contains("machine 12,-4,5 mm, work 0,0,-1.5 mm", talk.Said, StringComparison.Ordinal);
         Assert.Contains("The drawing's zero lies at 12,-4,6.5 mm of the machine.", talk.Said, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task An_origin_may_be_typed_as_a_place_of_the_machine_with_its_height()
+    {
+        await using var talk = await StandingAsync("12,-4");
+
+        Assert.IsType<InputResult.NotUnderstood>(await talk.TypeAsync("CNCORIGIN", "Typed", "10,-3,6.5")); // without a Z axis
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("10,-3"));
+        Assert.Equal((10000, -3000), Active(talk));
+        Assert.Equal(new Point2D(2, -1), talk.Session.Machine.Status.WorkPosition);
+        Assert.IsType<InputResult.Asking>(await talk.TypeAsync("CNCORIGIN", "Typed", "1,1"));
+        await talk.TypeAsync("No");
+        Assert.Equal((10000, -3000), Active(talk));
+        Assert.Contains("32 bits", Assert.IsType<InputResult.Failed>(await talk.TypeAsync("CNCORIGIN", "Typed", "1e12,0")).Sentence, StringComparison.Ordinal);
+
+        await talk.TypeAsync("CNCDISCONNECT", "CNCPROFILE", CommandTalk.Sample("machine-mill.json"), "CNCCONNECT", "sim:", "CNCORIGIN", "G56");
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "Typed", "10,-3,6.5"));
+        Assert.EndsWith("G56: the drawing's zero lies at X 10 mm, Y -3 mm, Z 6.5 mm of the machine. It is the active one.", talk.Said, StringComparison.Ordinal);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCORIGIN", "Typed", "11,-3", "Yes"));
+        Assert.EndsWith("X 11 mm, Y -3 mm, Z 6.5 mm of the machine. It is the active one.", talk.Said, StringComparison.Ordinal);
     }
 
     private static (int?, int?) Active(CommandTalk talk) => (talk.Session.Machine.Hold!.Memory.ActiveOrigin?.X, talk.Session.Machine.Hold.Memory.ActiveOrigin?.Y);

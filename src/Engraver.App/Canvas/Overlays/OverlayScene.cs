@@ -2,6 +2,7 @@ using Engraver.App.Canvas.Marks;
 using Engraver.App.Canvas.Scenes;
 using Engraver.Core.Geometry;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Canvas.Overlays;
 
@@ -42,6 +43,12 @@ public sealed class OverlayScene
     /// <summary>The way to where the machine goes after the last stroke.</summary>
     internal PrimitiveStore Finish { get; init; } = PrimitiveStore.Empty;
 
+    /// <summary>The curves that a controller runs through the points of the trajectories; colour: the deviation as a part of the error asked for.</summary>
+    internal PrimitiveStore Trajectories { get; init; } = PrimitiveStore.Empty;
+
+    /// <summary>The corners and points of the trajectories.</summary>
+    internal IReadOnlyList<SceneMark> TrajectoryMarks { get; init; } = [];
+
     internal IReadOnlyList<SceneMark> OrderMarks { get; init; } = [];
 
     internal IReadOnlyList<SceneMark> StartMarks { get; init; } = [];
@@ -79,10 +86,25 @@ public sealed class OverlayScene
         return new OverlayScene
         {
             Contours = Contours, Rapids = Rapids, CutPath = CutPath, OrderMarks = OrderMarks, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
+            Trajectories = Trajectories, TrajectoryMarks = TrajectoryMarks,
             Machine = OverlayBuilder.Envelope(inputs.MachineEnvelope),
             OriginMarks = OverlayBuilder.OriginMark(inputs.WorkOrigin),
             Finish = OverlayBuilder.WayTo(LastEnd, inputs.Finish),
             Recorded = OverlayBuilder.RecordedPath(inputs.Recorded),
+        };
+    }
+
+    /// <summary>The same scene with other trajectories.</summary>
+    /// <param name="scale">Drawing units for a millimetre.</param>
+    public OverlayScene WithTrajectories(IReadOnlyList<DocumentTrajectory> trajectories, double scale)
+    {
+        ArgumentNullException.ThrowIfNull(trajectories);
+        return new OverlayScene
+        {
+            Contours = Contours, Rapids = Rapids, CutPath = CutPath, OrderMarks = OrderMarks, StartMarks = StartMarks, FindingMarks = FindingMarks, LastEnd = LastEnd,
+            Machine = Machine, OriginMarks = OriginMarks, Finish = Finish, Recorded = Recorded,
+            Trajectories = TrajectoryOverlay.Curves(trajectories, scale),
+            TrajectoryMarks = TrajectoryOverlay.Marks(trajectories, scale),
         };
     }
 

@@ -36,6 +36,7 @@ internal static class LayerStack
         Add(CanvasLayers.CutPath, () => new PrimitiveLayer(overlay.CutPath, ColourRamp.Between(theme.SlowCut, theme.FastCut, OverlayScene.RampSteps), line));
         Add(CanvasLayers.Engraved, () => new PrimitiveLayer(overlay.CutPath, [theme.Engraved, theme.Remaining], new LinePen(2.0 * scale)) { Done = content.EngravedMoves }, content.EngravedMoves > 0);
         Add(CanvasLayers.Recorded, () => new PrimitiveLayer(overlay.Recorded, ColourRamp.Between(theme.Engraved, theme.Finding, OverlayScene.RampSteps), line));
+        Add(CanvasLayers.Trajectories, () => new PrimitiveLayer(overlay.Trajectories, ColourRamp.Between(theme.Engraved, theme.Finding, OverlayScene.RampSteps), line), overlay.Trajectories.Count > 0);
         Add(CanvasLayers.Rapids, () => new PrimitiveLayer(overlay.Rapids, [theme.Rapid], new LinePen(scale, 5.0 * scale, 4.0 * scale)));
         Add(CanvasLayers.Rapids, () => new PrimitiveLayer(overlay.Finish, [theme.Rapid], new LinePen(scale, 5.0 * scale, 4.0 * scale)));
 
@@ -51,6 +52,7 @@ internal static class LayerStack
         Add(CanvasLayers.StartPoints, overlay.StartMarks, theme.Start);
         Add(CanvasLayers.OrderNumbers, overlay.OrderMarks, theme.Direction);
         Add(CanvasLayers.WorkOrigin, overlay.OriginMarks, theme.Machine);
+        Add(CanvasLayers.Trajectories, overlay.TrajectoryMarks, theme.Direction);
         Add(CanvasLayers.Findings, overlay.FindingMarks, theme.Finding);
 
         void Add(CanvasLayers kind, IReadOnlyList<SceneMark> marks, uint colour)

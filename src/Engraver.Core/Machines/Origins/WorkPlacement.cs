@@ -16,7 +16,7 @@ public static class WorkPlacement
         ArgumentNullException.ThrowIfNull(memory);
         ArgumentNullException.ThrowIfNull(place);
         ArgumentNullException.ThrowIfNull(profile);
-        if (profile.HasHoming && !memory.IsHomedAt(profile, place)) return Refused(place.Doubt.Length > 0 ? PreparationRules.PositionDoubted.At(default, place.Doubt) : PreparationRules.NotHomed.At(default));
+        if (NotHomed(memory, place, profile) is { } unhomed) return Refused(unhomed);
         return request switch
         {
             OriginRequest.PresentPlace => Present(place, profile, start),
@@ -36,6 +36,18 @@ public static class WorkPlacement
         if (found.Frame is not { } frame || !memory.KnowsTravel(program.Profile, place)) return found;
         return TravelLimits.Refusal(program.Profile, program, frame, dryRun) is { } outside ? found with { Frame = null, Refusal = outside } : found with { StaysInside = true };
     }
+
+    /// <summary>Why a place by the controller's own zero is no certain place of the machine; null when it is one.</summary>
+    public static Diagnostic? WhyNotKnown(MachineMemory memory, ControllerPlace place, MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(memory);
+        ArgumentNullException.ThrowIfNull(place);
+        ArgumentNullException.ThrowIfNull(profile);
+        return NotHomed(memory, place, profile) ?? LossOf(memory, place);
+    }
+
+    private static Diagnostic? NotHomed(MachineMemory memory, ControllerPlace place, MachineProfile profile) =>
+        !profile.HasHoming || memory.IsHomedAt(profile, place) ? null : place.Doubt.Length > 0 ? PreparationRules.PositionDoubted.At(default, place.Doubt) : PreparationRules.NotHomed.At(default);
 
     /// <summary>Why the controller's position cannot be trusted by what is kept; null when it can.</summary>
     public static Diagnostic? LossOf(MachineMemory memory, ControllerPlace place)
@@ -105,7 +117,7 @@ public static class WorkPlacement
 
         if (place.Position == default) return Placed(default, OriginSource.Work) with { IsAssumed = true };
         var scale = profile.Scale;
-        return Refused(PreparationRules.NoOrigin.At(default, memory.Active, Number(place.Position.X / scale.X), Number(place.Position.Y / scale.Y)));
+        return Refused(PreparationRules.NoOrigin.At(default, memory.Active, Number(place.Position.X / scale.X), Number(place.Position.Y / scale.Y), profile.Axes.Z is null ? "" : $", {Number(scale.ToMillimetres(place.Position.Z))}"));
     }
 
     private static PlacementResult Placed(CountsPoint frame, OriginSource source) => new(frame, source, null);

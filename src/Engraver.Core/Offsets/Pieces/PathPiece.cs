@@ -11,6 +11,15 @@ internal readonly struct PathPiece
     /// <summary>Radians by which a sweep may miss a whole turn and still be one.</summary>
     private const double TurnRounding = 1e-12;
 
+    /// <summary>Rounding of a distance from the centre of an arc, in radii.</summary>
+    private const double RadiusRounding = 1e-15;
+
+    /// <summary>Millimetres, from which on an arc must have a height to be one.</summary>
+    private const double LargestRadius = 1e9;
+
+    /// <summary>That height, millimetres.</summary>
+    private const double LowestArc = 1e-4;
+
     private PathPiece(Point2D start, Point2D end, Point2D centre, double radius, double from, double sweep, double length) =>
         (Start, End, Centre, Radius, From, Sweep, Length) = (start, end, centre, radius, from, sweep, length);
 
@@ -51,10 +60,13 @@ internal readonly struct PathPiece
     public static PathPiece Arc(Point2D centre, double radius, double from, double sweep, Point2D start, Point2D end) =>
         new(start, end, centre, radius, from, sweep, radius * Math.Abs(sweep));
 
+    /// <summary>A line or an arc; an arc so flat that rounding of its radius moves it farther than its chord would, or a hair's breadth high with a radius of more than a thousand kilometres, is its chord.</summary>
     public static PathPiece FromSegment(in Segment segment)
     {
         if (segment.Kind == SegmentKind.Line) return Line(segment.Start, segment.End);
         var arc = segment.Arc;
+        var height = arc.Radius * arc.Sweep.Radians * arc.Sweep.Radians / 8.0;
+        if (height < RadiusRounding * arc.Radius || (arc.Radius > LargestRadius && height < LowestArc)) return Line(segment.Start, segment.End);
         return Arc(arc.Centre, arc.Radius, arc.Start.Radians, arc.Sweep.Radians, segment.Start, segment.End);
     }
 

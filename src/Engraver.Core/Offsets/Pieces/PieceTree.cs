@@ -33,8 +33,16 @@ internal sealed class PieceTree
     /// <summary>Distance of the nearest piece, or <paramref name="within"/> when none is nearer.</summary>
     public double Nearest(Point2D place, double within)
     {
-        if (_pieces.Length > 0) Descend(_boxes.Length - 1, 0, place, ref within);
+        NearestPiece(place, ref within);
         return within;
+    }
+
+    /// <summary>Number of the nearest piece, -1 when none is nearer than <paramref name="within"/>, which becomes its distance.</summary>
+    public int NearestPiece(Point2D place, ref double within)
+    {
+        var piece = -1;
+        if (_pieces.Length > 0) Descend(_boxes.Length - 1, 0, place, ref within, ref piece);
+        return piece;
     }
 
     /// <summary>True when any piece is nearer than a distance.</summary>
@@ -94,12 +102,12 @@ internal sealed class PieceTree
         }
     }
 
-    private void Descend(int level, int index, Point2D place, ref double within)
+    private void Descend(int level, int index, Point2D place, ref double within, ref int piece)
     {
         if (_boxes[level][index].SquaredDistance(place) >= within * within) return;
         if (level == 0)
         {
-            within = Math.Min(within, _pieces[index].DistanceTo(place));
+            if (_pieces[index].DistanceTo(place) is var found && found < within) (within, piece) = (found, index);
             return;
         }
 
@@ -113,7 +121,7 @@ internal sealed class PieceTree
             for (var i = 1; i < count; i++) nearest = squares[i] < squares[nearest] ? i : nearest;
             if (squares[nearest] >= within * within) return;
             squares[nearest] = double.PositiveInfinity;
-            Descend(level - 1, first + nearest, place, ref within);
+            Descend(level - 1, first + nearest, place, ref within, ref piece);
         }
     }
 

@@ -33,7 +33,7 @@ public sealed class LineArcText
     /// <param name="segments">Tangent to each other; ellipses and splines become arcs within the error.</param>
     /// <param name="closed">The last ends where the first starts.</param>
     /// <returns>Null when the file's arcs would leave the drawing by more than the error.</returns>
-    internal static TrajectoryFile? From(IReadOnlyList<Segment> segments, bool closed, TrajectoryOptions options)
+    internal static TrajectoryFile? From(IReadOnlyList<Segment> segments, bool closed, TrajectoryOptions options, TrajectoryMotion motion)
     {
         const double FitShare = 0.98;
         List<Segment> elements = [.. segments.SelectMany(segment => segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, FitShare * options.MaxError) : [segment]).Where(segment => segment.Length > LeastLength)];
@@ -46,7 +46,11 @@ public sealed class LineArcText
         if (!(bound <= options.MaxError)) return null;
         var chain = SmoothChain.From(segments, closed);
         var head = $"FirstTangent = {TrajectoryFile.Number(first)}\nDiscontinuityAngle = {TrajectoryFile.Number(Math.Max(SmoothDegrees, Math.Ceiling(writer._turn * 1000.0) / 1000.0))}\n\n";
-        return new TrajectoryFile(head + writer._text, elements[0].Start, options.Z, writer._elements + 1, SampledDistance.Of(writer._run, chain), bound, 1.0, chain.Length, closed, segments) { BrokenLimits = writer._broken };
+        return new TrajectoryFile(head + writer._text, elements[0].Start, options.Z, writer._elements + 1, SampledDistance.Of(writer._run, chain), bound, 1.0, chain.Length, closed, segments)
+        {
+            BrokenLimits = [.. writer._broken, .. MotionLimits.BrokenTravel(writer._run, motion)],
+            MaxSpeed = MotionLimits.SpeedOf(writer._run, motion.Acceleration) is var speed && double.IsFinite(speed) ? speed : null,
+        };
     }
 
     private static double Rounded(double value) => Math.Round(value, SplineFit.Decimals);

@@ -116,7 +116,7 @@ internal static class PvtText
             AddLimits(broken, i, rows[i - 1], row, motion);
         }
 
-        return new TrajectoryFile(text.ToString(), rows[0].Place, options.Z, rows.Count, SampledDistance.Of(rows.Count - 1, i => CubicOf(rows[i], rows[i + 1]), chain, knots), bound, 1.0, chain.Length, chain.Closed, source) { BrokenLimits = broken };
+        return new TrajectoryFile(text.ToString(), rows[0].Place, options.Z, rows.Count, SampledDistance.Of(rows.Count - 1, i => CubicOf(rows[i], rows[i + 1]), chain, knots), bound, 1.0, chain.Length, chain.Closed, source) { BrokenLimits = [.. broken, .. MotionLimits.BrokenTravel(source, motion)] };
     }
 
     /// <summary>The acceleration of a cubic is linear in time, so that it is greatest at an end; its speed is checked there too.</summary>

@@ -10,23 +10,27 @@ public static class SplineText
     public static TrajectoryFile Sace(Trajectory trajectory)
     {
         ArgumentNullException.ThrowIfNull(trajectory);
-        return FileOf(trajectory, Lines(trajectory, default, trajectory.Z, ", ", "\r\n"));
+        return FileOf(trajectory, Lines(trajectory, default, 0.0, ", ", "\r\n"));
     }
 
     /// <summary>One point a line, <c>x,y,z</c>, moved so that the second line is exactly 0,0,0: a controller that adds it and one that does not then run the same (sace-xps-agie.md 2.3).</summary>
-    public static TrajectoryFile Xps(Trajectory trajectory)
+    /// <param name="motion">What its machine may do.</param>
+    public static TrajectoryFile Xps(Trajectory trajectory, TrajectoryMotion motion)
     {
         ArgumentNullException.ThrowIfNull(trajectory);
-        var file = FileOf(trajectory, Lines(trajectory, trajectory.Start - Point2D.Origin, 0.0, ",", "\n"));
-        return file with { BrokenLimits = [.. Repeated(trajectory)] };
+        ArgumentNullException.ThrowIfNull(motion);
+        var file = FileOf(trajectory, Lines(trajectory, trajectory.Start - Point2D.Origin, trajectory.Z, ",", "\n"));
+        var speed = MotionLimits.SpeedOf(new CatmullRomSpline([.. trajectory.Lines]), motion.Acceleration);
+        return file with { BrokenLimits = [.. Repeated(trajectory), .. MotionLimits.BrokenTravel([Segment.FromCurve(TrajectoryCurve.Of(trajectory))], motion)], MaxSpeed = double.IsFinite(speed) ? speed : null };
     }
 
-    private static string Lines(Trajectory trajectory, Vector2D origin, double z, string comma, string end)
+    private static string Lines(Trajectory trajectory, Vector2D origin, double bottom, string comma, string end)
     {
         var text = new StringBuilder();
-        foreach (var point in trajectory.Lines)
+        for (var i = 0; i < trajectory.Lines.Count; i++)
         {
-            text.Append(TrajectoryFile.Number(point.X - origin.X)).Append(comma).Append(TrajectoryFile.Number(point.Y - origin.Y)).Append(comma).Append(TrajectoryFile.Number(z)).Append(end);
+            var point = trajectory.Lines[i];
+            text.Append(TrajectoryFile.Number(point.X - origin.X)).Append(comma).Append(TrajectoryFile.Number(point.Y - origin.Y)).Append(comma).Append(TrajectoryFile.Number(trajectory.HeightAt(i) - bottom)).Append(end);
         }
 
         return text.ToString();

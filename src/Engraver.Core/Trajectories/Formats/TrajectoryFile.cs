@@ -16,6 +16,9 @@ public sealed record TrajectoryFile(
     /// <summary>What the controller does not take, each in a few words; empty when it takes the file.</summary>
     public IReadOnlyList<string> BrokenLimits { get; init; } = [];
 
+    /// <summary>The largest speed along the path, mm/s, at which no axis needs more acceleration than it has; null where the file itself says how fast, or nothing is known.</summary>
+    public double? MaxSpeed { get; init; }
+
     /// <summary>A number of a file: invariant, without exponent, as exact as the points are.</summary>
     internal static string Number(double value) => (Math.Round(value, SplineFit.Decimals) + 0.0).ToString("0.#########", CultureInfo.InvariantCulture);
 
@@ -39,7 +42,13 @@ public enum TrajectoryFormat
     XpsPvt,
 }
 
-/// <summary>How fast a trajectory is run, for the formats that say so.</summary>
+/// <summary>What a machine may do: how fast a trajectory is run, and how far.</summary>
 /// <param name="Velocity">Along the path, mm/s.</param>
 /// <param name="Acceleration">Along the path and of each axis, mm/s2.</param>
-public sealed record TrajectoryMotion(double Velocity, double Acceleration);
+public sealed record TrajectoryMotion(double Velocity, double Acceleration)
+{
+    /// <summary>How far the axes of the drawing reach, millimetres; null where that is not known.</summary>
+    public double? TravelX { get; init; }
+
+    public double? TravelY { get; init; }
+}

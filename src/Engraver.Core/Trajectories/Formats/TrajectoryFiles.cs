@@ -15,13 +15,13 @@ public static class TrajectoryFiles
         if (format is TrajectoryFormat.Sace or TrajectoryFormat.XpsSpline)
         {
             var planned = TrajectoryPlanner.Plan(contour, closed, options);
-            return new TrajectoryFilesResult([.. planned.Trajectories.Select(one => format == TrajectoryFormat.Sace ? SplineText.Sace(one) : SplineText.Xps(one))], planned.Failed);
+            return new TrajectoryFilesResult([.. planned.Trajectories.Select(one => format == TrajectoryFormat.Sace ? SplineText.Sace(one) : SplineText.Xps(one, motion))], planned.Unproven);
         }
 
         var (files, failed) = (new List<TrajectoryFile>(), new List<IReadOnlyList<Segment>>());
         foreach (var (segments, isRound) in ContourRuns.Split(contour, closed, CornerMode.Stop, options.MaxError))
         {
-            var file = format == TrajectoryFormat.XpsLineArc ? LineArcText.From(segments, isRound, options) : PvtText.From(SmoothChain.From(segments, isRound), segments, options, motion);
+            var file = format == TrajectoryFormat.XpsLineArc ? LineArcText.From(segments, isRound, options, motion) : PvtText.From(SmoothChain.From(segments, isRound), segments, options, motion);
             if (file is not null) files.Add(file);
             else failed.Add(segments);
         }

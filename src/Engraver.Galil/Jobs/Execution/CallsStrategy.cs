@@ -75,14 +75,14 @@ internal sealed class CallsStrategy(JobMachine machine, JobLedger ledger) : ISeq
             machine.SegmentsDone = null;
         }
 
-        return Check(segment, watch);
+        return await CheckAsync(segment, watch).ConfigureAwait(false);
     }
 
-    private JobStep Check(in VectorSegment segment, PathWatch watch)
+    private async ValueTask<JobStep> CheckAsync(VectorSegment segment, PathWatch watch)
     {
         var state = machine.State;
         if (state.StopCode != StopCodes.SequenceEnded)
-            return JobStep.Broken(Wording.Get("CallsStrategy.CallDrawingEntityEnded", segment.EntityIndex, state.Position.X, state.Position.Y, StopCodes.Text(state.StopCode)));
+            return JobStep.Broken(Wording.Get("CallsStrategy.CallDrawingEntityEnded", segment.EntityIndex, state.Position.X, state.Position.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
         if (watch.LookAtEnd(machine.Here) is { Ends: true } elsewhere) return elsewhere;
         ledger.Confirm(segment);
         return JobStep.Done;

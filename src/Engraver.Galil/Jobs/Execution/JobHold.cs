@@ -31,6 +31,9 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     /// <summary>Told when the phase changes or an override comes in force.</summary>
     public Action? Changed { get; set; }
 
+    /// <summary>Told when what was under way is given up, before anything of it ends in the controller: from here on the watchdog's variables tell nothing of this job.</summary>
+    public Action? Parted { get; set; }
+
     /// <summary>A program in the controller runs the job: whether it has come to its end. Null while this computer commands every motion.</summary>
     public Func<MachineState, bool>? HasProgramEnded { get; set; }
 
@@ -226,9 +229,13 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
         if (await machine.PollAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         machine.Part(isInside);
         machine.Tool.Part();
+        Parted?.Invoke();
+
+        // First the mark: a server counts a call whose sequence is ended here, and a watchdog that tripped behind it would tell of a cut that was not made.
+        if (await machine.SendAsync(ResidentServer.MarkCommand(-machine.Mark)).ConfigureAwait(false) is { Ends: true } unmarked) return unmarked;
         if (HasProgramEnded is not null && await machine.SendAsync(ResidentServer.IdleCommand).ConfigureAwait(false) is { Ends: true } runs) return runs;
         if (isInside && await EndSequenceAsync().ConfigureAwait(false) is { Ends: true } open) return open;
-        return await machine.SendAllAsync(["CSS", ResidentServer.MarkCommand(-machine.Mark)]).ConfigureAwait(false) is { Ends: true } unmarked ? unmarked : JobStep.Parted;
+        return await machine.SendAsync("CSS").ConfigureAwait(false) is { Ends: true } full ? full : JobStep.Parted;
     }
 
     private async ValueTask<JobStep> EndSequenceAsync()

@@ -44,8 +44,8 @@ internal static class RapidMove
         return at == goal
             ? JobStep.Done
             : JobStep.Broken(at.IsBeside(goal)
-                ? Wording.Get("RapidMove.HeightNotReached", goal.Z, at.Z)
-                : Wording.Get("RapidMove.RapidEndedFindOut", goal.X, goal.Y, at.X, at.Y, StopCodes.Text(machine.State.StopCode)));
+                ? Wording.Get("RapidMove.HeightNotReached", goal.Z, at.Z, await machine.WhyStoppedAsync().ConfigureAwait(false))
+                : Wording.Get("RapidMove.RapidEndedFindOut", goal.X, goal.Y, at.X, at.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
     }
 
     private static async ValueTask<JobStep> GoAsync(JobMachine machine, CountsPoint from, CountsPoint goal, string axes, double seconds)

@@ -202,7 +202,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (await machine.GlanceAsync().ConfigureAwait(false) is { Ends: true } end) return end;
         ConfirmUpTo(machine.State.Counter);
         (_sentAtWatch, _bytesSinceWatch) = (_sent, 0);
-        if (!machine.State.SequenceRunning) return EndedEarly();
+        if (!machine.State.SequenceRunning) return await EndedEarlyAsync().ConfigureAwait(false);
         return _throttle.Ratio(_sent - _executed, SecondsAhead, Remaining) is { } ratio ? await ThrottleAsync(ratio).ConfigureAwait(false) : JobStep.Done;
     }
 
@@ -212,7 +212,7 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         if (!_begun && await BeginAsync().ConfigureAwait(false) is { Ends: true } unbegun) return unbegun;
         if (_throttle.Release() is { } ratio && await ThrottleAsync(ratio).ConfigureAwait(false) is { Ends: true } unreleased) return unreleased;
         if (await machine.GlanceUntilAsync(HasEnded, SecondsLeft).ConfigureAwait(false) is { Ends: true } end) return end;
-        if (machine.State.StopCode != StopCodes.SequenceEnded) return EndedEarly();
+        if (machine.State.StopCode != StopCodes.SequenceEnded) return await EndedEarlyAsync().ConfigureAwait(false);
         if (await CheckCutAsync().ConfigureAwait(false) is { Ends: true } another) return another;
         ConfirmUpTo(_sent);
         return JobStep.Done;
@@ -258,10 +258,10 @@ internal sealed class SequenceFeed(JobMachine machine, JobLedger ledger, VectorS
         return isHeld && await machine.Tool.OffAsync().ConfigureAwait(false) is { Ends: true } down ? down : cut;
     }
 
-    private JobStep EndedEarly()
+    private async ValueTask<JobStep> EndedEarlyAsync()
     {
         var at = machine.State.Position;
-        return JobStep.Broken(Wording.Get("SequenceFeed.VectorSequenceEndedBefore", at.X, at.Y, StopCodes.Text(machine.State.StopCode)));
+        return JobStep.Broken(Wording.Get("SequenceFeed.VectorSequenceEndedBefore", at.X, at.Y, await machine.WhyStoppedAsync().ConfigureAwait(false)));
     }
 }
 

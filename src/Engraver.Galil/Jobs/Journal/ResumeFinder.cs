@@ -24,7 +24,7 @@ internal static class ResumeFinder
         var kept = await AskAsync(channel, ResidentProgram.Variables.JobMark, cancellation).ConfigureAwait(false);
         var tripped = await AskAsync(channel, ResidentProgram.Variables.TripMark, cancellation).ConfigureAwait(false);
         var frame = new CountsPoint(job.Header.FrameX, job.Header.FrameY);
-        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Mode = mode };
+        var found = new ResumePlace(job.Place, 0.0, frame, Math.Abs(kept ?? 0.0) == job.Header.Mark || tripped == job.Header.Mark) { Mode = mode, HeightOfCut = job.Header.HeightOfCut };
         if (tripped != job.Header.Mark || job.Opened is not { } opened) return found;
         var trip = await TripAsync(channel, program, job, opened, frame, cancellation).ConfigureAwait(false);
         return trip > job.Place ? found with { Place = trip, Doubt = TripSeconds * Speed(program, trip) } : found;

@@ -1,5 +1,7 @@
 using Engraver.Core.Machines;
-using static Engraver.Galil.Jobs.JobMachine;
+using Engraver.Galil.Programs.Posting;
+using Engraver.Galil.Programs.Resident;
+using Engraver.Galil.Protocol;
 
 namespace Engraver.Galil.Jobs.Watching;
 
@@ -41,5 +43,55 @@ internal sealed class JobFault(JobMachine machine, MotionProgram program, JobLed
                 ? Wording.Get("JobFault.StrokeDrawingEntity", at.X, at.Y, stroke.Index + 1, segment.EntityIndex)
                 : Wording.Get("Common.At", at.X, at.Y);
         }
+    }
+
+    /// <summary>Reports why the program in the controller has ended: the watchdog tripped, one of its lines was refused, or somebody halted it.</summary>
+    public async ValueTask<JobStep> ProgramEndedAsync()
+    {
+        if (machine.State.Trip == WatchdogProgram.ToolForgotten) return ToolForgotten();
+        if (machine.State.Trip != 0)
+            return JobStep.LinkLost(Wording.Get("JobMachine.ControllerHeardNothingFrom"), LinkLoss.Watchdog);
+        if (machine.State.ProgramError == 0) return await ProgramHaltedAsync().ConfigureAwait(false);
+        if (machine.State.ProgramError == SupervisedProgram.Strayed)
+            return JobStep.Broken(Wording.Get("JobMachine.MotionEndedBeforeIts", machine.State.Position.X, machine.State.Position.Y, await WhyStoppedAsync().ConfigureAwait(false)));
+        if (machine.State.ProgramError == PositionErrorProgram.Code) return await CannotFollowAsync().ConfigureAwait(false);
+        var (line, _) = await machine.AskAsync(ResidentProgram.Variables.ErrorLine).ConfigureAwait(false);
+        var code = (TcCode)machine.State.ProgramError;
+        return machine.Refuse(new Rejected(code, TcCodes.Text(code), Wording.Get("JobMachine.LineDownloadedProgram", line)), machine.PlaceInProgram((int)line));
+    }
+
+    /// <summary>Why a motion ended early, in words: the axes that a switch, an input or their error has stopped, each with its reason; where there is none, the stop code of the first axis.</summary>
+    /// <exception cref="ControllerException">The link failed.</exception>
+    public async ValueTask<string> WhyStoppedAsync()
+    {
+        var stopped = new List<string>();
+        foreach (var letter in machine.Profile.Axes.Letters)
+        {
+            if (await machine.AskAtRestAsync($"_SC{letter}").ConfigureAwait(false) is { } code && StopCodes.IsFromOutside((int)code)) stopped.Add(Wording.Get("JobMachine.AxisStopped", letter, StopCodes.Text((int)code)));
+        }
+
+        return stopped.Count == 0 ? StopCodes.Text(machine.State.StopCode) : string.Join(Wording.Get("Common.And"), stopped);
+    }
+
+    /// <summary>Reports a position error larger than ER: the axis is jammed, or driven faster than its motor can follow.</summary>
+    private async ValueTask<JobStep> CannotFollowAsync()
+    {
+        var errors = new List<string>();
+        foreach (var letter in machine.Profile.Axes.Letters)
+        {
+            if (await machine.AskAtRestAsync($"_TE{letter}").ConfigureAwait(false) is { } error) errors.Add(Wording.Get("JobMachine.AxisError", letter, error));
+        }
+
+        var far = errors.Count == machine.Profile.Axes.All.Count ? Wording.Get("JobMachine.CountsOff", string.Join(Wording.Get("Common.And"), errors)) : "";
+        return JobStep.Broken(Wording.Get("JobMachine.PositionErrorBecameLarger", machine.State.Position.X, machine.State.Position.Y, far)) with { Doubt = Wording.Get("JobMachine.CouldNotFollow") };
+    }
+
+    /// <summary>Reports a halt from outside: by the abort input (galil-dmc.md D), which leaves its stop code at an axis that moved and <c>_AB</c> 0 while it is active, by AB, or by HX.</summary>
+    private async ValueTask<JobStep> ProgramHaltedAsync()
+    {
+        var where = Wording.Get("Common.At", machine.State.Position.X, machine.State.Position.Y);
+        if (machine.State.StopCode == StopCodes.AbortInput || await machine.AskAtRestAsync("_AB").ConfigureAwait(false) == 0)
+            return JobStep.Broken(Wording.Get("JobMachine.AbortInputControllerHit", where));
+        return JobStep.Broken(Wording.Get("JobMachine.SomebodyHaltedProgramController", StopCodes.Text(machine.State.StopCode), where));
     }
 }

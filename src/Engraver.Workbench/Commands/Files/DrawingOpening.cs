@@ -18,11 +18,13 @@ internal static class DrawingOpening
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
         if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, Wording.Get("DrawingOpening.NotOpened", name, SettingWording.AtCommandLine(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message));
         Leave(context);
-        context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] } });
+        var sidecar = DrawingSaving.LoadSidecar(context, drawing);
+        context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] }, Sidecar = sidecar });
         context.Document.MarkKept();
         context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
         context.Say(Wording.Get("DrawingOpening.OnUnit", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
+        if (sidecar.Trajectories.All.Count is > 0 and var count) context.Say(Wording.Get("DrawingOpening.Trajectories", CountText.Format(count, "Trajectory")));
     }
 
     /// <summary>Keeps the view of the drawing that is closed, and tells the operator when its edits are in no file.</summary>

@@ -25,7 +25,7 @@ internal sealed class CloseCommand : ICommand
         _ = context.Drawing;
         DrawingOpening.Leave(context);
         var state = context.Document.Current;
-        context.Take(new DocumentState { Settings = state.Settings with { Enter = null } });
+        context.Take(new DocumentState { Settings = state.Settings with { Enter = null }, Sidecar = DrawingSaving.WithSettingsOf(state.Sidecar) });
         return Task.CompletedTask;
     }
 }

@@ -1,5 +1,6 @@
 using Engraver.Core.Plots;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Files;
@@ -12,9 +13,10 @@ internal sealed class PlotCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var drawing = context.Drawing;
-        var what = await context.ChoiceAsync(Wording.Get("Plot.EnterWhatDraw"), Keyword.List("Drawing", "Path"), context.Remembered("PLOT", "Path")).ConfigureAwait(false);
+        var what = await context.ChoiceAsync(Wording.Get("Plot.EnterWhatDraw"), Keyword.List("Drawing", "Path", "Trajectory"), context.Remembered("PLOT", "Path")).ConfigureAwait(false);
         context.Remember("PLOT", what);
-        var plot = DrawingPlot.Create(drawing, context.Document.Current.Settings, asDrawn: what == "Drawing");
+        var state = context.Document.Current;
+        var plot = what == "Trajectory" ? DrawingPlot.OfTrajectories(drawing, state.Settings, TrajectoryPick.All(context)).Plot : DrawingPlot.Create(drawing, state.Settings, asDrawn: what == "Drawing");
         await ResultFile.WriteAsync(context, output => SvgPlotWriter.Write(plot, output)).ConfigureAwait(false);
     }
 }

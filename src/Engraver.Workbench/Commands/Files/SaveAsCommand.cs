@@ -1,11 +1,3 @@
-using System.Globalization;
-using Engraver.Core.Diagnostics;
-using Engraver.Core.Dxf;
-using Engraver.Core.Dxf.Writing;
-using Engraver.Workbench.CommandLanguage;
-using Engraver.Workbench.Documents;
-using Engraver.Workbench.Files;
-
 namespace Engraver.Workbench.Commands.Files;
 
 /// <summary>SAVEAS: Writes the drawing as edited, as DXF: every curve as what it is, with its height, layer and colour, and the texts.</summary>
@@ -15,17 +7,31 @@ internal sealed class SaveAsCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var drawing = context.Drawing;
-        if (DrawingRest.Find(drawing) is { Count: > 0 } rest)
+        DrawingSaving.SayRest(context);
+        var name = await ReplacePrompt.AskAsync(context, Wording.Get("SaveAs.EnterNameDxfFile")).ConfigureAwait(false);
+        DrawingSaving.WriteDrawing(context, name, context.FileToWrite(name));
+        DrawingSaving.WriteSidecar(context, context.FileToWrite(name));
+        context.Document.MarkKept();
+    }
+}
+
+/// <summary>QSAVE: Saves the drawing in its own file, when it was edited, and what belongs to it beside it.</summary>
+internal sealed class QSaveCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("QSAVE", CommandGroup.File);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var path = context.Drawing.FileName;
+        if (context.Document.IsDrawingEdited)
         {
-            var types = string.Join(", ", rest.Select(part => FormattableString.Invariant($"{part.Count} {part.Type}")));
-            FindingMessages.Say(context, drawing.FileName, [DocumentRules.NotSaved.At(default, rest.Sum(part => part.Count).ToString(CultureInfo.InvariantCulture), types)], Severity.Warning);
+            DrawingSaving.SayRest(context);
+            if (!await context.ConfirmAsync(Wording.Get("QSave.Replace", Path.GetFileName(path))).ConfigureAwait(false)) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", Path.GetFileName(path)));
+            DrawingSaving.WriteDrawing(context, Path.GetFileName(path), path);
         }
 
-        var sheet = EditedDrawing.SheetOf(drawing, context.Document.Current.HiddenObjects);
-        var name = await ReplacePrompt.AskAsync(context, Wording.Get("SaveAs.EnterNameDxfFile")).ConfigureAwait(false);
-        OutputFile.Write(context.FileToWrite(name), output => DxfWriter.Write(sheet, output));
+        var written = DrawingSaving.WriteSidecar(context, path);
+        if (!context.Document.IsDrawingEdited && !written) context.Say(Wording.Get("QSave.Nothing"));
         context.Document.MarkKept();
-        context.Say(Wording.Get("SaveAs.WrittenOnUnitBlocks", name, CountText.Format(sheet.Entities.Count, "Curve"), CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
     }
 }

@@ -3,6 +3,7 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Machine;
 
@@ -48,10 +49,10 @@ internal sealed class CncZeroCommand : ICommand
         ((axes is not ("Y" or "Z" or "Height") && origin.X is not null) || (axes is not ("X" or "Z" or "Height") && origin.Y is not null) || (axes is "Z" or "Height" or "All" && origin.Z is not null));
 }
 
-/// <summary>CNCORIGIN: Chooses the work origin that jobs use, G54 to G59, and lists where they lie.</summary>
+/// <summary>CNCORIGIN: Chooses the work origin that jobs use, G54 to G59, puts the active one at a typed place of the machine, and lists where they lie.</summary>
 internal sealed class CncOriginCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_names = Keyword.List([.. WorkOriginNames.All, "List"]);
+    private static readonly IReadOnlyList<Keyword> s_names = Keyword.List([.. WorkOriginNames.All, "Typed", "List"]);
 
     public CommandInfo Info { get; } = new("CNCORIGIN", CommandGroup.Machine);
 
@@ -59,10 +60,24 @@ internal sealed class CncOriginCommand : ICommand
     {
         if (context.Machine.Hold is not { Memory: var before }) throw new CommandException(CommandFailure.Usage, Wording.Get("Common.NoControllerConnectedCncconnect"));
         var chosen = await context.ChoiceAsync(Wording.Get("CncOrigin.Enter"), s_names, before.Active).ConfigureAwait(false);
-        if (chosen != "List" && chosen != before.Active) await ChooseAsync(context, chosen).ConfigureAwait(false);
+        if (chosen == "Typed") await TypeAsync(context, before, cancellation).ConfigureAwait(false);
+        else if (chosen != "List" && chosen != before.Active) await ChooseAsync(context, chosen).ConfigureAwait(false);
         var memory = context.Machine.Hold!.Memory;
         foreach (var name in chosen == "List" ? WorkOriginNames.All : [memory.Active])
             context.Say(OriginText.Sentence(name, memory.Origins.GetValueOrDefault(name), context.Machine.Profile) + (name == memory.Active ? Wording.Get("CncOrigin.IsActive") : ""), MessageKind.Result);
+    }
+
+    /// <exception cref="CommandException">A job runs, the place cannot be counted, or nobody knows from where the controller counts.</exception>
+    private static async Task TypeAsync(CommandContext context, MachineMemory before, CancellationToken cancellation)
+    {
+        if (context.Machine.IsRunning) throw new CommandException(CommandFailure.Refused, Wording.Get("CncOrigin.JobRuns"));
+        var axes = context.Machine.Profile.Axes;
+        var place = await context.ValueAsync(new MachinePlacePrompt(Wording.Get("CncOrigin.SpecifyPlace", before.Active)) { MayHaveHeight = axes.Z is not null }).ConfigureAwait(false);
+        if (!place.IsCountable(axes.Scale)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
+        if (before.ActiveOrigin is { IsAssumed: false } && !await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", before.Active)).ConfigureAwait(false)) return;
+        var part = context.Machine.Part;
+        if (await context.Machine.TypeOriginAsync(before.Active, place.ToCounts(axes.Scale), withHeight: place.Z is not null, cancellation).ConfigureAwait(false) is { } refusal) throw new CommandException(CommandFailure.Refused, SettingWording.AtCommandLine(refusal).Message);
+        OriginText.TellPart(context, part);
     }
 
     private static Task ChooseAsync(CommandContext context, string name)

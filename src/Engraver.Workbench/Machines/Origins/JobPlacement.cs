@@ -31,11 +31,11 @@ public sealed class JobPlacement
         ArgumentNullException.ThrowIfNull(hold);
         ArgumentNullException.ThrowIfNull(program);
         var place = await machine.LocateAsync(program.Profile.Axes, cancellation).ConfigureAwait(false);
+        hold.Recognise(place);
         var found = WorkPlacement.Find(hold.Memory, place, origin, program.Profile, program.Start);
         if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, hold.Memory, place);
         if (found.Frame is not { } frame) return new JobPlacement(hold, found, program);
         if (found.Source == OriginSource.Work) await VouchAsync(machine, hold, place, memory => found.IsAssumed ? memory.AssumeZero(program.Profile.Axes.Z is not null) : memory, time, cancellation).ConfigureAwait(false);
-        else hold.Recognise(place);
         return new JobPlacement(hold, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = hold.Memory.KnowsTravel(program.Profile, place) };
     }
 

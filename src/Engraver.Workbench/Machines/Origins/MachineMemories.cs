@@ -29,7 +29,9 @@ public sealed class MachineMemories(string? folder)
         try
         {
             Directory.CreateDirectory(folder);
-            return new MachineHold(path, name, MachineLock.Take(path, name, holder));
+            var hold = new MachineHold(path, name, MachineLock.Take(path, name, holder));
+            hold.Recognise(place); // what is lost stays lost, whatever this host is refused and the operator does then
+            return hold;
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or InvalidDataException)
         {

@@ -128,6 +128,7 @@ public static class MachineRun
             Control = options.Control,
             From = beginning.Place,
             LeadIn = beginning.LeadIn,
+            HeightOfCut = beginning.HeightOfCut,
             SourceOf = job.Drawing.SourceOf,
             Frame = frame,
             SoftLimits = placement.KnowsTravel ? TravelLimits.Of(placement.Program.Profile) : [],

@@ -45,11 +45,14 @@ public sealed record JobPart(ResumeRequest Request, JobPlace Shown, JobMode? Mod
 /// <param name="Origin">Where the drawing's zero lies.</param>
 internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest Origin)
 {
+    /// <summary>The height to which the machine returns before it cuts, counts of the controller (<see cref="JobOptions.HeightOfCut"/>).</summary>
+    public int? HeightOfCut { get; private init; }
+
     /// <summary>Why the job cannot be resumed; null when it can, or begins at its beginning.</summary>
     public Diagnostic? Refusal { get; private init; }
 
     /// <summary>Asks the machine what it has kept of an interrupted job, and finds where it is to go on: at the active work origin where the operator has set one, which must be where the job was
-    /// begun; otherwise where the job had it, as long as the controller counts from the same zero. Another origin that is asked for is taken.</summary>
+    /// begun; otherwise where the job had it, as long as the controller counts from the same zero. Another origin that is asked for is taken, and then, or where the origin was set anew, the height is the operator's too.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
     public static async Task<JobBeginning> FindAsync(IMachineConnection machine, MotionProgram program, MachineRunOptions options, MachineMemory memory, CancellationToken cancellation)
     {
@@ -60,6 +63,7 @@ internal sealed record JobBeginning(JobPlace Place, double LeadIn, OriginRequest
         if (found.Refusal is { } why) return Refused(options, PreparationRules.NotResumed.At(default, journal, why));
         var resumed = new JobBeginning(found.Place, leadIn + found.Doubt, options.Origin);
         if (options.Origin is not OriginRequest.Work || request.AtOrigin) return resumed;
+        if (found.IsSameZero || (program.Profile.Axes.Z?.Homing is not null && memory.HomedAs == program.Profile.HomedAs)) resumed = resumed with { HeightOfCut = found.HeightOfCut };
         if (memory.ActiveOrigin is not { IsAssumed: false } origin) return found.IsSameZero ? resumed with { Origin = new OriginRequest.Given(Millimetres(program, found.Frame)) } : resumed;
         if (origin.Plane is not { } set || (set.X, set.Y) == (found.Frame.X, found.Frame.Y) || !(found.IsSameZero || memory.HomedAs.Length > 0)) return resumed;
         var (then, now) = (Millimetres(program, found.Frame), Millimetres(program, set));

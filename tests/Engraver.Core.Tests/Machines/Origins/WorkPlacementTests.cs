@@ -121,7 +121,9 @@ public class WorkPlacementTests
         var tall = MachineProfile.Default with { Axes = MachineAxes.Default with { Z = new MachineAxis('C', 400.0) }, Height = new HeightDrive() };
         var fresh = WorkPlacement.Find(MachineMemory.Empty, new ControllerPlace(default), new OriginRequest.Work(), tall, default);
         Assert.Equal((default(CountsPoint), true), (fresh.Frame!.Value, fresh.IsAssumed));
-        Assert.Equal("JOB0008", WorkPlacement.Find(MachineMemory.Empty, new ControllerPlace(new CountsPoint(0, 0, 5)), new OriginRequest.Work(), tall, default).Refusal!.Id);
+        var refused = WorkPlacement.Find(MachineMemory.Empty, new ControllerPlace(new CountsPoint(0, 0, 6)), new OriginRequest.Work(), tall, default).Refusal!;
+        Assert.Equal("JOB0008", refused.Id);
+        Assert.Contains("stands at 0, 0, 0.015 mm by its own zero", refused.Message, StringComparison.Ordinal); // the height is why
 
         var kept = MachineMemory.Empty.AssumeZero(hasHeight: true) with { Mark = 5 };
         var later = WorkPlacement.Find(kept, new ControllerPlace(new CountsPoint(0, 0, 2000), Mark: 5), new OriginRequest.Work(), tall, default);

@@ -3,6 +3,7 @@ using Engraver.Core.Machines.Moves;
 using Engraver.Galil.Driver;
 using Engraver.Galil.Jobs;
 using Engraver.Galil.Jobs.Journal;
+using Engraver.Galil.Tests.Links;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
@@ -214,6 +215,56 @@ public sealed class HeldMoveTests : IDisposable
         AssertCutAtItsHeight(bench, program, 5000);
     }
 
+    /// <summary>A pen that is raised to look, or lowered, while the job stands held, and then the job is stopped: the job that resumes it brings the pen back to the height of the cut; also a third one, which resumes that.</summary>
+    [Theory]
+    [InlineData(JobMode.Stream, 4000)]
+    [InlineData(JobMode.Calls, 4000)]
+    [InlineData(JobMode.Program, 4000)]
+    [InlineData(JobMode.Stream, -1600)]
+    public async Task Stopped_with_the_pen_at_another_height_it_is_resumed_at_the_height_of_the_cut(JobMode mode, int up)
+    {
+        await using var bench = new SimulatedBench();
+        var program = Pen();
+        using var stop = new CancellationTokenSource();
+        var operators = new MovingOperator(Cutting(isAxis: false), _ => false, HeldMove.By(new CountsPoint(0, 0, up))) { WhenMoved = stop.Cancel };
+        Assert.Equal(JobOutcome.Stopped, (await RunAsync(bench, program, mode, operators, journal: "raised", stop: stop.Token)).Outcome);
+        Assert.Equal(up, bench.Last.C);
+        using var again = new CancellationTokenSource();
+        var second = await ResumeAsync(bench, program, mode, "raised", "second", new CancelWhen(now => now.X > 30000, again.Cancel), again.Token);
+
+        var result = await ResumeAsync(bench, program, mode, "second", "third");
+
+        Assert.Equal((JobOutcome.Stopped, JobOutcome.Complete, program.SegmentCount), (second.Outcome, result.Outcome, result.SegmentsExecuted));
+        AssertCutAtItsHeight(bench, program, up);
+    }
+
+    /// <summary>The cable is cut just when the held sequence has been ended, which the server in the controller takes for the end of its call: what it still had to cut is cut by the job that resumes it.</summary>
+    [Theory]
+    [MemberData(nameof(Machines))]
+    public async Task A_link_that_is_cut_as_the_held_sequence_is_given_up_loses_nothing(JobMode mode, bool isAxis)
+    {
+        await using var bench = new SimulatedBench();
+        var program = Program(mode, isAxis);
+        var (links, isEnded) = (new List<WithheldLink>(), false);
+        var operators = new MovingOperator(Cutting(isAxis), _ => false, HeldMove.By(new CountsPoint(0, -1000)));
+        await using (var session = await bench.OpenAsync(opened: links.Add))
+        {
+            links[0].Sending = line =>
+            {
+                if (isEnded) bench.Controller.DropConnections();
+                isEnded |= line.StartsWith("STS", StringComparison.Ordinal);
+            };
+            var lost = await JobRunner.RunAsync(program, session, SimulatedBench.Job with { Mode = mode, Control = operators.Control, Frame = default(CountsPoint), Address = "bench", JournalPath = PathOf("cut") }, operators, CancellationToken.None);
+            Assert.Equal((JobOutcome.LinkLost, true), (lost.Outcome, isEnded));
+        }
+
+        bench.Controller.Advance(TimeSpan.FromSeconds(6)); // the watchdog trips, and a tool that an axis holds is raised
+        var result = await ResumeAsync(bench, program, mode, "cut", "rest");
+
+        Assert.Equal((JobOutcome.Complete, program.SegmentCount), (result.Outcome, result.SegmentsExecuted));
+        AssertCut(bench, program);
+    }
+
     [Fact]
     public async Task A_job_that_is_not_held_lets_nobody_move_the_machine()
     {
@@ -266,12 +317,12 @@ public sealed class HeldMoveTests : IDisposable
     private Task<JobResult> RunAsync(SimulatedBench bench, MotionProgram program, JobMode mode, MovingOperator operators, IReadOnlyList<SoftLimit>? limits = null, string? journal = null, CancellationToken stop = default) =>
         bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, Control = operators.Control, SoftLimits = limits ?? [], Frame = default(CountsPoint), Address = "bench", JournalPath = journal is null ? null : PathOf(journal) }, operators, stop);
 
-    private async Task<JobResult> ResumeAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, string next)
+    private async Task<JobResult> ResumeAsync(SimulatedBench bench, MotionProgram program, JobMode mode, string journal, string next, IProgress<JobProgress>? progress = null, CancellationToken stop = default)
     {
         ResumePlace found;
         await using (var session = await bench.OpenAsync()) found = await ResumeFinder.FindAsync(session.Commands, program, mode, PathOf(journal), CancellationToken.None);
         Assert.Equal((null, true), (found.Refusal, found.IsSameZero));
-        return await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, JournalPath = PathOf(next), Frame = default(CountsPoint), Address = "bench", From = found.Place, LeadIn = 500.0 + found.Doubt });
+        return await bench.RunAsync(program, SimulatedBench.Job with { Mode = mode, JournalPath = PathOf(next), Frame = default(CountsPoint), Address = "bench", From = found.Place, LeadIn = 500.0 + found.Doubt, HeightOfCut = found.HeightOfCut }, progress, stop);
     }
 
     private string PathOf(string name) => Path.Combine(_folder, name + ".jsonl");

@@ -34,35 +34,74 @@ internal enum HostActivity
 
     /// <summary>The same, at any moment.</summary>
     Resume,
+
+    /// <summary>The run stands held and is moved away by hand.</summary>
+    Away,
+
+    /// <summary>It is on its way back from there and goes on.</summary>
+    ComingBack,
+}
+
+/// <summary>What machine it happens to.</summary>
+internal enum MachineKind
+{
+    /// <summary>Two servos; an output is the tool.</summary>
+    Pen,
+
+    /// <summary>A third axis holds the tool, and a spindle turns.</summary>
+    Mill,
+
+    /// <summary>Two steppers without encoders; an output is the tool.</summary>
+    Stepper,
 }
 
 /// <summary>One fault at one moment of one activity, all drawn from the seed.</summary>
 /// <param name="Fault">Its moment counts from where the activity begins, or the part of it that it is about.</param>
 /// <param name="At">Executed segments at which the operator stops the run or holds it.</param>
-internal sealed record FaultCase(int Seed, HostActivity Activity, JobMode Mode, ScheduledFault Fault, int At)
+internal sealed record FaultCase(int Seed, MachineKind Machine, HostActivity Activity, JobMode Mode, ScheduledFault Fault, int At)
 {
+    /// <summary>Each activity that is about one part of a run begins where that part does; the fault waits for it.</summary>
+    private static readonly HostActivity[] s_parts = [HostActivity.Holding, HostActivity.Held, HostActivity.Resuming, HostActivity.LeadIn, HostActivity.Away, HostActivity.ComingBack];
+
     private static readonly FaultKind[] s_kinds = Enum.GetValues<FaultKind>();
+    private static readonly MachineKind[] s_machines = Enum.GetValues<MachineKind>();
     private static readonly HostActivity[] s_activities = Enum.GetValues<HostActivity>();
 
-    /// <summary>A hundred seeds in a row hold every pair of kind and activity once, ten in a row every kind and every activity. The moment is anywhere in the activity, by its clock, its bytes or its segments.</summary>
+    /// <summary>Thirty seeds in a row hold every pair of kind and machine once, and every activity, the first 24 of them every kind on a pen and on a mill and what is special of steppers; 360 in a row every triple of kind, machine and activity. The moment is anywhere in the activity, by its clock, its bytes or its segments.</summary>
     /// <param name="extent">What the activity takes when nothing goes wrong.</param>
-    public static FaultCase Create(int seed, Func<HostActivity, JobMode, ActivityExtent> extent)
+    public static FaultCase Create(int seed, Func<HostActivity, JobMode, MachineKind, ActivityExtent> extent)
     {
         var random = new Random(seed);
-        var kind = s_kinds[seed % s_kinds.Length];
-        var activity = s_activities[(seed + (seed / s_kinds.Length)) % s_activities.Length];
+        var machine = seed / s_kinds.Length % s_machines.Length;
+        var kind = (seed + (s_machines[machine] == MachineKind.Stepper ? (int)FaultKind.MotorOff : 0)) % s_kinds.Length;
+        var activity = s_activities[(kind + (4 * machine) + (seed / (s_kinds.Length * s_machines.Length))) % s_activities.Length];
         var mode = (JobMode)random.Next(3);
-        var whole = extent(activity, mode);
-        return new FaultCase(seed, activity, mode, Moment(FaultOf(kind, random), whole, random), random.Next(1, Math.Max(2, whole.Segments)));
+        var whole = extent(activity, mode, s_machines[machine]);
+        return new FaultCase(seed, s_machines[machine], activity, mode, Moment(FaultOf(s_kinds[kind], s_machines[machine], random), whole, random), random.Next(1, Math.Max(2, whole.Segments)));
     }
+
+    /// <summary>The step by which a run that stands held is moved away; null for one of the matrix.</summary>
+    public CountsPoint? Step { get; init; }
+
+    /// <summary>It is stopped there instead of going on.</summary>
+    public bool IsStoppedAway { get; init; }
 
     /// <summary>The activity is a run of a job, or a part of one.</summary>
     public bool IsRun => Activity is not (HostActivity.GoTo or HostActivity.Jog or HostActivity.Home);
 
-    private static ScheduledFault FaultOf(FaultKind kind, Random random) => new()
+    /// <summary>The fault happens in a part of the run.</summary>
+    public bool IsOfPart => s_parts.Contains(Activity);
+
+    /// <summary>The activity goes on with a run that was stopped before.</summary>
+    public bool IsResumed => Activity is HostActivity.LeadIn or HostActivity.Resume;
+
+    /// <summary>The operator holds the run.</summary>
+    public bool IsHeld => Activity is HostActivity.Holding or HostActivity.Held or HostActivity.Resuming or HostActivity.Away or HostActivity.ComingBack;
+
+    private static ScheduledFault FaultOf(FaultKind kind, MachineKind machine, Random random) => new()
     {
         Kind = kind,
-        Axis = kind is FaultKind.LimitSwitch or FaultKind.MotorOff or FaultKind.Jam ? (random.Next(2) == 0 ? "A" : "B") : null,
+        Axis = kind is FaultKind.LimitSwitch or FaultKind.MotorOff or FaultKind.Jam ? "ABC"[random.Next(machine == MachineKind.Mill ? 3 : 2)].ToString() : null,
         Forward = kind == FaultKind.LimitSwitch && random.Next(2) == 0,
         ForSeconds = kind is FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.Jam && random.Next(2) == 0 ? 0.05 + (2.0 * random.NextDouble()) : null,
         Seconds = kind == FaultKind.Delay ? new[] { 0.02, 0.2, 0.7, 3.0 }[random.Next(4)] : 0.5,

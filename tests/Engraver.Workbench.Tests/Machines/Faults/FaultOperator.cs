@@ -1,15 +1,23 @@
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
-/// <summary>Somebody who stops, holds and resumes a run by what it reports, and to whom a fault happens in a part of it.</summary>
+/// <summary>Somebody who stops, holds, moves by hand and resumes a run by what it reports, and to whom a fault happens in a part of it.</summary>
 internal sealed class FaultOperator(FaultyMachine machine, FaultCase one, CancellationTokenSource stop) : IProgress<JobProgress>
 {
     /// <summary>How long a run stays held, seconds.</summary>
     public const double HeldSeconds = 0.5;
 
+    /// <summary>A key that is held while the run stands held is released after so many counts, or after a second.</summary>
+    private const int FarEnough = 3_000;
+    private const double LongEnough = 1.0;
+
     private double _heldSince = double.NaN;
     private bool _asked;
+    private CountsPoint _heldAt;
+    private JogControl? _key;
+    private Task<JobResult>? _moved;
 
     /// <summary>The hold of the run.</summary>
     public JobControl Control { get; } = new();
@@ -18,19 +26,19 @@ internal sealed class FaultOperator(FaultyMachine machine, FaultCase one, Cancel
     {
         if (one.Activity == HostActivity.Stop && value.SegmentsExecuted >= one.At) stop.Cancel();
         if (one.Activity == HostActivity.LeadIn && value.ToolOn) machine.Happen(one.Fault);
-        if (one.Activity is HostActivity.Holding or HostActivity.Held or HostActivity.Resuming) Hold(value);
+        if (one.IsHeld) Hold(value);
     }
 
     private void Hold(in JobProgress value)
     {
         if (value.Phase == JobPhase.Holding && one.Activity == HostActivity.Holding) machine.Happen(one.Fault);
-        if (value.Phase == JobPhase.Held) Stand(value.Seconds);
+        if (value.Phase == JobPhase.Held) Stand(value.Place, value.Seconds);
         if (_asked || value.SegmentsExecuted < one.At || value.Phase != JobPhase.Running) return;
         _asked = true;
         Control.Hold();
     }
 
-    private void Stand(double seconds)
+    private void Stand(CountsPoint at, double seconds)
     {
         if (double.IsNaN(_heldSince))
         {
@@ -38,8 +46,25 @@ internal sealed class FaultOperator(FaultyMachine machine, FaultCase one, Cancel
             if (one.Activity == HostActivity.Held) machine.Happen(one.Fault);
         }
 
-        if (seconds - _heldSince < HeldSeconds || !Control.IsHoldWanted) return;
-        if (one.Activity == HostActivity.Resuming) machine.Happen(one.Fault);
-        Control.Resume();
+        if (seconds - _heldSince < HeldSeconds || !Control.IsHoldWanted || (one.Activity is HostActivity.Away or HostActivity.ComingBack && !IsMoved(at, seconds))) return;
+        if (one.Activity is HostActivity.Resuming or HostActivity.ComingBack) machine.Happen(one.Fault);
+        if (one.IsStoppedAway) stop.Cancel();
+        else Control.Resume();
+    }
+
+    /// <summary>Moves by hand, once: by a step, or as long as a key is held.</summary>
+    /// <returns>Whether it has been done, however it ended.</returns>
+    private bool IsMoved(CountsPoint at, double seconds)
+    {
+        if (_moved is null)
+        {
+            _heldAt = at;
+            _key = one.Seed % 2 == 0 ? new JogControl(new JogVelocity(-600.0, 300.0)) : null;
+            if (one.Activity == HostActivity.Away) machine.Happen(one.Fault);
+            _moved = Control.MoveAsync(_key is { } key ? HeldMove.While(key) : HeldMove.By(one.Step ?? new CountsPoint(-4_000, 2_500, machine.HasHeight ? 800 : 0)));
+        }
+
+        if (!_moved.IsCompleted && (Math.Abs(at.X - _heldAt.X) >= FarEnough || seconds - _heldSince > HeldSeconds + LongEnough)) _key?.Release();
+        return _moved.IsCompleted;
     }
 }

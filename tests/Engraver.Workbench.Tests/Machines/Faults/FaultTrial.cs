@@ -1,6 +1,7 @@
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Simulator;
+using Engraver.Workbench.Machines;
 
 namespace Engraver.Workbench.Tests.Machines.Faults;
 
@@ -13,6 +14,9 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>Counts that a resumed run may cut again: its lead-in, and at the planned feed what was cut in 60 ms since the last poll.</summary>
     private const double AgainCounts = (FaultyMachine.LeadIn * 1_000.0) + (20.0 * 60.0);
 
+    /// <summary>Counts from the planned feed to rest, which a tool that an axis holds cuts besides.</summary>
+    private const double BrakingCounts = 20.0 * 20.0 * 1_000.0 / 512.0;
+
     /// <summary>Samples for which a tool may be on while nothing moves: settling, a few polls, and the second until the watchdog trips where a host falls silent, or as long as the late answers of a case keep it waiting.</summary>
     private const long MostBurn = 2_500;
 
@@ -24,7 +28,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
 
     private static readonly CountsPoint s_goal = new(20_000, -7_000);
 
-    private readonly FaultyMachine _machine = new(one.Activity == HostActivity.Home);
+    private readonly FaultyMachine _machine = new(one.Machine, one.Activity == HostActivity.Home);
     private readonly List<string> _faults = [];
     private CountsPoint _zero;
     private int _since;
@@ -34,10 +38,13 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>A switch, an input or a shaft that nobody frees: the next run meets it again.</summary>
     private bool IsStanding => one.Fault is { Kind: FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.Jam, ForSeconds: null };
 
-    public static async Task<ActivityExtent> MeasureAsync(HostActivity activity, JobMode mode)
+    /// <summary>Counts that may be at work in all runs of the case.</summary>
+    private double MostCounts => PartCounts + (_resumes * AgainCounts) + (_machine.HasHeight ? (_resumes + 1) * BrakingCounts : 0.0);
+
+    public static async Task<ActivityExtent> MeasureAsync(HostActivity activity, JobMode mode, MachineKind machine)
     {
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(60));
-        await using var trial = new FaultTrial(new FaultCase(0, activity, mode, new ScheduledFault { Kind = FaultKind.Reset, AtSeconds = 1e6 }, 4), limit);
+        await using var trial = new FaultTrial(new FaultCase(0, machine, activity, mode, new ScheduledFault { Kind = FaultKind.Reset, AtSeconds = 1e6 }, 4), limit);
         await trial.PrepareAsync();
         var (seconds, bytes, segments) = (trial._machine.Seconds, trial._machine.Controller.BytesArrived, trial._machine.Controller.Status.SegmentsExecuted);
         var run = await trial.ActAsync();
@@ -49,11 +56,12 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     public async Task<(string Outcome, IReadOnlyList<string> Faults)> TryAsync()
     {
         await PrepareAsync();
-        if (one.Activity is not (HostActivity.Holding or HostActivity.Held or HostActivity.Resuming or HostActivity.LeadIn)) _machine.Happen(one.Fault);
+        if (!one.IsOfPart) _machine.Happen(one.Fault);
         var run = await ActAsync();
         Judge(run);
+        var state = await StateAsync(run);
         await NextAsync(run);
-        return (run.Result?.Outcome.ToString() ?? "unconnected", _faults);
+        return ($"{run.Result?.Outcome.ToString() ?? "unconnected"} {state}", _faults);
     }
 
     public ValueTask DisposeAsync() => _machine.DisposeAsync();
@@ -66,10 +74,13 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>What goes well before the fault: a homing, an origin, a run that is stopped.</summary>
     private async Task PrepareAsync()
     {
+        await _machine.BurnAsync(limit.Token);
+        Assert.NotNull(await _machine.LookAsync(limit.Token));
         if (one.Activity == HostActivity.Home)
         {
             var homed = await _machine.HomeAsync(limit.Token);
             Assert.True(homed.IsComplete, homed.ToString());
+            _machine.PutWorkAt(4_000);
             await _machine.SetOriginAsync(30_000, 12_000, limit.Token);
             _zero = new CountsPoint(_machine.Controller.PlaceOf(0, 30_000), _machine.Controller.PlaceOf(1, 12_000));
             var away = await _machine.GoToAsync(new CountsPoint(11_000, 9_000), limit.Token);
@@ -79,11 +90,12 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         if (one.Activity is HostActivity.GoTo or HostActivity.Jog) await _machine.SetOriginAsync(0, 0, limit.Token); // else any zero of the controller would do
 
         _since = _machine.Rows;
-        if (one.Activity is HostActivity.LeadIn or HostActivity.Resume)
+        if (one.IsResumed)
         {
             var stopped = await _machine.RunAsync(one.Mode, stop => new FaultOperator(_machine, one with { Activity = HostActivity.Stop }, stop), limit.Token);
             Assert.True(stopped.Result is { Outcome: JobOutcome.Stopped or JobOutcome.Complete }, stopped.ToString());
             _journal = stopped.Journal;
+            Assert.NotNull(await _machine.LookAsync(limit.Token)); // which tells its end
         }
     }
 
@@ -113,31 +125,92 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         Claim(!one.IsRun || !run.IsComplete || run.Zero == _zero, "complete and at another place", run);
         Claim(one.Activity != HostActivity.GoTo || !run.IsComplete || IsAt(s_goal), $"complete and at {_machine.Controller.MotorPlace(0)}, {_machine.Controller.MotorPlace(1)}", run);
         Claim(run.Result is null || _resumes > 0 || run.Result.SegmentsExecuted <= _machine.Controller.Status.SegmentsExecuted, "it counts segments that were not executed", run);
-        Claim(run.CutCounts <= PartCounts + (_resumes * AgainCounts), "something was cut twice", run);
+        Claim(run.CutCounts <= MostCounts, "something was cut twice", run);
         Claim(run.LongestBurn <= MostBurn, "the tool was on at a standstill", run);
+        Claim(!one.IsRun || IsOfMotion || run.Record.MaxDeviationMm is not > FaultyMachine.MostBesideMm, "it cut beside the drawing", run);
         var rest = _machine.Rest();
-        Claim(!rest.IsMoving && (rest.Outputs & 1) == 0, "the tool is on or the machine moves", run);
+        Claim(!rest.IsMoving && (rest.Outputs & (MayTurnOn(run) ? 1 : 5)) == 0, $"outputs {rest.Outputs}, or the machine moves", run);
+    }
+
+    /// <summary>While a program is loaded nothing watches in the controller: a link that is lost just then, with both handles, leaves a spindle turning over the work.</summary>
+    private bool MayTurnOn(FaultyRun run) => one is { Machine: MachineKind.Mill, Mode: JobMode.Program } && run.Result is { Outcome: JobOutcome.LinkLost } && _machine.ToolHeight >= _machine.TopOfWork + _machine.Clearance - 2;
+
+    /// <summary>The fault is one of the machine's motion, not of what is said over the wire.</summary>
+    private bool IsOfMotion => one.Fault.Kind is FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.MotorOff or FaultKind.Jam or FaultKind.PowerCycle;
+
+    /// <summary>What an operator is told of the machine when it has come to rest, held against what happened.</summary>
+    private async Task<string> StateAsync(FaultyRun run)
+    {
+        var told = FaultStory.WhyNot(one, run);
+        Claim(told.Length == 0, told, run);
+        Claim(!one.IsRun || run.Result?.FrameOrigin is null || _machine.View.Meanwhile.All(state => state.IsJob()), $"while it ran it was {string.Join(", ", _machine.View.Meanwhile)}", run);
+        var status = await _machine.LookAsync(limit.Token) ?? await _machine.LookAsync(limit.Token); // the rest of the fault may meet the first look
+        if (status is null) return "unknown";
+        var truth = await _machine.AskTruthAsync(limit.Token);
+        var wanted = FaultStory.StateOf(one, run, truth, status);
+        Claim(status.State == wanted.State && wanted.Words.All(word => status.Reason.Contains(word, StringComparison.Ordinal)), $"the state is {status.State} '{status.Reason}' and not {wanted.State} '{string.Join(' ', wanted.Words)}'", run);
+
+        // A link that was lost is one event, and so is each of what stands: the abort input, a switch, an axis that was switched off.
+        var events = (run.Result is { Outcome: JobOutcome.LinkLost } ? 1 : 0) + (truth.Abort ? 1 : 0) + (truth.Limits.Length > 0 ? 1 : 0) + (truth.OffByError.Length > 0 ? 1 : 0);
+        Claim(_machine.View.Alarms.Count <= Math.Max(1, events), $"{_machine.View.Alarms.Count} alarms: {string.Join(" | ", _machine.View.Alarms.Select(alarm => $"{alarm.Cause} {alarm.What}"))}", run);
+        Claim(run.IsComplete || _machine.View.Alarms.Count > 0 || run.Result is null or { FrameOrigin: null }, "it ended before its end, and no alarm tells it", run);
+        Claim(!_machine.HasHeight || IsToolSafe(run, truth), $"the tool stands at {_machine.ToolHeight}, the work at {_machine.TopOfWork}", run);
+        return status.State.ToString();
+    }
+
+    /// <summary>A tool that an axis holds is over the work where the machine may move on; where nothing could raise it a sentence says so, or the link that was lost cannot.</summary>
+    private bool IsToolSafe(FaultyRun run, MachineTruth truth)
+    {
+        var over = _machine.TopOfWork + (one.IsRun && run.Result?.FrameOrigin is not null ? _machine.Clearance - 2 : -2);
+        return _machine.ToolHeight >= over || run.Sentence.Contains("could not be raised", StringComparison.Ordinal) || run.Result is { PositionDoubt.Length: > 0 } || truth.Abort || truth.Off.Length > 0 || one.Fault.Kind is FaultKind.PowerCycle;
     }
 
     private bool IsAt(CountsPoint goal) => Math.Abs(_machine.Controller.MotorPlace(0) - goal.X) <= MostError && Math.Abs(_machine.Controller.MotorPlace(1) - goal.Y) <= MostError;
 
-    /// <summary>The next host cuts the part at its place or is told why not: anew, behind a homing, or what is left of it. It comes again while the rest of the fault meets it.</summary>
+    /// <summary>The next host cuts the part at its place or is told why not: anew, behind a homing, or what is left of it. It comes again while the rest of the fault meets it, once what stands was freed, and with the operator's remedy where nobody knows where the machine is.</summary>
     private async Task NextAsync(FaultyRun run)
     {
         var isResumed = one.Activity is not (HostActivity.Run or HostActivity.Stop) && one.IsRun && !run.IsComplete;
         if (isResumed) Interrupted(run);
-        var next = await OnceMoreAsync(isResumed);
-        for (var host = 0; host < 4 && next.Result is null or { Outcome: JobOutcome.LinkLost }; host++)
+        var next = await UntilHeardAsync(isResumed);
+        if (IsStanding)
         {
-            if (isResumed) Interrupted(next);
-            next = await OnceMoreAsync(isResumed);
+            Claim(!next.IsComplete || IsRight(next), "the next run is complete and wrong", next);
+            _machine.Free(one.Fault);
+            if (!next.IsComplete) next = await AgainAsync(next, isResumed);
         }
 
-        var isRight = next.IsCutRight && IsItsPlace(next.Zero);
-        if (IsStanding) Claim(!next.IsComplete || isRight, "the next run is complete and wrong", next);
-        else Claim(next.Refusal is not null || isRight || next.Result?.Outcome is JobOutcome.Refused, "the next run is neither right nor refused", next);
-        if (isResumed) Claim(next.CutCounts <= PartCounts + (_resumes * AgainCounts), "the next run has cut something twice", next);
+        Claim(next.Refusal is not null || IsRight(next) || next.Result?.Outcome is JobOutcome.Refused, "the next run is neither right nor refused", next);
+        if (isResumed) Claim(next.CutCounts <= MostCounts, "the next run has cut something twice", next);
+        if (!IsRight(next)) await RemedyAsync(next, isResumed);
         Claim((_machine.Rest().Outputs & 1) == 0, "the tool is on after the next run", next);
+    }
+
+    /// <summary>Nothing stands in the way any more but that nobody knows where the machine is: with the motors on and the origin set anew, or homed, the part is cut, or what is left of it.</summary>
+    private async Task RemedyAsync(FaultyRun refused, bool isResumed)
+    {
+        var unpowered = await _machine.SwitchMotorsOnAsync(limit.Token);
+        Claim(unpowered.Length == 0, "the motors cannot be switched on: " + unpowered, refused);
+        if (one.Activity != HostActivity.Home) await _machine.SetOriginAnewAsync(limit.Token);
+        var next = await AgainAsync(refused, isResumed);
+        Claim(IsRight(next), "with the operator's remedy it is not right", next);
+        if (isResumed) Claim(next.CutCounts <= MostCounts, "with the operator's remedy it has cut something twice", next);
+    }
+
+    private bool IsRight(FaultyRun run) => run.IsComplete && run.IsCutRight && IsItsPlace(run.Zero);
+
+    private async Task<FaultyRun> UntilHeardAsync(bool isResumed)
+    {
+        var next = await OnceMoreAsync(isResumed);
+        for (var host = 0; host < 4 && next.Result is null or { Outcome: JobOutcome.LinkLost }; host++) next = await AgainAsync(next, isResumed);
+        return next;
+    }
+
+    private Task<FaultyRun> AgainAsync(FaultyRun before, bool isResumed)
+    {
+        _machine.Rest(); // a host that comes while a job of another goes on alone is told to wait
+        if (isResumed) Interrupted(before);
+        return OnceMoreAsync(isResumed);
     }
 
     private bool IsItsPlace(CountsPoint? zero) =>

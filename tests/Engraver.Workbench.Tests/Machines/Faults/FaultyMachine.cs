@@ -2,6 +2,8 @@ using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Galil.Links;
+using Engraver.Galil.Protocol;
+using Engraver.Galil.Sessions;
 using Engraver.Simulator;
 using Engraver.TestKit;
 using Engraver.Workbench.Composition;
@@ -19,6 +21,9 @@ internal sealed class FaultyMachine : IAsyncDisposable
     /// <summary>Path that is cut again before the place where a run was interrupted, mm.</summary>
     public const double LeadIn = 2.0;
 
+    /// <summary>How far beside the drawing a tool may be, whatever is said or lost on the wire: three counts.</summary>
+    public const double MostBesideMm = 0.003;
+
     private const string Address = "tcp://faulty:1";
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-fault-");
     private readonly SimulatedController _controller;
@@ -26,19 +31,58 @@ internal sealed class FaultyMachine : IAsyncDisposable
     private int _journals;
     private bool _happened;
 
+    private readonly MachineKind _kind;
+
     /// <param name="hasHoming">A machine with travel and switches, which is homed; otherwise one that is placed by its counts alone.</param>
-    public FaultyMachine(bool hasHoming)
+    public FaultyMachine(MachineKind kind, bool hasHoming)
+        : this(ProfileOf(kind, hasHoming), kind)
     {
-        _profile = hasHoming ? Homing : MachineProfile.Default;
+    }
+
+    public FaultyMachine(MachineProfile profile, MachineKind kind)
+    {
+        _kind = kind;
+        _profile = profile;
+        View = new OperatorsView(_profile);
         _controller = new SimulatedController(new SimulatorOptions { Speed = double.PositiveInfinity, SerialNumber = 77, Switches = SimulatedMachine.Switches(_profile) });
     }
 
-    private static MachineProfile Homing { get; } = MachineProfile.Default with
+    /// <summary>What an operator is told.</summary>
+    public OperatorsView View { get; }
+
+    /// <summary>An axis holds the tool.</summary>
+    public bool HasHeight => _profile.Height is not null;
+
+    /// <summary>The height of the top of the work, counts of the machine as it was switched on first.</summary>
+    public int TopOfWork { get; private set; }
+
+    /// <summary>The work lies at this height of the machine, counts of the controller now.</summary>
+    public void PutWorkAt(int height) => TopOfWork = _controller.PlaceOf(2, height);
+
+    /// <summary>The tool's height, the same counts; 0 where an output is the tool.</summary>
+    public int ToolHeight => HasHeight ? _controller.MotorPlace(2) : 0;
+
+    /// <summary>How far over the work a tool that an axis holds travels.</summary>
+    public int Clearance => _profile.ClearanceCounts;
+
+    private static MachineProfile ProfileOf(MachineKind kind, bool hasHoming)
     {
-        Axes = new MachineAxes(
-            new MachineAxis('A', 1000) { Homing = new AxisHoming { By = HomingMark.Limit, Zero = -1, BackOff = 1, Order = 1 }, Travel = new AxisTravel(0, 60) },
-            new MachineAxis('B', 1000) { Homing = new AxisHoming { By = HomingMark.Switch, Plus = true, Zero = 30, BackOff = 2 }, Travel = new AxisTravel(0, 29) }),
-    };
+        var (x, y) = (new MachineAxis('A', 1000), new MachineAxis('B', 1000));
+        if (hasHoming) (x, y) = (x with { Homing = new AxisHoming { By = HomingMark.Limit, Zero = -1, BackOff = 1, Order = 2 }, Travel = new AxisTravel(0, 60) }, y with { Homing = new AxisHoming { By = HomingMark.Switch, Plus = true, Zero = 30, BackOff = 2, Order = 1 }, Travel = new AxisTravel(0, 29) });
+        if (kind == MachineKind.Stepper) (x, y) = (x with { MotorType = -2.0 }, y with { MotorType = 2.0 });
+        var z = new MachineAxis('C', 800) { Homing = hasHoming ? new AxisHoming { By = HomingMark.Switch, Plus = true, Zero = 20, BackOff = 2 } : null };
+        return kind != MachineKind.Mill
+            ? MachineProfile.Default with { Axes = new MachineAxes(x, y) }
+            : MachineProfile.Default with
+            {
+                Axes = new MachineAxes(x, y, z),
+                Height = new HeightDrive { ClearanceHeight = 4.0, RetractHeight = 1.0, CutDepth = 0.5, PlungeMmPerMinute = 240.0 },
+                Spindle = new Spindle { Output = 3, SpinUpSeconds = 0.2 },
+            };
+    }
+
+    /// <summary>The operator has set the origin anew: a run is resumed there, wherever it was begun.</summary>
+    public bool IsSetAnew { get; private set; }
 
     public SimulatedController Controller => _controller;
 
@@ -48,6 +92,87 @@ internal sealed class FaultyMachine : IAsyncDisposable
     public int Rows => _controller.Record.Count;
 
     private MachineMemories Memories => new(Path.Combine(_folder.FullName, "machines"));
+
+    /// <summary>A controller of steppers knows that before it is used: MT is burned (galil-dmc.md A.6).</summary>
+    public async Task BurnAsync(CancellationToken limit)
+    {
+        if (_kind == MachineKind.Stepper) await SendAsync(limit, "MO AB", "MTA=-2", "MTB=2", "SH AB", "BN");
+    }
+
+    /// <summary>Sends commands as somebody else would.</summary>
+    public async Task SendAsync(CancellationToken limit, params string[] commands)
+    {
+        await using var channel = new CommandChannel(new StreamLink(_controller.OpenConnection(), Address), "else", TimeSpan.FromSeconds(60), TimeProvider.System, null);
+        foreach (var command in commands) Assert.IsType<Accepted>(await channel.SendAsync(command, limit));
+    }
+
+    /// <summary>Somebody frees whatever a fault has left: switch, input and shaft.</summary>
+    public void Free(ScheduledFault fault)
+    {
+        var axis = fault.Axis is [var letter] ? letter - 'A' : 0;
+        switch (fault.Kind)
+        {
+            case FaultKind.LimitSwitch: _controller.SetLimitSwitch(axis, fault.Forward, active: false); break;
+            case FaultKind.AbortInput: _controller.SetAbortInput(active: false); break;
+            case FaultKind.Jam: _controller.HoldMotor(axis, held: false); break;
+            default: break;
+        }
+    }
+
+    /// <summary>The operator looks at the machine: what the status tells then, by the controller's own account.</summary>
+    /// <returns>Null where nobody answers.</returns>
+    public async Task<MachineStatus?> LookAsync(CancellationToken limit)
+    {
+        await using var connection = Connection();
+        try
+        {
+            using var clock = connection.TakeClock();
+            await using var machine = await clock.ShakeHandsAsync(connection, trace: null, limit);
+            var place = await machine.LocateAsync(_profile.Axes, limit);
+            using var hold = Memories.Take(Address, machine.Identity, place, "a test");
+            View.Connected(Address, machine.Identity);
+            View.Sees(await machine.LookAsync(_profile.Axes, limit), hold, place);
+            return View.Status;
+        }
+        catch (ControllerException)
+        {
+            return null;
+        }
+    }
+
+    /// <summary>What the controller itself says of its inputs, limits and motors, by letters; asked one by one.</summary>
+    public async Task<MachineTruth> AskTruthAsync(CancellationToken limit)
+    {
+        await using var channel = new CommandChannel(new StreamLink(_controller.OpenConnection(), Address), "truth", TimeSpan.FromSeconds(60), TimeProvider.System, null);
+        async Task<double> Ask(string operand) => (await channel.ReadAsync(operand, limit)).Values[0];
+        var (limits, off, error) = ("", "", "");
+        foreach (var letter in _profile.Axes.Letters)
+        {
+            if (await Ask($"_LF{letter}") == 0.0 || await Ask($"_LR{letter}") == 0.0) limits += letter;
+            if (await Ask($"_MO{letter}") != 1.0) continue;
+            off += letter;
+            if (await Ask($"_SC{letter}") == 8.0) error += letter;
+        }
+
+        return new MachineTruth(await Ask("_AB") == 0.0, limits, off, error);
+    }
+
+    /// <summary>Switches the motors on.</summary>
+    /// <returns>Why not; empty when they are.</returns>
+    public async Task<string> SwitchMotorsOnAsync(CancellationToken limit)
+    {
+        await using var connection = Connection();
+        using var clock = connection.TakeClock();
+        await using var machine = await clock.ShakeHandsAsync(connection, trace: null, limit);
+        return (await machine.SetMotorsAsync(_profile.Axes, on: true, limit))?.Sentence ?? "";
+    }
+
+    /// <summary>Sets the origin anew at the place of the work, wherever the controller counts from now.</summary>
+    public Task SetOriginAnewAsync(CancellationToken limit)
+    {
+        IsSetAnew = true;
+        return SetOriginAsync(-_controller.PlaceOf(0, 0), -_controller.PlaceOf(1, 0), limit);
+    }
 
     /// <summary>The fault happens at its moment from now on; once.</summary>
     public void Happen(ScheduledFault fault)
@@ -74,61 +199,75 @@ internal sealed class FaultyMachine : IAsyncDisposable
             Memories = Memories,
             Holder = "a test",
             Control = watcher?.Control,
-            Resume = resumed is null ? null : new ResumeRequest { Journal = resumed, LeadInMm = LeadIn },
+            Resume = resumed is null ? null : new ResumeRequest { Journal = resumed, LeadInMm = LeadIn, AtOrigin = IsSetAnew },
         };
+        View.Begins(move: null);
         try
         {
-            var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, watcher, stop.Token);
-            var cut = _controller.Record.Snapshot().Skip(from).ToList();
-            return new FaultyRun(report.Result, (report.Placement?.Refusal ?? report.ResumeRefusal)?.Id, Judged(job, cut, report.Result.FrameOrigin), CutRecord.Length(cut))
+            var report = await MachineRun.RunAsync(job, job.Motion.Program!, connection, options, TimeProvider.System, new Told(View, isJob: true, watcher), stop.Token);
+            View.Ends(report.Result, isJob: true);
+            var cut = CutRecord.Placed(_controller.Record.Snapshot(), from, isFollowed: !_profile.HasHoming);
+            var frame = _profile.HasHoming ? report.Result.FrameOrigin : default(CountsPoint);
+            return new FaultyRun(report.Result, (report.Placement?.Refusal ?? report.ResumeRefusal)?.Id, Judged(job, cut, frame), CutRecord.Length(cut, IsAtWork(frame)))
             {
                 Tolerance = RunJudge.Tolerances(job).Deviation,
                 Journal = options.JournalPath,
-                LongestBurn = CutRecord.LongestBurn(cut),
-                Zero = report.Result.FrameOrigin is { } frame ? new CountsPoint(_controller.PlaceOf(0, frame.X), _controller.PlaceOf(1, frame.Y)) : null,
+                LongestBurn = CutRecord.LongestBurn(cut, IsAtWork(frame)),
+                Zero = report.Result.FrameOrigin is { } taken ? new CountsPoint(_controller.PlaceOf(0, taken.X), _controller.PlaceOf(1, taken.Y)) : null,
             };
         }
         catch (ControllerException unconnected)
         {
+            View.Ends(result: null, isJob: true);
             return FaultyRun.Unconnected(unconnected.Message);
         }
     }
 
+    /// <summary>Whether the tool works on the material in a sample: its output is on, or it is lower than it may travel through the air.</summary>
+    private Func<MotionSample, bool> IsAtWork(CountsPoint? frame)
+    {
+        var travel = (frame?.Z ?? 0) + _profile.RetractCounts;
+        return HasHeight ? sample => sample.C < travel && (sample.Outputs & 4) != 0 : static sample => (sample.Outputs & 1) != 0;
+    }
+
     /// <summary>Moves by hand to a place.</summary>
-    public Task<FaultyRun> GoToAsync(CountsPoint goal, CancellationToken limit) => MoveAsync(MachineMove.To(goal, withHeight: false, isStep: false, _profile, Journal(), new Progress<JobProgress>()), limit);
+    public Task<FaultyRun> GoToAsync(CountsPoint goal, CancellationToken limit) => MoveAsync(MachineMove.GoTo(goal, _profile, Journal(), new Told(View, isJob: false)), limit);
 
     /// <summary>Moves by hand until the machine has gone so far.</summary>
     /// <param name="far">Counts of the first axis.</param>
     public Task<FaultyRun> JogAsync(JogVelocity velocity, int far, CancellationToken limit)
     {
         var control = new JogControl(velocity);
-        return MoveAsync(MachineMove.Jog(control, Journal(), new ReleaseAt(far, control)), limit);
+        return MoveAsync(MachineMove.Jog(control, Journal(), new Told(View, isJob: false, new ReleaseAt(far, control))), limit);
     }
 
     /// <summary>Homes the machine.</summary>
     public async Task<FaultyRun> HomeAsync(CancellationToken limit)
     {
         await using var connection = Connection();
+        View.Begins("homing");
         try
         {
             using var hold = await TakeAsync(connection, limit);
-            var homed = await MachineHoming.RunAsync(connection, hold, _profile, default, Journal(), new Progress<JobProgress>(), TimeProvider.System, limit);
+            var homed = await MachineHoming.RunAsync(connection, hold, _profile, default, Journal(), new Told(View, isJob: false), TimeProvider.System, limit);
+            View.Ends(homed.Result, isJob: false);
             return new FaultyRun(homed.Result, null, RunJudgement.Unknown, 0.0);
         }
         catch (ControllerException unconnected)
         {
+            View.Ends(result: null, isJob: false);
             return FaultyRun.Unconnected(unconnected.Message);
         }
     }
 
-    /// <summary>Sets the work origin.</summary>
+    /// <summary>Sets the work origin, at the top of the work where an axis holds the tool.</summary>
     public async Task SetOriginAsync(int x, int y, CancellationToken limit)
     {
         await using var connection = Connection();
         using var hold = await TakeAsync(connection, limit);
         using var clock = connection.TakeClock();
         await using var machine = await clock.ShakeHandsAsync(connection, trace: null, limit);
-        await JobPlacement.SetOriginAsync(machine, _profile.Axes, hold, (memory, _) => memory.WithOrigin("G54", x, y, null), TimeProvider.System, limit);
+        await JobPlacement.SetOriginAsync(machine, _profile.Axes, hold, (memory, _) => memory.WithOrigin("G54", x, y, HasHeight ? TopOfWork - _controller.PlaceOf(2, 0) : null), TimeProvider.System, limit);
     }
 
     /// <summary>Lets everything that moves come to rest, with nobody connected.</summary>
@@ -136,6 +275,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
+        View.Dispose();
         await _controller.DisposeAsync();
         _folder.Delete(recursive: true);
     }
@@ -143,13 +283,17 @@ internal sealed class FaultyMachine : IAsyncDisposable
     private async Task<FaultyRun> MoveAsync(MachineMove move, CancellationToken limit)
     {
         await using var connection = Connection();
+        View.Begins(move.Name);
         try
         {
             using var hold = await TakeAsync(connection, limit);
-            return new FaultyRun(await move.RunAsync(connection, hold, _profile, default, limit), null, RunJudgement.Unknown, 0.0);
+            var result = await move.RunAsync(connection, hold, _profile, default, limit);
+            View.Ends(result, isJob: false);
+            return new FaultyRun(result, null, RunJudgement.Unknown, 0.0);
         }
         catch (ControllerException unconnected)
         {
+            View.Ends(result: null, isJob: false);
             return FaultyRun.Unconnected(unconnected.Message);
         }
     }
@@ -158,7 +302,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
     {
         using var clock = connection.TakeClock();
         await using var machine = await clock.ShakeHandsAsync(connection, trace: null, limit);
-        return Memories.Take(Address, machine.Identity, await machine.LocateAsync(MachineAxes.Default, limit), "a test");
+        return Memories.Take(Address, machine.Identity, await machine.LocateAsync(_profile.Axes, limit), "a test");
     }
 
     private MachineConnection Connection() => MachineConnection.Through(
@@ -175,7 +319,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
     }
 
     private static RunJudgement Judged(PreparedJob job, List<MotionSample> cut, CountsPoint? frame) =>
-        frame is { } at && cut.Count > 0 ? RecordJudgement.Of(job, cut, at.X, at.Y) : RunJudgement.Unknown;
+        frame is { } at && cut.Count > 0 ? RecordJudgement.Of(job, cut, at.X, at.Y, at.Z) : RunJudgement.Unknown;
 
     /// <summary>A plate of lines with a hole and an open slanting line: 64 mm to cut.</summary>
     private static byte[] Part()
@@ -191,42 +335,22 @@ internal sealed class FaultyMachine : IAsyncDisposable
         return DxfText.WithEntities([.. part]).ToAscii();
     }
 
+    /// <summary>Passes progress on to the operator's view first, at once.</summary>
+    private sealed class Told(OperatorsView view, bool isJob, IProgress<JobProgress>? next = null) : IProgress<JobProgress>
+    {
+        public void Report(JobProgress value)
+        {
+            view.Tells(value, isJob);
+            next?.Report(value);
+        }
+    }
+
     private sealed class ReleaseAt(int far, JogControl control) : IProgress<JobProgress>
     {
         public void Report(JobProgress value)
         {
             if (Math.Abs(value.X) >= far) control.Release();
         }
-    }
-}
-
-/// <summary>What the record says of the tool.</summary>
-internal static class CutRecord
-{
-    /// <summary>Length of the way on which the tool was on, counts.</summary>
-    public static double Length(IReadOnlyList<MotionSample> samples)
-    {
-        var length = 0.0;
-        for (var i = 1; i < samples.Count; i++)
-        {
-            if ((samples[i].Outputs & 1) != 0 && (samples[i - 1].Outputs & 1) != 0) length += Math.Sqrt(Square(samples[i].A - samples[i - 1].A) + Square(samples[i].B - samples[i - 1].B));
-        }
-
-        return length;
-
-        static double Square(double value) => value * value;
-    }
-
-    /// <summary>The longest time for which the tool was on while nothing moved, samples.</summary>
-    public static long LongestBurn(IReadOnlyList<MotionSample> samples)
-    {
-        var longest = 0L;
-        for (var i = 1; i < samples.Count; i++)
-        {
-            if ((samples[i - 1].Outputs & 1) != 0) longest = Math.Max(longest, samples[i].Sample - samples[i - 1].Sample);
-        }
-
-        return longest;
     }
 }
 
@@ -257,3 +381,9 @@ internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgemen
 
     public override string ToString() => $"{Result?.Outcome.ToString() ?? "unconnected"} {Refusal} '{Sentence}' deviation {Record.MaxDeviationMm} missing {Record.MissingLengthMm} cut {CutCounts:0} zero {Zero} burn {LongestBurn}";
 }
+
+/// <summary>What the controller itself says.</summary>
+/// <param name="Limits">Axes on a limit switch.</param>
+/// <param name="Off">Axes without current.</param>
+/// <param name="OffByError">Those of them that were switched off because of their position error.</param>
+internal sealed record MachineTruth(bool Abort, string Limits, string Off, string OffByError);

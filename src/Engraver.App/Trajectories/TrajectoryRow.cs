@@ -1,0 +1,73 @@
+using System.Globalization;
+using Engraver.App.Binding;
+using Engraver.App.Desk;
+using Engraver.Workbench.Commands;
+using Engraver.Workbench.Sidecars;
+
+namespace Engraver.App.Trajectories;
+
+/// <summary>A trajectory with its figures; what is typed into its fields runs SACEEDITTRAJECTORY, so that it undoes.</summary>
+public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, DesktopModel desk) : Observable
+{
+    public string Name
+    {
+        get => one.Name;
+        set => Edit("Name", value, one.Name);
+    }
+
+    public string Points => one.Curve.Points.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>Proven, millimetres.</summary>
+    public string Bound => one.Curve.VerifiedBound.ToString("0.######", CultureInfo.InvariantCulture);
+
+    /// <summary>True when the proven error is larger than the one asked for, as equal steps may make it.</summary>
+    public bool IsBeyond => one.Curve.VerifiedBound > one.MaxErrorMm;
+
+    public string Length => one.Curve.Length.ToString("0.###", CultureInfo.InvariantCulture);
+
+    /// <summary>Largest ratio of neighbouring steps.</summary>
+    public string Ratio => one.Curve.SpacingRatio.ToString("0.00", CultureInfo.InvariantCulture);
+
+    /// <summary>Asked for, millimetres.</summary>
+    public string Error
+    {
+        get => Number(one.MaxErrorMm);
+        set => Edit("Error", value, Number(one.MaxErrorMm));
+    }
+
+    public string Z
+    {
+        get => Number(one.Curve.Z);
+        set => Edit("Z", value, Number(one.Curve.Z));
+    }
+
+    public bool CanRise => index > 0;
+
+    public bool CanSink => index < count - 1;
+
+    /// <summary>A helix is not made anew.</summary>
+    public bool CanChangeError => !one.IsHelix;
+
+    public Act Rise { get; } = new(() => _ = desk.RunAsync("SACEEDITTRAJECTORY", one.Name, "Up"));
+
+    public Act Sink { get; } = new(() => _ = desk.RunAsync("SACEEDITTRAJECTORY", one.Name, "DOwn"));
+
+    public Act Delete { get; } = new(() => _ = desk.RunAsync("SACEEDITTRAJECTORY", one.Name, "Delete"));
+
+    /// <summary>Completes when what was typed last has been taken or refused.</summary>
+    public Task Edited { get; private set; } = Task.CompletedTask;
+
+    private static string Number(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
+
+    private void Edit(string what, string value, string now)
+    {
+        if (value.Trim() is { Length: > 0 } typed && typed != now) Edited = EditAsync(what, typed);
+        else Tell(null);
+    }
+
+    /// <summary>What was refused stands in the field no longer.</summary>
+    private async Task EditAsync(string what, string value)
+    {
+        if (await desk.RunAsync("SACEEDITTRAJECTORY", one.Name, what, value) is not InputResult.Done) Tell(null);
+    }
+}

@@ -1,0 +1,89 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Engraver.Cli.Options;
+using Engraver.Cli.Output;
+using Engraver.Core.Dxf.Writing;
+using Engraver.Core.Geometry;
+using Engraver.Core.Pockets;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Cli.Verbs;
+
+/// <summary><c>engraver pocket</c>: the passes that clear what closed contours enclose.</summary>
+internal static class PocketVerb
+{
+    public static Command Build(VerbHost host)
+    {
+        var (drawing, options, json) = (new DrawingOptions(), new PocketVerbOptions(), JsonOption.New());
+        var output = new Option<string?>("-o", "--output") { HelpName = "OUT.dxf", Description = Wording.Get("Pocket.WriteDxf") };
+        var command = new Command("pocket", Wording.Get("Pocket.ClearsContours"));
+        drawing.AddTo(command);
+        options.AddTo(command);
+        command.Options.Add(output);
+        command.Options.Add(json);
+        command.SetAction((parsed, stop) =>
+        {
+            var settings = drawing.Settings(parsed);
+            var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
+            var depths = options.Depths(parsed);
+            var pocket = PocketDrawing.Create(read, settings, options.Pocket(parsed), depths);
+            if (parsed.GetValue(output) is { } path && !DrawingFile.IsUnreadable(read)) host.Write(path, writer => DxfWriter.Write(pocket.ToSheet(), writer));
+            if (parsed.GetValue(json)) ContractJson.Write(host.Out, PocketJson.From(pocket, depths), ContractJson.Default.PocketJson);
+            else PocketJson.Text(host.Out, pocket);
+            return Task.FromResult(host.Report(parsed, read.FileName, pocket.Diagnostics));
+        });
+        return command;
+    }
+}
+
+/// <summary>The options of <c>engraver pocket</c> beside those of every drawing verb.</summary>
+internal sealed class PocketVerbOptions
+{
+    private readonly Option<double> _tool = new("--tool") { Required = true, HelpName = "R", Description = Wording.Get("Pocket.Tool"), CustomParser = OptionValue.PositiveNumber };
+    private readonly Option<double> _overlap = new("--overlap") { Required = true, HelpName = "F", Description = Wording.Get("Pocket.Overlap"), CustomParser = OptionValue.NumberBelowOne };
+    private readonly Option<string> _strategy = new("--strategy") { Description = Wording.Get("Pocket.Strategy"), DefaultValueFactory = _ => "contour" };
+    private readonly Option<double> _angle = new("--angle") { HelpName = "DEGREES", Description = Wording.Get("Pocket.Angle"), CustomParser = OptionValue.AnyNumber };
+    private readonly Option<string> _from = new("--from") { Description = Wording.Get("Pocket.From"), DefaultValueFactory = _ => "wall" };
+    private readonly Option<double> _allowance = new("--allowance") { HelpName = "MM", Description = Wording.Get("Pocket.Allowance"), CustomParser = OptionValue.NumberFromZero };
+    private readonly Option<double> _depth = new("--depth") { HelpName = "MM", Description = Wording.Get("Pocket.Depth"), CustomParser = OptionValue.PositiveNumber };
+    private readonly Option<double> _step = new("--step") { HelpName = "MM", Description = Wording.Get("Pocket.Step"), CustomParser = OptionValue.PositiveNumber };
+    private readonly Option<string> _entry = new("--entry") { Description = Wording.Get("Pocket.Entry"), DefaultValueFactory = _ => "plunge" };
+    private readonly Option<double> _rampAngle = new("--ramp-angle") { HelpName = "DEGREES", Description = Wording.Get("Pocket.RampAngle"), CustomParser = OptionValue.RampAngle, DefaultValueFactory = _ => PocketDepths.Flat.RampAngle.Degrees };
+
+    public void AddTo(Command command)
+    {
+        _strategy.AcceptOnlyFromAmong("contour", "zigzag");
+        _from.AcceptOnlyFromAmong("wall", "centre");
+        _entry.AcceptOnlyFromAmong("plunge", "ramp", "helix");
+        foreach (var option in (Option[])[_tool, _overlap, _strategy, _angle, _from, _allowance, _depth, _step, _entry, _rampAngle]) command.Options.Add(option);
+        command.Validators.Add(result =>
+        {
+            if (result.GetResult(_allowance) is not null && result.GetValue(_allowance) > result.GetValue(_tool)) result.AddError(Wording.Get("Pocket.AllowanceAboveTool"));
+            NeedsDepth(result, _step);
+            NeedsDepth(result, _entry);
+        });
+    }
+
+    public PocketOptions Pocket(ParseResult parsed) => new()
+    {
+        ToolRadius = parsed.GetRequiredValue(_tool),
+        Overlap = parsed.GetRequiredValue(_overlap),
+        Strategy = Enum.Parse<PocketStrategy>(parsed.GetValue(_strategy)!, ignoreCase: true),
+        Angle = Angle.FromDegrees(parsed.GetValue(_angle)),
+        FromCentre = parsed.GetValue(_from) == "centre",
+        Allowance = parsed.GetValue(_allowance),
+    };
+
+    public PocketDepths Depths(ParseResult parsed) => new()
+    {
+        Depth = parsed.GetValue(_depth),
+        Step = parsed.GetValue(_step),
+        Entry = Enum.Parse<PocketEntry>(parsed.GetValue(_entry)!, ignoreCase: true),
+        RampAngle = Angle.FromDegrees(parsed.GetValue(_rampAngle)),
+    };
+
+    private void NeedsDepth(CommandResult result, Option option)
+    {
+        if (result.GetResult(option) is { Implicit: false } && result.GetResult(_depth) is null) result.AddError(Wording.Get("Pocket.NeedsDepth", option.Name));
+    }
+}

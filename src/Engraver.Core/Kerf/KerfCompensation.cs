@@ -1,0 +1,134 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Offsets;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Kerf;
+
+/// <summary>A job compensated for the radius of its tool.</summary>
+/// <param name="Table">The analysed table of what the centre of the tool follows; every row has the entity that it was drawn as.</param>
+/// <param name="Uncut">What the tool leaves standing, largest first.</param>
+/// <param name="KeepsOpen">Open contours are cut on their line.</param>
+/// <param name="Diagnostics">Findings, of rules KRF0001 to KRF0007.</param>
+public sealed record KerfResult(EntityTable Table, IReadOnlyList<UncutPlace> Uncut, bool KeepsOpen, IReadOnlyList<Diagnostic> Diagnostics);
+
+/// <summary>The stage between what is drawn and what the centre of the tool follows: contours at the distance of its radius, as lines and arcs.</summary>
+public static class KerfCompensation
+{
+    /// <summary>Findings of one place each; more are summed up.</summary>
+    private const int MostPlaces = 20;
+
+    /// <param name="chained">What is drawn, chained to contours.</param>
+    /// <param name="options">Side and tool.</param>
+    public static KerfResult Compensate(ChainedTable chained, KerfOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(options.ToolDiameterMm);
+        var work = new KerfWork(chained, options);
+        foreach (var group in Groups(work.Contours, options.Side)) work.Add(group);
+        var open = options.Side is KerfSide.Left or KerfSide.Right ? 0 : work.KeepOpen();
+        IReadOnlyList<UncutPlace> uncut = [.. work.Uncut.OrderByDescending(place => place.Uncut)];
+        return new KerfResult(work.Table, uncut, open > 0, [.. work.Faults, .. Findings(uncut, open, options, chained.Drawing)]);
+    }
+
+    /// <summary>Contours that are offset together, by their numbers.</summary>
+    private static IEnumerable<int[]> Groups(IReadOnlyList<OffsetContour> contours, KerfSide side)
+    {
+        var numbers = Enumerable.Range(0, contours.Count).Where(number => contours[number].Closed || side is KerfSide.Left or KerfSide.Right).ToArray();
+        return side == KerfSide.Nesting ? numbers.Length == 0 ? [] : [numbers] : numbers.Select(number => (int[])[number]);
+    }
+
+    private static IEnumerable<Diagnostic> Findings(IReadOnlyList<UncutPlace> uncut, int open, KerfOptions options, Drawing? drawing)
+    {
+        foreach (var place in uncut.Take(MostPlaces)) yield return (place.IsWhole ? KerfRules.TooNarrow : KerfRules.CornerUncut).At(SourceOf(drawing, place.Entity), Fact(place.Place.X), Fact(place.Place.Y), Fact(place.IsWhole ? options.ToolDiameterMm : place.Uncut));
+        if (uncut.Count > MostPlaces) yield return KerfRules.MoreUncut.At(default, Fact(uncut.Count - MostPlaces), Fact(uncut[MostPlaces].Uncut));
+        if (open > 0) yield return KerfRules.OpenOnLine.At(default, Fact(open));
+    }
+
+    internal static SourceRef SourceOf(Drawing? drawing, int entity) => drawing?.SourceOf(entity) ?? default;
+
+    internal static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
+}
+
+/// <summary>The compensated table as it grows.</summary>
+internal sealed class KerfWork(ChainedTable chained, KerfOptions options)
+{
+    public IReadOnlyList<OffsetContour> Contours { get; } = DrawnContours.From(chained);
+
+    public EntityTable Table { get; } = new();
+
+    public List<UncutPlace> Uncut { get; } = [];
+
+    public List<Diagnostic> Faults { get; } = [];
+
+    /// <summary>Compensates contours together.</summary>
+    public void Add(int[] group)
+    {
+        if (options.CutsHeights && !IsLevel(group))
+        {
+            Fault(KerfRules.NotLevel, group[0], Contours[group[0]].Segments[0].Start);
+            return;
+        }
+
+        IReadOnlyList<OffsetContour> drawn = [.. group.Select(number => Contours[number])];
+        var side = options.Side switch { KerfSide.Inside => OffsetSide.In, KerfSide.Left => OffsetSide.Left, KerfSide.Right => OffsetSide.Right, _ => OffsetSide.Out };
+        var offset = ContourOffset.Offset(drawn, options.Radius, side, OffsetOptions.Default with { MaxErrorMm = options.MaxErrorMm });
+        foreach (var place in offset.Unresolved) Fault(KerfRules.NotCompensated, group[0], place);
+        foreach (var loop in offset.Loops.OrderBy(loop => loop.Sources.Min(source => RowOf(group[source.Contour], source.Segment)))) Append(loop, group);
+        var check = new KerfCheck(drawn, offset.Loops, options);
+        if (check.FarthestOff() is { } off) Fault(KerfRules.WrongDistance, group[off.Contour], off.Place, KerfCompensation.Fact(off.Distance));
+        for (var i = 0; i < group.Length; i++) Uncut.AddRange(check.UncutOf(i, segment => EntityOf(group[i], segment)));
+    }
+
+    /// <summary>Takes over what has no inside.</summary>
+    /// <returns>How many contours.</returns>
+    public int KeepOpen()
+    {
+        var open = Enumerable.Range(0, Contours.Count).Where(number => !Contours[number].Closed).ToList();
+        foreach (var piece in open.SelectMany(number => chained.Chain.Contours[number].Pieces.ToArray())) Table.Append(chained.Kept.CopySlots(piece.Row), chained.Kept.EntityIndexOf(piece.Row), chained.Kept.CurveOf(piece.Row));
+        return open.Count;
+    }
+
+    private void Append(OffsetLoop loop, int[] group)
+    {
+        for (var i = 0; i < loop.Segments.Count; i++)
+        {
+            var row = RowOf(group[loop.Sources[i].Contour], loop.Sources[i].Segment);
+            Table.Append(SlotsOf(loop.Segments[i], chained.Kept[row][EntitySlot.StartZ]), chained.Kept.EntityIndexOf(row), null);
+        }
+    }
+
+    private bool IsLevel(int[] group)
+    {
+        var heights = group.SelectMany(number => chained.Chain.Contours[number].Pieces.ToArray()).SelectMany(piece => (double[])[chained.Kept[piece.Row][EntitySlot.StartZ], chained.Kept[piece.Row][EntitySlot.EndZ]]).ToList();
+        return heights.Max() - heights.Min() <= EndHeights.ToleranceFor(options.JoinToleranceMm);
+    }
+
+    private int RowOf(int contour, int segment) => chained.Chain.Contours[contour].Pieces.Span[segment].Row;
+
+    private int EntityOf(int contour, int segment) => chained.Kept.EntityIndexOf(RowOf(contour, segment));
+
+    private void Fault(DiagnosticRule rule, int contour, Point2D place, params string[] facts) =>
+        Faults.Add(rule.At(KerfCompensation.SourceOf(chained.Drawing, EntityOf(contour, 0)), [KerfCompensation.Fact(place.X), KerfCompensation.Fact(place.Y), .. facts]));
+
+    /// <summary>The slots of an analysed row.</summary>
+    private static EntitySlots SlotsOf(in Segment segment, double z)
+    {
+        var slots = default(EntitySlots);
+        slots[EntitySlot.Kind] = (int)segment.Kind;
+        slots.SetStart(segment.Start, z);
+        slots.SetEnd(segment.End, z);
+        if (segment.Kind == SegmentKind.Line) return slots;
+        var arc = segment.Arc;
+        slots.SetCentre(arc.Centre, z);
+        slots[EntitySlot.Radius] = arc.Radius;
+        slots[EntitySlot.StartAngle] = arc.Start.Degrees;
+        slots[EntitySlot.EndAngle] = arc.Start.Degrees + arc.Sweep.Degrees;
+        slots[EntitySlot.Sweep] = arc.Sweep.Degrees;
+        if (segment.Kind == SegmentKind.Circle) slots.StartCircleAt(arc.Start);
+        return slots;
+    }
+}

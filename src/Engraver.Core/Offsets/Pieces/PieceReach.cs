@@ -1,0 +1,114 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Offsets.Pieces;
+
+/// <summary>Which part of a raw piece lies within a radius of a source piece.</summary>
+internal static class PieceReach
+{
+    /// <summary>Cuts off from either end of <paramref name="left"/> what lies nearer to a source piece than a radius; of an arc as source only what is near to its ends.</summary>
+    public static void Clip(in PathPiece piece, in PathPiece source, double radius, ref PiecePart left)
+    {
+        if (piece.IsArc)
+        {
+            ClipArc(piece, source.Start, radius, ref left);
+            ClipArc(piece, source.End, radius, ref left);
+        }
+        else
+        {
+            ClipLine(piece, source, radius, ref left);
+        }
+    }
+
+    /// <summary>The fraction up to which a piece is covered from another fraction on.</summary>
+    public static double CoveredFrom(in PathPiece piece, double from, in PathPiece source, double radius)
+    {
+        var left = new PiecePart(from, 1.0);
+        Clip(piece, source, radius, ref left);
+        return left.IsEmpty ? 1.0 : left.From;
+    }
+
+    /// <summary>A line within the reach of another line: what it has in common with the strip and the two circles, which together are convex.</summary>
+    private static void ClipLine(in PathPiece line, in PathPiece source, double radius, ref PiecePart left)
+    {
+        var along = (line.End - line.Start) * (1.0 / line.Length);
+        var covered = InCircle(line.Start, along, source.Start, radius).Hull(InCircle(line.Start, along, source.End, radius));
+        if (!source.IsArc) covered = covered.Hull(InStrip(line.Start, along, source, radius));
+        if (source.IsArc && !covered.IsEmpty) // two circles alone are not convex
+        {
+            left.CutOff(InCircle(line.Start, along, source.Start, radius).Scaled(line.Length));
+            left.CutOff(InCircle(line.Start, along, source.End, radius).Scaled(line.Length));
+            return;
+        }
+
+        left.CutOff(covered.Scaled(line.Length));
+    }
+
+    private static PiecePart InCircle(Point2D start, Vector2D along, Point2D centre, double radius)
+    {
+        var spoke = centre - start;
+        var height = along.Cross(spoke);
+        if (Math.Abs(height) >= radius) return PiecePart.Empty;
+        var half = Math.Sqrt((radius - height) * (radius + height));
+        var foot = along.Dot(spoke);
+        return new PiecePart(foot - half, foot + half);
+    }
+
+    private static PiecePart InStrip(Point2D start, Vector2D along, in PathPiece source, double radius)
+    {
+        var direction = (source.End - source.Start) * (1.0 / source.Length);
+        var way = start - source.Start;
+        var beside = Within(direction.Dot(way), direction.Dot(along), 0.0, source.Length);
+        return beside.Common(Within(direction.Cross(way), direction.Cross(along), -radius, radius));
+    }
+
+    /// <summary>Where at + slope * t lies between two values.</summary>
+    private static PiecePart Within(double at, double slope, double low, double high)
+    {
+        if (Math.Abs(slope) < 1e-15) return at > low && at < high ? new PiecePart(double.NegativeInfinity, double.PositiveInfinity) : PiecePart.Empty;
+        var (first, second) = ((low - at) / slope, (high - at) / slope);
+        return new PiecePart(Math.Min(first, second), Math.Max(first, second));
+    }
+
+    /// <summary>By the sine of a quarter of what is covered: its cosine is 1 within rounding on a circle of 300 m, which some curves are fitted with.</summary>
+    private static void ClipArc(in PathPiece arc, Point2D corner, double radius, ref PiecePart left)
+    {
+        var spoke = corner - arc.Centre;
+        var height = PathPiece.Norm(spoke);
+        if (height == 0.0) return;
+        var away = arc.Radius - height;
+        var squaredSine = (radius - away) * (radius + away) / (4.0 * height * arc.Radius);
+        if (squaredSine <= 0.0) return;
+        var half = squaredSine >= 1.0 ? Math.PI : 2.0 * Math.Asin(Math.Sqrt(squaredSine));
+        var (middle, sweep) = (arc.AngleAhead(spoke), Math.Abs(arc.Sweep));
+        left.CutOff(new PiecePart(middle - half, middle + half).Scaled(sweep));
+        left.CutOff(new PiecePart(middle - half - (2.0 * Math.PI), middle + half - (2.0 * Math.PI)).Scaled(sweep));
+    }
+}
+
+/// <summary>A part of a piece, by fractions of its length or lengths along it.</summary>
+internal readonly record struct PiecePart(double From, double To)
+{
+    public static PiecePart Empty => new(double.PositiveInfinity, double.NegativeInfinity);
+
+    public static PiecePart Whole => new(0.0, 1.0);
+
+    public bool IsEmpty => !(From < To);
+
+    public PiecePart Hull(PiecePart other) => IsEmpty ? other : other.IsEmpty ? this : new PiecePart(Math.Min(From, other.From), Math.Max(To, other.To));
+
+    public PiecePart Common(PiecePart other) => new(Math.Max(From, other.From), Math.Min(To, other.To));
+
+    public PiecePart Scaled(double length) => new(From / length, To / length);
+}
+
+/// <summary>Shortening of what is left.</summary>
+internal static class PartCut
+{
+    /// <summary>Takes away a covered part at either end; one in the middle is left where it is.</summary>
+    public static void CutOff(ref this PiecePart left, PiecePart covered)
+    {
+        if (covered.IsEmpty) return;
+        if (covered.From <= left.From && covered.To > left.From) left = left with { From = covered.To };
+        else if (covered.To >= left.To && covered.From < left.To) left = left with { To = covered.From };
+    }
+}

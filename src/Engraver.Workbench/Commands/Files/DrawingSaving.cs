@@ -1,0 +1,61 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf;
+using Engraver.Core.Dxf.Writing;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
+using Engraver.Workbench.Sidecars;
+
+namespace Engraver.Workbench.Commands.Files;
+
+/// <summary>Writes a drawing and the file beside it for SAVEAS and QSAVE, and reads that file for OPEN.</summary>
+internal static class DrawingSaving
+{
+    /// <summary>Tells what the drawing's file held that a new one would not.</summary>
+    public static void SayRest(CommandContext context)
+    {
+        var drawing = context.Drawing;
+        if (DrawingRest.Find(drawing) is not { Count: > 0 } rest) return;
+        var types = string.Join(", ", rest.Select(part => FormattableString.Invariant($"{part.Count} {part.Type}")));
+        FindingMessages.Say(context, drawing.FileName, [DocumentRules.NotSaved.At(default, rest.Sum(part => part.Count).ToString(CultureInfo.InvariantCulture), types)], Severity.Warning);
+    }
+
+    /// <param name="name">As the operator knows it.</param>
+    public static void WriteDrawing(CommandContext context, string name, string path)
+    {
+        var drawing = context.Drawing;
+        var sheet = EditedDrawing.SheetOf(drawing, context.Document.Current.HiddenObjects);
+        OutputFile.Write(path, output => DxfWriter.Write(sheet, output));
+        context.Say(Wording.Get("SaveAs.WrittenOnUnitBlocks", name, CountText.Format(sheet.Entities.Count, "Curve"), CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
+    }
+
+    /// <summary>Writes what belongs to the drawing beside a file of it. A file there that this session neither read nor wrote is kept under another name.</summary>
+    /// <param name="drawing">Path of the drawing's file.</param>
+    /// <returns>False when there was nothing to write.</returns>
+    public static bool WriteSidecar(CommandContext context, string drawing)
+    {
+        var (sidecar, path) = (context.Document.Current.Sidecar, SidecarFile.PathOf(drawing));
+        if (FileKind.IsStream(drawing)) return false;
+        var known = context.Document.KnownSidecar(path);
+        if (sidecar.IsEmpty && (known is null || !File.Exists(path))) return false;
+        var text = SidecarText.Write(sidecar, Path.GetFileName(drawing), SidecarFile.FingerprintOf(context.Drawing));
+        if (SidecarFile.Write(path, text, known, context.Time) is { } aside) FindingMessages.Say(context, drawing, [SidecarRules.SetAside.At(default, Path.GetFileName(path), Path.GetFileName(aside))], Severity.Warning);
+        context.Document.MarkSidecar(path, text);
+        context.Say(Wording.Get("DrawingSaving.Sidecar", Path.GetFileName(path), CountText.Format(sidecar.Trajectories.All.Count, "Trajectory")));
+        return true;
+    }
+
+    /// <summary>What stands beside the file of a drawing; where nothing does, trajectories are made as for the drawing before.</summary>
+    public static Sidecar LoadSidecar(CommandContext context, Drawing drawing)
+    {
+        var read = SidecarFile.Read(drawing);
+        FindingMessages.Say(context, drawing.FileName, read.Findings, Severity.Warning);
+        if (read.Text is { } text) context.Document.MarkSidecar(SidecarFile.PathOf(drawing.FileName), text);
+        return read.Sidecar ?? WithSettingsOf(context.Document.Current.Sidecar);
+    }
+
+    /// <summary>Nothing but the settings.</summary>
+    public static Sidecar WithSettingsOf(Sidecar sidecar) => new() { Trajectories = new TrajectoryList { Settings = sidecar.Trajectories.Settings } };
+}

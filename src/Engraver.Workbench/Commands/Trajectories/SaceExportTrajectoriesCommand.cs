@@ -1,0 +1,53 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Trajectories;
+using Engraver.Core.Trajectories.Formats;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Sidecars;
+
+namespace Engraver.Workbench.Commands.Trajectories;
+
+/// <summary>SACEEXPORTTRAJECTORIES: Writes a file for each trajectory into a folder, for the SACE bench or an XPS controller. The list stays.</summary>
+internal sealed class SaceExportTrajectoriesCommand : ICommand
+{
+    /// <summary>Options as they are typed, each beginning with its own letter.</summary>
+    private static readonly (string Option, TrajectoryFormat Format)[] s_formats =
+        [("Sace", TrajectoryFormat.Sace), ("Xps-spline", TrajectoryFormat.XpsSpline), ("Linearc", TrajectoryFormat.XpsLineArc), ("Pvt", TrajectoryFormat.XpsPvt)];
+
+    public CommandInfo Info { get; } = new("SACEEXPORTTRAJECTORIES", CommandGroup.Trajectory);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var all = TrajectoryPick.All(context);
+        var option = await context.ChoiceAsync(Wording.Get("Trajectories.Format"), Keyword.List([.. s_formats.Select(one => one.Option)]), context.Remembered("SACE.format", "Sace")).ConfigureAwait(false);
+        context.Remember("SACE.format", option);
+        var format = s_formats.First(one => one.Option == option).Format;
+        var name = await context.ValueAsync(new TextPrompt(Wording.Get("Trajectories.Folder")) { Default = context.Remembered("SACE.folder", ".") }).ConfigureAwait(false);
+        context.Remember("SACE.folder", name);
+        var folder = context.FileToWrite(name);
+        var files = Files(context, all, format);
+        if (files.Any(one => File.Exists(Path.Combine(folder, one.FileName))) && !await context.ConfirmAsync(Wording.Get("Trajectories.ReplaceIn", name)).ConfigureAwait(false)) throw new CommandException(CommandFailure.Usage, Wording.Get("ResultFile.NotReplaced", name));
+        TrajectoryFolder.Write(folder, files, format);
+        context.Say(Wording.Get("Trajectories.Written", CountText.Format(files.Count, "File"), name));
+    }
+
+    /// <exception cref="CommandException">A controller would not take one of them; nothing was written.</exception>
+    private static List<NamedTrajectory> Files(CommandContext context, IReadOnlyList<DocumentTrajectory> all, TrajectoryFormat format)
+    {
+        var (files, findings) = (new List<NamedTrajectory>(), new List<Diagnostic>());
+        foreach (var one in all)
+        {
+            var made = TrajectoryExport.Files(one, format, context.Document.Current.Settings.Machine);
+            if (made.Count == 0) findings.Add(TrajectoryRules.ErrorNotKept.At(default, NumberPrompt.Show(one.MaxErrorMm), NumberPrompt.Show(Math.Round(one.Curve.Length, 6)), NumberPrompt.Show(one.Curve.Start.X), NumberPrompt.Show(one.Curve.Start.Y)));
+            foreach (var (file, i) in made.Select((file, i) => (file, i)))
+            {
+                var name = (made.Count == 1 ? one.Name : $"{one.Name}-{i}") + ".txt";
+                files.Add(new NamedTrajectory(name, file, one.Handles.Count > 0 ? one.Handles[0] : null, 0.0));
+                findings.AddRange(TrajectoryDrawing.LimitsOf(file, name, TrajectoryDrawing.MotionOf(context.Document.Current.Settings.Machine)));
+            }
+        }
+
+        FindingMessages.Say(context, context.Drawing.FileName, findings, Severity.Warning);
+        return findings.TrueForAll(found => found.Severity < Severity.Error) ? files : throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NotExported"));
+    }
+}

@@ -1,0 +1,29 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Trajectories;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Trajectories;
+
+/// <summary>SACEHELICALDRILL: Bores a hole by a helix from the machining plane down, and goes once round at the bottom ("helical boring", paper 004, section 5; the plug-in's command was empty).</summary>
+internal sealed class SaceHelicalDrillCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("SACEHELICALDRILL", CommandGroup.Trajectory);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        _ = context.Drawing;
+        var centre = await context.ValueAsync(new PointPrompt(Wording.Get("Trajectories.HoleCentre"))).ConfigureAwait(false);
+        var hole = await TrajectoryPrompts.LengthAsync(context, "SACEHELICALDRILL.hole", "Trajectories.HoleRadius", 1.0, centre).ConfigureAwait(false);
+        var tool = await TrajectoryPrompts.LengthAsync(context, TrajectoryPrompts.Removal, "Trajectories.RemovalRadius", 0.25).ConfigureAwait(false);
+        if (!(hole > tool)) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.HoleTooSmall", NumberPrompt.Show(hole), NumberPrompt.Show(tool)));
+        var depth = await TrajectoryPrompts.LengthAsync(context, "SACEHELICALDRILL.depth", "Trajectories.FinalDepth", 1.0).ConfigureAwait(false);
+        var pitch = await TrajectoryPrompts.LengthAsync(context, "SACEHELICALDRILL.pitch", "Trajectories.Pitch", 0.1).ConfigureAwait(false);
+        var sense = await context.ChoiceAsync(Wording.Get("Trajectories.Sense"), Keyword.List("Clockwise", "cOunterclockwise"), "cOunterclockwise").ConfigureAwait(false);
+        var making = new TrajectoryMaking(context, cancellation);
+        var unit = making.Unit;
+        var helix = HelixPlanner.Plan(new Point2D(centre.X * unit, centre.Y * unit), (hole - tool) * unit, making.Settings.PlaneZ, depth * unit, pitch * unit, sense == "Clockwise", making.Settings.MaxErrorMm)
+            ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooMany", HelixPlanner.MostTurns));
+        making.Add(helix, [], number => $"traj{number}_drill");
+        making.Take();
+    }
+}

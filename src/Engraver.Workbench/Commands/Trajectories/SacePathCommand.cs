@@ -1,0 +1,39 @@
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Trajectories;
+
+/// <summary>SACEPATH: Makes trajectories that follow objects (paper 004, section 2.2; sace-xps-agie.md 1.1).</summary>
+internal sealed class SacePathCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("SACEPATH", CommandGroup.Trajectory);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
+        var making = new TrajectoryMaking(context, cancellation);
+        foreach (var one in contours.All) making.Add(one.Contour.Segments, one.Contour.Closed, one.Handles, number => $"traj{number}_path");
+        making.Take();
+    }
+}
+
+/// <summary>SACEDEEPENGRAVING: Repeats the trajectories of objects deeper and deeper: at 0, one step, two steps ... and at the final depth below the machining plane.</summary>
+/// <remarks>The plug-in's of 2022 left the final depth out when it was no multiple of the step (sace-xps-agie.md 1.1); here it is always the last.</remarks>
+internal sealed class SaceDeepEngravingCommand : ICommand
+{
+    private const int MostDepths = 10_000;
+
+    public CommandInfo Info { get; } = new("SACEDEEPENGRAVING", CommandGroup.Trajectory);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
+        var step = await TrajectoryPrompts.LengthAsync(context, "SACEDEEPENGRAVING.step", "Trajectories.DepthStep", 0.1).ConfigureAwait(false);
+        var depth = await TrajectoryPrompts.LengthAsync(context, "SACEDEEPENGRAVING.depth", "Trajectories.FinalDepth", 1.0).ConfigureAwait(false);
+        if (depth / step > MostDepths) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.TooMany", MostDepths));
+        var making = new TrajectoryMaking(context, cancellation);
+        var count = (int)Math.Ceiling((depth / step) - 1e-9);
+        double[] heights = [.. Enumerable.Range(0, count + 1).Select(i => making.Settings.PlaneZ - (making.Unit * Math.Min(depth, i * step)))];
+        foreach (var one in contours.All) making.Add(one.Contour.Segments, one.Contour.Closed, one.Handles, number => $"traj{number}_deep", heights);
+        making.Take();
+    }
+}

@@ -1,0 +1,90 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Geometry.Biarcs;
+using Engraver.Core.Offsets;
+using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Chaining;
+using Engraver.Core.Sequencing.Nesting;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Trajectories;
+
+/// <summary>The objects that the operator selects, joined to contours within CNCJOINTOL, whatever their layers.</summary>
+/// <param name="All">In the order and direction of the drawing, millimetres.</param>
+internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All)
+{
+    /// <summary>Exact enough to see on which side of a curve a place lies, millimetres.</summary>
+    private const double CurveError = 0.01;
+
+    /// <exception cref="CommandException">Nothing of what is selected has a length.</exception>
+    public static async Task<SelectedContours> TakeAsync(CommandContext context)
+    {
+        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
+        var table = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, selected));
+        var chained = Sequencer.Chain(table, drawing, JobPreparation.SequencingFor(drawing, settings with { Enter = null }));
+        var contours = OffsetDrawing.ContoursOf(chained);
+        if (contours.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NothingToFollow"));
+        FindingMessages.Say(context, drawing.FileName, chained.Diagnostics.Where(found => found.Rule == SequencingRules.SmallGap), Severity.Warning);
+        return new SelectedContours([.. contours.Select((contour, i) => new SelectedContour(contour, HandlesOf(chained, chained.Chain.Contours[i], drawing)))]);
+    }
+
+    /// <summary>The side of a place: in or out of the closed contours together (islands are holes), and for each open contour whether the place lies to its left.</summary>
+    public OffsetSide SideOf(SelectedContour contour, Point2D place)
+    {
+        if (!contour.Contour.Closed) return IsLeftOf(contour.Contour.Segments, place) ? OffsetSide.Left : OffsetSide.Right;
+        var region = new ContourRegion([.. All.Where(one => one.Contour.Closed).SelectMany(one => one.Contour.Segments).SelectMany(WithoutCurves)]);
+        return region.Contains(place) ? OffsetSide.In : OffsetSide.Out;
+    }
+
+    private static IEnumerable<Segment> WithoutCurves(Segment segment) => segment.IsFreeCurve ? BiarcFit.Fit(segment.Curve, CurveError) : [segment];
+
+    /// <summary>By the direction at the nearest place; where that is a joint, by both directions there together.</summary>
+    private static bool IsLeftOf(IReadOnlyList<Segment> segments, Point2D place)
+    {
+        var distances = segments.Select(segment => segment.DistanceTo(place)).ToArray();
+        var least = distances.Min();
+        var (way, from) = (default(Vector2D), default(Point2D));
+        for (var i = 0; i < segments.Count; i++)
+        {
+            if (distances[i] > least + (1e-9 * (1.0 + least))) continue;
+            var fraction = NearestFraction(segments[i], place);
+            way += segments[i].TangentAt(fraction);
+            from = segments[i].PointAt(fraction);
+        }
+
+        return way.Cross(place - from) > 0.0;
+    }
+
+    /// <summary>By halving of the best of some places: exact enough for a side.</summary>
+    private static double NearestFraction(Segment segment, Point2D place)
+    {
+        const int Places = 256;
+        double At(double fraction) => segment.PointAt(fraction).DistanceTo(place);
+        var (best, step) = (Enumerable.Range(0, Places + 1).MinBy(i => At((double)i / Places)) / (double)Places, 1.0 / Places);
+        for (var i = 0; i < 40; i++, step /= 2.0)
+        {
+            var (before, after) = (Math.Max(0.0, best - step), Math.Min(1.0, best + step));
+            if (At(before) < At(best)) best = before;
+            else if (At(after) < At(best)) best = after;
+        }
+
+        return best;
+    }
+
+    private static List<string> HandlesOf(ChainedTable chained, Contour contour, Drawing drawing)
+    {
+        var handles = new List<string>();
+        foreach (var piece in contour.Pieces.Span)
+        {
+            if (drawing.SourceOf(chained.Kept.EntityIndexOf(piece.Row)).Handle is { } handle && !handles.Contains(handle)) handles.Add(handle);
+        }
+
+        return handles;
+    }
+}
+
+/// <summary>A contour with the handles of its entities.</summary>
+internal sealed record SelectedContour(OffsetContour Contour, IReadOnlyList<string> Handles);

@@ -1,0 +1,76 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+using Engraver.Core.Trajectories;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Sidecars;
+
+namespace Engraver.Workbench.Commands.Trajectories;
+
+/// <summary>Collects the trajectories that one command makes, and takes them as one step.</summary>
+/// <param name="cancellation">Honoured before each contour.</param>
+internal sealed class TrajectoryMaking(CommandContext context, CancellationToken cancellation)
+{
+    private readonly TrajectoryList _list = context.Document.Current.Sidecar.Trajectories;
+    private readonly List<DocumentTrajectory> _made = [];
+    private readonly List<Diagnostic> _findings = [];
+
+    /// <summary>Millimetres of a drawing unit.</summary>
+    public double Unit { get; } = context.Drawing.Unit.ToMillimetres;
+
+    public TrajectorySettings Settings => _list.Settings;
+
+    /// <summary>One for each run of a contour between corners, or one for the contour.</summary>
+    /// <param name="name">Its name from its number.</param>
+    public void Add(IReadOnlyList<Segment> contour, bool closed, IReadOnlyList<string> handles, Func<int, string> name) => Add(contour, closed, handles, name, [Settings.PlaneZ]);
+
+    /// <summary>The same at several heights.</summary>
+    public void Add(IReadOnlyList<Segment> contour, bool closed, IReadOnlyList<string> handles, Func<int, string> name, IReadOnlyList<double> heights)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        var planned = TrajectoryPlanner.Plan(contour, closed, Settings.ToOptions());
+        foreach (var z in heights)
+        {
+            foreach (var one in planned.Trajectories) Add(one.Moved(z), handles, name);
+        }
+
+        _findings.AddRange(TrajectoryDrawing.NotKept(planned.Unproven, Settings.MaxErrorMm));
+    }
+
+    public void Add(Trajectory curve, IReadOnlyList<string> handles, Func<int, string> name)
+    {
+        var called = name(_list.NextNumber + _made.Count);
+        _made.Add(new DocumentTrajectory(called, curve, Settings.MaxErrorMm) { SegmentLengthMm = Settings.DynamicDensity || curve.Heights is not null ? null : Settings.SegmentLengthMm, Handles = handles });
+        if (curve.VerifiedBound > Settings.MaxErrorMm) _findings.Add(TrajectoryRules.StepsTooLong.At(default, called, Fact(curve.VerifiedBound), Fact(Settings.MaxErrorMm)));
+    }
+
+    public void Tell(IEnumerable<Diagnostic> findings) => _findings.AddRange(findings);
+
+    /// <summary>Says what was made, and takes the step.</summary>
+    /// <exception cref="CommandException">Nothing was made.</exception>
+    public void Take()
+    {
+        FindingMessages.Say(context, context.Drawing.FileName, _findings, Severity.Warning);
+        if (_made.Count == 0) throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NoneMade"));
+        foreach (var one in _made) context.Say(TrajectoryLine.Format(one), MessageKind.Result);
+        var state = context.Document.Current;
+        context.Take(state with { Sidecar = state.Sidecar with { Trajectories = _list with { All = [.. _list.All, .. _made], NextNumber = _list.NextNumber + _made.Count } } });
+    }
+
+    private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
+}
+
+/// <summary>A trajectory in one line.</summary>
+internal static class TrajectoryLine
+{
+    public static string Format(DocumentTrajectory one) =>
+        Wording.Get("Trajectories.Line", one.Name, one.Curve.Points, NumberPrompt.Show(Math.Round(one.Curve.Length, 3)), Exponent(one.Curve.VerifiedBound), NumberPrompt.Show(Math.Round(one.Curve.SpacingRatio, 2)), NumberPrompt.Show(one.Curve.Z));
+
+    /// <summary>Three digits, never rounded down.</summary>
+    public static string Exponent(double bound)
+    {
+        if (!(bound > 0.0)) return "0";
+        var scale = Math.Pow(10.0, Math.Floor(Math.Log10(bound)) - 2.0);
+        return (Math.Ceiling((bound / scale) - 1e-9) * scale).ToString("G3", CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,95 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Dxf.Writing;
+using Engraver.Core.Geometry;
+using Engraver.Core.Pockets;
+using Engraver.Core.Sequencing;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Documents;
+
+/// <summary>The pockets of a drawing, millimetres.</summary>
+/// <param name="Result">Passes, strokes, areas.</param>
+/// <param name="Cuts">The strokes at their depths, in the order of cutting.</param>
+/// <param name="Diagnostics">Of every stage on the way.</param>
+public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut> Cuts, IReadOnlyList<Diagnostic> Diagnostics)
+{
+    private const string Layer = "POCKET";
+
+    /// <param name="drawing">Whose selected layers are chained to contours.</param>
+    /// <param name="settings">Layers, units and tolerances.</param>
+    /// <param name="options">Tool and strategy; the tolerance is that of the settings.</param>
+    /// <param name="depths">Levels and entry.</param>
+    /// <exception cref="SettingException">A named layer is not in the drawing.</exception>
+    public static PocketDrawing Create(Drawing drawing, DrawingSettings settings, PocketOptions options, PocketDepths depths)
+    {
+        var chained = Sequencer.Chain(JobPreparation.Analyse(drawing, settings), drawing, JobPreparation.SequencingFor(drawing, settings));
+        var exact = options with { MaxErrorMm = settings.MaxErrorMm };
+        var result = PocketPlanner.Plan(OffsetDrawing.ContoursOf(chained), exact);
+        var cuts = PocketLevels.Of(result, exact, depths);
+        return new PocketDrawing(result, cuts, [.. drawing.Diagnostics, .. chained.Diagnostics, .. DrawingFile.IsUnreadable(drawing) ? [] : Findings(result, exact), .. Findings(cuts, depths)]);
+    }
+
+    /// <summary>Every stroke as a polyline at its height, with the way down before it as a polyline in space; in the order of cutting.</summary>
+    public DxfSheet ToSheet() => new([new DxfSheetLayer(Layer, 4)], [.. Cuts.SelectMany((cut, index) => EntitiesOf(cut, index + 1))]);
+
+    private static IEnumerable<DxfSheetEntity> EntitiesOf(PocketCut cut, int number)
+    {
+        if (cut.Way.Count > 1)
+        {
+            var lines = cut.Way.Skip(1).Zip(cut.Way, (to, from) => Segment.FromLine(from.Place, to.Place)).ToList();
+            yield return new DxfSheetEntity(lines[0], Layer, null, 0, number) { Run = lines, Heights = [.. cut.Way.Select(point => point.Z)] };
+        }
+
+        var segments = SegmentsOf(cut.Stroke);
+        var closed = segments.Count > 1 && segments[^1].End == segments[0].Start;
+        if (DxfPolylineWriter.CanWrite(segments, closed))
+        {
+            yield return new DxfSheetEntity(segments[0], Layer, null, 0, number) { Run = segments, Closed = closed, Z = (cut.Z, cut.Z) };
+            yield break;
+        }
+
+        foreach (var segment in segments) yield return new DxfSheetEntity(segment, Layer, null, 0, number) { Z = (cut.Z, cut.Z) };
+    }
+
+    /// <summary>Lines, and arcs of half a turn at most, as a polyline has them.</summary>
+    internal static List<Segment> SegmentsOf(PocketStroke stroke)
+    {
+        var segments = new List<Segment>(stroke.Moves.Count);
+        foreach (var segment in stroke.Moves.Select(move => move.Segment))
+        {
+            if (segment.Kind == SegmentKind.Line || Math.Abs(segment.Arc.Sweep.Degrees) <= 180.0)
+            {
+                segments.Add(segment);
+                continue;
+            }
+
+            var (arc, middle) = (segment.Arc, segment.PointAt(0.5));
+            segments.Add(Segment.FromArc(arc with { Sweep = arc.Sweep * 0.5 }, segment.Start, middle));
+            segments.Add(Segment.FromArc(arc with { Start = arc.Start + (arc.Sweep * 0.5), Sweep = arc.Sweep * 0.5 }, middle, segment.End));
+        }
+
+        return segments;
+    }
+
+    /// <summary>What is to be said of the passes.</summary>
+    internal static IEnumerable<Diagnostic> Findings(PocketResult result, PocketOptions options)
+    {
+        if (result.Regions == 0) yield return PocketRules.NoInside.At(default);
+        else if (result.WithoutInside > 0) yield return PocketRules.WithoutInside.At(default, Fact(result.WithoutInside));
+        if (result.Unresolved is [var open, ..]) yield return PocketRules.NotClosed.At(default, Fact(open.X), Fact(open.Y), Fact(result.Unresolved.Count)) with { Place = open };
+        if (result.LeftStanding is [var left, ..]) yield return PocketRules.LeftStanding.At(default, Fact(result.UncoveredArea), Fact(left.X), Fact(left.Y)) with { Place = left };
+        if (result.TooNarrow is [var narrow, ..]) yield return PocketRules.TooNarrow.At(default, Fact(narrow.Place.X), Fact(narrow.Place.Y), Fact(narrow.Width), Fact(2.0 * options.ToolRadius), Fact(result.TooNarrow.Count)) with { Place = narrow.Place };
+        if (result.Unreached.MaxBy(place => place.Depth) is { } deepest) yield return PocketRules.NotReached.At(default, Fact(result.Unreached.Count), Fact(deepest.Place.X), Fact(deepest.Place.Y), Fact(deepest.Depth), Fact(result.Unreached.Sum(place => place.Area ?? 0.0))) with { Place = deepest.Place };
+    }
+
+    private static IEnumerable<Diagnostic> Findings(IReadOnlyList<PocketCut> cuts, PocketDepths depths)
+    {
+        if (depths.Entry != PocketEntry.Helix) yield break;
+        List<PocketCut> ramps = [.. cuts.Where(cut => cut.Entry == PocketEntry.Ramp)];
+        if (ramps is [var first, ..]) yield return PocketRules.NoRoomForScrew.At(default, Fact(ramps.Count), Fact(first.Stroke.Start.X), Fact(first.Stroke.Start.Y)) with { Place = first.Stroke.Start };
+    }
+
+    private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
+}

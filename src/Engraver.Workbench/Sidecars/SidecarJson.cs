@@ -1,0 +1,73 @@
+using System.Text.Json;
+using System.Text.Json.Serialization;
+
+namespace Engraver.Workbench.Sidecars;
+
+/// <summary>The file as JSON has it; docs/sidecar.md. Lengths in millimetres of the drawing.</summary>
+internal sealed class SidecarJson
+{
+    public string? Version { get; set; }
+
+    public DrawingJson? Drawing { get; set; }
+
+    public TrajectorySettingsJson? TrajectorySettings { get; set; }
+
+    public List<TrajectoryJson>? Trajectories { get; set; }
+
+    [JsonExtensionData]
+    public Dictionary<string, JsonElement>? Others { get; set; }
+}
+
+/// <param name="Fingerprint">Of the curves (millimetres, exact to 1e-6).</param>
+internal sealed record DrawingJson(string? File, string? Fingerprint);
+
+internal sealed record TrajectorySettingsJson(double? MaxError, bool? DynamicDensity, double? SegmentLength, double? PlaneZ, string? Corners, int? NextNumber);
+
+internal sealed class TrajectoryJson
+{
+    public string? Name { get; set; }
+
+    public bool Closed { get; set; }
+
+    public double Z { get; set; }
+
+    public double MaxError { get; set; }
+
+    public double? SegmentLength { get; set; }
+
+    public List<string>? Handles { get; set; }
+
+    /// <summary>For readers; computed anew from the points when the file is read.</summary>
+    public double? VerifiedBound { get; set; }
+
+    public double? Length { get; set; }
+
+    /// <summary>x, y or x, y, z: phantom, points visited, phantom.</summary>
+    public double[][]? Lines { get; set; }
+
+    public double[]? Knots { get; set; }
+
+    public SegmentJson[]? Source { get; set; }
+
+    [JsonExtensionData]
+    public Dictionary<string, JsonElement>? Others { get; set; }
+}
+
+/// <summary>One of the three.</summary>
+internal sealed class SegmentJson
+{
+    /// <summary>x, y of both ends.</summary>
+    public double[]? Line { get; set; }
+
+    /// <summary>Centre x, y, radius, start angle, signed sweep (degrees), then x, y of both ends.</summary>
+    public double[]? Arc { get; set; }
+
+    /// <summary>For each span the homogeneous control points, xw, yw, zw, w one after the other.</summary>
+    public double[][]? Ellipse { get; set; }
+
+    public double[][]? Spline { get; set; }
+}
+
+[JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull, MaxDepth = 64)]
+[JsonSerializable(typeof(SidecarJson))]
+internal sealed partial class SidecarJsonContext : JsonSerializerContext;

@@ -1,0 +1,102 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using Engraver.Core.Trajectories;
+
+namespace Engraver.Workbench.Sidecars;
+
+/// <summary>The text of a sidecar file (docs/sidecar.md): written the same every time, read with all of it or nothing.</summary>
+public static class SidecarText
+{
+    /// <summary>Another one means something else: such a file is not read.</summary>
+    public const int Major = 1;
+
+    /// <summary>A higher one only adds members, which are kept.</summary>
+    public const int Minor = 0;
+
+    /// <param name="drawing">Name of the drawing's file.</param>
+    /// <param name="fingerprint">Of its curves.</param>
+    public static string Write(Sidecar sidecar, string drawing, string fingerprint)
+    {
+        ArgumentNullException.ThrowIfNull(sidecar);
+        var settings = sidecar.Trajectories.Settings;
+        var json = new SidecarJson
+        {
+            Version = string.Create(CultureInfo.InvariantCulture, $"{Major}.{Math.Max(Minor, sidecar.Minor)}"),
+            Drawing = new DrawingJson(drawing, fingerprint),
+            TrajectorySettings = new TrajectorySettingsJson(settings.MaxErrorMm, settings.DynamicDensity, settings.SegmentLengthMm, settings.PlaneZ, CornersWord(settings.Corners), sidecar.Trajectories.NextNumber),
+            Trajectories = [.. sidecar.Trajectories.All.Select(TrajectoryEntry.ToJson)],
+            Others = new Dictionary<string, JsonElement>(sidecar.Others),
+        };
+        using var memory = new MemoryStream();
+        using (var writer = new Utf8JsonWriter(memory, new JsonWriterOptions { Indented = false, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
+        {
+            JsonSerializer.Serialize(writer, json, SidecarJsonContext.Default.SidecarJson);
+        }
+
+        return Encoding.UTF8.GetString(memory.GetBuffer(), 0, (int)memory.Length) + "\n";
+    }
+
+    /// <summary>Reads all of it.</summary>
+    /// <exception cref="SidecarVersionException">It has another version.</exception>
+    /// <exception cref="JsonException">It is damaged: the message says where.</exception>
+    public static (Sidecar Sidecar, string? Fingerprint) Read(string text)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        var minor = MinorOf(text);
+        var json = JsonSerializer.Deserialize(text, SidecarJsonContext.Default.SidecarJson)!;
+        List<DocumentTrajectory> all = [.. (json.Trajectories ?? []).Select((one, index) => TrajectoryEntry.FromJson(one ?? throw Wrong($"trajectories[{index}]"), $"trajectories[{index}]"))];
+        if (all.GroupBy(one => one.Name, StringComparer.OrdinalIgnoreCase).FirstOrDefault(same => same.Count() > 1) is { } twice) throw Wrong(Wording.Get("Sidecar.NameTwice", twice.Key));
+        var list = new TrajectoryList { All = all, Settings = SettingsOf(json.TrajectorySettings), NextNumber = json.TrajectorySettings?.NextNumber ?? all.Count };
+        if (list.NextNumber < 0) throw Wrong("trajectorySettings.nextNumber");
+        return (new Sidecar { Trajectories = list, Others = [.. json.Others ?? []], Minor = minor }, json.Drawing?.Fingerprint);
+    }
+
+    internal static JsonException Wrong(string what) => new(Wording.Get("Sidecar.Wrong", what));
+
+    private static TrajectorySettings SettingsOf(TrajectorySettingsJson? json)
+    {
+        if (json is null) return new TrajectorySettings();
+        var standard = new TrajectorySettings();
+        var settings = new TrajectorySettings
+        {
+            MaxErrorMm = json.MaxError ?? standard.MaxErrorMm,
+            DynamicDensity = json.DynamicDensity ?? standard.DynamicDensity,
+            SegmentLengthMm = json.SegmentLength ?? standard.SegmentLengthMm,
+            PlaneZ = json.PlaneZ ?? standard.PlaneZ,
+            Corners = json.Corners switch { null or "stop" => CornerMode.Stop, "continuous" => CornerMode.Continuous, _ => throw Wrong("trajectorySettings.corners") },
+        };
+        return settings is { MaxErrorMm: > 0.0, SegmentLengthMm: > 0.0 } ? settings : throw Wrong("trajectorySettings");
+    }
+
+    private static int MinorOf(string text)
+    {
+        using var json = JsonDocument.Parse(text);
+        if (json.RootElement.ValueKind != JsonValueKind.Object || !json.RootElement.TryGetProperty("version", out var version) || version.ValueKind != JsonValueKind.String) throw Wrong("version");
+        var parts = version.GetString()!.Split('.');
+        if (parts.Length != 2 || !int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out var major) || !int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out var minor)) throw Wrong("version");
+        return major == Major ? minor : throw new SidecarVersionException(version.GetString()!);
+    }
+
+    private static string CornersWord(CornerMode corners) => corners == CornerMode.Stop ? "stop" : "continuous";
+}
+
+/// <summary>The file is of a version whose meaning this program does not know.</summary>
+public sealed class SidecarVersionException : Exception
+{
+    public SidecarVersionException()
+    {
+    }
+
+    /// <param name="message">The version.</param>
+    public SidecarVersionException(string message)
+        : base(message)
+    {
+    }
+
+    public SidecarVersionException(string message, Exception inner)
+        : base(message, inner)
+    {
+    }
+}

@@ -1,0 +1,90 @@
+using System.Text.Json;
+using Engraver.Core.Geometry;
+using Engraver.Core.Trajectories;
+
+namespace Engraver.Workbench.Sidecars;
+
+/// <summary>A trajectory as an entry of the file. Its bound is proven anew when it is read.</summary>
+internal static class TrajectoryEntry
+{
+    public static TrajectoryJson ToJson(DocumentTrajectory one)
+    {
+        var curve = one.Curve;
+        return new TrajectoryJson
+        {
+            Name = one.Name,
+            Closed = curve.Closed,
+            Z = curve.Z,
+            MaxError = one.MaxErrorMm,
+            SegmentLength = one.SegmentLengthMm,
+            Handles = [.. one.Handles],
+            VerifiedBound = curve.VerifiedBound,
+            Length = curve.Length,
+            Lines = [.. curve.Lines.Select((place, i) => curve.Heights is { } heights ? new[] { place.X, place.Y, heights[i] } : [place.X, place.Y])],
+            Knots = [.. curve.Knots],
+            Source = [.. curve.Source.Select(ToJson)],
+            Others = new Dictionary<string, JsonElement>(one.Others),
+        };
+    }
+
+    /// <exception cref="JsonException">It is incomplete or contradicts itself.</exception>
+    public static DocumentTrajectory FromJson(TrajectoryJson json, string where)
+    {
+        if (json.Name is null || !DocumentTrajectory.IsName(json.Name)) throw SidecarText.Wrong(where + ".name");
+        if (!(json.MaxError > 0.0) || json.SegmentLength is <= 0.0) throw SidecarText.Wrong(where + ".maxError");
+        var rows = json.Lines ?? throw SidecarText.Wrong(where + ".lines");
+        var inSpace = rows.Length > 0 && rows[0] is { Length: 3 };
+        if (rows.Any(row => row is null || row.Length != (inSpace ? 3 : 2))) throw SidecarText.Wrong(where + ".lines");
+        Segment[] source = [.. (json.Source ?? throw SidecarText.Wrong(where + ".source")).Select((segment, i) => FromJson(segment, $"{where}.source[{i}]"))];
+        var curve = TrajectoryProof.Prove([.. rows.Select(row => new Point2D(row[0], row[1]))], json.Knots ?? [], source, json.Closed, inSpace ? [.. rows.Select(row => row[2])] : null);
+        if (curve is null) throw SidecarText.Wrong(where + ".knots");
+        return new DocumentTrajectory(json.Name, inSpace ? curve : curve with { Z = json.Z }, json.MaxError)
+        {
+            SegmentLengthMm = json.SegmentLength,
+            Handles = json.Handles ?? [],
+            Others = [.. json.Others ?? []],
+        };
+    }
+
+    private static SegmentJson ToJson(Segment segment)
+    {
+        if (segment.IsFreeCurve)
+        {
+            double[][] spans = [.. segment.Curve.Spans.ToArray().Select(span => span.Homogeneous.ToArray())];
+            return segment.Kind == SegmentKind.Ellipse ? new SegmentJson { Ellipse = spans } : new SegmentJson { Spline = spans };
+        }
+
+        if (segment.Kind == SegmentKind.Line) return new SegmentJson { Line = [segment.Start.X, segment.Start.Y, segment.End.X, segment.End.Y] };
+        var arc = segment.Arc;
+        return new SegmentJson { Arc = [arc.Centre.X, arc.Centre.Y, arc.Radius, arc.Start.Degrees, arc.Sweep.Degrees, segment.Start.X, segment.Start.Y, segment.End.X, segment.End.Y] };
+    }
+
+    private static Segment FromJson(SegmentJson? json, string where) => json switch
+    {
+        { Line: [var x1, var y1, var x2, var y2] } => Segment.FromLine(new Point2D(x1, y1), new Point2D(x2, y2)),
+        { Arc: [var x, var y, > 0.0 and var radius, var start, (not 0.0) and (>= -360.0 and <= 360.0) and var sweep, var x1, var y1, var x2, var y2] } =>
+            ArcOf(new ArcSegment(new Point2D(x, y), radius, Angle.FromDegrees(start), Angle.FromDegrees(sweep)), new Point2D(x1, y1), new Point2D(x2, y2), where),
+        { Ellipse: { Length: > 0 } spans } => CurveOf(SegmentKind.Ellipse, spans, where),
+        { Spline: { Length: > 0 } spans } => CurveOf(SegmentKind.Spline, spans, where),
+        _ => throw SidecarText.Wrong(where),
+    };
+
+    /// <summary>Ends that are not those of the arc would make the bound worthless.</summary>
+    private static Segment ArcOf(ArcSegment arc, Point2D start, Point2D end, string where)
+    {
+        var near = 1e-9 * (1.0 + arc.Radius + Math.Abs(arc.Centre.X) + Math.Abs(arc.Centre.Y));
+        return arc.StartPoint.IsNear(start, near) && arc.EndPoint.IsNear(end, near) ? Segment.FromArc(arc, start, end) : throw SidecarText.Wrong(where);
+    }
+
+    private static Segment CurveOf(SegmentKind kind, double[][] spans, string where)
+    {
+        const int HighestDegree = 24;
+        foreach (var span in spans)
+        {
+            if (span is null || span.Length % BezierSpan.Stride != 0 || span.Length / BezierSpan.Stride is < 2 or > HighestDegree + 1) throw SidecarText.Wrong(where);
+            for (var i = BezierSpan.Stride - 1; i < span.Length; i += BezierSpan.Stride) if (!(span[i] > 0.0)) throw SidecarText.Wrong(where);
+        }
+
+        return Segment.FromCurve(new RationalCurve(kind, [.. spans.Select(span => new BezierSpan(span))]));
+    }
+}

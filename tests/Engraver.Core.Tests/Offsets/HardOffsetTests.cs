@@ -1,0 +1,153 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Offsets;
+
+namespace Engraver.Core.Tests.Offsets;
+
+/// <summary>Every one of <see cref="HardContours"/> in and out, reversed, from every start, with every join, in other sizes and places.</summary>
+public class HardOffsetTests
+{
+    public static TheoryData<int> Closed => [.. Enumerable.Range(0, HardContours.Closed.Count)];
+
+    public static TheoryData<int> Open => [.. Enumerable.Range(0, HardContours.Open.Count)];
+
+    [Theory]
+    [MemberData(nameof(Closed))]
+    public void What_is_enclosed_is_what_should_be(int number) => ForEach(number, (contours, distance, side) => new OffsetWitness(contours).FaultOfRegion(Offset(contours, distance, side), distance, side == OffsetSide.In, 40));
+
+    [Theory]
+    [MemberData(nameof(Closed))]
+    public void Neither_direction_nor_start_matters(int number) => ForEach(number, (contours, distance, side) =>
+    {
+        var expected = Summary(Offset(contours, distance, side));
+        var reversed = Summary(Offset([.. contours.Select(OffsetShapes.Reversed)], distance, side));
+        if (reversed != expected) return $"{expected}, reversed {reversed}";
+        for (var start = 1; start < contours[0].Segments.Count; start++)
+        {
+            var other = Summary(Offset([OffsetShapes.StartingAt(contours[0], start), .. contours[1..]], distance, side));
+            if (other != expected) return $"{expected}, from {start} {other}";
+        }
+
+        return null;
+    });
+
+    [Theory]
+    [MemberData(nameof(Closed))]
+    public void Mitres_and_bevels_close_and_keep_their_distance_beside_what_was_drawn(int number) => ForEach(number, (contours, distance, side) =>
+    {
+        foreach (var join in new[] { OffsetJoin.Mitre, OffsetJoin.Bevel })
+        {
+            var result = ContourOffset.Offset(contours, distance, side, new OffsetOptions { Join = join });
+            if (result.Unresolved.Count > 0 || result.Loops.Any(IsOpen)) return $"{join} is open";
+            if (result.MaxDeviation > 2e-7) return $"{join} deviates by {result.MaxDeviation}"; // of arcs that are nearly lines, with radii of kilometres
+        }
+
+        return null;
+    });
+
+    /// <summary>A metre, a micrometre, a kilometre from the origin: the same loops.</summary>
+    [Theory]
+    [InlineData(1.0, 1e6)]
+    [InlineData(1e-3, 0.0)]
+    [InlineData(1e3, 0.0)]
+    [InlineData(1.0, -12345.678)]
+    public void Neither_size_nor_place_matters(double scale, double at)
+    {
+        for (var number = 0; number < HardContours.Closed.Count; number++)
+        {
+            ForEach(number, (contours, distance, side) =>
+            {
+                var (expected, moved) = (Offset(contours, distance, side), Offset([.. contours.Select(contour => HardContours.Placed(contour, scale, at))], distance * scale, side));
+                if (moved.Unresolved.Count > 0 || moved.Loops.Any(IsOpen)) return "open";
+                var (area, expectedArea) = (moved.Loops.Sum(loop => loop.SignedArea) / scale / scale, expected.Loops.Sum(loop => loop.SignedArea));
+                return Math.Abs(area - expectedArea) > 1e-6 * (1.0 + Math.Abs(expectedArea)) ? $"{expectedArea} became {area}" : null;
+            });
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Open))]
+    public void Both_sides_of_what_is_open_are_there_and_at_the_distance(int number)
+    {
+        var (name, contour, distances) = HardContours.Open[number];
+        foreach (var distance in distances)
+        {
+            foreach (var side in new[] { OffsetSide.Left, OffsetSide.Right })
+            {
+                var (result, witness) = (Offset([contour], distance, side), new OffsetWitness([contour]));
+                var fault = witness.FaultOfLoops(result, distance) ?? witness.Missing(result, distance, side == OffsetSide.Left);
+                Assert.True(fault is null, FormattableString.Invariant($"{name}, {distance:R} {side}: {fault}"));
+            }
+        }
+    }
+
+    /// <summary>Thinner than its arcs can follow, it is a line there and back: a slot goes round it, and nothing lies inside.</summary>
+    [Theory]
+    [InlineData(1e-5)]
+    [InlineData(1e-7)]
+    [InlineData(1e-9)]
+    [InlineData(1e-12)]
+    public void A_flat_ellipse_is_a_line(double ratio)
+    {
+        var ellipse = new EllipseArc(default, new Vector3D(10.0, 0.0, 0.0), new Vector3D(0.0, 10.0 * ratio, 0.0), Angle.Zero, Angle.FullTurn).ToCurve();
+        foreach (var (contour, outside, inside) in new[] { (new OffsetContour([Segment.FromCurve(ellipse)], true), OffsetSide.Right, OffsetSide.Left), (new OffsetContour([Segment.FromCurve(ellipse.Reversed())], true), OffsetSide.Left, OffsetSide.Right) })
+        {
+            Assert.Empty(Offset([contour], 1.0, OffsetSide.In).Loops);
+            Assert.Empty(Offset([contour], 1.0, inside).Loops);
+            Assert.Equal(40.0 + Math.PI, Assert.Single(Offset([contour], 1.0, OffsetSide.Out).Loops).SignedArea, 6);
+            Assert.Equal(40.0 + Math.PI, Math.Abs(Assert.Single(Offset([contour], 1.0, outside).Loops).SignedArea), 6);
+        }
+    }
+
+    /// <summary>What CAD programs write for straight sides: radii from kilometres to many times the size of the solar system.</summary>
+    [Theory]
+    [InlineData(1e-7)]
+    [InlineData(2e-8)]
+    [InlineData(1e-10)]
+    [InlineData(-1e-13)]
+    public void Bulges_that_are_noise_change_nothing(double bulge)
+    {
+        foreach (var size in new[] { 1.0, 10.0, 300.0 })
+        {
+            var square = OffsetShapes.Chain(true, (0, 0, bulge), (size, 0, -bulge), (size, size, bulge / 2.0), (0, size, 0.0));
+
+            Assert.Equal(0.64, Assert.Single(Offset([square], size / 10.0, OffsetSide.In).Loops).SignedArea / size / size, 6);
+            Assert.Equal(1.4 + (0.01 * Math.PI), Assert.Single(Offset([square], size / 10.0, OffsetSide.Out).Loops).SignedArea / size / size, 6);
+        }
+    }
+
+    [Fact]
+    public void Each_segment_of_an_offset_knows_what_it_is_the_offset_of()
+    {
+        OffsetContour[] contours = [OffsetShapes.Rectangle(0, 0, 10, 4), OffsetShapes.Circle(5, 2, 1)];
+        var loops = Offset(contours, 0.5, OffsetSide.Out).Loops;
+
+        foreach (var loop in loops)
+        {
+            for (var i = 0; i < loop.Segments.Count; i++)
+            {
+                var (source, place) = (loop.Sources[i], loop.Segments[i].PointAt(0.5));
+                Assert.Equal(0.5, Math.Abs(new OffsetWitness([contours[source.Contour] with { Segments = [contours[source.Contour].Segments[source.Segment]] }]).Distance(place.X, place.Y)), 9);
+                Assert.Equal(source.Contour == 0 && loop.Segments[i].Kind != SegmentKind.Line, source.IsJoin);
+            }
+        }
+    }
+
+    private static void ForEach(int number, Func<OffsetContour[], double, OffsetSide, string?> faultOf)
+    {
+        var (name, contours, distances) = HardContours.Closed[number];
+        foreach (var distance in distances)
+        {
+            foreach (var side in new[] { OffsetSide.In, OffsetSide.Out })
+            {
+                var fault = faultOf(contours, distance, side);
+                Assert.True(fault is null, FormattableString.Invariant($"{name}, {distance:R} {side}: {fault}"));
+            }
+        }
+    }
+
+    private static OffsetResult Offset(OffsetContour[] contours, double distance, OffsetSide side) => ContourOffset.Offset(contours, distance, side, OffsetOptions.Default);
+
+    private static bool IsOpen(OffsetLoop loop) => !loop.Closed || loop.Segments[^1].End != loop.Segments[0].Start;
+
+    private static string Summary(OffsetResult result) => FormattableString.Invariant($"{result.Loops.Count} loops, area {result.Loops.Sum(loop => loop.SignedArea):0.######}, length {result.Loops.Sum(loop => loop.Length):0.####}");
+}

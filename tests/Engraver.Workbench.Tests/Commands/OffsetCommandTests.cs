@@ -1,0 +1,108 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands;
+
+namespace Engraver.Workbench.Tests.Commands;
+
+/// <summary>OFFSET on a line (A1, from 0,0 to 10,0), an arc (A2), a circle (A3, 20,5, radius 3) and a square (A4, 30,0, side 8).</summary>
+public class OffsetCommandTests
+{
+    [Fact]
+    public async Task A_line_goes_to_the_side_that_is_pointed_at()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("OFFSET", "2", "5,0", "3,7", "5,0", "3,-7", "");
+        var drawing = talk.State.Drawing!;
+
+        Assert.Equal(6, drawing.Entities.Count);
+        Assert.Equal(("0,2", "10,2"), Ends(drawing, 4));
+        Assert.Equal(("0,-2", "10,-2"), Ends(drawing, 5));
+        Assert.Equal(CurveType.Line, drawing.Entities[4].Type);
+    }
+
+    [Fact]
+    public async Task A_circle_and_a_square_go_out_and_in()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("O", "1", "20,8", "20,5", "20,8", "20,20", "34,0", "34,-5", "34,0", "34,4", "");
+        var drawing = talk.State.Drawing!;
+
+        Assert.Equal([2.0, 4.0], new[] { 4, 5 }.Select(index => drawing.Parts[drawing.Entities[index].FirstPart].D));
+        Assert.Equal([(CurveType.LwPolyline, true, 8), (CurveType.LwPolyline, true, 4)], new[] { 6, 7 }.Select(index => (drawing.Entities[index].Type, drawing.Entities[index].Closed, drawing.Entities[index].PartCount)));
+    }
+
+    [Fact]
+    public async Task Through_a_point()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("OFFSET", "T", "5,0", "3,1.25", "");
+
+        Assert.Equal(("0,1.25", "10,1.25"), Ends(talk.State.Drawing!, 4));
+    }
+
+    [Fact]
+    public async Task The_distance_is_shown_by_two_points_and_kept()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("OFFSET", "0,0", "3,4", "5,0", "5,9", "", "OFFSET", "", "5,0", "5,-9", "");
+
+        Assert.Equal([("0,5", "10,5"), ("0,-5", "10,-5")], new[] { Ends(talk.State.Drawing!, 4), Ends(talk.State.Drawing!, 5) });
+    }
+
+    [Fact]
+    public async Task The_source_is_erased_and_another_layer_taken_when_asked_for()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        var layer = talk.State.Drawing!.Layers[^1].Name;
+        await talk.TypeAsync("OFFSET", "E", "Y", "L", layer, "2", "5,0", "3,7", "");
+        var drawing = talk.State.Drawing!;
+
+        Assert.Equal((4, ("0,2", "10,2")), (drawing.Entities.Count, Ends(drawing, 3)));
+        Assert.Equal(drawing.Layers.Count - 1, drawing.Entities[3].Layer);
+        Assert.IsType<InputResult.Failed>(await talk.TypeAsync("OFFSET", "L", "nowhere"));
+    }
+
+    [Fact]
+    public async Task Every_offset_undoes_inside_and_after_the_command()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("OFFSET", "2", "5,0", "3,7", "5,0", "3,-7", "U");
+        Assert.Equal(5, talk.State.Drawing!.Entities.Count);
+        await talk.TypeAsync("U", "U", "", "U");
+
+        Assert.Contains("nothing yet", talk.Said, StringComparison.Ordinal);
+        Assert.Equal(4, talk.State.Drawing!.Entities.Count);
+    }
+
+    [Fact]
+    public async Task What_is_left_of_nothing_and_a_place_on_nothing_are_told()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("OFFSET", "3", "20,8", "20,5", "100,100", "");
+
+        Assert.Contains("Nothing is left", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("There is no object here", talk.Said, StringComparison.Ordinal);
+        Assert.Equal(4, talk.State.Drawing!.Entities.Count);
+    }
+
+    /// <summary>Before the click the prompt gives what the click will give.</summary>
+    [Fact]
+    public async Task The_ghost_is_what_will_be_drawn()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("OFFSET", "2", "5,0");
+        var ghost = talk.Session.Prompt.Aim!.Ghost!;
+
+        Assert.Equal([Segment.FromLine(new Point2D(0, 2), new Point2D(10, 2))], ghost(new Point2D(3, 7)));
+        Assert.Equal(-2.0, Assert.Single(ghost(new Point2D(3, -7))).Start.Y);
+        Assert.Equal(4, talk.State.Drawing!.Entities.Count);
+    }
+
+    private static (string Start, string End) Ends(Drawing drawing, int entity)
+    {
+        var segment = drawing.SegmentOf(drawing.Parts[drawing.Entities[entity].FirstPart]);
+        var (a, b) = (PointPrompt.Show(segment.Start), PointPrompt.Show(segment.End));
+        return segment.Start.X <= segment.End.X ? (a, b) : (b, a);
+    }
+}

@@ -1,0 +1,50 @@
+using Engraver.Simulator;
+
+namespace Engraver.Workbench.Tests.Machines.Faults;
+
+/// <summary>What the record says of the tool.</summary>
+internal static class CutRecord
+{
+    /// <summary>No axis moves so many counts in a sample: the controller counts the place where it stands otherwise now.</summary>
+    private const int Jump = 60;
+
+    /// <summary>The record from a row on, in counts of the machine as it was switched on first.</summary>
+    /// <param name="isFollowed">Whether the controller's counts are followed through its power cycles; otherwise they are taken as they are.</param>
+    public static List<MotionSample> Placed(IReadOnlyList<MotionSample> record, int from, bool isFollowed)
+    {
+        var placed = new List<MotionSample>(Math.Max(0, record.Count - from));
+        var (a, b, c) = (0, 0, 0);
+        for (var i = 0; i < record.Count; i++)
+        {
+            var at = record[i];
+            if (isFollowed && i > 0 && record[i - 1] is var before && (Math.Abs(at.A - before.A) > Jump || Math.Abs(at.B - before.B) > Jump || Math.Abs(at.C - before.C) > Jump)) (a, b, c) = (a + before.A - at.A, b + before.B - at.B, c + before.C - at.C);
+            if (i >= from) placed.Add(at with { A = at.A + a, B = at.B + b, C = at.C + c });
+        }
+
+        return placed;
+    }
+
+    /// <summary>Length of the way in plan on which the tool was at work, counts.</summary>
+    public static double Length(IReadOnlyList<MotionSample> samples, Func<MotionSample, bool> isAtWork)
+    {
+        var length = 0.0;
+        for (var i = 1; i < samples.Count; i++)
+        {
+            if (isAtWork(samples[i]) && isAtWork(samples[i - 1])) length += double.Hypot(samples[i].A - samples[i - 1].A, samples[i].B - samples[i - 1].B);
+        }
+
+        return length;
+    }
+
+    /// <summary>The longest time for which the tool was at work while nothing moved, samples.</summary>
+    public static long LongestBurn(IReadOnlyList<MotionSample> samples, Func<MotionSample, bool> isAtWork)
+    {
+        var longest = 0L;
+        for (var i = 1; i < samples.Count; i++)
+        {
+            if (isAtWork(samples[i - 1])) longest = Math.Max(longest, samples[i].Sample - samples[i - 1].Sample);
+        }
+
+        return longest;
+    }
+}

@@ -1,0 +1,46 @@
+using Engraver.Core.Machines;
+using Engraver.Simulator;
+using Engraver.Workbench.Machines;
+
+namespace Engraver.Workbench.Tests.Machines.Faults;
+
+/// <summary>What an operator must be told of a fault: how the activity says that it ended, and what the machine's status shows when everything rests.</summary>
+internal static class FaultStory
+{
+    /// <summary>Why the sentence of an activity does not tell what happened to it; empty when it does.</summary>
+    public static string WhyNot(FaultCase one, FaultyRun run) =>
+        run.Result is { Outcome: JobOutcome.Complete } or { Outcome: JobOutcome.Stopped } || WordsFor(one.Fault.Kind).Any(word => run.Sentence.Contains(word, StringComparison.OrdinalIgnoreCase))
+            ? ""
+            : $"its sentence does not tell of {one.Fault.Kind}";
+
+    /// <summary>The state by the controller's own account and by how the activity ended, with words that its reason holds; in the order in which one hides the next.</summary>
+    public static (MachineState State, IReadOnlyList<string> Words) StateOf(FaultCase one, FaultyRun run, MachineTruth truth, MachineStatus status) => truth switch
+    {
+        { Abort: true } => (MachineState.EmergencyStopOpen, ["abort input"]),
+        { Limits.Length: > 0 } => (MachineState.Fault, ["limit", .. truth.Limits.Select(letter => $"axis {letter}")]),
+        { OffByError.Length: > 0 } => (MachineState.Fault, ["position error", truth.OffByError]),
+        { Off.Length: > 0 } => (MachineState.MotorsOff, [truth.Off]),
+        _ when status.IsHomed == false => (MachineState.NotHomed, []),
+        _ when one.IsRun && run.Result is { FrameOrigin: not null, Outcome: var outcome } => outcome switch
+        {
+            JobOutcome.Complete => (MachineState.Complete, []),
+            JobOutcome.Deviated => (MachineState.Deviated, []),
+            JobOutcome.LinkLost => (MachineState.Stopped, ["link"]),
+            JobOutcome.Stopped => (MachineState.Stopped, ["operator"]),
+            _ => (MachineState.Stopped, ["refused"]),
+        },
+        _ when status.OriginMissing.Length > 0 => (MachineState.NoOrigin, []),
+        _ => (MachineState.Ready, []),
+    };
+
+    private static string[] WordsFor(FaultKind kind) => kind switch
+    {
+        FaultKind.LimitSwitch => ["limit switch"],
+        FaultKind.AbortInput => ["abort input"],
+        FaultKind.MotorOff => ["motor", "switched off because of the position error"],
+        FaultKind.Jam => ["position error", "could not follow", "what holds it"],
+        FaultKind.Reset or FaultKind.PowerCycle => ["closed the connection", "link", "switched off or reset"],
+        FaultKind.Delay or FaultKind.DropCommand or FaultKind.DropReply => ["did not answer", "link is slow", "heard nothing"],
+        _ => ["answered", "did not answer"],
+    };
+}
