@@ -10,6 +10,7 @@ namespace Engraver.Cli.Output;
 [JsonSerializable(typeof(SequenceJson))]
 [JsonSerializable(typeof(PlanJson))]
 [JsonSerializable(typeof(OffsetJson))]
+[JsonSerializable(typeof(PostJson))]
 [JsonSerializable(typeof(RunJson))]
 [JsonSerializable(typeof(TrajectoryJson))]
 [JsonSerializable(typeof(VerifyJson))]
