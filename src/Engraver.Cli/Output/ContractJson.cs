@@ -11,6 +11,7 @@ namespace Engraver.Cli.Output;
 [JsonSerializable(typeof(PlanJson))]
 [JsonSerializable(typeof(OffsetJson))]
 [JsonSerializable(typeof(PocketJson))]
+[JsonSerializable(typeof(PostJson))]
 [JsonSerializable(typeof(RunJson))]
 [JsonSerializable(typeof(TrajectoryJson))]
 [JsonSerializable(typeof(VerifyJson))]

@@ -6,7 +6,8 @@ namespace Engraver.Cli.Output;
 /// <param name="PeakSpeed">While cutting, mm/s along the path.</param>
 /// <param name="PeakAxisAcceleration">While cutting, mm/s2 of one axis.</param>
 /// <param name="NotCut">What is seen on the layers that are cut and gives no cut, by DXF type.</param>
-/// <param name="Cost">No machine profile knows a price yet: always null.</param>
+/// <param name="Cost">By the rates that were given; null without any.</param>
+/// <param name="CostParts">What it is for; null as the cost.</param>
 internal sealed record PlanJson(
     PlanJson.PlanSecondsJson? Seconds,
     double CutLength,
@@ -14,7 +15,10 @@ internal sealed record PlanJson(
     double? PeakSpeed,
     double? PeakAxisAcceleration,
     double? Cost,
-    IReadOnlyDictionary<string, int> NotCut)
+    IReadOnlyDictionary<string, int> NotCut,
+    PlanJson.PlanCostJson? CostParts)
 {
     internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell);
+
+    internal sealed record PlanCostJson(double Time, double Length, double Starts);
 }

@@ -10,12 +10,14 @@ internal static class PlanReport
 {
     /// <param name="program">Of the job, made fit for the link; null when there is nothing this machine can cut.</param>
     /// <param name="times">Of the program, over the link.</param>
-    public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times)
+    /// <param name="rates">Null: nobody asks what it costs.</param>
+    public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times, JobRates? rates)
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);
-        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts);
+        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null);
         var peaks = MotionPeaks.From(program);
-        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, null, job.NotCut.Counts);
+        var cost = rates?.CostOf(times.Total, length, job.Sequence.Strokes.Count);
+        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts));
     }
 
     public static void Text(TextWriter output, PlanJson plan)
@@ -24,6 +26,7 @@ internal static class PlanReport
         if (plan.Seconds is not { } seconds) return;
         output.WriteLine(Wording.Get("PlanReport.CuttingRapidStanding", seconds.Total, seconds.Cutting, seconds.Rapid, seconds.Dwell));
         output.WriteLine(Wording.Get("PlanReport.MostMmAlongPath", plan.PeakSpeed, plan.PeakAxisAcceleration));
+        if (plan is { Cost: { } cost, CostParts: { } parts }) output.WriteLine(Wording.Get("PlanReport.Cost", cost, parts.Time, parts.Length, parts.Starts));
     }
 
     private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

@@ -1,8 +1,10 @@
 using System.CommandLine;
+using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Motion;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Cli.Verbs;
@@ -16,16 +18,17 @@ internal static class PlanVerb
         var json = JsonOption.New();
         var connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
         var mode = ModeOption.New();
+        var rate = new Option<JobRates?>("--rate") { HelpName = "HOUR[,METRE[,START]]", Description = Wording.Get("Plan.Rate"), CustomParser = Rates };
         var command = new Command("plan", Wording.Get("Plan.SaysHowLongJob"));
         drawing.AddTo(command);
-        foreach (var option in (Option[])[json, connect, mode]) command.Options.Add(option);
+        foreach (var option in (Option[])[json, connect, mode, rate]) command.Options.Add(option);
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
             var strategy = ModeOption.Mode(parsed.GetValue(mode));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var job = JobPreparation.Prepare(read, settings, JobPlan.StyleOf(strategy));
-            var (plan, findings) = Planned(job, parsed.GetValue(connect), strategy);
+            var (plan, findings) = Planned(job, parsed.GetValue(connect), strategy, parsed.GetValue(rate));
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);
             else PlanReport.Text(host.Out, plan);
             return Task.FromResult(host.Report(parsed, read.FileName, [.. job.Diagnostics, .. findings]));
@@ -33,10 +36,18 @@ internal static class PlanVerb
         return command;
     }
 
-    private static (PlanJson Plan, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, JobMode mode)
+    private static (PlanJson Plan, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, JobMode mode, JobRates? rates)
     {
-        if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default), []);
+        if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default, null), []);
         var fit = JobPlan.FitToLink(program, address, mode, job.Drawing);
-        return (PlanReport.Json(job, fit.Program, JobPlan.PlannedTimes(fit.Program, address, mode)), fit.Diagnostics);
+        return (PlanReport.Json(job, fit.Program, JobPlan.PlannedTimes(fit.Program, address, mode), rates), fit.Diagnostics);
+    }
+
+    private static JobRates? Rates(ArgumentResult result)
+    {
+        var word = result.Tokens[0].Value;
+        if (JobRates.Parse(word) is { } rates) return rates;
+        result.AddError(Wording.Get("Plan.NoRates", word));
+        return null;
     }
 }

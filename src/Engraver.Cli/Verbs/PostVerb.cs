@@ -1,10 +1,12 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
+using Engraver.Cli.Output;
 using Engraver.Core.Languages;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Verbs;
 
@@ -17,11 +19,13 @@ internal static class PostVerb
         var target = new Option<string>("--target") { Required = true, Description = string.Join("; ", PostTable.All.Select(entry => $"{TextCatalogue.Fact(entry.Post.Name)}: {entry.Post.Summary}")) + "." };
         target.AcceptOnlyFromAmong([.. PostTable.All.Select(entry => entry.Post.Name)]);
         var output = new Option<string?>("-o", "--output") { HelpName = "OUT", Description = Wording.Get("Verbs.FileWriteDefaultStandard") };
+        var json = JsonOption.New();
         var choices = PostTable.Options.Select(Choice).ToList();
         var command = new Command("post", Wording.Get("Post.WritesJobProgramController"));
         drawing.AddTo(command);
         command.Options.Add(target);
         command.Options.Add(output);
+        command.Options.Add(json);
         foreach (var choice in choices) command.Options.Add(choice);
         command.Validators.Add(result => CheckChoices(result, target, choices));
         command.SetAction((parsed, stop) =>
@@ -30,10 +34,18 @@ internal static class PostVerb
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var chosen = choices.Where(choice => parsed.GetValue(choice) is not null).ToDictionary(NameOf, choice => parsed.GetValue(choice)!);
             var posted = PostedProgram.Create(read, settings, PostTable.Find(parsed.GetRequiredValue(target)).Post, chosen);
-            if (posted.Text is { } text) host.Write(parsed.GetValue(output), writer => writer.Write(text));
+            Write(host, parsed, posted, PostTable.Find(parsed.GetRequiredValue(target)).Post.Name, parsed.GetValue(output), parsed.GetValue(json));
             return Task.FromResult(host.Report(parsed, read.FileName, posted.Diagnostics));
         });
         return command;
+    }
+
+    /// <summary>The text to its file or to standard output, and what is foretold of the machine to standard output where the text does not stand there.</summary>
+    private static void Write(VerbHost host, ParseResult parsed, PostedProgram posted, string target, string? file, bool asJson)
+    {
+        if (posted.Text is { } text && (file is not null || !asJson)) host.Write(file, writer => writer.Write(text));
+        if (asJson) ContractJson.Write(host.Out, PostJson.From(target, file, posted), ContractJson.Default.PostJson);
+        else if (file is not null && posted.Forecast is { } forecast && !host.Quiet(parsed)) ForecastText.Write(host.Out, forecast);
     }
 
     private static Option<string?> Choice(PostOption option)

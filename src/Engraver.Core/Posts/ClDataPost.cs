@@ -11,6 +11,8 @@ public sealed class ClDataPost : IPost
 
     public string Ending => ".dxf";
 
+    public PostGeometry Geometry => PostGeometry.Curves;
+
     public MotionStyle? Motion => null;
 
     public IReadOnlyList<PostOption> Options => [];

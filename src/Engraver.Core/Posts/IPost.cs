@@ -16,6 +16,9 @@ public interface IPost
     /// <summary>How the names of such files end, with the point.</summary>
     string Ending { get; }
 
+    /// <summary>What it is written from.</summary>
+    PostGeometry Geometry { get; }
+
     /// <summary>The style of the motion program that it is written from; null when it is written from the path in millimetres, whatever the machine.</summary>
     MotionStyle? Motion { get; }
 
@@ -23,6 +26,19 @@ public interface IPost
     IReadOnlyList<PostOption> Options { get; }
 
     PostText Write(PostRequest request);
+}
+
+/// <summary>What a post is written from.</summary>
+public enum PostGeometry
+{
+    /// <summary>A motion program in counts, made for the machine of the profile.</summary>
+    Program,
+
+    /// <summary>Curves as they were drawn, millimetres: an ellipse is an ellipse.</summary>
+    Curves,
+
+    /// <summary>Lines, arcs and circles, millimetres; those of an ellipse or spline within the curve tolerance.</summary>
+    LinesAndArcs,
 }
 
 /// <summary>One thing that a post lets its user choose.</summary>
@@ -35,7 +51,7 @@ public interface IPost
 public sealed record PostOption(string Name, string Argument, string Summary, string Default, string Form, Func<string, bool> Takes);
 
 /// <summary>A job that is to be written.</summary>
-/// <param name="Path">Ordered strokes, millimetres of the drawing: lines and arcs for a post that asks for a program, curves as they were drawn for one that asks for none.</param>
+/// <param name="Path">Ordered strokes, millimetres of the drawing: curves as they were drawn for a post that asks for them, otherwise lines and arcs.</param>
 /// <param name="Program">In the style that the post asks for; null for a post that asks for none.</param>
 /// <param name="SourceOf">Where a drawing entity stands in its file, for diagnostics; null for nowhere.</param>
 /// <param name="Options">By name, each one that its option takes; those left out have their default.</param>
@@ -50,7 +66,7 @@ public sealed record PostRequest(Toolpath Path, MotionProgram? Program, Func<int
 }
 
 /// <summary>A job as text: one or more parts that are loaded and run one after the other without moving the machine in between.</summary>
-/// <param name="Chunks">Each ends with a line end (LF).</param>
+/// <param name="Chunks">Each ends with a line end (LF); none when the job cannot be written, and the diagnostics say why.</param>
 /// <param name="Diagnostics">What had to be done otherwise than asked.</param>
 public sealed record PostText(IReadOnlyList<string> Chunks, IReadOnlyList<Diagnostic> Diagnostics)
 {
@@ -58,4 +74,7 @@ public sealed record PostText(IReadOnlyList<string> Chunks, IReadOnlyList<Diagno
 
     /// <summary>The line of the whole text, from 1, that commands each segment of the motion program; empty where nobody asks for it.</summary>
     public IReadOnlyList<int> SegmentLines { get; init; } = [];
+
+    /// <summary>Where the machine will be after each block; null for a form that loses nothing worth telling.</summary>
+    public PostForecast? Forecast { get; init; }
 }

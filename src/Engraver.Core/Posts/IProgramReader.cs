@@ -1,4 +1,5 @@
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
 using Engraver.Core.Verification;
 
@@ -19,7 +20,11 @@ public interface IProgramReader
 /// <param name="Expected">Machine time that it probably takes, for the progress.</param>
 /// <param name="Longest">Machine time that it may take.</param>
 /// <param name="Judges">Told in millimetres of the drawing.</param>
-public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, TimeSpan Expected, TimeSpan Longest, IReadOnlyList<ITraceJudge> Judges);
+public sealed record ReplayRequest(MachineProfile Machine, CountsPoint Start, TimeSpan Expected, TimeSpan Longest, IReadOnlyList<ITraceJudge> Judges)
+{
+    /// <summary>Where the first stroke begins, drawing millimetres: the place of the machine for a program that counts from there. Null: nothing is cut.</summary>
+    public Point2D? Entry { get; init; }
+}
 
 /// <summary>How far a replay has come.</summary>
 /// <param name="Chunk">From 1.</param>

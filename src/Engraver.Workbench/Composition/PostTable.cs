@@ -1,6 +1,8 @@
 using System.Text;
 using Engraver.Core.Machines;
 using Engraver.Core.Posts;
+using Engraver.Core.Posts.Agie;
+using Engraver.Core.Posts.AgieReading;
 using Engraver.Galil.Programs.Posting;
 
 namespace Engraver.Workbench.Composition;
@@ -13,6 +15,7 @@ public static class PostTable
         new(GalilPost.Sequences, "Galil", new DmcReader()),
         new(GalilPost.Calls, "galil-Calls", new DmcReader()),
         new(new ClDataPost(), "cLdata"),
+        new(new AgiePost(), "Agie", new AgieReader()),
     ];
 
     /// <summary>Every option of every post, each once.</summary>
@@ -44,7 +47,7 @@ public static class PostTable
         foreach (var (post, _, reader) in All)
         {
             var options = string.Join(", ", post.Options.Select(option => $"`--{option.Name} {option.Argument}`"));
-            page.Append("| ").AppendJoin(" | ", $"`{post.Name}`", post.Summary, $"`{post.Ending}`", post.Motion is { } style ? $"motion program, {style}" : "path in mm", options, reader is null ? "no" : "yes").Append(" |\n");
+            page.Append("| ").AppendJoin(" | ", $"`{post.Name}`", post.Summary, $"`{post.Ending}`", post.Geometry switch { PostGeometry.Program => $"motion program, {post.Motion}", PostGeometry.Curves => "path in mm", _ => "lines and arcs in mm" }, options, reader is null ? "no" : "yes").Append(" |\n");
         }
 
         page.Append("\n| Option | Meaning | Value | Default | Of |\n|---|---|---|---|---|\n");

@@ -17,6 +17,9 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
     /// <summary>Every option of a post at its default.</summary>
     public static IReadOnlyDictionary<string, string> NoOptions { get; } = new Dictionary<string, string>();
 
+    /// <summary>Where the machine will be after each block, for a post that foretells it.</summary>
+    public PostForecast? Forecast { get; init; }
+
     /// <summary>Why there is no text, without a full stop.</summary>
     public string WithoutProgram { get; init; } = "";
 
@@ -41,7 +44,7 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         if (job.Sequence.Contours == 0) return new PostedProgram(null, [.. job.Diagnostics, DocumentRules.NothingToPost.At(default)]) { WithoutProgram = job.WithoutProgram };
         if (job.Motion.Program is not { } program) return new PostedProgram(null, job.Diagnostics) { WithoutProgram = job.WithoutProgram };
         var written = post.Write(new PostRequest(job.Toolpath, program, job.Drawing.SourceOf, options));
-        return new PostedProgram(written.Text, [.. job.Diagnostics, .. written.Diagnostics]);
+        return Written(written, job.Diagnostics);
     }
 
     /// <summary>The program of a post that writes the path in millimetres.</summary>
@@ -53,10 +56,17 @@ public sealed record PostedProgram(string? Text, IReadOnlyList<Diagnostic> Diagn
         ArgumentNullException.ThrowIfNull(post);
         IReadOnlyList<Diagnostic> found = [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics];
         if (sequence.Contours == 0) return NothingCut(drawing, settings, found);
-        var path = new Toolpath(settings.Start, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]);
+        var path = post.Geometry == PostGeometry.LinesAndArcs ? JobPreparation.PathOf(sequence, settings) : new Toolpath(settings.Start, [.. sequence.Strokes.Select(stroke => new ToolpathStroke(stroke.Index, stroke.Closed, stroke.Moves))]);
         if (JobPreparation.FaultsOf(drawing, settings, analysed, path) is { Count: > 0 } faults) return new PostedProgram(null, [.. found, .. faults]) { WithoutProgram = PreparedJob.NotAsDrawn(faults) };
         var written = post.Write(new PostRequest(path, null, drawing.SourceOf, options));
-        return new PostedProgram(written.Text, [.. found, .. written.Diagnostics]);
+        return Written(written, found);
+    }
+
+    private static PostedProgram Written(PostText written, IReadOnlyList<Diagnostic> found)
+    {
+        IReadOnlyList<Diagnostic> all = [.. found, .. written.Diagnostics];
+        if (written.Chunks.Count > 0) return new PostedProgram(written.Text, all) { Forecast = written.Forecast };
+        return new PostedProgram(null, all) { WithoutProgram = Wording.Get("PostedProgram.NotWritable", string.Join(", ", written.Diagnostics.Select(finding => finding.Id).Distinct())) };
     }
 
     private static PostedProgram NothingCut(Drawing drawing, DrawingSettings settings, IReadOnlyList<Diagnostic> found) =>

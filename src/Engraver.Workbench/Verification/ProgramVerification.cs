@@ -30,7 +30,7 @@ public static class ProgramVerification
         ITraceJudge[] judges = bridges.Count == 0 ? [RunJudge.JudgeOf(job)] : [RunJudge.JudgeOf(job), RunJudge.JudgeOf(job, bridges)];
         var machine = job.Settings.Machine;
         var expected = TimeSpan.FromSeconds(job.Motion.Program is { } motion ? JobPlan.NetworkTimes(motion).Total : 0.0);
-        var request = new ReplayRequest(machine, machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * expected), judges);
+        var request = new ReplayRequest(machine, machine.Scale.ToCounts(job.Settings.Start), expected, TimeSpan.FromSeconds(PatienceSeconds) + (Patience * expected), judges) { Entry = job.Toolpath.Strokes.Count > 0 ? job.Toolpath.Strokes[0].Start : null };
         var faults = program.Text is { } text ? await reader.ReplayAsync(text, request, progress, cancellation).ConfigureAwait(false) : program.Diagnostics;
         return Report(job, faults, [.. judges.Select(judge => judge.Verdict())], bridges);
     }

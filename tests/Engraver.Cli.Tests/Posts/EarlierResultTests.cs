@@ -9,7 +9,7 @@ public class EarlierResultTests
 
     public static IReadOnlyList<string[]> Ways { get; } =
     [
-        ["sequence", "-o"], ["plot", "-o"], ["post", "--target", "galil", "-o"], ["post", "--target", "galil-calls", "-o"], ["post", "--target", "cldata", "-o"],
+        ["sequence", "-o"], ["plot", "-o"], ["post", "--target", "galil", "-o"], ["post", "--target", "galil-calls", "-o"], ["post", "--target", "cldata", "-o"], ["post", "--target", "agie", "-o"],
     ];
 
     [Theory]

@@ -34,6 +34,10 @@ public class SampleGoldenTests
 
     [Theory]
     [MemberData(nameof(Names))]
+    public async Task The_posted_blocks_for_the_wire_eroder(string name) => Check(name, "agie", (await RunAsync("post", name, "--target", "agie")).Out);
+
+    [Theory]
+    [MemberData(nameof(Names))]
     public async Task The_picture_of_the_path(string name)
     {
         using var folder = new TemporaryFolder();

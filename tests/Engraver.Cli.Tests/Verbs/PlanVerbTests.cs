@@ -34,12 +34,37 @@ public class PlanVerbTests
         var plan = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("paper-001"), "--json"));
         var seconds = plan.GetProperty("seconds");
 
-        Assert.Equal(["seconds", "cutLength", "travel", "peakSpeed", "peakAxisAcceleration", "cost", "notCut"], plan.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(["seconds", "cutLength", "travel", "peakSpeed", "peakAxisAcceleration", "cost", "notCut", "costParts"], plan.EnumerateObject().Select(field => field.Name));
         Assert.Equal(["total", "cutting", "rapid", "dwell"], seconds.EnumerateObject().Select(field => field.Name));
         Assert.Equal(seconds.GetProperty("total").GetDouble(), seconds.GetProperty("cutting").GetDouble() + seconds.GetProperty("rapid").GetDouble() + seconds.GetProperty("dwell").GetDouble(), precision: 12);
         Assert.Equal(300.0 + (50.0 * Math.PI), plan.GetProperty("cutLength").GetDouble(), precision: 9);
         Assert.Equal(20.0, plan.GetProperty("peakSpeed").GetDouble(), precision: 6);
     }
+
+    [Fact]
+    public async Task Rates_give_a_cost_by_time_length_and_starts_and_none_give_none()
+    {
+        var plain = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("nameplate"), "--json"));
+        var plan = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("nameplate"), "--json", "--rate", "72,10.5,0.25"));
+        var parts = plan.GetProperty("costParts");
+        var strokes = JsonText.Of(await CliRun.RunAsync("sequence", SampleDrawing.PathOf("nameplate"), "--json")).GetProperty("strokes").GetArrayLength();
+
+        Assert.Equal(System.Text.Json.JsonValueKind.Null, plain.GetProperty("cost").ValueKind);
+        Assert.Equal(72.0 * plan.GetProperty("seconds").GetProperty("total").GetDouble() / 3600.0, parts.GetProperty("time").GetDouble(), precision: 9);
+        Assert.Equal(10.5 * plan.GetProperty("cutLength").GetDouble() / 1000.0, parts.GetProperty("length").GetDouble(), precision: 9);
+        Assert.Equal(0.25 * strokes, parts.GetProperty("starts").GetDouble(), precision: 9);
+        Assert.Equal(parts.GetProperty("time").GetDouble() + parts.GetProperty("length").GetDouble() + parts.GetProperty("starts").GetDouble(), plan.GetProperty("cost").GetDouble(), precision: 9);
+        Assert.True(strokes > 1);
+    }
+
+    [Theory]
+    [InlineData("free")]
+    [InlineData("-1")]
+    [InlineData("1,2,3,4")]
+    [InlineData("1,,2")]
+    [InlineData("1e400")]
+    public async Task Rates_that_cannot_be_read_are_a_usage_error(string rates) =>
+        Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("plan", SampleDrawing.PathOf("nameplate"), "--rate", rates)).ExitCode);
 
     [Fact]
     public async Task The_machine_profile_decides_how_long_it_takes()

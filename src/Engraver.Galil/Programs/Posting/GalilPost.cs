@@ -33,6 +33,8 @@ public sealed class GalilPost : IPost
 
     public string Ending => ".dmc";
 
+    public PostGeometry Geometry => PostGeometry.Program;
+
     public MotionStyle? Motion => _style;
 
     public IReadOnlyList<PostOption> Options => [Memory];

@@ -1,0 +1,30 @@
+using Engraver.Core.Posts;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Cli.Output;
+
+/// <summary>What <c>engraver post --json</c> prints; names, units and meanings are the runner's contract.</summary>
+/// <param name="File">Where the text was written; null when it is <paramref name="Text"/>, or when there is none.</param>
+/// <param name="Lines">Of the text.</param>
+/// <param name="Forecast">Null for a target that foretells nothing.</param>
+internal sealed record PostJson(string Target, string? File, int Lines, string? Text, PostJson.ForecastJson? Forecast)
+{
+    public static PostJson From(string target, string? file, PostedProgram posted) => new(
+        target, posted.Text is null ? null : file, posted.Text?.Count(letter => letter == '\n') ?? 0, file is null ? posted.Text : null, posted.Forecast is { } forecast ? ForecastJson.From(forecast) : null);
+
+    /// <param name="Programs">Into which the job was parted.</param>
+    /// <param name="StartX">Where the machine must stand before the first block, drawing mm.</param>
+    /// <param name="MaxError">Largest distance of a cut from the path, mm.</param>
+    /// <param name="MaxClosure">By how much the worst closed contour is left open, mm; null without one.</param>
+    internal sealed record ForecastJson(int Programs, double StartX, double StartY, double MaxError, double? MaxClosure, IReadOnlyList<BlockJson> Blocks)
+    {
+        public static ForecastJson From(PostForecast forecast) => new(
+            forecast.Blocks[^1].Part, forecast.Start.X, forecast.Start.Y, forecast.MaxError, forecast.MaxClosure,
+            [.. forecast.Blocks.Select(block => new BlockJson(block.Part, block.Number, block.Cutting, block.End.X, block.End.Y, block.Error, block.Closure))]);
+    }
+
+    /// <param name="X">Where the machine stands after the block, drawing mm.</param>
+    /// <param name="Error">Null for positioning.</param>
+    /// <param name="Closure">Null but at the end of a closed contour.</param>
+    internal sealed record BlockJson(int Program, int Block, bool Cutting, double X, double Y, double? Error, double? Closure);
+}

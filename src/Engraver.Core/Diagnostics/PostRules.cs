@@ -1,0 +1,20 @@
+namespace Engraver.Core.Diagnostics;
+
+/// <summary>The findings of posts and of what reads them back. Lengths in the sentences are millimetres, lines those of the program's file.</summary>
+public static class PostRules
+{
+    public static readonly DiagnosticRule BlockUnreadable = new("PST0001", Severity.Error, "line", "reason");
+
+    public static readonly DiagnosticRule ProgramParted = new("PST0002", Severity.Warning, "blocks", "most", "parts");
+
+    public static readonly DiagnosticRule TooManyBlocks = new("PST0003", Severity.Error, "most");
+
+    public static readonly DiagnosticRule ContourError = new("PST0004", Severity.Warning, "error", "x", "y", "block", "closure");
+
+    public static readonly DiagnosticRule RadiusNotWritable = new("PST0005", Severity.Error, "largest");
+
+    public static readonly DiagnosticRule NothingToMove = new("PST0006", Severity.Error);
+
+    /// <summary>Every rule, for the documentation and its test.</summary>
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [BlockUnreadable, ProgramParted, TooManyBlocks, ContourError, RadiusNotWritable, NothingToMove];
+}

@@ -1,0 +1,50 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Posts.Agie;
+
+/// <summary>The program of one contour, taken from a file to be linked with others (paper 000, LINK).</summary>
+/// <param name="Start">Where the machine stands before its first block, drawing millimetres: the form does not say it.</param>
+/// <param name="Blocks">At least one.</param>
+public sealed partial record AgieContour(Point2D Start, IReadOnlyList<AgieBlock> Blocks)
+{
+    /// <summary>Takes the blocks of a text; programs that follow each other are one contour.</summary>
+    /// <param name="fault">Which line is no block, or that there is none; null when all were read.</param>
+    /// <returns>Null with a fault.</returns>
+    public static AgieContour? Read(string text, Point2D start, out Diagnostic? fault)
+    {
+        ArgumentNullException.ThrowIfNull(text);
+        var (blocks, line, expected, isEnded) = (new List<AgieBlock>(), 0, 1, true);
+        foreach (var row in text.Split('\n').Select(row => row.TrimEnd('\r')))
+        {
+            line++;
+            if (row is "" or "%") continue;
+            if (isEnded) expected = 1;
+            if (BlockForm().Match(row) is not { Success: true } form || Number(form, "number") != expected || Block(form) is not { } block)
+            {
+                fault = PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), Wording.Get("AgieContour.NoBlock", expected.ToString("000", CultureInfo.InvariantCulture)));
+                return null;
+            }
+
+            blocks.Add(block);
+            (isEnded, expected) = (form.Groups["end"].Success, expected + 1);
+        }
+
+        fault = blocks.Count == 0 ? VerificationRules.ProgramEmpty.At(default) : isEnded ? null : PostRules.BlockUnreadable.At(new SourceRef(line), line.ToString(CultureInfo.InvariantCulture), Wording.Get("AgieContour.NoEnd"));
+        return fault is null ? new AgieContour(start, blocks) : null;
+    }
+
+    private static AgieBlock? Block(Match form)
+    {
+        var (motion, start, work, x, y, isCutting) = ((AgieMotion)Number(form, "motion"), Number(form, "start"), Number(form, "work"), Number(form, "x"), Number(form, "y"), form.Groups["mode"].Value == "02");
+        if (motion == AgieMotion.Line) return start == 0 && work == 0 ? AgieBlock.Line(x, y, isCutting) : null;
+        return start < 360 && work is > 0 and < 360 && x == y && x > 0 && isCutting ? AgieBlock.Arc(motion == AgieMotion.Clockwise, start, work, x) : null;
+    }
+
+    private static int Number(Match form, string field) => int.Parse(form.Groups[field].ValueSpan, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
+
+    [GeneratedRegex(@"^%?\t(?<number>[0-9]{3})\t(?<motion>0[123])\t(?<start>[0-9]{3})\t(?<work>[0-9]{3})\t(?<x>[+-][0-9]{6})\t(?<y>[+-][0-9]{6})\t(?<mode>0[12])(?<end>\t02)?\z")]
+    private static partial Regex BlockForm();
+}

@@ -1,0 +1,65 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Core.Toolpaths;
+
+namespace Engraver.Core.Posts.Agie;
+
+/// <summary>The job as programs for the wire eroder AGIECUT DEM15 (paper 000). It counts from where the machine stands: the start of the first stroke, to which the wire is threaded.</summary>
+public sealed class AgiePost : IPost
+{
+    /// <summary>The value of the style that makes the paper's blocks.</summary>
+    public const string PaperStyle = "paper";
+
+    public const string ExactStyle = "exact";
+
+    private const string OwnLine = "own-line";
+    private const string SameLine = "same-line";
+
+    /// <summary>The blocks' form.</summary>
+    public static PostOption Style => new("style", "STYLE", Wording.Get("AgiePost.Style"), ExactStyle, Wording.Get("AgiePost.Either", ExactStyle, PaperStyle), value => value is ExactStyle or PaperStyle);
+
+    private static PostOption StartMark => new("start-mark", "PLACE", Wording.Get("AgiePost.StartMark"), SameLine, Wording.Get("AgiePost.Either", SameLine, OwnLine), value => value is SameLine or OwnLine);
+
+    public string Name => "agie";
+
+    public string Summary => Wording.Get("AgiePost.Summary");
+
+    public string Ending => ".agie";
+
+    public PostGeometry Geometry => PostGeometry.LinesAndArcs;
+
+    public MotionStyle? Motion => null;
+
+    public IReadOnlyList<PostOption> Options => [Style, StartMark];
+
+    public PostText Write(PostRequest request)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        var (path, isPaper) = (request.Path, request.Value(Style) == PaperStyle);
+        if (path.Strokes.Count == 0) return new PostText([], [DocumentRules.NothingToPost.At(default)]);
+        if (isPaper && AgiePaper.Unwritable(path) is { } entity) return Refused(PostRules.RadiusNotWritable.At(request.SourceOf?.Invoke(entity) ?? default, Text(AgieBlock.Largest / 1000.0)));
+        var made = isPaper ? AgiePaper.Write(path) : AgieExact.Write(path);
+        if (made.TooMany) return Refused(PostRules.TooManyBlocks.At(default, Text(AgieSteps.Most)));
+        if (made.All.Count == 0) return Refused(PostRules.NothingToMove.At(default));
+        return Written(path, made.All, request.Value(StartMark) == OwnLine);
+    }
+
+    private static PostText Written(Toolpath path, IReadOnlyList<AgieStep> steps, bool ownLine)
+    {
+        var parts = AgieText.Parts(steps);
+        var forecast = AgieForecast.Follow(path, steps, parts);
+        var text = AgieText.Programs(steps, parts, ownLine) with { Forecast = forecast };
+        return forecast.MaxError * 1000.0 > AgieExact.ContourError ? text with { Diagnostics = [.. text.Diagnostics, WholeDegrees(forecast)] } : text;
+    }
+
+    private static Diagnostic WholeDegrees(PostForecast forecast)
+    {
+        var worst = forecast.Blocks.MaxBy(block => block.Error ?? 0.0)!;
+        return PostRules.ContourError.At(default, Text(forecast.MaxError), Text(worst.End.X), Text(worst.End.Y), Text(worst.Number), Text(forecast.MaxClosure ?? 0.0)) with { Place = worst.End };
+    }
+
+    private static PostText Refused(Diagnostic why) => new([], [why]);
+
+    private static string Text(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,36 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Posts.Agie;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Sequencing;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
+
+namespace Engraver.Workbench.Commands.Files;
+
+/// <summary>AGIEPOST: Writes the sequenced drawing as programs for the AGIECUT DEM15 (paper 000), and says what the machine will make of it.</summary>
+internal sealed class AgiePostCommand : ICommand
+{
+    private const string Name = "AGIEPOST";
+
+    public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var drawing = context.Drawing;
+        var style = await context.ChoiceAsync(Wording.Get("AgiePost.EnterStyle"), Keyword.List("Exact", "Paper"), context.Remembered(Name, "Exact")).ConfigureAwait(false);
+        context.Remember(Name, style);
+        var options = new Dictionary<string, string> { [AgiePost.Style.Name] = style == "Paper" ? AgiePost.PaperStyle : AgiePost.ExactStyle };
+        var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, new AgiePost(), options);
+        FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
+        if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
+        if (await ResultFile.WriteAsync(context, output => output.Write(text)).ConfigureAwait(false) is { } name) Keep(context, name, posted);
+        if (posted.Forecast is { } forecast) context.SayResult(output => ForecastText.WriteSum(output, forecast));
+    }
+
+    /// <summary>For VERIFY and LINK.</summary>
+    private static void Keep(CommandContext context, string file, PostedProgram posted)
+    {
+        context.Remember(VerifyCommand.Name, file);
+        if (posted.Forecast is { } forecast) LinkCommand.RememberStart(context, file, DrawingUnits.FromMillimetres(context.Drawing, forecast.Start));
+    }
+}

@@ -1,0 +1,56 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Geometry;
+using Engraver.Core.Posts.Agie;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Commands.Sequencing;
+using Engraver.Workbench.Verification;
+
+namespace Engraver.Workbench.Commands.Files;
+
+/// <summary>LINK: Makes one program of the AGIE programs of several contours, with positioning blocks between them (paper 000).</summary>
+internal sealed class LinkCommand : ICommand
+{
+    private const string Name = "LINK";
+
+    public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
+
+    /// <summary>Keeps where a program's first block begins, for the prompt of LINK.</summary>
+    /// <param name="start">Drawing units.</param>
+    public static void RememberStart(CommandContext context, string file, Point2D start) => context.Remember(Key(file), PointPrompt.Show(start));
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var contours = new List<AgieContour>();
+        while (await NextAsync(context, contours.Count).ConfigureAwait(false) is { } contour) contours.Add(contour);
+        if (contours.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Link.Nothing"));
+        var linked = AgieLink.Link(contours);
+        FindingMessages.Say(context, Name, linked.Diagnostics, Severity.Warning);
+        if (linked.Chunks.Count == 0) throw new CommandException(CommandFailure.Drawing, Wording.Get("Link.NotWritable"));
+        if (await ResultFile.WriteAsync(context, output => output.Write(linked.Text)).ConfigureAwait(false) is { } name)
+        {
+            context.Remember(VerifyCommand.Name, name);
+            context.Remember(Key(name), PointPrompt.Show(FromMillimetres(context, contours[0].Start)));
+        }
+
+        context.Say(Wording.Get("Link.Linked", CountText.Format(contours.Count, "Contour"), linked.Text.Count(letter => letter == '\n')), MessageKind.Result);
+    }
+
+    private static async Task<AgieContour?> NextAsync(CommandContext context, int taken)
+    {
+        var answer = await context.AskAsync(new TextPrompt(Wording.Get(taken == 0 ? "Link.EnterFirst" : "Link.EnterNext")) { EnterEnds = true }).ConfigureAwait(false);
+        if (answer is not Answer<string>.Value { Of: var name }) return null;
+        var start = await context.ValueAsync(new PointPrompt(Wording.Get("Link.SpecifyStart")) { Default = context.Remembered(Key(name)) }).ConfigureAwait(false);
+        var file = ReadBackFile.Open(context.FileToRead(name));
+        var fault = file.Diagnostics.Count > 0 ? file.Diagnostics[0] : null;
+        var contour = file.Text is { } text ? AgieContour.Read(text, ToMillimetres(context, start), out fault) : null;
+        if (contour is not null) return contour;
+        FindingMessages.Say(context, name, [fault!], Severity.Warning);
+        throw new CommandException(CommandFailure.Drawing, Wording.Get("Link.NotRead", name));
+    }
+
+    private static string Key(string file) => $"{Name} {file}";
+
+    private static Point2D ToMillimetres(CommandContext context, Point2D point) => context.Document.Current.Drawing is { } drawing ? DrawingUnits.ToMillimetres(drawing, point) : point;
+
+    private static Point2D FromMillimetres(CommandContext context, Point2D point) => context.Document.Current.Drawing is { } drawing ? DrawingUnits.FromMillimetres(drawing, point) : point;
+}
