@@ -40,7 +40,7 @@ internal sealed class SplineRun
         return largest;
     }
 
-    /// <summary>The nearest of the places, then the nearest of the curve around it.</summary>
+    /// <summary>The nearest of the places, then the nearest of the curve around it; beside the end of a closed curve that may lie before its start.</summary>
     private double Nearest(double x, double y)
     {
         double From((double X, double Y) place) => double.Hypot(place.X - x, place.Y - y);
@@ -50,15 +50,21 @@ internal sealed class SplineRun
             if (From(_places[i]) < From(_places[nearest])) nearest = i;
         }
 
+        var around = Around(nearest, From);
+        return nearest == 0 ? Math.Min(around, Around(_places.Count - 1, From)) : nearest == _places.Count - 1 ? Math.Min(around, Around(0, From)) : around;
+    }
+
+    private double Around(int nearest, Func<(double X, double Y), double> from)
+    {
         var (low, high) = (Math.Max(0.0, nearest - 1.0), Math.Min(_places.Count - 1.0, nearest + 1.0));
         for (var round = 0; round < 60; round++)
         {
             var (first, second) = (low + ((high - low) / 3.0), high - ((high - low) / 3.0));
-            if (From(PlaceAt(first)) < From(PlaceAt(second))) high = second;
+            if (from(PlaceAt(first)) < from(PlaceAt(second))) high = second;
             else low = first;
         }
 
-        return From(PlaceAt((low + high) / 2.0));
+        return from(PlaceAt((low + high) / 2.0));
     }
 
     /// <summary>The place at a number of steps from the start.</summary>

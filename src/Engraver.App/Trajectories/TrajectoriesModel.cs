@@ -36,8 +36,14 @@ public sealed class TrajectoriesModel : Observable
         var list = _desk.Session.Document.Current.Sidecar.Trajectories;
         if (ReferenceEquals(list, _shown)) return;
         _shown = list;
-        Rows = [.. list.All.Select((one, index) => new TrajectoryRow(one, index, list.All.Count, _desk))];
+        Rows = [.. list.All.Select((one, index) => new TrajectoryRow(one, index, list.All.Count, _desk, Anew))];
         Summary = Text.Get(list.Settings.DynamicDensity ? "Trajectories.Dynamic" : "Trajectories.Uniform", list.All.Sum(one => one.Curve.Points), list.Settings.DynamicDensity ? list.Settings.MaxErrorMm : list.Settings.SegmentLengthMm);
         Tell(null);
+    }
+
+    private void Anew()
+    {
+        _shown = null;
+        Look();
     }
 }

@@ -7,8 +7,12 @@ using Engraver.Workbench.Sidecars;
 namespace Engraver.App.Trajectories;
 
 /// <summary>A trajectory with its figures; what is typed into its fields runs SACEEDITTRAJECTORY, so that it undoes.</summary>
-public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, DesktopModel desk) : Observable
+/// <param name="refused">Called when what was typed was not taken, so that it stands in the field no longer.</param>
+public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, DesktopModel desk, Action refused) : Observable
 {
+    /// <summary>Enter takes what was typed, and so does the field when it loses the focus, which it does as soon as the table is made anew: the second time is no further step.</summary>
+    private (string What, string Value)? _taken;
+
     public string Name
     {
         get => one.Name;
@@ -61,13 +65,13 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
 
     private void Edit(string what, string value, string now)
     {
-        if (value.Trim() is { Length: > 0 } typed && typed != now) Edited = EditAsync(what, typed);
-        else Tell(null);
+        if (value.Trim() is not { Length: > 0 } typed) refused();
+        else if (typed != now && _taken != (what, typed)) Edited = EditAsync(what, typed);
     }
 
-    /// <summary>What was refused stands in the field no longer.</summary>
     private async Task EditAsync(string what, string value)
     {
-        if (await desk.RunAsync("SACEEDITTRAJECTORY", one.Name, what, value) is not InputResult.Done) Tell(null);
+        _taken = (what, value);
+        if (await desk.RunAsync("SACEEDITTRAJECTORY", one.Name, what, value) is not InputResult.Done) refused();
     }
 }

@@ -3,9 +3,9 @@ namespace Engraver.Core.Diagnostics;
 /// <summary>The findings of pockets. Lengths in the sentences are millimetres, areas square millimetres.</summary>
 public static class PocketRules
 {
-    public static readonly DiagnosticRule TooNarrow = new("POC0001", Severity.Warning, "x", "y", "width", "tool", "count");
+    public static readonly DiagnosticRule TooNarrow = new("POC0001", Severity.Warning, "count", "width", "x", "y", "tool");
 
-    public static readonly DiagnosticRule NotReached = new("POC0002", Severity.Info, "count", "x", "y", "depth", "area");
+    public static readonly DiagnosticRule NotReached = new("POC0002", Severity.Info, "count", "area", "depth", "x", "y");
 
     public static readonly DiagnosticRule LeftStanding = new("POC0003", Severity.Error, "area", "x", "y");
 

@@ -80,8 +80,8 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
         else if (result.WithoutInside > 0) yield return PocketRules.WithoutInside.At(default, Fact(result.WithoutInside));
         if (result.Unresolved is [var open, ..]) yield return PocketRules.NotClosed.At(default, Fact(open.X), Fact(open.Y), Fact(result.Unresolved.Count)) with { Place = open };
         if (result.LeftStanding is [var left, ..]) yield return PocketRules.LeftStanding.At(default, Fact(result.UncoveredArea), Fact(left.X), Fact(left.Y)) with { Place = left };
-        if (result.TooNarrow is [var narrow, ..]) yield return PocketRules.TooNarrow.At(default, Fact(narrow.Place.X), Fact(narrow.Place.Y), Fact(narrow.Width), Fact(2.0 * options.ToolRadius), Fact(result.TooNarrow.Count)) with { Place = narrow.Place };
-        if (result.Unreached.MaxBy(place => place.Depth) is { } deepest) yield return PocketRules.NotReached.At(default, Fact(result.Unreached.Count), Fact(deepest.Place.X), Fact(deepest.Place.Y), Fact(deepest.Depth), Fact(result.Unreached.Sum(place => place.Area ?? 0.0))) with { Place = deepest.Place };
+        if (result.TooNarrow is [var narrow, ..]) yield return PocketRules.TooNarrow.At(default, Fact(result.TooNarrow.Count), Fact(narrow.Width), Fact(narrow.Place.X), Fact(narrow.Place.Y), Fact(2.0 * options.ToolRadius)) with { Place = narrow.Place };
+        if (result.Unreached.MaxBy(place => place.Depth) is { } deepest) yield return PocketRules.NotReached.At(default, Fact(result.Unreached.Count), Fact(result.Unreached.Sum(place => place.Area ?? 0.0)), Fact(deepest.Depth), Fact(deepest.Place.X), Fact(deepest.Place.Y)) with { Place = deepest.Place };
     }
 
     private static IEnumerable<Diagnostic> Findings(IReadOnlyList<PocketCut> cuts, PocketDepths depths)

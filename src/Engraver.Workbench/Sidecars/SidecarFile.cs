@@ -35,7 +35,7 @@ public static class SidecarFile
         }
         catch (JsonException damaged)
         {
-            return new SidecarReading(null, null, [SidecarRules.Damaged.At(default, name, damaged.Message)]);
+            return new SidecarReading(null, null, [SidecarRules.Damaged.At(default, name, damaged.Message.TrimEnd('.'))]);
         }
         catch (SidecarVersionException other)
         {

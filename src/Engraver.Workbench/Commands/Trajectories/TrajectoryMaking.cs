@@ -3,6 +3,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Trajectories;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Commands.Trajectories;
