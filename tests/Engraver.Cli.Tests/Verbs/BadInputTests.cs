@@ -93,7 +93,7 @@ public class BadInputTests
     [InlineData("sequence", "FILE", "--enter", "xyz")]
     [InlineData("table", "FILE", "--format", "xml")]
     [InlineData("post", "FILE")]
-    [InlineData("post", "FILE", "--target", "agie")]
+    [InlineData("post", "FILE", "--target", "hpgl")]
     [InlineData("run", "FILE")]
     [InlineData("run", "FILE", "--connect", "usb:1")]
     [InlineData("run", "FILE", "--connect", "serial:///dev/ttyS0?baud=19201")]

@@ -60,6 +60,6 @@ public class VerifyVerbTests
     [Theory]
     [InlineData("verify")]
     [InlineData("verify", "job.dmc")]
-    [InlineData("verify", "job.dmc", "--against", "drawing.dxf", "--target", "agie")]
+    [InlineData("verify", "job.dmc", "--against", "drawing.dxf", "--target", "hpgl")]
     public async Task What_is_not_built_or_not_given_is_a_usage_error(params string[] words) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync(words)).ExitCode);
 }
