@@ -79,6 +79,8 @@ public static class Sequencer
         var contours = chained.Chain.Contours;
         var segments = chained.Segments.Span;
         int[] inside = [.. chained.Inside];
+        var depth = options.CutsHeights ? DepthOrder.From(contours, segments, EndHeights.From(chained.Kept, options.JoinTolerance), options.DuplicateTolerance, EndHeights.ToleranceFor(options.JoinTolerance)) : DepthOrder.None;
+        depth.Untangle(inside);
         var first = default(StrokeEntry?);
         if (options.Enter is { } requested)
         {
@@ -89,7 +91,7 @@ public static class Sequencer
 
         return options.Order == StrokeOrder.Drawn
             ? TravelOrder.Drawn(contours, segments, inside, options.ToolStart, first)
-            : TravelOrder.Nearest(contours, segments, inside, options.ToolStart, first);
+            : TravelOrder.Nearest(contours, segments, inside, depth, options.ToolStart, first);
     }
 
     private static SequencedStroke[] Strokes(ChainedTable chained, IReadOnlyList<StrokeEntry> entries, EntityTable table)

@@ -52,9 +52,11 @@ public static class DuplicateRemoval
     }
 
     /// <summary>The midpoint; of a circle its left quadrant point, because concentric circles must not all lie in one cell of the grid.</summary>
-    private static Point2D MiddleOf(Segment segment) => segment.Kind == SegmentKind.Circle ? segment.Arc.Centre - new Vector2D(segment.Arc.Radius, 0.0) : segment.PointAt(0.5);
+    internal static Point2D MiddleOf(Segment segment) => segment.Kind == SegmentKind.Circle ? segment.Arc.Centre - new Vector2D(segment.Arc.Radius, 0.0) : segment.PointAt(0.5);
 
-    private static bool AreSame(Segment a, Segment b, double middleDistance, double tolerance)
+    /// <summary>True when two whole segments coincide in plan, in the same or the opposite direction.</summary>
+    /// <param name="middleDistance">Of their <see cref="MiddleOf"/>, millimetres.</param>
+    internal static bool AreSame(Segment a, Segment b, double middleDistance, double tolerance)
     {
         if (a.Kind != b.Kind) return false;
         var within = Math.Min(tolerance, 0.01 * a.Length);

@@ -3,66 +3,95 @@ using Engraver.Core.Sequencing.Chaining;
 
 namespace Engraver.Core.Sequencing.Ordering;
 
-/// <summary>Searches the nearest start among contours that may be cut next: those with nothing uncut inside them.</summary>
+/// <summary>Searches the nearest start among contours that may be cut next: those with nothing uncut inside them or over them.</summary>
 internal sealed class NearestStartSearch
 {
     private readonly IReadOnlyList<Contour> _contours;
     private readonly Segment[] _segments;
     private readonly int[] _inside;
-    private readonly int[] _uncutInside;
+    private readonly int[] _waitsFor;
+    private readonly List<int>?[] _below;
+    private readonly DepthOrder _depth;
     private readonly bool[] _done;
     private readonly StrokeEntry[] _entries;
     private readonly int[] _firstEntry;
     private readonly BoxTree _tree;
     private readonly BoxTree.Measure _measure;
+    private bool[]? _within;
+    private int _left;
 
-    public NearestStartSearch(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside)
+    public NearestStartSearch(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside, DepthOrder depth)
     {
-        _contours = contours;
+        (_contours, _depth, _left) = (contours, depth, contours.Count);
         _segments = segments.ToArray();
         _inside = inside.ToArray();
         _done = new bool[contours.Count];
-        _uncutInside = new int[contours.Count];
+        _waitsFor = new int[contours.Count];
         foreach (var outer in inside)
         {
-            if (outer >= 0) _uncutInside[outer]++;
+            if (outer >= 0) _waitsFor[outer]++;
+        }
+
+        _below = new List<int>?[contours.Count];
+        foreach (var (upper, lower) in depth.Over)
+        {
+            _waitsFor[lower]++;
+            (_below[upper] ??= []).Add(lower);
         }
 
         _firstEntry = new int[contours.Count + 1];
         _entries = AllEntries();
         _tree = BoxTree.Build([.. _entries.Select(entry => entry.Place)]);
         _measure = (entry, place) => _entries[entry].Place.DistanceTo(place);
-        ForEach(_ => true, contour => Set(contour, _uncutInside[contour] == 0));
+        ForEach(_ => true, contour => Set(contour, _waitsFor[contour] == 0));
     }
 
     /// <summary>The nearest start, or null when nothing is left to choose.</summary>
     public StrokeEntry? Next(Point2D tool)
     {
-        var entry = _tree.Nearest(tool, _measure, double.PositiveInfinity, out _);
+        var entry = Nearest(tool);
+        if (entry < 0 && _left > 0 && _within is null)
+        {
+            ForEach(contour => !_done[contour], contour => Set(contour, true)); // they wait for each other, as where an outline lies over parts of what it encloses: nothing is left out for that
+            entry = Nearest(tool);
+        }
+
         return entry < 0 ? null : _entries[entry];
     }
 
-    /// <summary>Removes a contour that was cut, and admits the one around it when this was the last inside.</summary>
+    /// <summary>Removes a contour that was cut, and admits those that waited for it alone.</summary>
     public void Done(int contour)
     {
+        _left--;
         _done[contour] = true;
         Set(contour, false);
-        var outer = _inside[contour];
-        if (outer >= 0 && --_uncutInside[outer] == 0 && !_done[outer]) Set(outer, true);
+        if (_inside[contour] is >= 0 and var outer) Release(outer);
+        foreach (var lower in _below[contour] ?? []) Release(lower);
     }
 
     /// <summary>Until further notice only contours inside <paramref name="contour"/>, at any depth, can be chosen.</summary>
     public void RestrictTo(int contour)
     {
-        var within = WithinFlags(contour);
+        var within = _within = WithinFlags(contour);
         ForEach(other => !within[other], other => Set(other, false));
         _done[contour] = true; // the caller enters it; it is not chosen here
         Set(contour, false);
     }
 
-    public void Unrestrict() => ForEach(contour => !_done[contour] && _uncutInside[contour] == 0, contour => Set(contour, true));
+    public void Unrestrict()
+    {
+        _within = null;
+        ForEach(contour => !_done[contour] && _waitsFor[contour] == 0, contour => Set(contour, true));
+    }
 
     public Point2D EndOf(StrokeEntry entry) => TravelOrder.EndOf(entry, _contours[entry.Contour], _segments);
+
+    private int Nearest(Point2D tool) => _tree.Nearest(tool, _measure, double.PositiveInfinity, out _);
+
+    private void Release(int contour)
+    {
+        if (--_waitsFor[contour] == 0 && !_done[contour] && _within?[contour] != false) Set(contour, true);
+    }
 
     private StrokeEntry[] AllEntries()
     {
@@ -110,7 +139,7 @@ internal sealed class NearestStartSearch
     {
         for (var entry = _firstEntry[contour]; entry < _firstEntry[contour + 1]; entry++)
         {
-            if (shown) _tree.Show(entry);
+            if (shown && _depth.MayBegin(_entries[entry])) _tree.Show(entry);
             else _tree.Hide(entry);
         }
     }

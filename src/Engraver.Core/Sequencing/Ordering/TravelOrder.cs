@@ -32,12 +32,13 @@ public static class TravelOrder
     /// <param name="contours">In order of their lowest row.</param>
     /// <param name="segments">Rows of the contours by index.</param>
     /// <param name="inside">The contour directly around each one, -1 for none.</param>
+    /// <param name="depth">What waits for what lies over it, and where it may be entered.</param>
     /// <param name="toolStart">Position of the tool at the start.</param>
     /// <param name="first">The entry of the contour that must come first (after what lies inside it); null when none must.</param>
-    public static IReadOnlyList<StrokeEntry> Nearest(
-        IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside, Point2D toolStart, StrokeEntry? first)
+    internal static IReadOnlyList<StrokeEntry> Nearest(
+        IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, ReadOnlySpan<int> inside, DepthOrder depth, Point2D toolStart, StrokeEntry? first)
     {
-        var search = new NearestStartSearch(contours, segments, inside);
+        var search = new NearestStartSearch(contours, segments, inside, depth);
         var order = new List<StrokeEntry>(contours.Count);
         var tool = toolStart;
         if (first is { } entered)

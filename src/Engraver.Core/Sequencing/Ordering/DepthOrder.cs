@@ -1,0 +1,99 @@
+using Engraver.Core.EntityTables;
+using Engraver.Core.Geometry;
+using Engraver.Core.Sequencing.Chaining;
+
+namespace Engraver.Core.Sequencing.Ordering;
+
+/// <summary>What depth asks of the order of cutting, so that no tool plunges into work that should have been cleared before: a contour waits until what lies over it has been cut, and an open one that goes down is entered at its upper end.</summary>
+/// <remarks>One contour lies over another when a segment of each coincides in plan and its lowest end is higher. That is what cutting the same path at several depths looks like; contours that only cross each other in plan are left to the order.</remarks>
+internal sealed class DepthOrder
+{
+    private readonly double _tolerance;
+    private readonly double[] _rises;
+
+    private DepthOrder(IReadOnlyCollection<(int Upper, int Lower)> over, double[] rises, double tolerance) => (Over, _rises, _tolerance) = (over, rises, tolerance);
+
+    /// <summary>All at one height.</summary>
+    public static DepthOrder None { get; } = new([], [], 0.0);
+
+    /// <summary>Each contour with the next one below it, by their indices.</summary>
+    public IReadOnlyCollection<(int Upper, int Lower)> Over { get; }
+
+    /// <param name="contours">All contours of the segments.</param>
+    /// <param name="segments">Rows of the contours by index.</param>
+    /// <param name="heights">Of their ends.</param>
+    /// <param name="tolerance">Millimetres within which segments coincide in plan.</param>
+    /// <param name="heightTolerance">Millimetres by which heights must differ.</param>
+    public static DepthOrder From(IReadOnlyList<Contour> contours, ReadOnlySpan<Segment> segments, EndHeights heights, double tolerance, double heightTolerance)
+    {
+        if (heights.AreFlat) return None;
+        var (owners, floors, rises) = (new int[segments.Length], new double[contours.Count], new double[contours.Count]);
+        for (var i = 0; i < contours.Count; i++)
+        {
+            var pieces = contours[i].Pieces.Span;
+            floors[i] = double.PositiveInfinity;
+            foreach (var piece in pieces)
+            {
+                owners[piece.Row] = i;
+                floors[i] = Math.Min(floors[i], Math.Min(heights.HeightOf(piece.StartNumber), heights.HeightOf(piece.EndNumber)));
+            }
+
+            rises[i] = contours[i].Closed ? 0.0 : heights.HeightOf(pieces[^1].EndNumber) - heights.HeightOf(pieces[0].StartNumber);
+        }
+
+        return new DepthOrder(FindOver(segments, owners, floors, tolerance, heightTolerance), rises, heightTolerance);
+    }
+
+    /// <summary>False for the lower end of an open contour.</summary>
+    public bool MayBegin(StrokeEntry entry)
+    {
+        if (_rises.Length == 0) return true;
+        var ahead = entry.Kind == StrokeEntryKind.Turned ? -_rises[entry.Contour] : _rises[entry.Contour];
+        return ahead <= _tolerance;
+    }
+
+    /// <summary>Takes out of the nesting what would cut a contour before what lies over it: nothing is inside of what it coincides with.</summary>
+    /// <param name="inside">The contour directly around each one, -1 for none.</param>
+    public void Untangle(Span<int> inside)
+    {
+        var uppers = Over.ToLookup(pair => pair.Lower, pair => pair.Upper);
+        var above = new HashSet<int>();
+        var waiting = new Stack<int>();
+        foreach (var lower in uppers.Select(group => group.Key))
+        {
+            above.Clear();
+            waiting.Push(lower);
+            while (waiting.TryPop(out var one))
+            {
+                foreach (var upper in uppers[one])
+                {
+                    if (above.Add(upper)) waiting.Push(upper);
+                }
+            }
+
+            while (inside[lower] >= 0 && above.Contains(inside[lower])) inside[lower] = inside[inside[lower]];
+        }
+    }
+
+    private static HashSet<(int Upper, int Lower)> FindOver(ReadOnlySpan<Segment> segments, int[] owners, double[] floors, double tolerance, double heightTolerance)
+    {
+        var middles = new Point2D[segments.Length];
+        for (var row = 0; row < middles.Length; row++) middles[row] = DuplicateRemoval.MiddleOf(segments[row]);
+        var (grid, near, over) = (new EndGrid(middles, tolerance), new List<int>(), new HashSet<(int, int)>());
+        foreach (var row in Enumerable.Range(0, middles.Length).OrderByDescending(row => floors[owners[row]]).ToList())
+        {
+            grid.Take(row);
+            grid.Near(middles[row], near);
+            var next = -1;
+            foreach (var other in near)
+            {
+                if (floors[owners[row]] - floors[owners[other]] <= heightTolerance || (next >= 0 && floors[owners[other]] <= floors[owners[next]])) continue;
+                if (DuplicateRemoval.AreSame(segments[row], segments[other], middles[row].DistanceTo(middles[other]), tolerance)) next = other;
+            }
+
+            if (next >= 0) over.Add((owners[row], owners[next]));
+        }
+
+        return over;
+    }
+}
