@@ -1,3 +1,5 @@
+using Engraver.Core.Machines;
+
 namespace Engraver.Cli;
 
 /// <summary>The exit codes of the runner's contract; scripts rely on them.</summary>
@@ -21,4 +23,14 @@ public static class ExitCode
 
     /// <summary>A bug; a crash report is written.</summary>
     public const int InternalError = 70;
+
+    /// <summary>How a job or a move ended.</summary>
+    public static int Of(JobOutcome outcome) => outcome switch
+    {
+        JobOutcome.Complete => Done,
+        JobOutcome.Stopped => StoppedByOperator,
+        JobOutcome.Refused => Refused,
+        JobOutcome.Deviated => DrawingError,
+        _ => LinkLost,
+    };
 }

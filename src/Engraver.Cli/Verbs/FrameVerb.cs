@@ -63,7 +63,7 @@ internal sealed class FrameVerb
     {
         if (result.FrameOrigin is null && result.Diagnostics is [var unplaced, ..]) return NotMoved(SettingWording.OnConsole(unplaced).Message);
         if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Sentence}");
-        return result.Outcome switch { JobOutcome.Complete => ExitCode.Done, JobOutcome.Stopped => ExitCode.StoppedByOperator, JobOutcome.Refused => ExitCode.Refused, JobOutcome.Deviated => ExitCode.DrawingError, _ => ExitCode.LinkLost };
+        return ExitCode.Of(result.Outcome);
     }
 
     private int NotMoved(string why)

@@ -170,7 +170,7 @@ internal sealed partial class HandVerbs
         if (result is { Outcome: JobOutcome.Refused, Diagnostics: [{ } refusal, ..], FinalPosition: null }) return NotMoved(SettingWording.OnConsole(refusal).Message);
         if (result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {result.Sentence}");
         foreach (var left in result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.EngraverNotRestored", left));
-        return result.Outcome switch { JobOutcome.Complete => ExitCode.Done, JobOutcome.Stopped => ExitCode.StoppedByOperator, JobOutcome.Refused => ExitCode.Refused, JobOutcome.Deviated => ExitCode.DrawingError, _ => ExitCode.LinkLost };
+        return ExitCode.Of(result.Outcome);
     }
 
     private int NotMoved(string why)

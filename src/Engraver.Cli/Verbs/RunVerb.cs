@@ -20,6 +20,9 @@ namespace Engraver.Cli.Verbs;
 /// <summary><c>engraver run</c>: the main job, from a drawing to motion on a controller.</summary>
 internal sealed class RunVerb
 {
+    /// <summary>Refusals for what the machine is or can: the others ask for a setting.</summary>
+    private static readonly DiagnosticRule[] s_ofTheMachine = [PreparationRules.OutsideTravel, PreparationRules.HeightOutsideTravel, PreparationRules.DryRunOutsideTravel, PreparationRules.NotHomed];
+
     private readonly VerbHost _host;
     private readonly DrawingOptions _drawing = new();
     private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: true, Wording.Get("Run.TcpHostPortSerial"));
@@ -178,14 +181,7 @@ internal sealed class RunVerb
         if (report.Result.Outcome != JobOutcome.Complete) _host.Error.WriteLine($"engraver: {report.Result.Sentence}");
         if (report.TraceFailure is { } failure) _host.Error.WriteLine(Wording.Get("Run.EngraverTraceNotWhole", failure));
         foreach (var left in report.Result.NotRestored) _host.Error.WriteLine(Wording.Get("Run.EngraverNotRestored", left));
-        return report.Result.Outcome switch
-        {
-            JobOutcome.Complete => ExitCode.Done,
-            JobOutcome.Stopped => ExitCode.StoppedByOperator,
-            JobOutcome.Refused => ExitCode.Refused,
-            JobOutcome.Deviated => ExitCode.DrawingError,
-            _ => ExitCode.LinkLost,
-        };
+        return ExitCode.Of(report.Result.Outcome);
     }
 
     /// <summary>Nobody can say where the work is: nothing was moved.</summary>
@@ -193,7 +189,7 @@ internal sealed class RunVerb
     {
         _host.Report(parsed, job.Drawing.FileName, [refusal]);
         if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, RunReport.NotStarted(job.Settings, job, JobOutcome.Refused, checks), ContractJson.Default.RunJson);
-        return refusal.Rule == PreparationRules.OutsideTravel || refusal.Rule == PreparationRules.NotHomed ? ExitCode.DrawingError : ExitCode.Usage;
+        return s_ofTheMachine.Contains(refusal.Rule) ? ExitCode.DrawingError : ExitCode.Usage;
     }
 
     private int NotStarted(ParseResult parsed, PreparedJob job, string why)

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
@@ -43,14 +42,12 @@ public static class KerfCompensation
 
     private static IEnumerable<Diagnostic> Findings(IReadOnlyList<UncutPlace> uncut, int open, KerfOptions options, Drawing? drawing)
     {
-        foreach (var place in uncut.Take(MostPlaces)) yield return (place.IsWhole ? KerfRules.TooNarrow : KerfRules.CornerUncut).At(SourceOf(drawing, place.Entity), Fact(place.Place.X), Fact(place.Place.Y), Fact(place.IsWhole ? options.ToolDiameterMm : place.Uncut));
-        if (uncut.Count > MostPlaces) yield return KerfRules.MoreUncut.At(default, Fact(uncut.Count - MostPlaces), Fact(uncut[MostPlaces].Uncut));
-        if (open > 0) yield return KerfRules.OpenOnLine.At(default, Fact(open));
+        foreach (var place in uncut.Take(MostPlaces)) yield return (place.IsWhole ? KerfRules.TooNarrow : KerfRules.CornerUncut).At(SourceOf(drawing, place.Entity), FactText.Of(place.Place.X), FactText.Of(place.Place.Y), FactText.Of(place.IsWhole ? options.ToolDiameterMm : place.Uncut));
+        if (uncut.Count > MostPlaces) yield return KerfRules.MoreUncut.At(default, FactText.Of(uncut.Count - MostPlaces), FactText.Of(uncut[MostPlaces].Uncut));
+        if (open > 0) yield return KerfRules.OpenOnLine.At(default, FactText.Of(open));
     }
 
     internal static SourceRef SourceOf(Drawing? drawing, int entity) => drawing?.SourceOf(entity) ?? default;
-
-    internal static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 }
 
 /// <summary>The compensated table as it grows.</summary>
@@ -79,7 +76,7 @@ internal sealed class KerfWork(ChainedTable chained, KerfOptions options)
         foreach (var place in offset.Unresolved) Fault(KerfRules.NotCompensated, group[0], place);
         foreach (var loop in offset.Loops.OrderBy(loop => loop.Sources.Min(source => RowOf(group[source.Contour], source.Segment)))) Append(loop, group);
         var check = new KerfCheck(drawn, offset.Loops, options);
-        if (check.FarthestOff() is { } off) Fault(KerfRules.WrongDistance, group[off.Contour], off.Place, KerfCompensation.Fact(off.Distance));
+        if (check.FarthestOff() is { } off) Fault(KerfRules.WrongDistance, group[off.Contour], off.Place, FactText.Of(off.Distance));
         for (var i = 0; i < group.Length; i++) Uncut.AddRange(check.UncutOf(i, segment => EntityOf(group[i], segment)));
     }
 
@@ -112,7 +109,7 @@ internal sealed class KerfWork(ChainedTable chained, KerfOptions options)
     private int EntityOf(int contour, int segment) => chained.Kept.EntityIndexOf(RowOf(contour, segment));
 
     private void Fault(DiagnosticRule rule, int contour, Point2D place, params string[] facts) =>
-        Faults.Add(rule.At(KerfCompensation.SourceOf(chained.Drawing, EntityOf(contour, 0)), [KerfCompensation.Fact(place.X), KerfCompensation.Fact(place.Y), .. facts]));
+        Faults.Add(rule.At(KerfCompensation.SourceOf(chained.Drawing, EntityOf(contour, 0)), [FactText.Of(place.X), FactText.Of(place.Y), .. facts]));
 
     /// <summary>The slots of an analysed row.</summary>
     private static EntitySlots SlotsOf(in Segment segment, double z)

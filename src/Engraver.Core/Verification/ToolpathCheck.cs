@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
@@ -105,10 +104,8 @@ public static class ToolpathCheck
     }
 
     private static Diagnostic Diagnostic(DiagnosticRule rule, Misfit fault, SourceRef source) => rule == VerificationRules.ToolpathBeside
-        ? rule.At(source, Text(fault.Size), Text(fault.At.X), Text(fault.At.Y), Text(fault.Allowed))
-        : rule.At(source, Text(fault.Size), Text(fault.At.X), Text(fault.At.Y));
-
-    private static string Text(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
+        ? rule.At(source, FactText.Of(fault.Size), FactText.Of(fault.At.X), FactText.Of(fault.At.Y), FactText.Of(fault.Allowed))
+        : rule.At(source, FactText.Of(fault.Size), FactText.Of(fault.At.X), FactText.Of(fault.At.Y));
 
     private readonly record struct Misfit(double Size, Point2D At, double Allowed);
 }

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Writing;
@@ -48,10 +47,8 @@ public sealed record OffsetDrawing(OffsetResult Result, IReadOnlyList<Diagnostic
     /// <summary>What is to be said of an offset.</summary>
     internal static IEnumerable<Diagnostic> Findings(OffsetResult result, int contours, double distance)
     {
-        if (result.WithoutInside > 0) yield return result.WithoutInside == contours ? OffsetRules.NoInside.At(default) : OffsetRules.WithoutInside.At(default, Fact(result.WithoutInside));
-        if (result.Unresolved is [var place, ..]) yield return OffsetRules.NotClosed.At(default, Fact(place.X), Fact(place.Y), Fact(result.Unresolved.Count));
-        if (result.Loops.Count == 0 && contours > result.WithoutInside) yield return OffsetRules.NothingLeft.At(default, Fact(distance));
+        if (result.WithoutInside > 0) yield return result.WithoutInside == contours ? OffsetRules.NoInside.At(default) : OffsetRules.WithoutInside.At(default, FactText.Of(result.WithoutInside));
+        if (result.Unresolved is [var place, ..]) yield return OffsetRules.NotClosed.At(default, FactText.Of(place.X), FactText.Of(place.Y), FactText.Of(result.Unresolved.Count));
+        if (result.Loops.Count == 0 && contours > result.WithoutInside) yield return OffsetRules.NothingLeft.At(default, FactText.Of(distance));
     }
-
-    private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 }

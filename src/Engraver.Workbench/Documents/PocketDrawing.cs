@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Writing;
@@ -77,19 +76,17 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
     internal static IEnumerable<Diagnostic> Findings(PocketResult result, PocketOptions options)
     {
         if (result.Regions == 0) yield return PocketRules.NoInside.At(default);
-        else if (result.WithoutInside > 0) yield return PocketRules.WithoutInside.At(default, Fact(result.WithoutInside));
-        if (result.Unresolved is [var open, ..]) yield return PocketRules.NotClosed.At(default, Fact(open.X), Fact(open.Y), Fact(result.Unresolved.Count)) with { Place = open };
-        if (result.LeftStanding is [var left, ..]) yield return PocketRules.LeftStanding.At(default, Fact(result.UncoveredArea), Fact(left.X), Fact(left.Y)) with { Place = left };
-        if (result.TooNarrow is [var narrow, ..]) yield return PocketRules.TooNarrow.At(default, Fact(result.TooNarrow.Count), Fact(narrow.Width), Fact(narrow.Place.X), Fact(narrow.Place.Y), Fact(2.0 * options.ToolRadius)) with { Place = narrow.Place };
-        if (result.Unreached.MaxBy(place => place.Depth) is { } deepest) yield return PocketRules.NotReached.At(default, Fact(result.Unreached.Count), Fact(result.Unreached.Sum(place => place.Area ?? 0.0)), Fact(deepest.Depth), Fact(deepest.Place.X), Fact(deepest.Place.Y)) with { Place = deepest.Place };
+        else if (result.WithoutInside > 0) yield return PocketRules.WithoutInside.At(default, FactText.Of(result.WithoutInside));
+        if (result.Unresolved is [var open, ..]) yield return PocketRules.NotClosed.At(default, FactText.Of(open.X), FactText.Of(open.Y), FactText.Of(result.Unresolved.Count)) with { Place = open };
+        if (result.LeftStanding is [var left, ..]) yield return PocketRules.LeftStanding.At(default, FactText.Of(result.UncoveredArea), FactText.Of(left.X), FactText.Of(left.Y)) with { Place = left };
+        if (result.TooNarrow is [var narrow, ..]) yield return PocketRules.TooNarrow.At(default, FactText.Of(result.TooNarrow.Count), FactText.Of(narrow.Width), FactText.Of(narrow.Place.X), FactText.Of(narrow.Place.Y), FactText.Of(2.0 * options.ToolRadius)) with { Place = narrow.Place };
+        if (result.Unreached.MaxBy(place => place.Depth) is { } deepest) yield return PocketRules.NotReached.At(default, FactText.Of(result.Unreached.Count), FactText.Of(result.Unreached.Sum(place => place.Area ?? 0.0)), FactText.Of(deepest.Depth), FactText.Of(deepest.Place.X), FactText.Of(deepest.Place.Y)) with { Place = deepest.Place };
     }
 
     private static IEnumerable<Diagnostic> Findings(IReadOnlyList<PocketCut> cuts, PocketDepths depths)
     {
         if (depths.Entry != PocketEntry.Helix) yield break;
         List<PocketCut> ramps = [.. cuts.Where(cut => cut.Entry == PocketEntry.Ramp)];
-        if (ramps is [var first, ..]) yield return PocketRules.NoRoomForScrew.At(default, Fact(ramps.Count), Fact(first.Stroke.Start.X), Fact(first.Stroke.Start.Y)) with { Place = first.Stroke.Start };
+        if (ramps is [var first, ..]) yield return PocketRules.NoRoomForScrew.At(default, FactText.Of(ramps.Count), FactText.Of(first.Stroke.Start.X), FactText.Of(first.Stroke.Start.Y)) with { Place = first.Stroke.Start };
     }
-
-    private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 }

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
@@ -50,16 +49,14 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         foreach (var limit in file.BrokenLimits) yield return TrajectoryRules.LimitBroken.At(default, name, limit);
         if (file.MaxSpeed is not { } speed || speed >= motion.Velocity) yield break;
         var needed = motion.Acceleration * motion.Velocity * motion.Velocity / (speed * speed);
-        yield return TrajectoryRules.TooFast.At(default, name, Fact(motion.Velocity), Fact(Math.Ceiling(needed)), Fact(motion.Acceleration), Fact(Math.Floor(speed * 1000.0) / 1000.0));
+        yield return TrajectoryRules.TooFast.At(default, name, FactText.Of(motion.Velocity), FactText.Of(Math.Ceiling(needed)), FactText.Of(motion.Acceleration), FactText.Of(Math.Floor(speed * 1000.0) / 1000.0));
     }
 
     /// <summary>What is to be said of runs for which no spline was proven to keep the error.</summary>
     internal static IEnumerable<Diagnostic> NotKept(IEnumerable<IReadOnlyList<Segment>> unproven, double maxErrorMm) =>
-        unproven.Select(run => TrajectoryRules.ErrorNotKept.At(default, Fact(maxErrorMm), Fact(run.Sum(segment => segment.Length)), Fact(run[0].Start.X), Fact(run[0].Start.Y)));
+        unproven.Select(run => TrajectoryRules.ErrorNotKept.At(default, FactText.Of(maxErrorMm), FactText.Of(run.Sum(segment => segment.Length)), FactText.Of(run[0].Start.X), FactText.Of(run[0].Start.Y)));
 
     private static double? ReachOf(MachineAxis axis) => axis.Travel is { } travel ? travel.Most - travel.Least : null;
-
-    private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 
     private sealed class TrajectoryCollector(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)
     {
@@ -100,7 +97,7 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
                 var named = new NamedTrajectory(name(Made.Count) + ".txt", file, HandleOf(file.Source[0], moves), seconds);
                 Made.Add(named);
                 Findings.AddRange(LimitsOf(file, named.FileName, _motion));
-                if (file.VerifiedBound > settings.MaxErrorMm) Findings.Add(TrajectoryRules.StepsTooLong.At(default, named.FileName, Fact(file.VerifiedBound), Fact(settings.MaxErrorMm)));
+                if (file.VerifiedBound > settings.MaxErrorMm) Findings.Add(TrajectoryRules.StepsTooLong.At(default, named.FileName, FactText.Of(file.VerifiedBound), FactText.Of(settings.MaxErrorMm)));
             }
 
             Findings.AddRange(NotKept(result.Unproven, settings.MaxErrorMm));

@@ -94,7 +94,7 @@ public class StartListTests
             : await CliRun.RunAsync(["run", .. words, "--dry-run", "--journal", folder.PathOf("a.jsonl")]);
         var frame = await CliRun.RunAsync(["frame", .. words]);
 
-        Assert.Equal(ExitCode.Usage, refused.ExitCode);
+        Assert.Equal(ExitCode.DrawingError, refused.ExitCode);
         Assert.Contains(id, refused.Error, StringComparison.Ordinal);
         Assert.Contains("NOT OK ", refused.Error, StringComparison.Ordinal);
         Assert.DoesNotContain("stays inside", refused.Error, StringComparison.Ordinal);

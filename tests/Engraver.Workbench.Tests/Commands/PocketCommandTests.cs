@@ -21,6 +21,7 @@ public class PocketCommandTests
         Assert.Equal("POCKET", drawing.Layers[drawing.Entities[added].Layer].Name);
         Assert.Equal(CurveType.LwPolyline, drawing.Entities[added].Type);
         Assert.Contains("100 % of 28.274 mm2 covered", talk.Said, StringComparison.Ordinal);
+        Assert.Contains("half a tool diameter into the wall", talk.Said, StringComparison.Ordinal); // the circle itself is still cut
         Assert.All(Outline(drawing, added), segment => Assert.True(segment.PointAt(0.5).DistanceTo(new Point2D(20, 5)) <= 2.0 + 1e-9));
         await talk.TypeAsync("U");
         Assert.Same(before, talk.State.Drawing);

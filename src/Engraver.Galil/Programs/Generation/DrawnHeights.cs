@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing;
@@ -38,9 +37,7 @@ internal static class DrawnHeights
     {
         if (double.IsNaN(move.StartZ)) return MotionRules.RisingCurve.At(source(move.EntityIndex));
         var (low, high) = (Math.Min(move.StartZ, move.EndZ) - drive.CutDepth, Math.Max(move.StartZ, move.EndZ) - drive.CutDepth);
-        if (!(Math.Max(Math.Abs(low), Math.Abs(high)) * Math.Abs(scale.Z) < int.MaxValue / 4.0)) return MotionRules.HeightOutsideCounts.At(source(move.EntityIndex), Text(Math.Abs(low) > Math.Abs(high) ? low : high), Text(scale.Z));
-        return high < drive.RetractHeight ? null : MotionRules.AboveRetract.At(source(move.EntityIndex), Text(high), Text(drive.CutDepth), Text(drive.RetractHeight));
+        if (!(Math.Max(Math.Abs(low), Math.Abs(high)) * Math.Abs(scale.Z) < int.MaxValue / 4.0)) return MotionRules.HeightOutsideCounts.At(source(move.EntityIndex), FactText.Of(Math.Abs(low) > Math.Abs(high) ? low : high), FactText.Of(scale.Z));
+        return high < drive.RetractHeight ? null : MotionRules.AboveRetract.At(source(move.EntityIndex), FactText.Of(high), FactText.Of(drive.CutDepth), FactText.Of(drive.RetractHeight));
     }
-
-    private static string Text(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
 }

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
@@ -28,7 +27,7 @@ public static class MotionProgramGenerator
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(maxErrorMm);
         var findings = new List<Diagnostic>(MachineProfileValidation.Check(profile, DmcLimits.Machine));
         if (findings.Count > 0) return new MotionGeneration(null, findings);
-        if (!IsCountable(toolpath.ToolStart, profile.Scale)) findings.Add(MotionRules.ToolStartUnusable.At(default, Text(toolpath.ToolStart.X), Text(toolpath.ToolStart.Y)));
+        if (!IsCountable(toolpath.ToolStart, profile.Scale)) findings.Add(MotionRules.ToolStartUnusable.At(default, FactText.Of(toolpath.ToolStart.X), FactText.Of(toolpath.ToolStart.Y)));
         if (findings.Count > 0) return new MotionGeneration(null, findings);
 
         var start = profile.Scale.ToCounts(toolpath.ToolStart);
@@ -51,7 +50,7 @@ public static class MotionProgramGenerator
         {
             var passes = DrawnHeights.Lifts(stroke, profile).Select(lift => StrokeGenerator.Generate(stroke, profile, maxErrorMm, style, lift)).Where(motion => motion.Sequences.Count > 0).ToList();
             if (passes.Count > 0) strokes.AddRange(passes);
-            else findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), Text(stroke.Start.X), Text(stroke.Start.Y)));
+            else findings.Add(MotionRules.SmallerThanACount.At(Source(stroke.Moves[0].EntityIndex), FactText.Of(stroke.Start.X), FactText.Of(stroke.Start.Y)));
         }
 
         return new MotionGeneration(new MotionProgram(profile, start, strokes) { Style = style }, findings);
@@ -64,7 +63,7 @@ public static class MotionProgramGenerator
         if (scale.Holds(box, start)) return null;
         var x = Math.Abs(box.MinX) > Math.Abs(box.MaxX) ? box.MinX : box.MaxX;
         var y = Math.Abs(box.MinY) > Math.Abs(box.MaxY) ? box.MinY : box.MaxY;
-        return MotionRules.OutsideCounts.At(source(move.EntityIndex), Text(x), Text(y), Text(scale.X), Text(scale.Y));
+        return MotionRules.OutsideCounts.At(source(move.EntityIndex), FactText.Of(x), FactText.Of(y), FactText.Of(scale.X), FactText.Of(scale.Y));
     }
 
     private static bool IsCountable(Point2D place, CountsScale scale) => place.IsFinite && scale.Holds(Bounds2D.FromCorners(place, place), default);
@@ -74,7 +73,5 @@ public static class MotionProgramGenerator
     private static double AllowedDeviation(MachineProfile profile, double maxErrorMm) => (TraceTolerances.Default with { Count = 1.0 / profile.Scale.Smallest, MaxError = maxErrorMm }).Deviation;
 
     private static Diagnostic ChordsNote(CountsScale scale, double maxErrorMm) =>
-        MotionRules.ArcsBecomeChords.At(default, Text(scale.X), Text(scale.Y), Text(maxErrorMm));
-
-    private static string Text(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
+        MotionRules.ArcsBecomeChords.At(default, FactText.Of(scale.X), FactText.Of(scale.Y), FactText.Of(maxErrorMm));
 }

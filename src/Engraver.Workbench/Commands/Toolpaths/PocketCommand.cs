@@ -1,11 +1,10 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
-using Engraver.Core.Offsets;
 using Engraver.Core.Pockets;
-using Engraver.Core.Sequencing.Chaining;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Editing;
+using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Toolpaths;
@@ -19,15 +18,16 @@ internal sealed class PocketCommand : ICommand
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
+        var selected = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
         var (options, depths) = await AskAsync(context).ConfigureAwait(false);
         var drawing = context.Drawing;
-        var result = PocketPlanner.Plan(ContoursOf(context, drawing, selected), options with { MaxErrorMm = context.Document.Current.Settings.MaxErrorMm });
+        var result = PocketPlanner.Plan([.. selected.All.Select(one => one.Contour)], options with { MaxErrorMm = context.Document.Current.Settings.MaxErrorMm });
         FindingMessages.Say(context, drawing.FileName, PocketDrawing.Findings(result, options), Severity.Info);
         if (result.Strokes.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Pocket.NothingToClear"));
         cancellation.ThrowIfCancellationRequested();
         context.Say(Wording.Get("Pocket.Covered", 100.0 * result.Coverage, result.ReachableArea, result.Passes.Count, result.Strokes.Count), MessageKind.Result);
-        Take(context, drawing, selected, PocketLevels.Of(result, options, depths));
+        Take(context, drawing, selected.Entities, PocketLevels.Of(result, options, depths));
+        context.Say(Wording.Get("Pocket.OutlinesStay"), MessageKind.Warning);
     }
 
     private static async Task<(PocketOptions Options, PocketDepths Depths)> AskAsync(CommandContext context)
@@ -48,15 +48,6 @@ internal sealed class PocketCommand : ICommand
         var value = await context.ValueAsync(new NumberPrompt(Wording.Get("Pocket." + name)) { Default = context.Remembered("POCKET." + name, first), Least = least, Most = most }).ConfigureAwait(false);
         context.Remember("POCKET." + name, NumberPrompt.Show(value));
         return value;
-    }
-
-    /// <summary>Millimetres.</summary>
-    private static List<OffsetContour> ContoursOf(CommandContext context, Drawing drawing, IReadOnlyList<int> selected)
-    {
-        var scale = Transform2D.ScaleFrom(Point2D.Origin, drawing.Unit.ToMillimetres);
-        Segment[] segments = [.. selected.SelectMany(index => DrawingRebuild.PartsOf(drawing, index)).Select(part => part.IsFreeCurve ? Segment.FromCurve(drawing.Curves[part.CurveIndex].Mapped(scale)) : part.Transformed(scale).InPlan())];
-        var chain = ContourChainer.Chain(segments, context.Document.Current.Settings.JoinToleranceMm);
-        return [.. chain.Contours.Select(contour => new OffsetContour([.. contour.Pieces.ToArray().Select(piece => piece.Reversed ? segments[piece.Row].Reversed() : segments[piece.Row])], contour.Closed))];
     }
 
     private static void Take(CommandContext context, Drawing drawing, IReadOnlyList<int> selected, IReadOnlyList<PocketCut> cuts)

@@ -13,7 +13,8 @@ namespace Engraver.Workbench.Commands.Trajectories;
 
 /// <summary>The objects that the operator selects, joined to contours within CNCJOINTOL, whatever their layers.</summary>
 /// <param name="All">In the order and direction of the drawing, millimetres.</param>
-internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All)
+/// <param name="Entities">What was selected, by index.</param>
+internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IReadOnlyList<int> Entities)
 {
     /// <summary>Exact enough to see on which side of a curve a place lies, millimetres.</summary>
     private const double CurveError = 0.01;
@@ -28,7 +29,7 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All)
         var contours = OffsetDrawing.ContoursOf(chained);
         if (contours.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NothingToFollow"));
         FindingMessages.Say(context, drawing.FileName, chained.Diagnostics.Where(found => found.Rule == SequencingRules.SmallGap), Severity.Warning);
-        return new SelectedContours([.. contours.Select((contour, i) => new SelectedContour(contour, HandlesOf(chained, chained.Chain.Contours[i], drawing)))]);
+        return new SelectedContours([.. contours.Select((contour, i) => new SelectedContour(contour, HandlesOf(chained, chained.Chain.Contours[i], drawing)))], selected);
     }
 
     /// <summary>The side of a place: in or out of the closed contours together (islands are holes), and for each open contour whether the place lies to its left.</summary>

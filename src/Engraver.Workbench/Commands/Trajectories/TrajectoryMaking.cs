@@ -42,7 +42,7 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
     {
         var called = name(_list.NextNumber + _made.Count);
         _made.Add(new DocumentTrajectory(called, curve, Settings.MaxErrorMm) { SegmentLengthMm = Settings.DynamicDensity || curve.Heights is not null ? null : Settings.SegmentLengthMm, Handles = handles });
-        if (curve.VerifiedBound > Settings.MaxErrorMm) _findings.Add(TrajectoryRules.StepsTooLong.At(default, called, Fact(curve.VerifiedBound), Fact(Settings.MaxErrorMm)));
+        if (curve.VerifiedBound > Settings.MaxErrorMm) _findings.Add(TrajectoryRules.StepsTooLong.At(default, called, FactText.Of(curve.VerifiedBound), FactText.Of(Settings.MaxErrorMm)));
     }
 
     public void Tell(IEnumerable<Diagnostic> findings) => _findings.AddRange(findings);
@@ -57,8 +57,6 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
         var state = context.Document.Current;
         context.Take(state with { Sidecar = state.Sidecar with { Trajectories = _list with { All = [.. _list.All, .. _made], NextNumber = _list.NextNumber + _made.Count } } });
     }
-
-    private static string Fact(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
 }
 
 /// <summary>A trajectory in one line.</summary>
