@@ -42,7 +42,7 @@ public static class ContourOffset
         if (side is OffsetSide.Left or OffsetSide.Right) foreach (var chain in chains) work.AddSide(chain, side);
         if (side is OffsetSide.Both) foreach (var chain in open) work.AddSide(chain, side);
         var withoutInside = side is OffsetSide.In or OffsetSide.Out ? open.Count : 0;
-        return new OffsetResult(work.Loops, OffsetCheck.MaxDeviation(contours, work.Loops, distance, options), withoutInside, work.Unresolved);
+        return new OffsetResult(work.Loops, OffsetCheck.MaxDeviation(contours, work.Loops, distance, side, options), withoutInside, work.Unresolved);
     }
 
     /// <summary>Where to compute from: the origin, or the middle of a drawing that lies far from it, so that its coordinates lose no digits; and the largest coordinate then.</summary>

@@ -13,14 +13,29 @@ internal static class OffsetCheck
     private const int MostMeasured = 20_000;
 
     /// <summary>Largest difference from the distance, millimetres, at the middle of each segment or of that part which runs beside its source; mitres and bevels have another distance and are not measured.</summary>
-    public static double MaxDeviation(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetLoop> loops, double distance, OffsetOptions options)
+    /// <remarks>A loop is held against what it was made from: in and out of closed contours against all of these together, left and right against its own contour alone.</remarks>
+    public static double MaxDeviation(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetLoop> loops, double distance, OffsetSide side, OffsetOptions options)
     {
-        List<Segment> segments = [.. drawn.SelectMany(contour => contour.Segments)];
+        var step = 1 + (loops.Sum(loop => loop.Segments.Count) / MostMeasured);
+        return loops.GroupBy(loop => OwnContourOf(loop, drawn, side)).Select(together =>
+            Largest(drawn, together.Key < 0 ? [.. drawn.Where(contour => contour.Closed)] : [drawn[together.Key]], together, distance, step, options)).DefaultIfEmpty().Max();
+    }
+
+    /// <summary>The contour of which a loop was made alone; -1 where all closed ones took part.</summary>
+    private static int OwnContourOf(OffsetLoop loop, IReadOnlyList<OffsetContour> drawn, OffsetSide side)
+    {
+        var source = loop.Sources[0].Contour;
+        return drawn[source].Closed && side is not (OffsetSide.Left or OffsetSide.Right) ? -1 : source;
+    }
+
+    private static double Largest(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetContour> against, IEnumerable<OffsetLoop> loops, double distance, int step, OffsetOptions options)
+    {
+        List<Segment> segments = [.. against.SelectMany(contour => contour.Segments)];
         var tree = new PieceTree([.. segments.Where(segment => !segment.IsFreeCurve && segment.Length > 0.0).Select(segment => PathPiece.FromSegment(segment))]);
         List<RationalCurve> curves = [.. segments.Where(segment => segment.IsFreeCurve).Select(segment => segment.Curve)];
         var boxes = curves.Count == 0 ? null : BoxTree.Build([.. curves.Select(curve => curve.Bounds)]);
         var largest = 0.0;
-        foreach (var (place, own) in Places(drawn, loops, options.Join == OffsetJoin.Round))
+        foreach (var (place, own) in Places(drawn, loops, step, options.Join == OffsetJoin.Round))
         {
             var nearest = options.Join == OffsetJoin.Bevel ? DistanceTo(own, place) : Nearest(place); // a bevelled corner may be nearer
             largest = Math.Max(largest, Math.Abs(nearest - distance));
@@ -39,9 +54,9 @@ internal static class OffsetCheck
 
     private static double DistanceTo(in Segment segment, Point2D place) => segment.IsFreeCurve ? segment.Curve.DistanceTo(place) : PathPiece.FromSegment(segment).DistanceTo(place);
 
-    private static IEnumerable<(Point2D Place, Segment Own)> Places(IReadOnlyList<OffsetContour> drawn, IReadOnlyList<OffsetLoop> loops, bool joinsAreRound)
+    private static IEnumerable<(Point2D Place, Segment Own)> Places(IReadOnlyList<OffsetContour> drawn, IEnumerable<OffsetLoop> loops, int step, bool joinsAreRound)
     {
-        var (step, number) = (1 + (loops.Sum(loop => loop.Segments.Count) / MostMeasured), 0);
+        var number = 0;
         foreach (var loop in loops)
         {
             for (var i = 0; i < loop.Segments.Count; i++)

@@ -39,6 +39,19 @@ public class AnalyticOffsetTests
         IsNear(28.0 + (2.0 * Math.PI), outer.Length);
     }
 
+    /// <summary>A line that has no inside lies at 0.4 of the offset at 1; two lines offset to the left, each by itself, lie at 0.25 of one another.</summary>
+    [Fact]
+    public void What_took_no_part_in_an_offset_is_no_deviation_of_it()
+    {
+        var line = new OffsetContour([Segment.FromLine(new Point2D(2, 1.4), new Point2D(8, 1.4))], false);
+        var beside = new OffsetContour([Segment.FromLine(new Point2D(0, 0.75), new Point2D(10, 0.75))], false);
+        var below = new OffsetContour([Segment.FromLine(new Point2D(0, 0), new Point2D(10, 0))], false);
+
+        Assert.InRange(ContourOffset.Offset([Rectangle(0, 0, 10, 4), line], 1, OffsetSide.In, new OffsetOptions()).MaxDeviation, 0.0, 1e-9);
+        Assert.InRange(ContourOffset.Offset([below, beside], 1, OffsetSide.Left, new OffsetOptions()).MaxDeviation, 0.0, 1e-9);
+        Assert.InRange(ContourOffset.Offset([Rectangle(0, 0, 10, 4), line], 1, OffsetSide.Both, new OffsetOptions()).MaxDeviation, 0.0, 1e-9);
+    }
+
     [Fact]
     public void Walls_exactly_two_distances_apart_leave_nothing_between_them()
     {

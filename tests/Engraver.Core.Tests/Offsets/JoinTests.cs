@@ -67,7 +67,7 @@ public class JoinTests
         var result = ContourOffset.Offset([needle], 1, OffsetSide.Out, new OffsetOptions { Join = join, MitreLimit = 100.0 });
 
         Assert.InRange(result.MaxDeviation, 0.0, 1e-9);
-        Assert.True(OffsetCheck.MaxDeviation([needle], [.. result.Loops.Select(loop => loop with { Segments = [.. loop.Segments.Select(segment => Segment.FromLine(Away(segment.Start), Away(segment.End)))] })], 1, new OffsetOptions { Join = join }) > 1e-4);
+        Assert.True(OffsetCheck.MaxDeviation([needle], [.. result.Loops.Select(loop => loop with { Segments = [.. loop.Segments.Select(segment => Segment.FromLine(Away(segment.Start), Away(segment.End)))] })], 1, OffsetSide.Out, new OffsetOptions { Join = join }) > 1e-4);
 
         static Point2D Away(Point2D place) => new(place.X * 1.001, place.Y * 1.001);
     }
