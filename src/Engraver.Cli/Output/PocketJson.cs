@@ -8,10 +8,10 @@ namespace Engraver.Cli.Output;
 /// <summary>What <c>engraver pocket --json</c> prints; names, units and meanings are the runner's contract.</summary>
 /// <param name="Loops">The passes of one level of depth.</param>
 /// <param name="MaxDeviation">Largest difference between a pass's distance from the walls and the one it should have, mm.</param>
-/// <param name="Coverage">Covered part of the reachable area, 0 to 1.</param>
+/// <param name="Coverage">Covered part of the reachable area, 0 to 1; null where the tool reaches nothing.</param>
 /// <param name="Strokes">What is cut without a lift, in order, every level by itself.</param>
 internal sealed record PocketJson(
-    IReadOnlyList<PocketJson.PocketPassJson> Loops, double MaxDeviation, int Regions, double DrawnArea, double ReachableArea, double CoveredArea, double UncoveredArea, double Coverage, double UnreachableArea,
+    IReadOnlyList<PocketJson.PocketPassJson> Loops, double MaxDeviation, int Regions, double DrawnArea, double ReachableArea, double CoveredArea, double UncoveredArea, double? Coverage, double UnreachableArea,
     IReadOnlyList<PocketJson.PocketPlaceJson> Unreached, IReadOnlyList<PocketJson.PocketNarrowJson> TooNarrow, IReadOnlyList<double> Levels, IReadOnlyList<PocketJson.PocketStrokeJson> Strokes)
 {
     public static PocketJson From(PocketDrawing pocket, PocketDepths depths)
@@ -29,7 +29,7 @@ internal sealed record PocketJson(
     {
         var result = pocket.Result;
         output.WriteLine(Wording.Get("Pocket.Passes", result.Passes.Count, result.Passes.Sum(pass => pass.Segments.Sum(segment => segment.Length)), pocket.Cuts.Count, result.Regions));
-        output.WriteLine(Wording.Get("Pocket.Coverage", 100.0 * result.Coverage, result.ReachableArea, result.UncoveredArea));
+        output.WriteLine(result.Coverage is not { } coverage ? Wording.Get("Pocket.NothingReached") : Wording.Get("Pocket.Coverage", 100.0 * coverage, result.ReachableArea, result.UncoveredArea));
         output.WriteLine(Wording.Get("Pocket.Unreached", result.UnreachableArea, result.Unreached.Count));
         foreach (var place in result.Unreached)
         {

@@ -95,8 +95,8 @@ public sealed record PocketResult
     /// <summary>The walls of each region, for entries that must stay inside.</summary>
     internal IReadOnlyList<IReadOnlyList<PathPiece[]>> Walls { get; init; } = [];
 
-    /// <summary>Part of the reachable area that is covered, 0 to 1; 1 where there is none.</summary>
-    public double Coverage => ReachableArea > 0.0 ? CoveredArea / ReachableArea : 1.0;
+    /// <summary>Part of the reachable area that is covered, 0 to 1; null where the tool reaches nothing.</summary>
+    public double? Coverage => ReachableArea > 0.0 ? CoveredArea / ReachableArea : null;
 
     /// <summary>What the tool could reach and the passes leave, never negative.</summary>
     public double UncoveredArea => Math.Max(0.0, ReachableArea - CoveredArea);

@@ -91,6 +91,19 @@ public class PocketVerbTests
     }
 
     [Fact]
+    public async Task A_tool_that_fits_into_nothing_covers_nothing()
+    {
+        using var folder = new TemporaryFolder();
+        var file = FileOf(folder, Square);
+        var (text, json) = (await CliRun.RunAsync("pocket", file, "--tool", "11", "--overlap", "0.5"), await CliRun.RunAsync("pocket", file, "--tool", "11", "--overlap", "0.5", "--json"));
+
+        Assert.Contains("covered: nothing", text.Out, StringComparison.Ordinal);
+        Assert.DoesNotContain("100 %", text.Out, StringComparison.Ordinal);
+        Assert.Equal(System.Text.Json.JsonValueKind.Null, JsonText.Of(json).GetProperty("coverage").ValueKind);
+        Assert.Contains("POC0001", json.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task The_text_tells_coverage_and_corners()
     {
         using var folder = new TemporaryFolder();

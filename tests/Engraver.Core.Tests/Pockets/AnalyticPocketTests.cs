@@ -47,7 +47,7 @@ public class AnalyticPocketTests
         var pass = Assert.Single(result.Passes);
         Assert.False(pass.Closed);
         Assert.Equal(20.0, pass.Segments.Sum(segment => segment.Length), 5);
-        Assert.Equal(1.0, result.Coverage, 6);
+        Assert.Equal(1.0, result.Coverage!.Value, 6);
         Assert.Empty(result.TooNarrow);
     }
 
@@ -58,7 +58,7 @@ public class AnalyticPocketTests
 
         var pass = Assert.Single(result.Passes);
         Assert.Equal(2.0 * Math.PI * 8.5, pass.Segments.Sum(segment => segment.Length), 4);
-        Assert.Equal(1.0, result.Coverage, 6);
+        Assert.Equal(1.0, result.Coverage!.Value, 6);
     }
 
     [Fact]
@@ -161,7 +161,7 @@ public class AnalyticPocketTests
         var result = Plan(Options(1.0, 0.5), Line((0, 0), (10, 0)));
 
         Assert.Equal((1, 0, 0), (result.WithoutInside, result.Regions, result.Passes.Count));
-        Assert.Equal(1.0, result.Coverage);
+        Assert.Null(result.Coverage);
     }
 
     private static PocketOptions Options(double radius, double overlap) => new() { ToolRadius = radius, Overlap = overlap };

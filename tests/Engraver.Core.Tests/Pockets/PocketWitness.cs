@@ -22,7 +22,7 @@ internal sealed class PocketWitness(IReadOnlyList<OffsetContour> drawn, PocketOp
     {
         if (result.Unresolved.Count > 0) return "an offset was not closed";
         if (result.LeftStanding is [var place, ..]) return FormattableString.Invariant($"{result.UncoveredArea:E2} mm2 left standing, first at {place}");
-        return Math.Abs(result.Coverage - 1.0) > 1e-6 ? FormattableString.Invariant($"coverage {result.Coverage:R}: {result.CoveredArea:R} of {result.ReachableArea:R}") : null;
+        return Math.Abs((result.Coverage ?? 1.0) - 1.0) > 1e-6 ? FormattableString.Invariant($"coverage {result.Coverage:R}: {result.CoveredArea:R} of {result.ReachableArea:R}") : null;
     }
 
     /// <summary>Every place of the tool in every move is inside, the radius away from all walls.</summary>

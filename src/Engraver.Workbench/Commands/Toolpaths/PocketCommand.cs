@@ -23,9 +23,9 @@ internal sealed class PocketCommand : ICommand
         var drawing = context.Drawing;
         var result = PocketPlanner.Plan([.. selected.All.Select(one => one.Contour)], options with { MaxErrorMm = context.Document.Current.Settings.MaxErrorMm });
         FindingMessages.Say(context, drawing.FileName, PocketDrawing.Findings(result, options), Severity.Info);
-        if (result.Strokes.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Pocket.NothingToClear"));
+        if (result is not { Strokes.Count: > 0, Coverage: { } coverage }) throw new CommandException(CommandFailure.Usage, Wording.Get("Pocket.NothingToClear"));
         cancellation.ThrowIfCancellationRequested();
-        context.Say(Wording.Get("Pocket.Covered", 100.0 * result.Coverage, result.ReachableArea, result.Passes.Count, result.Strokes.Count), MessageKind.Result);
+        context.Say(Wording.Get("Pocket.Covered", 100.0 * coverage, result.ReachableArea, result.Passes.Count, result.Strokes.Count), MessageKind.Result);
         Take(context, drawing, selected.Entities, PocketLevels.Of(result, options, depths));
         context.Say(Wording.Get("Pocket.OutlinesStay"), MessageKind.Warning);
     }
