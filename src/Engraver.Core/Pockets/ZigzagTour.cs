@@ -12,7 +12,7 @@ internal sealed class ZigzagTour
     private readonly IReadOnlyList<PassChain> _walls;
     private readonly ZigzagRows _rows;
     private readonly LinkCheck _check;
-    private readonly SweptReach _cut;
+    private readonly double _radius;
     private readonly double _longest;
     private readonly double _step;
     private readonly bool[] _done;
@@ -22,10 +22,13 @@ internal sealed class ZigzagTour
     private readonly PassFinder _endFinder;
     private List<(PathPiece Piece, bool IsLink)> _moves = [];
 
+    /// <summary>What the walls that were cut so far have swept; null before it is asked for again.</summary>
+    private SweptReach? _cut;
+
     private ZigzagTour(IReadOnlyList<PassChain> walls, ZigzagRows rows, LinkCheck check, PocketOptions options)
     {
         (_walls, _rows, _check) = (walls, rows, check);
-        _cut = new SweptReach([.. walls.SelectMany(wall => wall.Pieces)], options.ToolRadius * (1.0 + 1e-9));
+        _radius = options.ToolRadius * (1.0 + 1e-9);
         _longest = LongestWay * (options.Stepover + options.ToolRadius);
         _step = Math.Max(0.0, options.Stepover - options.ToolRadius) * (1.0 + 1e-6);
         (_done, _wallDone) = (new bool[rows.Rows.Count], new bool[walls.Count]);
@@ -73,8 +76,8 @@ internal sealed class ZigzagTour
         var (wall, place) = _wallFinder.Nearest(end);
         if (wall < 0 || _wallDone[wall] || !_walls[wall].Closed) return;
         var way = PathPiece.Line(end, place.Place);
-        if (way.Length > _cut.Radius || !_check.StaysInside(way)) return;
-        _wallDone[wall] = true;
+        if (way.Length > _radius || !_check.StaysInside(way)) return;
+        (_wallDone[wall], _cut) = (true, null);
         if (!isEntry) Link(way);
         _moves.AddRange(Round(_walls[wall], place).Select(piece => (piece, false)));
         Link(way.Reversed());
@@ -103,14 +106,14 @@ internal sealed class ZigzagTour
         foreach (var (other, forwards, place) in candidates)
         {
             var way = PathPiece.Line(tool, place);
-            if (!_check.StaysInside(way) || LinkCheck.Uncut(way, _cut) > _step) continue;
+            if (!_check.StaysInside(way) || Uncut([way]) > _step) continue;
             Link(way);
             return (other, forwards);
         }
 
         foreach (var (other, forwards, place) in candidates)
         {
-            if (WayAlong(tool, place) is not { } ways) continue;
+            if (WayAlong(tool, place) is not { } ways || Uncut(ways) > _step) continue;
             foreach (var way in ways) Link(way);
             return (other, forwards);
         }
@@ -118,7 +121,14 @@ internal sealed class ZigzagTour
         return (-1, false);
     }
 
-    /// <summary>Along the loop at which both rows end, which lies in what the pass along the wall has cut.</summary>
+    /// <summary>Length of a way that leads through what no pass along a wall has cut yet.</summary>
+    private double Uncut(IEnumerable<PathPiece> ways)
+    {
+        _cut ??= new SweptReach([.. _walls.Where((_, wall) => _wallDone[wall]).SelectMany(wall => wall.Pieces)], _radius);
+        return ways.Sum(way => LinkCheck.Uncut(way, _cut));
+    }
+
+    /// <summary>Along the loop at which both rows end, which lies in what the pass along the wall cuts.</summary>
     private List<PathPiece>? WayAlong(Point2D from, Point2D to)
     {
         var (first, start) = _endFinder.Nearest(from);
