@@ -83,7 +83,8 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
         if (result.Unreached.MaxBy(place => place.Depth) is { } deepest) yield return PocketRules.NotReached.At(default, FactText.Of(result.Unreached.Count), FactText.Of(result.Unreached.Sum(place => place.Area ?? 0.0)), FactText.Of(deepest.Depth), FactText.Of(deepest.Place.X), FactText.Of(deepest.Place.Y)) with { Place = deepest.Place };
     }
 
-    private static IEnumerable<Diagnostic> Findings(IReadOnlyList<PocketCut> cuts, PocketDepths depths)
+    /// <summary>What is to be said of the ways down.</summary>
+    internal static IEnumerable<Diagnostic> Findings(IReadOnlyList<PocketCut> cuts, PocketDepths depths)
     {
         if (depths.Entry != PocketEntry.Helix) yield break;
         List<PocketCut> ramps = [.. cuts.Where(cut => cut.Entry == PocketEntry.Ramp)];
