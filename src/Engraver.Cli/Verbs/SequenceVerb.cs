@@ -4,6 +4,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Drawings;
 using Engraver.Core.Sequencing;
+using Engraver.Core.Sequencing.Chaining;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Reports;

@@ -20,6 +20,9 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
     /// <summary>Ends of lines in space that are one, millimetres.</summary>
     private const double ExactJoint = 1e-6;
 
+    /// <summary>Height that counts as none, millimetres.</summary>
+    private const double NoHeight = 1e-6;
+
     /// <summary>Part of a count by which arcs may leave the spline.</summary>
     private const double CountShare = 0.25;
 
@@ -54,22 +57,32 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         var rises = trajectories.Any(one => one.IsHelix);
         var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off };
         if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, ExactJoint) }; // a chord of a helix may be shorter than what is joined in a drawing
-        var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [Raised(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)])]);
+        var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [Raised(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)]).Select(AtHeight)]);
         var table = JobPreparation.Analyse(splines, own);
         var sequence = JobPreparation.Sequence(splines, table, own);
         var job = JobPreparation.FromPath(splines, own, table, sequence, JobPreparation.PathOf(sequence, own), style);
         var bound = trajectories.Select(one => one.Curve.VerifiedBound).DefaultIfEmpty().Max() + (rises ? 2.0 * arcError : arcError);
-        var source = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfSource(one.Curve, arcError) : one.Curve.Source.Select(segment => Raised(segment, one.Curve.Z)))]);
+        var source = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfSource(one.Curve, arcError) : one.Curve.Source.Select(segment => Raised(segment, one.Curve.Z))).Select(AtHeight)]);
         return new TrajectoryJob(
             job with
             {
                 Analysed = JobPreparation.Analyse(source, own),
                 Settings = own with { MaxErrorMm = bound },
-                Findings = [.. job.Findings, .. TrajectoryEdits.Findings(drawing, trajectories)],
+                Findings = [.. job.Findings, .. Heights(trajectories, settings.Machine), .. TrajectoryEdits.Findings(drawing, trajectories)],
                 Followed = new FollowedTrajectories(drawing, settings, trajectories),
             },
             trajectories,
             bound);
+
+        RaisedSegment AtHeight(RaisedSegment raised) => settings.Machine.Height is null ? Raised(raised.Segment, 0.0) : raised;
+    }
+
+    /// <summary>A warning where there are heights and no axis that holds the tool.</summary>
+    private static IEnumerable<Diagnostic> Heights(IReadOnlyList<DocumentTrajectory> trajectories, MachineProfile machine)
+    {
+        double[] heights = [.. trajectories.SelectMany(one => one.Curve.Heights?.Skip(1).SkipLast(1) ?? [one.Curve.Z])];
+        if (machine.Height is not null || !Array.Exists(heights, z => Math.Abs(z) > NoHeight)) yield break;
+        yield return TrajectoryRules.HeightsNotRun.At(default, FactText.Of(heights.Min()), FactText.Of(heights.Max()));
     }
 
     private static RaisedSegment Raised(Segment segment, double z) => new(segment, z, z);

@@ -73,7 +73,7 @@ public class KerfOptionTests
         Assert.Equal(120.0 + (4.0 * Math.PI) + (6.0 * Math.PI), sequence.GetProperty("pathLength").GetDouble(), 6);
         Assert.Equal(sequence.GetProperty("pathLength").GetDouble(), again.GetProperty("pathLength").GetDouble(), 6);
         Assert.Equal((9, 2), (sequence.GetProperty("segments").GetInt32(), sequence.GetProperty("contours").GetInt32()));
-        Assert.Equal((1 + 9, 1 + 5), (table.Output.Trim().Split('\n').Length, drawn.Output.Trim().Split('\n').Length));
+        Assert.Equal((1 + 9, 1 + 5), (table.Out.Trim().Split('\n').Length, drawn.Out.Trim().Split('\n').Length));
     }
 
     [Theory]

@@ -1,3 +1,4 @@
+using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.TestKit;
@@ -58,7 +59,7 @@ public class KerfCommandTests
 
     private static double RadiusIn(string csv)
     {
-        var (head, row) = (csv.Split('\n')[0].Trim().Split(','), csv.Split('\n')[1].Trim().Split(','));
-        return double.Parse(row[Array.FindIndex(head, name => name.Contains("adius", StringComparison.Ordinal))], System.Globalization.CultureInfo.InvariantCulture);
+        var row = csv.Split('\n')[1].Trim().Split(',');
+        return double.Parse(row[(int)EntitySlot.Radius], System.Globalization.CultureInfo.InvariantCulture);
     }
 }

@@ -96,7 +96,8 @@ public class PocketCommandTests
         var (drawing, settings) = (talk.State.Drawing!, talk.State.Settings);
         var heights = talk.State.Previous.Select(index => drawing.Parts[drawing.Entities[index].FirstPart]).Select(part => (part.C, part.Kind == SegmentKind.Line ? part.F : part.C)).ToList();
 
-        Assert.Equal((["POCKET"], StrokeOrder.Drawn, KerfSide.Off), (settings.Layers, settings.Order, settings.Kerf));
+        Assert.Equal(["POCKET"], settings.Layers!);
+        Assert.Equal((StrokeOrder.Drawn, KerfSide.Off), (settings.Order, settings.Kerf));
         Assert.Equal((0.0, true), (heights[0].C, heights[0].Item2 < 0.0)); // a way down first
         Assert.Contains((-0.5, -0.5), heights);
         Assert.Equal((-1.0, -1.0), heights[^1]);
@@ -106,7 +107,7 @@ public class PocketCommandTests
         var judged = talk.Session.Machine.LastRun!.Judgement;
         Assert.InRange(judged.MaxDeviationMm!.Value, 0.0, 0.01);
         Assert.Equal(0.0, judged.MissingLengthMm);
-        await talk.TypeAsync("U", "U");
+        await talk.TypeAsync("U");
         Assert.Same(before.Drawing, talk.State.Drawing);
         Assert.Equal(before.Settings, talk.State.Settings);
     }
@@ -121,13 +122,17 @@ public class PocketCommandTests
         Assert.Contains("half a tool diameter", talk.Said, StringComparison.Ordinal);
     }
 
-    [Fact]
-    public async Task A_screw_line_without_room_is_told()
+    /// <summary>A square of 8: a tool of 7.8 has no room for a screw line and goes down on its pass; for one of 8 all of it is one place.</summary>
+    [Theory]
+    [InlineData("7.8", "POC0007", 1)]
+    [InlineData("8", "POC0008", 0)]
+    public async Task A_way_down_without_room_is_told(string diameter, string id, int ways)
     {
         await using var talk = CommandTalk.WithDrawing();
-        await talk.TypeAsync("POCKET", "H", "A4", "", "8", "0.5", "Contour", "Entry", "Helix", "3", "1", "1");
+        await talk.TypeAsync("POCKET", "H", "A4", "", diameter, "0.5", "Contour", "Entry", "Helix", "3", "1", "1");
 
-        Assert.Contains("POC0006", talk.Said, StringComparison.Ordinal);
+        Assert.Contains(id, talk.Said, StringComparison.Ordinal);
+        Assert.Equal(1 + ways, talk.State.Previous.Count);
     }
 
     private static double Widest(CommandTalk talk) => talk.Session.Prompt.Preview!(default).Max(segment => segment.Start.DistanceTo(new Point2D(20, 5)));

@@ -17,7 +17,8 @@ internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<Offs
     public async Task<PocketRequest> AskAsync()
     {
         context.Remember(Memory + "Job", "Everything"); // never taken over in silence
-        context.Say(Wording.Get("Pocket.Settings", context.Remembered(Memory + "From", "Wall"), First("Allowance"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge))));
+        var (from, entry) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)));
+        context.Say(Wording.Get("Pocket.Settings", from, First("Allowance"), entry));
         await NumberAsync("Diameter", 1e-3, 1e3).ConfigureAwait(false);
         await NumberAsync("Overlap", 0.01, 0.99).ConfigureAwait(false);
         if (await ChoiceAsync("Strategy", "Contour", "Zigzag").ConfigureAwait(false) == "Zigzag") await NumberAsync("Angle", -360, 360).ConfigureAwait(false);

@@ -2,6 +2,7 @@ using System.Text.Json.Nodes;
 using Engraver.Core.Geometry;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Tests.Commands.Trajectories;
@@ -38,7 +39,7 @@ public class TrajectoryEditTests
     public async Task Offsets_of_several_contours_keep_their_distance_and_side()
     {
         await using var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new Documents.DocumentState { Drawing = new DrawingBuilder().Circle(0, 0, 10).Circle(0, 0, 3).Build() });
+        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(0, 0, 10).Circle(0, 0, 3).Build() });
         await talk.TypeAsync("SACEOFFSET", "ALL", "", "1", "6,0", "SCALE", "H", "A1", "", "0,0", "2");
         Assert.Equal(["traj0_offset-0", "traj1_offset-1"], Stale(talk)); // the hole's too, which was made with it
         await talk.TypeAsync("SACEUPDATETRAJECTORIES");
@@ -63,7 +64,7 @@ public class TrajectoryEditTests
     public async Task A_contour_that_has_other_corners_now_gets_as_many_trajectories_as_it_needs()
     {
         await using var talk = new CommandTalk();
-        talk.Session.Document.Take("OPEN", new Documents.DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10, 0, 20, 0).Build() });
+        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Line(0, 0, 10, 0).Line(10, 0, 20, 0).Build() });
         await talk.TypeAsync("SACEPATH", "ALL", "", "SACEPATH", "H", "A1", "");
         Assert.Equal(["traj0_path", "traj1_path"], All(talk).Select(one => one.Name)); // straight on: one
         await talk.TypeAsync("ROTATE", "H", "A2", "", "10,0", "90", "SACEUPDATETRAJECTORIES");
@@ -92,9 +93,9 @@ public class TrajectoryEditTests
     public async Task Before_they_are_written_or_run_it_is_said_which_no_longer_follow_the_drawing(params string[] command)
     {
         await using var talk = CommandTalk.WithDrawing();
-        await talk.TypeAsync("SACEPATH", "H", "A3", "", "MOVE", "H", "A1", "", "0,0", "0,1", .. command);
+        await talk.TypeAsync(["SACEPATH", "H", "A3", "", "MOVE", "H", "A1", "", "0,0", "0,1", .. command]);
         Assert.DoesNotContain("edited", talk.Said, StringComparison.Ordinal);
-        await talk.TypeAsync("MOVE", "H", "A3", "", "0,0", "0,1", .. command, "Y");
+        await talk.TypeAsync(["MOVE", "H", "A3", "", "0,0", "0,1", .. command, "Y"]);
 
         Assert.Contains("Trajectories follow what was drawn before it was edited: 1, the first of them traj0_path", talk.Said, StringComparison.Ordinal);
     }
