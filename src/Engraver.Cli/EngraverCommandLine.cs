@@ -26,6 +26,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(VerifyVerb.Build(host));
         root.Subcommands.Add(CertifyVerb.Build(host));
         root.Subcommands.Add(RunVerb.Build(host));
+        root.Subcommands.Add(ReportVerb.Build(host));
         root.Subcommands.Add(HistoryVerb.Build(host));
         root.Subcommands.Add(HandVerbs.Status(host));
         root.Subcommands.Add(HandVerbs.GoTo(host));

@@ -71,7 +71,7 @@ public sealed class JobModel : Observable
 public sealed record CheckLine(ArmingCheck Check)
 {
     /// <summary>Shape besides colour.</summary>
-    public string Mark => Check switch { { IsAsked: false } => "?", { Passed: false } => "✗", { IsWarning: true } => "▲", _ => "✓" };
+    public string Mark => Check switch { { IsNote: true } => "–", { IsAsked: false } => "?", { Passed: false } => "✗", { IsWarning: true } => "▲", _ => "✓" };
 
     /// <summary>The sentence of the check; a warning says in words, too, that it is one.</summary>
     public string Sentence => Check.IsWarning ? Text.Get("Job.Look", Check.Sentence) : Check.Sentence;

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
@@ -18,7 +17,7 @@ internal static class PlanVerb
         var json = JsonOption.New();
         var connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
         var mode = ModeOption.New();
-        var rate = new Option<JobRates?>("--rate") { HelpName = "HOUR[,METRE[,START]]", Description = Wording.Get("Plan.Rate"), CustomParser = Rates };
+        var rate = RateOption.New();
         var command = new Command("plan", Wording.Get("Plan.SaysHowLongJob"));
         drawing.AddTo(command);
         foreach (var option in (Option[])[json, connect, mode, rate]) command.Options.Add(option);
@@ -41,13 +40,5 @@ internal static class PlanVerb
         if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default, null), []);
         var fit = JobPlan.FitToLink(program, address, mode, job.Drawing);
         return (PlanReport.Json(job, fit.Program, JobPlan.PlannedTimes(fit.Program, address, mode), rates), fit.Diagnostics);
-    }
-
-    private static JobRates? Rates(ArgumentResult result)
-    {
-        var word = result.Tokens[0].Value;
-        if (JobRates.Parse(word) is { } rates) return rates;
-        result.AddError(Wording.Get("Plan.NoRates", word));
-        return null;
     }
 }

@@ -38,8 +38,8 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
         _ => Wording.Get("Certificate.Stale", string.Join(", ", Differs.Select(Said))),
     };
 
-    /// <summary>The line of the list before a start. A job runs without a certificate too, but the operator must have read that it does.</summary>
-    public ArmingCheck Check => new(true, Sentence + ".") { IsWarning = State != CertificateState.Stands };
+    /// <summary>The line of the list before a start. A job runs without a certificate too; one that is of another job must have been read.</summary>
+    public ArmingCheck Check => new(true, Sentence + ".") { IsWarning = State == CertificateState.Stale, IsNote = State == CertificateState.None };
 
     /// <summary>Of a job that a machine runs, by the certificate at its usual place.</summary>
     /// <param name="program">Of the job, made fit for the link.</param>

@@ -132,7 +132,7 @@ public sealed record HistoryEntry
         {
             Kind = simulated ? "simulation" : options.DryRun ? "dryRun" : "run",
             Mode = options.Mode switch { JobMode.Calls => "calls", JobMode.Program => "program", _ => "stream" },
-            Address = options.Address.ToString(),
+            Address = options.Address.Typed,
             Outcome = OutcomeText.Word(outcome),
             Journal = Path.GetFullPath(options.JournalPath),
             Checks = checks is null ? null : [.. checks.Checks.Select(check => new HistoryCheck(check.Passed, check.IsWarning, check.Sentence))],

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using Engraver.Core.Drawings;
@@ -14,6 +15,9 @@ namespace Engraver.Workbench.Settings;
 /// <summary>The settings of a job as words, by the keys of the table of settings: how a certificate and the history of jobs keep them. The machine profile is kept apart (<see cref="MachineProfileFile"/>).</summary>
 public static class SettingWords
 {
+    /// <summary>Letters stay what they are: who shows them escapes them in its own way.</summary>
+    private static readonly SettingWordsJson s_json = new(new JsonSerializerOptions { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping });
+
     /// <summary>Every setting that is not left to the drawing, by its key; numbers exact.</summary>
     public static IReadOnlyDictionary<string, string> Of(DrawingSettings settings)
     {
@@ -65,13 +69,13 @@ public static class SettingWords
     }
 
     /// <summary>A name of a layer may hold any letter, so that the names are a JSON list.</summary>
-    private static string Names(IReadOnlyList<string> names) => JsonSerializer.Serialize(names, SettingWordsJson.Default.IReadOnlyListString);
+    private static string Names(IReadOnlyList<string> names) => JsonSerializer.Serialize(names, s_json.IReadOnlyListString);
 
     private static IReadOnlyList<string> NamesIn(string word)
     {
         try
         {
-            return JsonSerializer.Deserialize(word, SettingWordsJson.Default.IReadOnlyListString) ?? throw new FormatException(word);
+            return JsonSerializer.Deserialize(word, s_json.IReadOnlyListString) ?? throw new FormatException(word);
         }
         catch (JsonException broken)
         {

@@ -37,7 +37,7 @@ public class CertifyVerbTests
         var stale = await CliRun.RunAsync([.. run, "--feed", "700"]);
         var differs = await CliRun.RunAsync("certify", drawing, "--check", "--json", "--feed", "700", "--max-error", "0.002");
 
-        Assert.Contains("LOOK   No certificate stands beside the drawing; engraver certify reads the program back and writes one.", before.Error.Split('\n'));
+        Assert.Contains("note   No certificate stands beside the drawing; engraver certify reads the program back and writes one.", before.Error.Split('\n'));
         Assert.Contains(stands.Error.Split('\n'), line => line.StartsWith("ok     The certificate stands:", StringComparison.Ordinal));
         Assert.Contains("LOOK   The certificate beside the drawing is of another job: the machine profile changed since; engraver certify makes it anew.", stale.Error.Split('\n'));
         Assert.All([before, stands, stale], job => Assert.Equal(ExitCode.Done, job.ExitCode));

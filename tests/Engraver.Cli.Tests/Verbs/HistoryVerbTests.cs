@@ -23,6 +23,7 @@ public class HistoryVerbTests
             entries[0].EnumerateObject().Select(field => field.Name));
         Assert.Equal(["linkLost", "written", "complete"], entries.Select(entry => Word(entry, "outcome")));
         Assert.Equal((drawing, "run", "stream", "galil", folder.PathOf("a.jsonl")), (Word(entries[2], "drawing"), Word(entries[2], "kind"), Word(entries[2], "mode"), Word(entries[2], "target"), Word(entries[2], "journal")));
+        Assert.Equal(["tcp://127.0.0.1:1", null, "sim:"], entries.Select(entry => Word(entry, "address")));
         Assert.Equal(run.GetProperty("seconds").GetDouble(), entries[2].GetProperty("seconds").GetDouble());
         Assert.Equal(run.GetProperty("maxDeviation").GetDouble(), entries[2].GetProperty("maxDeviation").GetDouble());
         Assert.Equal("0.005", Word(entries[2].GetProperty("settings"), "max-error"));

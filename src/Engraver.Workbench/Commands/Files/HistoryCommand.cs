@@ -12,7 +12,7 @@ internal sealed class HistoryCommand : ICommand
     /// <summary>Entries that are listed where none is searched for.</summary>
     private const int Listed = 20;
 
-    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("List", "Search", "Open", "Rerun");
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("List", "Search", "Open", "Rerun", "rePort");
 
     public CommandInfo Info { get; } = new("HISTORY", CommandGroup.File);
 
@@ -31,7 +31,8 @@ internal sealed class HistoryCommand : ICommand
         if (reading.Entries.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("History.Nothing"));
         var name = await context.ValueAsync(new TextPrompt(Wording.Get("History.EnterNumber"))).ConfigureAwait(false);
         var entry = reading.Find(name) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("History.NoEntry", name));
-        Open(context, entry, option == "Rerun" ? SettingsOf(entry) : null, cancellation);
+        if (option == "rePort") await JobPageFile.WriteAsync(context, entry, SettingsOf(entry), cancellation).ConfigureAwait(false);
+        else Open(context, entry, option == "Rerun" ? SettingsOf(entry) : null, cancellation);
     }
 
     private static void List(CommandContext context, HistoryReading reading, string? word)

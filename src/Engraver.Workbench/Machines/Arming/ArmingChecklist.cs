@@ -159,6 +159,9 @@ public sealed record ArmingCheck(bool Passed, string Sentence)
     /// <summary>False for what the controller said too long ago: nobody knows whether it is so.</summary>
     public bool IsAsked { get; init; } = true;
 
+    /// <summary>True for what is only told: nothing is wrong, and nothing was found right either.</summary>
+    public bool IsNote { get; init; }
+
     /// <summary>The line as the operator reads it.</summary>
-    public string Line => Wording.Get(this switch { { IsWarning: true } => "CncArm.Look", { IsAsked: false } => "CncArm.NotKnown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);
+    public string Line => Wording.Get(this switch { { IsNote: true } => "CncArm.Note", { IsWarning: true } => "CncArm.Look", { IsAsked: false } => "CncArm.NotKnown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);
 }
