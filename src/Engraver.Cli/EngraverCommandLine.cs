@@ -28,6 +28,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(RunVerb.Build(host));
         root.Subcommands.Add(ReportVerb.Build(host));
         root.Subcommands.Add(HistoryVerb.Build(host));
+        root.Subcommands.Add(ReplayVerb.Build(host));
         root.Subcommands.Add(HandVerbs.Status(host));
         root.Subcommands.Add(HandVerbs.GoTo(host));
         root.Subcommands.Add(HandVerbs.Jog(host));

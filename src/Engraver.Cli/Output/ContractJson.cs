@@ -20,6 +20,7 @@ namespace Engraver.Cli.Output;
 [JsonSerializable(typeof(DiscoverJson))]
 [JsonSerializable(typeof(CertificateCheckJson))]
 [JsonSerializable(typeof(HistoryJson))]
+[JsonSerializable(typeof(ReplayJson))]
 internal sealed partial class ContractJson : JsonSerializerContext
 {
     public static void Write<T>(TextWriter output, T value, JsonTypeInfo<T> type) => output.WriteLine(JsonSerializer.Serialize(value, type));

@@ -78,7 +78,7 @@ public sealed record CertificateStanding(CertificateState State, IReadOnlyList<s
 
     private static string Said(string part) => part switch
     {
-        "drawing" or "profile" or "target" or "program" => Wording.Get("Certificate.Differs." + part),
+        "drawing" or "profile" or "target" or "program" => Wording.Get("CertificateDiffers." + part),
         _ => $"[{part}]",
     };
 }

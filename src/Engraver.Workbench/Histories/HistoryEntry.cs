@@ -89,7 +89,7 @@ public sealed record HistoryEntry
 
     /// <summary>Whether a word is found in what people know a job by.</summary>
     public bool Holds(string word) =>
-        ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Journal, Program, Date.ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture)]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
+        ((string?[])[Id, Drawing, Kind, Target, Mode, Address, Outcome, Sentence, Journal, Program, string.Create(CultureInfo.InvariantCulture, $"{Date.UtcDateTime:yyyy-MM-dd} {Date.UtcDateTime:HH:mm}")]).Any(text => text?.Contains(word, StringComparison.OrdinalIgnoreCase) == true);
 
     /// <summary>A run.</summary>
     /// <param name="simulated">A simulated machine of its own ran it (CNCSIM).</param>

@@ -23,7 +23,7 @@ public static class HistoryText
     public static string Date(HistoryEntry entry, TimeZoneInfo here)
     {
         ArgumentNullException.ThrowIfNull(entry);
-        return TimeZoneInfo.ConvertTime(entry.Date, here).ToString("yyyy-MM-dd HH:mm:ss", CultureInfo.InvariantCulture);
+        return Wording.Get("History.Moment", TimeZoneInfo.ConvertTime(entry.Date, here));
     }
 
     private static string Figures(HistoryEntry entry) => string.Create(CultureInfo.InvariantCulture, $"{(entry.Seconds is { } seconds ? $"{seconds:0.0} s" : "")}{(entry.MaxDeviation is { } deviation ? $"  {deviation:0.0000} mm" : "")}").Trim();

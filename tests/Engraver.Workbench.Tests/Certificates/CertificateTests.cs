@@ -80,8 +80,7 @@ public class CertificateTests
     public async Task The_program_is_the_one_that_the_link_can_carry()
     {
         using var part = new CertifiedPart { Settings = new DrawingSettings { Machine = MachineProfile.Default with { FeedMmPerMinute = 6000.0 } } };
-        static (double X, double Y) At(int i) => (50.0 * Math.Cos(0.0005 * i), 50.0 * Math.Sin(0.0005 * i));
-        await File.WriteAllBytesAsync(part.File, DxfText.WithEntities([.. Enumerable.Range(0, 4000).SelectMany(i => new (int, object)[] { (0, "LINE"), (10, At(i).X), (20, At(i).Y), (11, At(i + 1).X), (21, At(i + 1).Y) })]).ToAscii());
+        await File.WriteAllBytesAsync(part.File, DxfText.WithEntities([.. Enumerable.Range(0, 800).SelectMany(i => new (int, object)[] { (0, "LINE"), (10, 0.1 * i), (20, 0.0), (11, 0.1 * (i + 1)), (21, 0.0) })]).ToAscii());
         var line = new SerialAddress("/dev/ttyS0", 1200);
         var job = JobPreparation.Prepare(part.Request().Drawing, part.Settings, MotionStyle.Continuous);
         var fit = JobPlan.FitToLink(job.Motion.Program!, line, JobMode.Stream, job.Drawing);

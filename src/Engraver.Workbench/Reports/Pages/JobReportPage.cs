@@ -21,9 +21,9 @@ public static class JobReportPage
     {
         ArgumentNullException.ThrowIfNull(report);
         ArgumentNullException.ThrowIfNull(output);
-        var page = new PageWriter(output);
+        using var page = new PageWriter(output);
         page.Begin(Path.GetFileName(report.Job.Drawing.FileName));
-        page.Paragraph(Path.GetFullPath(report.Job.Drawing.FileName), "quiet code");
+        page.Paragraph(Path.GetFullPath(report.Job.Drawing.FileName), "code");
         page.Paragraph(Wording.Get("JobReport.Made", Time(report.Now, here)), "quiet");
         page.Paragraph(Verdict(report), "verdict");
         Pictures(report, page);
@@ -32,7 +32,7 @@ public static class JobReportPage
         page.Section("certificate", Wording.Get("JobReport.Certificate"), () => Certificate(report.Certificate, here, page));
         page.Section("findings", Wording.Get("JobReport.Findings"), () => Findings(report.Findings, page));
         page.Section("settings", Wording.Get("JobReport.Settings"), () => Settings(report, page));
-        page.End();
+        page.Finish();
     }
 
     private static string Verdict(JobReport report) => report switch
@@ -111,14 +111,14 @@ public static class JobReportPage
         if (standing.Certificate is not { } certificate) return;
         page.Pairs(
         [
-            new PagePair(Wording.Get("JobReport.Standing"), Wording.Get("JobReport.Standing." + standing.State), "standing"),
+            new PagePair(Wording.Get("JobReport.Standing"), Wording.Get("ReportStanding." + standing.State), "standing"),
             new PagePair(Wording.Get("JobReport.Issued"), $"{Time(certificate.Issued, here)}, {certificate.IssuedBy}"),
             new PagePair(Wording.Get("JobReport.Target"), certificate.Program.Target, "program.target"),
             PagePair.Of(Wording.Get("JobReport.MaxDeviation"), "certificate.maxDeviation", certificate.MaxDeviation, "0.0000"),
             PagePair.Of(Wording.Get("JobReport.Tolerance"), "certificate.tolerance", certificate.Tolerance, "0.0000"),
             PagePair.Of(Wording.Get("JobReport.Missing"), "certificate.missingLength", certificate.MissingLength, "0.####"),
             PagePair.Of(Wording.Get("JobReport.Extra"), "certificate.extraLength", certificate.ExtraLength, "0.####"),
-            new PagePair(Wording.Get("JobReport.Limits"), certificate.Limits is { } box ? Wording.Get("JobReport.Box", box.MinX, box.MaxX, box.MinY, box.MaxY, Wording.Get(!box.Fits ? "JobReport.FitsNot" : box.TravelX is null && box.TravelY is null ? "JobReport.NoTravel" : "JobReport.Fits")) : "–"),
+            new PagePair(Wording.Get("JobReport.Limits"), certificate.Limits is { } box ? Box(box) : "–"),
             PagePair.Of(Wording.Get("JobReport.SecondsTotal"), "certificate.plannedSeconds", certificate.PlannedSeconds, "0.0"),
             new PagePair(Wording.Get("JobReport.DrawingHash"), certificate.Drawing.Sha256 ?? "–", "drawing.sha256", Style: "code"),
             new PagePair(Wording.Get("JobReport.ProgramHash"), certificate.Program.Sha256, "program.sha256", Style: "code"),
@@ -127,10 +127,16 @@ public static class JobReportPage
         ]);
     }
 
+    private static string Box(CertifiedLimits box)
+    {
+        var fits = !box.Fits ? Wording.Get("JobReport.FitsNot") : box.TravelX is null && box.TravelY is null ? Wording.Get("JobReport.NoTravel") : Wording.Get("JobReport.Fits");
+        return Wording.Get("JobReport.Box", box.MinX, box.MaxX, box.MinY, box.MaxY, fits);
+    }
+
     private static void Findings(IReadOnlyList<Diagnostic> findings, PageWriter page)
     {
         if (findings.Count == 0) page.Paragraph(Wording.Get("JobReport.NoFindings"));
-        else page.Table([Wording.Get("JobReport.Id"), Wording.Get("JobReport.Severity"), Wording.Get("JobReport.Line"), Wording.Get("JobReport.Finding")], findings.Select(found => (string[])[found.Id, Wording.Get("JobReport.Severity." + found.Severity), found.Source.Line > 0 ? found.Source.Line.ToString(CultureInfo.InvariantCulture) : "", found.Message]));
+        else page.Table([Wording.Get("JobReport.Id"), Wording.Get("JobReport.Severity"), Wording.Get("JobReport.Line"), Wording.Get("JobReport.Finding")], findings.Select(found => (string[])[found.Id, Wording.Get("ReportSeverity." + found.Severity), found.Source.Line > 0 ? found.Source.Line.ToString(CultureInfo.InvariantCulture) : "", found.Message]));
     }
 
     private static void Settings(JobReport report, PageWriter page)
@@ -146,5 +152,5 @@ public static class JobReportPage
         ]);
     }
 
-    private static string Time(DateTimeOffset moment, TimeZoneInfo here) => TimeZoneInfo.ConvertTime(moment, here).ToString("yyyy-MM-dd HH:mm:ss zzz", CultureInfo.InvariantCulture);
+    private static string Time(DateTimeOffset moment, TimeZoneInfo here) => Wording.Get("JobReport.Moment", TimeZoneInfo.ConvertTime(moment, here));
 }

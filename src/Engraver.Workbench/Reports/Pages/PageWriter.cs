@@ -1,89 +1,149 @@
 using System.Globalization;
+using System.Xml;
 using Engraver.Core.Languages;
 
 namespace Engraver.Workbench.Reports.Pages;
 
-/// <summary>Writes a page that is HTML and well-formed XML at once. Every text goes through <see cref="MarkupText"/>; only pictures are written as they are.</summary>
-internal sealed class PageWriter(TextWriter output)
+/// <summary>Writes a page that is HTML and well-formed XML at once. Every text is escaped; only pictures, which escape theirs, are written as they are.</summary>
+internal sealed class PageWriter : IDisposable
 {
+    private const string Html = "http://www.w3.org/1999/xhtml";
+
+    private readonly TextWriter _output;
+    private readonly XmlWriter _xml;
+
+    public PageWriter(TextWriter output) => (_output, _xml) = (output, XmlWriter.Create(output, new XmlWriterSettings { OmitXmlDeclaration = true, NewLineChars = "\n", NewLineHandling = NewLineHandling.None }));
+
     /// <summary>The beginning up to the first heading. No other page or program may be reached from it.</summary>
     public void Begin(string title)
     {
-        Line("<!DOCTYPE html>");
-        Line($"<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"{MarkupText.Escaped(CultureInfo.CurrentUICulture.TwoLetterISOLanguageName is "iv" ? "en" : CultureInfo.CurrentUICulture.TwoLetterISOLanguageName)}\">");
-        Line("<head>");
-        Line("<meta charset=\"utf-8\"/>");
-        Line("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\"/>");
-        Line("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
-        Line($"<title>{MarkupText.Escaped(title)}</title>");
-        Line($"<style>\n{PageStyle.Css.ReplaceLineEndings("\n")}\n</style>");
-        Line("</head>");
-        Line("<body>");
-        Line($"<h1>{MarkupText.Escaped(title)}</h1>");
+        var language = CultureInfo.CurrentUICulture.TwoLetterISOLanguageName;
+        _xml.WriteDocType("html", null, null, null);
+        _xml.WriteStartElement("html", Html);
+        _xml.WriteAttributeString("lang", language == "iv" ? "en" : language);
+        _xml.WriteStartElement("head");
+        Meta(("charset", "utf-8"));
+        Meta(("http-equiv", "Content-Security-Policy"), ("content", "default-src 'none'; style-src 'unsafe-inline'"));
+        Meta(("name", "viewport"), ("content", "width=device-width"));
+        Element("title", title);
+        _xml.WriteStartElement("style");
+        _xml.WriteRaw(Style());
+        End();
+        End();
+        _xml.WriteStartElement("body");
+        Element("h1", title);
     }
 
-    public void End()
+    /// <summary>Ends the body and the page.</summary>
+    public void Finish()
     {
-        Line("</body>");
-        Line("</html>");
+        End();
+        End();
+        _xml.Flush();
     }
 
     /// <param name="key">Names the part for programs that read the page.</param>
     public void Section(string key, string heading, Action write)
     {
-        Line($"<section id=\"{MarkupText.Escaped(key)}\">");
-        Line($"<h2>{MarkupText.Escaped(heading)}</h2>");
+        _xml.WriteStartElement("section");
+        _xml.WriteAttributeString("id", key);
+        Element("h2", heading);
         write();
-        Line("</section>");
+        End();
     }
 
-    public void Paragraph(string text, string style = "") => Line($"<p{Class(style)}>{MarkupText.Escaped(text)}</p>");
+    public void Paragraph(string text, string style = "") => Element("p", text, style);
 
     /// <summary>A frame for what is written inside as it is.</summary>
     public void Figure(string style, Action<TextWriter> picture)
     {
-        Line($"<figure{Class(style)}>");
-        picture(output);
-        Line("</figure>");
+        Begin("figure", style);
+        _xml.WriteString("\n");
+        _xml.Flush();
+        picture(_output);
+        End();
     }
 
     public void Inside(string style, Action write)
     {
-        Line($"<div{Class(style)}>");
+        Begin("div", style);
         write();
-        Line("</div>");
+        End();
     }
 
     /// <summary>A table of names and values. A figure stands exact in <c>data-value</c>, under its name in the JSON of the console.</summary>
     public void Pairs(IEnumerable<PagePair> pairs)
     {
-        Line("<table class=\"pair\">");
-        foreach (var (name, text) in pairs.Select(pair => (pair, pair.Text)))
+        Begin("table", "pair");
+        foreach (var pair in pairs)
         {
-            var data = name.Key is { } key ? $" data-name=\"{MarkupText.Escaped(key)}\"" + (name.Value is { } value ? $" data-value=\"{value.ToString("R", CultureInfo.InvariantCulture)}\"" : "") : "";
-            Line($"<tr><th scope=\"row\">{MarkupText.Escaped(name.Name)}</th><td{Class(name.Style)}{data}>{MarkupText.Escaped(text)}</td></tr>");
+            _xml.WriteStartElement("tr");
+            Element("th", pair.Name);
+            Begin("td", pair.Style);
+            if (pair.Key is { } key) _xml.WriteAttributeString("data-name", key);
+            if (pair.Value is { } value) _xml.WriteAttributeString("data-value", value.ToString("R", CultureInfo.InvariantCulture));
+            _xml.WriteString(MarkupText.Allowed(pair.Text));
+            End();
+            End();
         }
 
-        Line("</table>");
+        End();
     }
 
     /// <param name="rows">As many cells as headings.</param>
     public void Table(IReadOnlyList<string> headings, IEnumerable<IReadOnlyList<string>> rows)
     {
-        Line("<table>");
-        Line($"<thead><tr>{string.Concat(headings.Select(heading => $"<th scope=\"col\">{MarkupText.Escaped(heading)}</th>"))}</tr></thead>");
-        Line("<tbody>");
-        foreach (var row in rows) Line($"<tr>{string.Concat(row.Select((cell, column) => $"<td{Class(column == 0 ? "mark" : "")}>{MarkupText.Escaped(cell)}</td>"))}</tr>");
-        Line("</tbody>");
-        Line("</table>");
+        _xml.WriteStartElement("table");
+        _xml.WriteStartElement("thead");
+        _xml.WriteStartElement("tr");
+        foreach (var heading in headings) Element("th", heading);
+        End();
+        End();
+        _xml.WriteStartElement("tbody");
+        foreach (var row in rows)
+        {
+            _xml.WriteStartElement("tr");
+            for (var column = 0; column < row.Count; column++) Element("td", row[column], column == 0 ? "mark" : "");
+            End();
+        }
+
+        End();
+        End();
     }
 
-    private static string Class(string style) => style.Length == 0 ? "" : $" class=\"{style}\"";
+    public void Dispose() => _xml.Dispose();
 
-    private void Line(string text)
+    private static string Style()
     {
-        output.Write(text);
-        output.Write('\n');
+        using var style = new StreamReader(typeof(PageWriter).Assembly.GetManifestResourceStream("page.css")!);
+        return style.ReadToEnd().ReplaceLineEndings("\n");
+    }
+
+    private void Meta(params ReadOnlySpan<(string Name, string Value)> attributes)
+    {
+        _xml.WriteStartElement("meta");
+        foreach (var (name, value) in attributes) _xml.WriteAttributeString(name, value);
+        _xml.WriteEndElement();
+    }
+
+    private void Element(string name, string text, string style = "")
+    {
+        Begin(name, style);
+        _xml.WriteString(MarkupText.Allowed(text));
+        End();
+    }
+
+    private void Begin(string name, string style)
+    {
+        _xml.WriteStartElement(name);
+        if (style.Length > 0) _xml.WriteAttributeString("class", style);
+    }
+
+    /// <summary>With a tag of its own also where the element is empty, as HTML wants it.</summary>
+    private void End()
+    {
+        _xml.WriteFullEndElement();
+        _xml.WriteString("\n");
     }
 }
 

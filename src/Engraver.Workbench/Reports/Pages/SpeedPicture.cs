@@ -1,6 +1,6 @@
 using System.Globalization;
 using System.Text;
-using Engraver.Core.Languages;
+using System.Xml.Linq;
 using Engraver.Workbench.Playback;
 
 namespace Engraver.Workbench.Reports.Pages;
@@ -18,6 +18,8 @@ internal static class SpeedPicture
     private const double Bottom = 38.0;
     private const double SecondsPerMinute = 60.0;
 
+    private static readonly XNamespace s_svg = "http://www.w3.org/2000/svg";
+
     /// <summary>Sizes of steps between two lines of the grid, times a power of ten.</summary>
     private static readonly double[] s_steps = [1.0, 2.0, 2.5, 5.0, 10.0];
 
@@ -27,11 +29,12 @@ internal static class SpeedPicture
         var (duration, peak) = (Math.Max(motion.DurationSeconds, 1e-9), Math.Max(samples.Select(sample => sample.Speed * SecondsPerMinute).DefaultIfEmpty().Max(), 1e-9));
         double X(double seconds) => Left + (seconds / duration * (Width - Left - Right));
         double Y(double speed) => Height - Bottom - (speed / peak * (Height - Top - Bottom));
-        output.Write(string.Create(CultureInfo.InvariantCulture, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {Width} {Height}\" width=\"{Width}\" height=\"{Height}\">\n"));
-        foreach (var seconds in Grid(duration)) Mark(output, $"M{Text(X(seconds))},{Text(Top)}V{Text(Height - Bottom)}", X(seconds), Height - Bottom + 16.0, "middle", Text(seconds));
-        foreach (var speed in Grid(peak)) Mark(output, $"M{Text(Left)},{Text(Y(speed))}H{Text(Width - Right)}", Left - 6.0, Y(speed) + 4.0, "end", Text(speed));
-        foreach (var (cutting, path) in Runs(samples, X, Y)) output.Write($"<path class=\"{(cutting ? "cutting" : "moving")}\" d=\"{path}\"/>\n");
-        output.Write(string.Create(CultureInfo.InvariantCulture, $"<text x=\"{Width - Right}\" y=\"{Height - 6.0}\" text-anchor=\"end\">{MarkupText.Escaped(Wording.Get("JobReport.SpeedAxes"))}</text>\n</svg>\n"));
+        var picture = new XElement(s_svg + "svg", new XAttribute("viewBox", $"0 0 {Text(Width)} {Text(Height)}"), new XAttribute("width", Width), new XAttribute("height", Height));
+        foreach (var seconds in Grid(duration)) picture.Add(Line($"M{Text(X(seconds))},{Text(Top)}V{Text(Height - Bottom)}"), Label(X(seconds), Height - Bottom + 16.0, "middle", Text(seconds)));
+        foreach (var speed in Grid(peak)) picture.Add(Line($"M{Text(Left)},{Text(Y(speed))}H{Text(Width - Right)}"), Label(Left - 6.0, Y(speed) + 4.0, "end", Text(speed)));
+        foreach (var (cutting, path) in Runs(samples, X, Y)) picture.Add(Path(cutting ? "cutting" : "moving", path));
+        picture.Add(Label(Width - Right, Height - 6.0, "end", Wording.Get("JobReport.SpeedAxes")));
+        output.Write(picture.ToString(SaveOptions.DisableFormatting));
     }
 
     /// <summary>Neighbouring samples of one kind as one path; that of a cut goes down to the axis at both ends.</summary>
@@ -59,8 +62,11 @@ internal static class SpeedPicture
         for (var i = 0; i * step <= most; i++) yield return i * step;
     }
 
-    private static void Mark(TextWriter output, string line, double x, double y, string anchor, string text) =>
-        output.Write($"<path class=\"grid\" d=\"{line}\"/><text x=\"{Text(x)}\" y=\"{Text(y)}\" text-anchor=\"{anchor}\">{text}</text>\n");
+    private static XElement Line(string path) => Path("grid", path);
+
+    private static XElement Path(string style, string path) => new(s_svg + "path", new XAttribute("class", style), new XAttribute("d", path));
+
+    private static XElement Label(double x, double y, string anchor, string text) => new(s_svg + "text", new XAttribute("x", Text(x)), new XAttribute("y", Text(y)), new XAttribute("text-anchor", anchor), text);
 
     private static string Text(double value) => value.ToString("0.##", CultureInfo.InvariantCulture);
 }
