@@ -1,6 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using Engraver.Core.Motion;
+using Engraver.Core.Machines;
 
 namespace Engraver.Cli.Options;
 

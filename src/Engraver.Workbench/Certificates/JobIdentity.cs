@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
 using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;

@@ -23,14 +23,6 @@ public static class JobPlan
     /// <param name="address">Null for none: as over a network.</param>
     public static MotionTimes PlannedTimes(MotionProgram program, ControllerAddress? address, JobMode mode) => MachineFamilies.Driver.PlannedTimes(program, address, mode);
 
-    /// <summary>What the job costs; null where nobody says what the machine costs.</summary>
-    /// <param name="times">Of its program, over the link.</param>
-    public static JobCost? CostOf(PreparedJob job, MotionTimes times, JobRates? rates)
-    {
-        ArgumentNullException.ThrowIfNull(job);
-        return rates?.CostOf(times.Total, job.Sequence.PathLength, job.Sequence.Strokes.Count);
-    }
-
     /// <summary>How long the program takes when the host leads it over a network.</summary>
     public static MotionTimes NetworkTimes(MotionProgram program) => MotionTime.Calculate(program, MachineFamilies.Driver.NetworkTimes);
 }

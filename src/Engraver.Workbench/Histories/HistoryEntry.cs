@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
 using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;

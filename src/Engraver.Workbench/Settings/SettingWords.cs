@@ -8,6 +8,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
+using Engraver.Core.Machines.Profiles;
 using Engraver.Core.Sequencing.Ordering;
 
 namespace Engraver.Workbench.Settings;

@@ -59,7 +59,7 @@ public sealed record JobReport(PreparedJob Job, JobMode Mode, CertificateStandin
         {
             Program = program,
             Times = times,
-            Cost = program is null ? null : JobPlan.CostOf(job, times, request.Rates),
+            Cost = program is null ? null : JobSheet.Of(job, times, request.Rates ?? request.Settings.Machine.Rates).Cost,
             Motion = program is { SegmentCount: > 0 } ? PlannedMotion.Create(program, job.Sequence, MachineFamilies.Driver.NetworkTimes, [], cancellation) : null,
             Findings = [.. job.Diagnostics.Concat(fit?.Diagnostics ?? []).OrderByDescending(found => found.Severity).Select(request.Spell)],
             Run = request.Run,
@@ -87,7 +87,7 @@ public sealed record JobReportRequest(Drawing Drawing, DrawingSettings Settings,
     /// <summary>The link that the job goes over; null for a network.</summary>
     public ControllerAddress? Address { get; init; }
 
-    /// <summary>Null: nobody asks what it costs.</summary>
+    /// <summary>What the machine costs; null for what its profile says.</summary>
     public JobRates? Rates { get; init; }
 
     /// <summary>The run that the page is about.</summary>

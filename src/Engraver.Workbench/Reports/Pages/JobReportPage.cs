@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Core.Plots;
 using Engraver.Workbench.Certificates;
