@@ -38,7 +38,7 @@ internal sealed class PageWriter : IDisposable
     public void Finish()
     {
         End();
-        End();
+        _xml.WriteFullEndElement();
         _xml.Flush();
     }
 
