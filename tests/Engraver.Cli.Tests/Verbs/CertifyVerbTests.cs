@@ -65,6 +65,26 @@ public class CertifyVerbTests
         Assert.Equal("program", Assert.Single(JsonText.Of(stale).GetProperty("differs").EnumerateArray()).GetString());
     }
 
+    /// <summary>What a pipe has given cannot be read again, so that nothing could ever be held against the certificate.</summary>
+    [Fact]
+    public async Task A_drawing_that_is_no_file_gets_none()
+    {
+        if (!OperatingSystem.IsLinux()) return;
+        using var folder = new TemporaryFolder();
+        var pipe = NamedPipe.Make(folder.PathOf("part.dxf"));
+        var writing = Task.Run(async () =>
+        {
+            await using var end = await NamedPipe.WriterAsync(pipe);
+            await end.WriteAsync(await File.ReadAllBytesAsync(SampleDrawing.PathOf("paper-001")));
+        });
+        var run = await CliRun.RunAsync("certify", pipe, "-o", folder.PathOf("c.json"));
+        await writing;
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("is no file", run.Error, StringComparison.Ordinal);
+        Assert.False(File.Exists(folder.PathOf("c.json")));
+    }
+
     [Fact]
     public async Task Nothing_is_written_for_a_program_that_is_not_the_drawing_nor_for_a_drawing_without_one()
     {

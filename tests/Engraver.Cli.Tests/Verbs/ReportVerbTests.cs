@@ -16,7 +16,7 @@ public class ReportVerbTests
     public async Task Its_figures_are_those_of_plan()
     {
         using var folder = new TemporaryFolder();
-        string[] words = [SampleDrawing.PathOf("gasket"), "--rate", "60,2.5,0.75", "--feed", "500"];
+        string[] words = [folder.WithFile("report-plan.dxf", await File.ReadAllTextAsync(SampleDrawing.PathOf("gasket"))), "--rate", "60,2.5,0.75", "--feed", "500"];
         var run = await CliRun.RunAsync(["report", .. words, "-o", folder.PathOf("a.html")]);
         var plan = JsonText.Of(await CliRun.RunAsync(["plan", .. words, "--json"]));
         var page = Read(folder.PathOf("a.html"));

@@ -57,6 +57,7 @@ internal sealed class CertifyVerb
 
     private async Task<int> CertifyAsync(ParseResult parsed, CertificationRequest request, string place, CancellationToken stop)
     {
+        if (request.DrawingHash is null && !DrawingFile.IsUnreadable(request.Drawing)) throw new UsageException(Wording.Get("Certify.NoFile", request.Drawing.FileName));
         var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
         var made = await VerifyProgressBar.ShowAsync(quiet, progress => Certification.CertifyAsync(request, progress, stop)).ConfigureAwait(false);
         var code = _host.Report(parsed, request.Drawing.FileName, made.Diagnostics);
