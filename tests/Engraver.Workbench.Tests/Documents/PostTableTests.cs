@@ -62,7 +62,8 @@ public class PostTableTests
     {
         Assert.Same(PostTable.Find("galil").Reader, PostTable.ReaderFor("PLATE.DMC"));
         Assert.Same(PostTable.Find("galil").Reader, PostTable.ReaderFor("plate.txt"));
-        Assert.Null(PostTable.Find("cldata").Reader);
+        Assert.Same(PostTable.Find("gcode").Reader, PostTable.ReaderFor("plate.ngc"));
+        Assert.All(PostTable.All, entry => Assert.NotNull(entry.Reader));
         Assert.Throws<KeyNotFoundException>(() => PostTable.Find("punched-tape"));
         Assert.Equal(MotionStyle.Calls, PostTable.ForMotion(MotionStyle.Calls).Post.Motion);
     }

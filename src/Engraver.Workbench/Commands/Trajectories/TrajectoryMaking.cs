@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Trajectories;
+using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Sidecars;
@@ -35,7 +36,7 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
             foreach (var one in planned.Trajectories) Add(one.Moved(z), handles, name);
         }
 
-        _findings.AddRange(TrajectoryDrawing.NotKept(planned.Unproven, Settings.MaxErrorMm));
+        _findings.AddRange(TrajectoryFindings.NotKept(planned.Unproven, Settings.MaxErrorMm));
     }
 
     public void Add(Trajectory curve, IReadOnlyList<string> handles, Func<int, string> name)
