@@ -1,6 +1,8 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Verbs;
+using Engraver.Cli.Verbs.Profiles;
+using Engraver.Cli.Verbs.Sending;
 
 namespace Engraver.Cli;
 
@@ -23,6 +25,8 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(PlanVerb.Build(host));
         root.Subcommands.Add(PostVerb.Build(host));
         root.Subcommands.Add(VerifyVerb.Build(host));
+        root.Subcommands.Add(SendVerb.Build(host));
+        root.Subcommands.Add(ReceiveVerb.Build(host));
         root.Subcommands.Add(RunVerb.Build(host));
         root.Subcommands.Add(HandVerbs.Status(host));
         root.Subcommands.Add(HandVerbs.GoTo(host));
@@ -32,6 +36,7 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(HandVerbs.Origin(host));
         root.Subcommands.Add(HandVerbs.Motors(host));
         root.Subcommands.Add(FrameVerb.Build(host));
+        root.Subcommands.Add(ProfileVerb.Build(host));
         root.Subcommands.Add(DiscoverVerb.Build(host));
         root.Subcommands.Add(CommissionVerb.Build(host));
         root.Subcommands.Add(TerminalVerb.Build(host));

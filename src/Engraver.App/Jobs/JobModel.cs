@@ -4,6 +4,7 @@ using Engraver.App.Desk;
 using Engraver.App.Properties;
 using Engraver.App.Texts;
 using Engraver.Workbench.Machines.Arming;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.App.Jobs;
 
@@ -62,6 +63,7 @@ public sealed class JobModel : Observable
             figures.Add(new(Text.Get("Job.Travel"), Text.Get("Job.Millimetres", sequence.Travel)));
         }
 
+        if (_desk.Derived.Current is { Job: { } job, Plan: { } plan } && JobSheet.Of(job, plan, settings.Machine.Rates).Cost is { } cost) figures.Add(new(Text.Get("Job.Cost"), Text.Get("Job.CostParts", cost.Total, cost.Time, cost.Length, cost.Starts)));
         if (_desk.Derived.PlannedSeconds is > 0.0 and var seconds) figures.Insert(0, new(Text.Get("Job.Time"), ClockText.Format(seconds)));
         return figures;
     }

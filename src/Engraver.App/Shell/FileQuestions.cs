@@ -14,6 +14,7 @@ public sealed class FileQuestions(DesktopModel desk, Func<IStorageProvider> dial
         ["SCRIPT"] = ["*.scr"],
         ["CNCPROFILE"] = ["*.json"],
         ["VERIFY"] = ["*.dmc"],
+        ["SEND"] = ["*.agie", "*.dmc", "*.ngc", "*.nc", "*.txt"],
     };
 
     private static readonly Dictionary<string, string[]> s_toWrite = new Dictionary<string, string[]>(StringComparer.Ordinal)

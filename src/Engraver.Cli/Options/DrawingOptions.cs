@@ -7,6 +7,7 @@ using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
+using Engraver.Core.Machines.Profiles;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
@@ -110,7 +111,7 @@ internal sealed class DrawingOptions
 
     private MachineProfile Machine(ParseResult parsed)
     {
-        var profile = parsed.GetValue(_machine) is { } path ? MachineProfileSource.Load(path) : MachineProfile.Default;
+        var profile = parsed.GetValue(_machine) is { } path ? ProfileOption.Load(parsed, path) : MachineProfile.Default;
         if (parsed.GetValue(_feed) is not { } feed) return profile;
         var fed = profile with { FeedMmPerMinute = feed };
         return MachineProfileValidation.IsFeed(feed, profile, MachineFamilies.Driver.Limits) ? fed : throw new UsageException(Wording.Get("DrawingOptions.FeedMachineCutsMm", feed.ToString("R", CultureInfo.InvariantCulture), MachineProfileValidation.FeedRange(profile, MachineFamilies.Driver.Limits)));

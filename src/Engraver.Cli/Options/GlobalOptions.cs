@@ -8,7 +8,9 @@ namespace Engraver.Cli.Options;
 /// <summary>Options that every verb takes.</summary>
 internal sealed class GlobalOptions
 {
-    private readonly Option<bool> _quiet = new("--quiet") { Description = Wording.Get("GlobalOptions.OnlyErrorsOnStandard"), Recursive = true };
+    private const string QuietName = "--quiet";
+
+    private readonly Option<bool> _quiet = new(QuietName) { Description = Wording.Get("GlobalOptions.OnlyErrorsOnStandard"), Recursive = true };
     private readonly Option<bool> _verbose = new("--verbose") { Description = Wording.Get("GlobalOptions.AlsoDiagnosticsSeverityInfo"), Recursive = true };
     private readonly Option<CultureInfo?> _culture = new("--culture")
     {
@@ -28,6 +30,9 @@ internal sealed class GlobalOptions
     public bool Quiet(ParseResult parsed) => parsed.GetValue(_quiet);
 
     public bool Verbose(ParseResult parsed) => parsed.GetValue(_verbose);
+
+    /// <summary>The same for whoever has only the parsed line.</summary>
+    public static bool WantsOnlyErrors(ParseResult parsed) => parsed.RootCommandResult.Command.Options.OfType<Option<bool>>().Any(option => option.Name == QuietName && parsed.GetValue(option));
 
     /// <summary>The language that the arguments ask for. Help and refusals are said in it too, so it is looked for before anything is parsed; null when there is none, or none that is known.</summary>
     public static CultureInfo? Language(string[] args)

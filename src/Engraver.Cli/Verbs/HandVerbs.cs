@@ -117,7 +117,7 @@ internal sealed partial class HandVerbs
     {
         var address = parsed.GetRequiredValue(_connect)!;
         await using var machine = new MachineSession(TimeProvider.System) { OriginsFolder = MachineMemories.FolderIn(null) };
-        if (parsed.GetValue(_profile) is { } profile) machine.Profile = MachineProfileSource.Load(profile);
+        if (parsed.GetValue(_profile) is { } profile) machine.Profile = ProfileOption.Load(parsed, profile);
         await machine.ConnectAsync(address, stop).ConfigureAwait(false);
         var code = await act(machine, stop).ConfigureAwait(false);
         var status = StatusJson.From(machine.Status, machine.Hold?.Memory, machine.Profile);

@@ -6,6 +6,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Verbs;
 
@@ -19,28 +20,32 @@ internal static class PlanVerb
         var connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
         var mode = ModeOption.New();
         var rate = new Option<JobRates?>("--rate") { HelpName = "HOUR[,METRE[,START]]", Description = Wording.Get("Plan.Rate"), CustomParser = Rates };
+        var sheet = new Option<bool>("--sheet") { Description = Wording.Get("Plan.Sheet") };
         var command = new Command("plan", Wording.Get("Plan.SaysHowLongJob"));
         drawing.AddTo(command);
-        foreach (var option in (Option[])[json, connect, mode, rate]) command.Options.Add(option);
+        foreach (var option in (Option[])[json, connect, mode, rate, sheet]) command.Options.Add(option);
         command.SetAction((parsed, stop) =>
         {
             var settings = drawing.Settings(parsed);
             var strategy = ModeOption.Mode(parsed.GetValue(mode));
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
             var job = JobPreparation.Prepare(read, settings, JobPlan.StyleOf(strategy));
-            var (plan, findings) = Planned(job, parsed.GetValue(connect), strategy, parsed.GetValue(rate));
+            var rates = parsed.GetValue(rate) ?? settings.Machine.Rates;
+            var (plan, times, findings) = Planned(job, parsed.GetValue(connect), strategy, rates);
             if (parsed.GetValue(json)) ContractJson.Write(host.Out, plan, ContractJson.Default.PlanJson);
+            else if (parsed.GetValue(sheet) && times is { } known) JobSheet.Of(job, known, rates).Write(host.Out);
             else PlanReport.Text(host.Out, plan);
             return Task.FromResult(host.Report(parsed, read.FileName, [.. job.Diagnostics, .. findings]));
         });
         return command;
     }
 
-    private static (PlanJson Plan, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, JobMode mode, JobRates? rates)
+    private static (PlanJson Plan, MotionTimes? Times, IReadOnlyList<Diagnostic> Findings) Planned(PreparedJob job, ControllerAddress? address, JobMode mode, JobRates? rates)
     {
-        if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default, null), []);
+        if (job.Motion.Program is not { } program) return (PlanReport.Json(job, null, default, null), null, []);
         var fit = JobPlan.FitToLink(program, address, mode, job.Drawing);
-        return (PlanReport.Json(job, fit.Program, JobPlan.PlannedTimes(fit.Program, address, mode), rates), fit.Diagnostics);
+        var times = JobPlan.PlannedTimes(fit.Program, address, mode);
+        return (PlanReport.Json(job, fit.Program, times, rates), times, fit.Diagnostics);
     }
 
     private static JobRates? Rates(ArgumentResult result)

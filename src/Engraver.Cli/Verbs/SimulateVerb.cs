@@ -4,6 +4,7 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
+using Engraver.Cli.Options;
 using Engraver.Core.Machines;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;
@@ -34,7 +35,7 @@ internal static class SimulateVerb
             if (result.GetResult(baud) is { Implicit: false } && result.GetResult(serial) is null) result.AddError(Wording.Get("Simulate.BaudRateSerialPort"));
         });
         command.SetAction((parsed, stop) => RunAsync(
-            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Simulator(parsed.GetValue(speed), parsed.GetValue(machine), parsed.GetValue(faults), parsed.GetValue(numbers) == Column), stop));
+            host, parsed.GetValue(port), parsed.GetValue(datagrams), parsed.GetValue(serial), parsed.GetValue(baud), parsed.GetValue(record), Simulator(parsed.GetValue(speed), parsed.GetValue(machine) is { } path ? ProfileOption.Load(parsed, path) : null, parsed.GetValue(faults), parsed.GetValue(numbers) == Column), stop));
         return command;
     }
 
@@ -126,11 +127,9 @@ internal static class SimulateVerb
         }
     }
 
-    /// <exception cref="SettingException">The profile cannot be used.</exception>
     /// <exception cref="UsageException">The plan of faults cannot be read or is none.</exception>
-    private static ServedSimulator Simulator(double speed, string? machine, string? faults, bool signColumn)
+    private static ServedSimulator Simulator(double speed, MachineProfile? profile, string? faults, bool signColumn)
     {
-        var profile = machine is null ? null : MachineProfileSource.Load(machine);
         if (faults is null) return ServedSimulator.Create(speed, profile, faults: null, signColumn);
         try
         {

@@ -19,7 +19,7 @@ public static class MotionRules
 
     public static readonly DiagnosticRule ProfileUnreadable = new("MOT0008", Severity.Error, "reason");
 
-    public static readonly DiagnosticRule ProfileFieldUnknown = new("MOT0009", Severity.Error, "field");
+    public static readonly DiagnosticRule ProfileFieldUnknown = new("MOT0009", Severity.Error, "field", "nearest");
 
     public static readonly DiagnosticRule ProfileValueUnreadable = new("MOT0010", Severity.Error, "field");
 
@@ -41,11 +41,13 @@ public static class MotionRules
 
     public static readonly DiagnosticRule StopHandleLost = new("MOT0022", Severity.Warning, "reason", "failure");
 
+    public static readonly DiagnosticRule ProfileContradiction = new("MOT0023", Severity.Warning, "setting", "value", "other");
+
     /// <summary>Every rule of this table, in order of id.</summary>
     public static IReadOnlyList<DiagnosticRule> All { get; } =
     [
         OutsideCounts, NotFinite, ToolStartUnusable, SmallerThanACount, ArcsBecomeChords, SettingOutOfRange,
         StrokeCutByMemory, ProfileUnreadable, ProfileFieldUnknown, ProfileValueUnreadable, GapsBridged, TooManyChords, RisingCurve, AboveRetract, HeightOutsideCounts, NoDepth, WireTooSlow,
-        StopHandleReopened, StopHandleLost,
+        StopHandleReopened, StopHandleLost, ProfileContradiction,
     ];
 }

@@ -62,6 +62,9 @@ public sealed record MachineProfile
     /// <summary>What the controller's outputs are wired to.</summary>
     public LineNames Outputs { get; init; } = LineNames.None;
 
+    /// <summary>What machining on it costs; null where its owner does not say.</summary>
+    public JobRates? Rates { get; init; }
+
     /// <summary>Whether the machine has to be homed: one of its axes says how.</summary>
     public bool HasHoming => Axes.All.Any(axis => axis.Homing is not null);
 

@@ -84,10 +84,23 @@ internal sealed class SerialDevice : IDisposable
         return count >= 0 ? (int)count : NothingOr(Marshal.GetLastPInvokeError());
     }
 
-    /// <summary>Closes the device. Unsent bytes are dropped first: closing would wait for them, for ever while the other side stops the flow.</summary>
+    /// <summary>Bytes that were taken and are not sent yet; 0 where the device does not say.</summary>
+    public int Unsent
+    {
+        get
+        {
+            var count = 0;
+            return Control(_device, OutputQueue, ref count) == 0 ? count : 0;
+        }
+    }
+
+    /// <summary>Closing sends what is left instead of dropping it; for a line that has just taken everything.</summary>
+    public bool KeepsUnsent { get; set; }
+
+    /// <summary>Closes the device. Unsent bytes are dropped first unless they are to be kept: closing would wait for them, for long while the other side stops the flow.</summary>
     public void Dispose()
     {
-        _ = Control(_device, Flush, FlushBoth);
+        if (!KeepsUnsent) _ = Control(_device, Flush, FlushBoth);
         _device.Dispose();
         _bell.Dispose();
     }

@@ -10,6 +10,8 @@ namespace Engraver.Galil.Links;
 /// <see cref="IOException"/>. Closing wakes the thread, so that it never waits for a byte.</remarks>
 public sealed class SerialLink : IControllerLink
 {
+    private static readonly TimeSpan s_look = TimeSpan.FromMilliseconds(10);
+
     private readonly SerialDevice _device;
     private readonly TimeProvider _time;
     private readonly TimeSpan _writeTimeout;
@@ -48,7 +50,7 @@ public sealed class SerialLink : IControllerLink
     {
         ArgumentNullException.ThrowIfNull(address);
         ArgumentNullException.ThrowIfNull(time);
-        if (!SerialLine.Rates.Contains(address.Baud)) throw new ArgumentOutOfRangeException(nameof(address), address.Baud, "no rate of a controller");
+        if (!SerialSettings.Knows(address.Baud)) throw new ArgumentOutOfRangeException(nameof(address), address.Baud, "no rate of a serial line");
         if (WhyUnsupported is { } why) throw new PlatformNotSupportedException(why);
         return new SerialLink(SerialDevice.Open(address), address, writeTimeout, time);
     }
@@ -66,10 +68,30 @@ public sealed class SerialLink : IControllerLink
 
     public ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellation) => _incoming.ReadAsync(buffer, cancellation);
 
+    /// <summary>Waits until the device has sent what it took. Closing then drops nothing: the system sends what is still in the adapter.</summary>
+    /// <exception cref="IOException">The device is gone, or sent nothing within the time-out.</exception>
+    public async ValueTask DrainAsync(CancellationToken cancellation)
+    {
+        var (least, since) = (int.MaxValue, _time.GetTimestamp());
+        while (Unsent() is > 0 and var unsent)
+        {
+            if (unsent < least) (least, since) = (unsent, _time.GetTimestamp());
+            else if (_time.GetElapsedTime(since) > _writeTimeout) throw new IOException(Wording.Get("SerialLink.LineTookNoByte", _writeTimeout.TotalSeconds));
+            await Task.Delay(s_look, _time, cancellation).ConfigureAwait(false);
+        }
+
+        _device.KeepsUnsent = true;
+    }
+
     public async ValueTask DisposeAsync()
     {
         Fail(new IOException(Wording.Get("SerialLink.Closed")));
         await _ended.Task.ConfigureAwait(false);
+    }
+
+    private int Unsent()
+    {
+        lock (_gate) return _failure is null ? _device.Unsent : throw new IOException(_failure.Message, _failure);
     }
 
     private (int Taken, Task? Room) Send(ReadOnlySpan<byte> bytes)

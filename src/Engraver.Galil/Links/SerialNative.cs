@@ -26,6 +26,10 @@ internal static class SerialNative
     public const nuint GetSettings = 0x5401;
     public const nuint SetSettings = 0x5402;
     public const nuint Flush = 0x540B;
+
+    /// <summary>TIOCOUTQ: bytes in the output queue.</summary>
+    public const nuint OutputQueue = 0x5411;
+
     public const nint FlushInput = 0;
     public const nint FlushBoth = 2;
 
@@ -46,6 +50,9 @@ internal static class SerialNative
 
     [DllImport("libc", EntryPoint = "ioctl", SetLastError = true)]
     public static extern int Control(SafeFileHandle file, nuint request, nint argument);
+
+    [DllImport("libc", EntryPoint = "ioctl", SetLastError = true)]
+    public static extern int Control(SafeFileHandle file, nuint request, ref int count);
 
     [DllImport("libc", EntryPoint = "read", SetLastError = true)]
     public static extern nint Read(SafeFileHandle file, ref byte bytes, nuint count);

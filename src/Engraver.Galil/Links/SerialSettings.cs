@@ -20,6 +20,9 @@ internal static class SerialSettings
     private const uint Receiver = 0x80 | 0x800; // CREAD CLOCAL: the controller drives no carrier line
     private const uint HardwareFlow = 0x80000000; // CRTSCTS
 
+    /// <summary>The rates that a line can be set to: those of a controller, and slower ones for controls that take programs as plain text.</summary>
+    public static bool Knows(int baud) => baud is 110 or 300 or 600 or 2400 or 4800 || SerialLine.Rates.Contains(baud);
+
     public static LineSettings Apply(LineSettings found, int baud, SerialFlow flow) => found with
     {
         Input = (found.Input & ~(InputTransforms | InputFlow)) | (flow == SerialFlow.XonXoff ? InputXonXoff : 0),
@@ -38,7 +41,12 @@ internal static class SerialSettings
     /// <summary>The kernel's code for a rate (B1200 and so on).</summary>
     private static uint Rate(int baud) => baud switch
     {
+        110 => 0x3,
+        300 => 0x7,
+        600 => 0x8,
         1200 => 0x9,
+        2400 => 0xB,
+        4800 => 0xC,
         9600 => 0xD,
         19200 => 0xE,
         38400 => 0xF,

@@ -1,4 +1,6 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
 using Engraver.Workbench.Composition;
 
 namespace Engraver.Workbench.Settings;
@@ -6,21 +8,33 @@ namespace Engraver.Workbench.Settings;
 /// <summary>A machine profile from a file.</summary>
 public static class MachineProfileSource
 {
+    /// <summary>The profile of a file, for whoever wants to work with it.</summary>
+    /// <param name="tell">Is told the warnings: settings that contradict each other.</param>
     /// <exception cref="SettingException">The file cannot be read or is no machine profile; the message says where and why.</exception>
-    public static MachineProfile Load(string path)
+    public static MachineProfile Load(string path, Action<Diagnostic> tell)
     {
-        string json;
+        ArgumentNullException.ThrowIfNull(tell);
+        var read = Read(path);
+        if (read.Profile is not { } profile) throw new SettingException($"{path}({read.Diagnostics[0].Source.Line}): {read.Diagnostics[0].Id}: {read.Diagnostics[0].Message}");
+        foreach (var finding in read.Diagnostics) tell(finding);
+        return profile;
+    }
+
+    /// <summary>The same without the warnings.</summary>
+    /// <exception cref="SettingException">As above.</exception>
+    public static MachineProfile Load(string path) => Load(path, _ => { });
+
+    /// <summary>What a file holds, and everything that is wrong with it.</summary>
+    /// <exception cref="SettingException">The file cannot be read.</exception>
+    public static MachineProfileReading Read(string path)
+    {
         try
         {
-            json = File.ReadAllText(path);
+            return MachineProfileFile.Read(File.ReadAllText(path), MachineFamilies.Driver.Limits);
         }
         catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
         {
             throw new SettingException(Wording.Get("MachineProfileSource.CannotRead", path, unreadable.Message), unreadable);
         }
-
-        var read = MachineProfileFile.Read(json, MachineFamilies.Driver.Limits);
-        if (read.Profile is { } profile) return profile;
-        throw new SettingException($"{path}({read.Diagnostics[0].Source.Line}): {read.Diagnostics[0].Id}: {read.Diagnostics[0].Message}");
     }
 }

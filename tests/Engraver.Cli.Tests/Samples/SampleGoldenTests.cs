@@ -1,5 +1,6 @@
 using System.Text.Json.Nodes;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
 using Engraver.Samples.Drawings;
 using Engraver.TestKit;
 

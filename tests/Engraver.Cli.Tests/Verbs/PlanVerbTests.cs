@@ -57,6 +57,22 @@ public class PlanVerbTests
         Assert.True(strokes > 1);
     }
 
+    [Fact]
+    public async Task The_rates_of_the_profile_count_where_none_are_given_and_stand_on_the_sheet()
+    {
+        var eroder = Path.Combine(Engraver.TestKit.RepositoryFolder.Samples, "machine-eroder.json");
+        var plan = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("paper-001"), "--machine", eroder, "--json"));
+        var given = JsonText.Of(await CliRun.RunAsync("plan", SampleDrawing.PathOf("paper-001"), "--machine", eroder, "--rate", "1", "--json"));
+        var sheet = await CliRun.RunAsync("plan", SampleDrawing.PathOf("paper-001"), "--machine", eroder, "--sheet");
+        var (hours, metres) = (plan.GetProperty("seconds").GetProperty("total").GetDouble() / 3600.0, plan.GetProperty("cutLength").GetDouble() / 1000.0);
+
+        Assert.Equal((45.0 * hours) + (12.0 * metres) + 3.5, plan.GetProperty("cost").GetDouble(), precision: 9);
+        Assert.Equal(hours, given.GetProperty("cost").GetDouble(), precision: 9);
+        Assert.Contains("Cost of starts   3.50 (3.5 each)\n", sheet.Out, StringComparison.Ordinal);
+        Assert.Contains($"Cost             {plan.GetProperty("cost").GetDouble().ToString("0.00", System.Globalization.CultureInfo.InvariantCulture)}\n", sheet.Out, StringComparison.Ordinal);
+        Assert.Contains("Cut length       0.457 m\n", sheet.Out, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("free")]
     [InlineData("-1")]

@@ -1,5 +1,7 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Moves;
+using Engraver.Core.Machines.Profiles;
 
 namespace Engraver.Core.Tests.Machines;
 
@@ -99,7 +101,13 @@ public class MachineProfileFileTests
     }
 
     [Theory]
-    [InlineData("{\n \"feed\": 1 }", "MOT0009", 2, "feed")]
+    [InlineData("{\n \"feed\": 1 }", "MOT0009", 2, "field feed, which does not exist; the nearest known name is feedMmPerMinute")]
+    [InlineData("{\n \"ToolOuput\": 1 }", "MOT0009", 2, "nearest known name is toolOutput")]
+    [InlineData("{\n \"colour\": 1 }", "MOT0009", 2, "colour, which does not exist; no known name is like it")]
+    [InlineData("{\n \"travelX\": {\n \"minimum\": 1 } }", "MOT0009", 3, "travelX.minimum, which does not exist; the nearest known name is min")]
+    [InlineData("{\n \"homing\": [ {}, {\n \"axes\": \"X\" } ] }", "MOT0009", 3, "homing[1].axes, which does not exist; the nearest known name is axis")]
+    [InlineData("{ \"a.b\": 1 }", "MOT0009", 1, "field a.b")]
+    [InlineData("{\n \"costPerHour\": -1 }", "MOT0006", 2, "costPerHour to -1; it must be 0 to")]
     [InlineData("{\n\n \"toolOutput\": \"one\" }", "MOT0010", 3, "toolOutput")]
     [InlineData("{\n \"toolOutput\": 1.5 }", "MOT0010", 2, "toolOutput")]
     [InlineData("{\n \"toolOutput\": 1,\n \"toolOutput\": 2 }", "MOT0010", 3, "toolOutput")]
@@ -107,22 +115,22 @@ public class MachineProfileFileTests
     [InlineData("", "MOT0008", 1, "JSON")]
     [InlineData("null", "MOT0008", 1, "null")]
     [InlineData("[1]", "MOT0008", 1, "object")]
-    [InlineData("{ \"toolOutput\": 9 }", "MOT0006", 0, "toolOutput to 9")]
-    [InlineData("{ \"accelerationCounts\": 100000 }", "MOT0006", 0, "accelerationCounts to 100000; it must be a multiple of 1024")]
-    [InlineData("{ \"feedMmPerMinute\": 0 }", "MOT0006", 0, "feedMmPerMinute to 0")]
-    [InlineData("{ \"rapidMmPerMinute\": 720001 }", "MOT0006", 0, "12000000")]
-    [InlineData("{ \"countsPerMillimetreX\": 0 }", "MOT0006", 0, "countsPerMillimetreX to 0")]
-    [InlineData("{ \"axisX\": \"Q\" }", "MOT0006", 0, "axisX to Q; it must be one of the letters ABCDEFGH")]
-    [InlineData("{ \"axisY\": \"b\" }", "MOT0006", 0, "axisY to b")]
-    [InlineData("{ \"axisY\": \"BC\" }", "MOT0006", 0, "axisY to not one letter")]
-    [InlineData("{ \"axisY\": \"\" }", "MOT0006", 0, "axisY to not one letter")]
+    [InlineData("{ \"toolOutput\": 9 }", "MOT0006", 1, "toolOutput to 9")]
+    [InlineData("{ \"accelerationCounts\": 100000 }", "MOT0006", 1, "accelerationCounts to 100000; it must be a multiple of 1024")]
+    [InlineData("{ \"feedMmPerMinute\": 0 }", "MOT0006", 1, "feedMmPerMinute to 0")]
+    [InlineData("{ \"rapidMmPerMinute\": 720001 }", "MOT0006", 1, "12000000")]
+    [InlineData("{ \"countsPerMillimetreX\": 0 }", "MOT0006", 1, "countsPerMillimetreX to 0")]
+    [InlineData("{ \"axisX\": \"Q\" }", "MOT0006", 1, "axisX to Q; it must be one of the letters ABCDEFGH")]
+    [InlineData("{ \"axisY\": \"b\" }", "MOT0006", 1, "axisY to b")]
+    [InlineData("{ \"axisY\": \"BC\" }", "MOT0006", 1, "axisY to not one letter")]
+    [InlineData("{ \"axisY\": \"\" }", "MOT0006", 1, "axisY to not one letter")]
     [InlineData("{ \"axisX\": \"B\" }", "MOT0006", 0, "axisY to B; it must be another axis than axisX")]
-    [InlineData("{ \"axisZ\": \"B\", \"countsPerMillimetreZ\": 400 }", "MOT0006", 0, "axisZ to B; it must be another axis than axisY")]
+    [InlineData("{ \"axisZ\": \"B\", \"countsPerMillimetreZ\": 400 }", "MOT0006", 1, "axisZ to B; it must be another axis than axisY")]
     [InlineData("{ \"axisZ\": \"C\" }", "MOT0006", 0, "countsPerMillimetreZ to 0")]
     [InlineData("{ \"countsPerMillimetreZ\": 400 }", "MOT0006", 0, "axisZ to not one letter")]
-    [InlineData("{ \"sharpCornerDegrees\": -1 }", "MOT0006", 0, "sharpCornerDegrees to -1")]
-    [InlineData("{ \"toolSettleSeconds\": 1e9 }", "MOT0006", 0, "toolSettleSeconds")]
-    [InlineData("{ \"angleQuantumDegrees\": 0 }", "MOT0006", 0, "angleQuantumDegrees to 0")]
+    [InlineData("{ \"sharpCornerDegrees\": -1 }", "MOT0006", 1, "sharpCornerDegrees to -1")]
+    [InlineData("{ \"toolSettleSeconds\": 1e9 }", "MOT0006", 1, "toolSettleSeconds")]
+    [InlineData("{ \"angleQuantumDegrees\": 0 }", "MOT0006", 1, "angleQuantumDegrees to 0")]
     public void What_is_wrong_is_said_with_its_line_and_its_field(string json, string id, long line, string says)
     {
         var read = MachineProfileFile.Read(json, s_limits);
@@ -131,5 +139,70 @@ public class MachineProfileFileTests
         var finding = read.Diagnostics[0];
         Assert.Equal((id, line), (finding.Id, finding.Source.Line));
         Assert.Contains(says, finding.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Every_field_that_does_not_exist_is_told_and_not_only_the_first()
+    {
+        var read = MachineProfileFile.Read("{\n \"feed\": 1,\n \"inputs\": { \"2\": \"lid\" },\n \"rapid\": 2\n}", s_limits);
+
+        Assert.Null(read.Profile);
+        Assert.Equal([("MOT0009", 2L, "feed"), ("MOT0009", 4L, "rapid")], read.Diagnostics.Select(finding => (finding.Id, finding.Source.Line, finding.Facts[0])));
+    }
+
+    [Theory]
+    [InlineData("\"rapidMmPerMinute\": 200", "rapidMmPerMinute to 200, but feedMmPerMinute is 1200")]
+    [InlineData("\"jogMmPerMinute\": 3001", "jogMmPerMinute to 3001, but rapidMmPerMinute is 3000")]
+    [InlineData("\"parkX\": 5, \"parkY\": 7, \"travelX\": { \"min\": 6, \"max\": 9 }", "parkX to 5, but travelX is 6 to 9")]
+    [InlineData("\"axisZ\": \"C\", \"countsPerMillimetreZ\": 400, \"toolDrive\": \"axis\", \"plungeMmPerMinute\": 3001", "plungeMmPerMinute to 3001, but rapidMmPerMinute is 3000")]
+    [InlineData("\"axisZ\": \"C\", \"countsPerMillimetreZ\": 400, \"toolDrive\": \"axis\", \"cutDepth\": 7, \"travelZ\": { \"min\": -6, \"max\": 5.5 }", "clearanceHeight to 5, but cutDepth is 7 and travelZ -6 to 5.5")]
+    public void Settings_that_contradict_each_other_are_warned_of_and_the_profile_can_be_used(string fields, string sentence)
+    {
+        var read = MachineProfileFile.Read("{ " + fields + " }", s_limits);
+
+        Assert.NotNull(read.Profile);
+        var finding = Assert.Single(read.Diagnostics);
+        Assert.Equal(("MOT0023", Severity.Warning), (finding.Id, finding.Severity));
+        Assert.Contains(sentence, finding.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_clearance_height_below_the_retract_height_or_a_depth_above_the_work_is_no_profile()
+    {
+        const string Mill = "{ \"axisZ\": \"C\", \"countsPerMillimetreZ\": 400, \"toolDrive\": \"axis\",\n";
+
+        Assert.Contains("clearanceHeight to 0.5; it must be at least as high as retractHeight, 1", Assert.Single(MachineProfileFile.Read(Mill + "\"clearanceHeight\": 0.5 }", s_limits).Diagnostics).Message, StringComparison.Ordinal);
+        Assert.Contains("cutDepth to -2; it must be 0 or more", Assert.Single(MachineProfileFile.Read(Mill + "\"cutDepth\": -2 }", s_limits).Diagnostics).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Rates_are_written_and_read_back_and_a_profile_without_any_has_none()
+    {
+        var profile = MachineProfile.Default with { Rates = new JobRates(60, 2.5, 0.25) };
+
+        Assert.Equal(profile, MachineProfileFile.Read(MachineProfileFile.Write(profile), s_limits).Profile);
+        Assert.Equal(new JobRates(0, 3), MachineProfileFile.Read("{ \"costPerMetre\": 3 }", s_limits).Profile!.Rates);
+        Assert.Null(MachineProfileFile.Read("{}", s_limits).Profile!.Rates);
+    }
+
+    [Fact]
+    public void The_meaning_of_a_profile_names_its_numbers_and_what_they_come_to()
+    {
+        var profile = MachineProfile.Default with
+        {
+            Axes = new MachineAxes(new MachineAxis('C', -80.0) { Travel = new AxisTravel(0, 300), Homing = new AxisHoming { Plus = false, Zero = -1 } }, new MachineAxis('A', 160.0)),
+            AccelerationCounts = 40960, Rates = new JobRates(60, 2.5), ToolActiveLow = true, Outputs = new LineNames([KeyValuePair.Create(3, "air")]),
+        };
+        var meaning = ProfileMeaning.Of(profile);
+
+        Assert.Contains("X is axis C of the controller, mirrored: 80 counts for a millimetre, one count is 0.0125 mm (0.0004921 inch).", meaning);
+        Assert.Contains("X travels from 0 to 300 mm of the machine.", meaning);
+        Assert.Contains("Y has no soft limits.", meaning);
+        Assert.Contains("X and Y have different counts for a millimetre: arcs are cut as chords.", meaning);
+        Assert.Contains("It speeds up by 256 mm/s2, so that it has its feed after 0.078 s and 0.781 mm, and turns without a stop up to 10 degrees.", meaning);
+        Assert.Contains("The tool works while output 1 is off; the path waits 0.1 s behind switching it on and 0.1 s behind switching it off.", meaning);
+        Assert.Contains("X is homed at the home switch, searched towards smaller millimetres at 600 mm/min; it counts -1 mm there.", meaning);
+        Assert.Contains("Outputs have names: 3 = air.", meaning);
+        Assert.Contains("An hour costs 60, a metre of cut 2.5, each start 0.", meaning);
     }
 }

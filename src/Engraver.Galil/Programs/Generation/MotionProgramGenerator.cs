@@ -1,6 +1,7 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
 using Engraver.Core.Sequencing;
 using Engraver.Core.Toolpaths;
 using Engraver.Core.Verification;

@@ -1,5 +1,6 @@
 using Engraver.Core.Languages;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Files;
 

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
 
@@ -11,7 +12,7 @@ internal sealed class CncProfileCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var name = await context.ValueAsync(new TextPrompt(Wording.Get("CncProfile.EnterNameMachineProfile"))).ConfigureAwait(false);
-        var profile = MachineProfileSource.Load(context.FileToRead(name));
+        var profile = MachineProfileSource.Load(context.FileToRead(name), finding => FindingMessages.Say(context, name, [finding], Severity.Warning));
         context.Settings.Change(settings => settings with { LastProfile = Path.GetFullPath(context.FileToRead(name)) });
         var state = context.Document.Current;
         context.Take(state with { Settings = state.Settings with { Machine = profile } });

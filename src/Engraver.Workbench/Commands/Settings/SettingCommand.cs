@@ -1,6 +1,7 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Dxf.Records;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Settings;

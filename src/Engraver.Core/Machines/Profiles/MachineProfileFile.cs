@@ -2,7 +2,7 @@ using System.Text.Json;
 using System.Text.Json.Serialization;
 using Engraver.Core.Diagnostics;
 
-namespace Engraver.Core.Machines;
+namespace Engraver.Core.Machines.Profiles;
 
 /// <summary>A machine profile as JSON: an object of the profile's properties in camel case; comments and trailing commas are allowed, fields that are missing (or null) keep their default.</summary>
 public static class MachineProfileFile
@@ -10,9 +10,13 @@ public static class MachineProfileFile
     /// <summary>Reads a profile and checks it against what the controller accepts. Whatever is wrong is a diagnostic, with the line where the text itself is wrong.</summary>
     public static MachineProfileReading Read(string json, MachineLimits limits)
     {
+        var fields = ProfileFields.Read(json);
+        IReadOnlyList<Diagnostic> unknown = [.. fields.Unknown()];
+        if (unknown.Count > 0) return new MachineProfileReading(null, unknown);
         try
         {
-            return Checked(JsonSerializer.Deserialize(json, MachineProfileJson.Default.MachineProfileDocument), limits);
+            var read = Checked(JsonSerializer.Deserialize(json, MachineProfileJson.Default.MachineProfileDocument), limits);
+            return read with { Diagnostics = [.. read.Diagnostics.Select(finding => finding.Source == default ? finding with { Source = new SourceRef(fields.LineOf(finding.Facts[0])) } : finding)] };
         }
         catch (JsonException trouble)
         {
@@ -30,7 +34,7 @@ public static class MachineProfileFile
         IReadOnlyList<Diagnostic> findings = [.. document.WithoutEffect().Select(field => MotionRules.SettingOutOfRange.At(default, field.Field, Wording.Get("MachineProfileFile.Given"), field.Needs)), .. MachineProfileValidation.Check(profile, limits)];
         if (document.TravelZ is not null && profile.Axes.Z is null) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "travelZ", "", Wording.Get("MachineProfileValidation.NoAxisZ"))];
         if (document.HomingsWithoutAxis(profile.Axes).FirstOrDefault() is { } axis) findings = [.. findings, MotionRules.SettingOutOfRange.At(default, "homing.axis", axis, Wording.Get("MachineProfileValidation.HomingAxis"))];
-        return new MachineProfileReading(findings.Count == 0 ? profile : null, findings);
+        return findings.Count == 0 ? new MachineProfileReading(profile, [.. ProfileContradictions.Find(profile)]) : new MachineProfileReading(null, findings);
     }
 
     private static Diagnostic Finding(JsonException trouble)
@@ -39,17 +43,7 @@ public static class MachineProfileFile
         if (trouble.InnerException is JsonException) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.TextNoJsonLine", place.Line));
         var field = trouble.Path is ['$', '.', .. var name] ? name : string.Empty;
         if (field.Length == 0) return MotionRules.ProfileUnreadable.At(place, Wording.Get("MachineProfileFile.NoJsonObject"));
-        return (IsKnown(field) ? MotionRules.ProfileValueUnreadable : MotionRules.ProfileFieldUnknown).At(place, field);
-    }
-
-    /// <param name="field">As a path: <c>homing[0].by</c>.</param>
-    private static bool IsKnown(string field)
-    {
-        var parts = field.Split('.');
-        var known = parts[0].StartsWith("homing", StringComparison.Ordinal) ? MachineProfileJson.Default.HomingDocument.Properties
-            : parts[0].StartsWith("travel", StringComparison.Ordinal) ? MachineProfileJson.Default.TravelDocument.Properties : null;
-        return parts.Length == 1 ? MachineProfileJson.Default.MachineProfileDocument.Properties.Any(property => field == property.Name || field.StartsWith(property.Name + "[", StringComparison.Ordinal))
-            : parts[0] is "inputs" or "outputs" || known?.Any(property => property.Name == parts[^1]) == true;
+        return MotionRules.ProfileValueUnreadable.At(place, field); // a field that is not known was told before anything was read
     }
 }
 
@@ -66,5 +60,5 @@ internal sealed partial class MachineProfileJson : JsonSerializerContext;
 
 /// <summary>What came of a profile file.</summary>
 /// <param name="Profile">Null when the file cannot be read.</param>
-/// <param name="Diagnostics">What is wrong with it, with its line; empty when nothing is.</param>
+/// <param name="Diagnostics">What is wrong with it, with its line: errors without a profile, warnings (settings that contradict each other) beside one.</param>
 public sealed record MachineProfileReading(MachineProfile? Profile, IReadOnlyList<Diagnostic> Diagnostics);

@@ -2,7 +2,7 @@ using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Geometry;
 
-namespace Engraver.Core.Machines;
+namespace Engraver.Core.Machines.Profiles;
 
 /// <summary>Checks a profile against what the controller accepts, before anything is generated from it.</summary>
 public static class MachineProfileValidation
@@ -11,6 +11,8 @@ public static class MachineProfileValidation
     internal const char NoLetter = '?';
 
     private const double LongestSettleSeconds = 600.0;
+
+    private const double LargestRate = 1e9;
 
     /// <summary>One error for each setting that cannot be used, naming the setting, its value and the limit; empty for a usable profile.</summary>
     public static IReadOnlyList<Diagnostic> Check(MachineProfile profile, MachineLimits limits) => [.. Findings(profile, limits)];
@@ -42,6 +44,11 @@ public static class MachineProfileValidation
         if (p.ParkX is null != p.ParkY is null) yield return Finding(p.ParkX is null ? "parkY" : "parkX", p.ParkX ?? p.ParkY ?? 0.0, Wording.Get("MachineProfileValidation.ParkHasTwo"));
         if (p.Park is { } park && !IsCountable(park, p)) yield return Finding("parkX", park.X, Wording.Get("MachineProfileValidation.ParkCountable"));
         if (p.AngleQuantumDegrees is not (> 0.0 and <= 1.0)) yield return Finding("angleQuantumDegrees", p.AngleQuantumDegrees, Wording.Get("MachineProfileValidation.AboveMostDegree"));
+        foreach (var (field, rate) in new[] { ("costPerHour", p.Rates?.PerHour), ("costPerMetre", p.Rates?.PerMetre), ("costPerStart", p.Rates?.PerStart) })
+        {
+            if (rate is not (null or (>= 0.0 and <= LargestRate))) yield return Finding(field, rate.Value, Wording.Get("MachineProfileValidation.Rate", LargestRate));
+        }
+
         foreach (var finding in HandSettings.Findings(p, limits)) yield return finding;
     }
 

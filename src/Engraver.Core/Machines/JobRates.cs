@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace Engraver.Core.Motion;
+namespace Engraver.Core.Machines;
 
 /// <summary>What machining costs, in any money.</summary>
 /// <param name="PerHour">Of the whole job's time.</param>

@@ -1,7 +1,7 @@
 using System.Globalization;
 using Engraver.Core.Machines.Moves;
 
-namespace Engraver.Core.Machines;
+namespace Engraver.Core.Machines.Profiles;
 
 /// <summary>The ends of an axis' travel in a profile file, machine mm.</summary>
 internal sealed class TravelDocument

@@ -1,4 +1,4 @@
-namespace Engraver.Core.Machines;
+namespace Engraver.Core.Machines.Profiles;
 
 /// <summary>The fields of a profile file; those that are not given keep the default machine profile's value.</summary>
 internal sealed class MachineProfileDocument
@@ -88,6 +88,9 @@ internal sealed class MachineProfileDocument
         Homing = HomingDocument.From(profile.Axes),
         Inputs = NamesDocument.From(profile.Inputs),
         Outputs = NamesDocument.From(profile.Outputs),
+        CostPerHour = profile.Rates?.PerHour,
+        CostPerMetre = profile.Rates?.PerMetre,
+        CostPerStart = profile.Rates?.PerStart,
     };
 
     public MachineProfile Over(MachineProfile profile) => new()
@@ -109,6 +112,7 @@ internal sealed class MachineProfileDocument
         JogMmPerMinute = JogMmPerMinute ?? Math.Min(profile.JogMmPerMinute, RapidMmPerMinute ?? profile.RapidMmPerMinute), // a slow machine is not jogged faster than it goes
         Inputs = NamesDocument.ToNames(Inputs),
         Outputs = NamesDocument.ToNames(Outputs),
+        Rates = CostPerHour is null && CostPerMetre is null && CostPerStart is null ? profile.Rates : new JobRates(CostPerHour ?? 0.0, CostPerMetre ?? 0.0, CostPerStart ?? 0.0),
     };
 
     /// <summary>A machine has a Z axis when its profile names its letter or its counts; either alone is for the check of the profile to refuse.</summary>
@@ -169,6 +173,12 @@ internal sealed class MachineProfileDocument
     public double? MotorTypeY { get; set; }
 
     public double? MotorTypeZ { get; set; }
+
+    public double? CostPerHour { get; set; }
+
+    public double? CostPerMetre { get; set; }
+
+    public double? CostPerStart { get; set; }
 
     private static char Letter(string text) => text.Length == 1 ? text[0] : MachineProfileValidation.NoLetter;
 

@@ -1,9 +1,9 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines.Moves;
-using static Engraver.Core.Machines.MachineProfileValidation;
+using static Engraver.Core.Machines.Profiles.MachineProfileValidation;
 
-namespace Engraver.Core.Machines;
+namespace Engraver.Core.Machines.Profiles;
 
 /// <summary>Checks the part of a profile that hand moves and homing go by: jog speed, travel, homing, names of inputs and outputs.</summary>
 internal static class HandSettings

@@ -1,0 +1,28 @@
+using System.Text.Json.Serialization;
+using Engraver.Cli.Output;
+using Engraver.Workbench.Sending;
+
+namespace Engraver.Cli.Verbs.Sending;
+
+/// <summary>What <c>engraver send --json</c> prints; names and meanings are the runner's contract.</summary>
+/// <param name="Outcome">complete, stopped, linkLost or heldTooLong.</param>
+/// <param name="Lines">Lines of the program that are out whole.</param>
+/// <param name="Characters">Everything that is out.</param>
+/// <param name="Holds">How often XOFF was heard.</param>
+/// <param name="Heard">Characters that came back beside XON and XOFF.</param>
+internal sealed record SendJson(string Outcome, int Lines, int OfLines, long Characters, int Holds, long Heard, double Seconds, string? Reason)
+{
+    public static SendJson From(SendResult result) => new(Word(result.Outcome), result.Lines, result.AllLines, result.Characters, result.Holds, result.Heard, result.Seconds, result.Reason);
+
+    private static string Word(SendOutcome outcome) => outcome switch { SendOutcome.Complete => "complete", SendOutcome.Stopped => "stopped", SendOutcome.LinkLost => "linkLost", _ => "heldTooLong" };
+}
+
+/// <summary>What <c>engraver receive --json</c> prints.</summary>
+/// <param name="Damaged">Characters whose parity was wrong.</param>
+/// <param name="Findings">The parity, where it was wrong.</param>
+internal sealed record ReceiveJson(string File, int Lines, int Characters, int Damaged, IReadOnlyList<DiagnosticJson> Findings);
+
+[JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase, WriteIndented = true, NewLine = "\n", GenerationMode = JsonSourceGenerationMode.Metadata)]
+[JsonSerializable(typeof(SendJson))]
+[JsonSerializable(typeof(ReceiveJson))]
+internal sealed partial class SendContract : JsonSerializerContext;

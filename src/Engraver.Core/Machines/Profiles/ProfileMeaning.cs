@@ -1,0 +1,67 @@
+using Engraver.Core.Machines.Moves;
+
+namespace Engraver.Core.Machines.Profiles;
+
+/// <summary>What a machine profile means, in sentences for the owner of the machine.</summary>
+public static class ProfileMeaning
+{
+    public static IReadOnlyList<string> Of(MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(profile);
+        return [.. Axes(profile), .. Speeds(profile), .. Tool(profile), .. Places(profile), Cost(profile)];
+    }
+
+    private static IEnumerable<string> Axes(MachineProfile profile)
+    {
+        foreach (var (name, axis) in "XYZ".Zip(profile.Axes.All))
+        {
+            var count = 1.0 / Math.Abs(axis.CountsPerMillimetre);
+            yield return Wording.Get(axis.CountsPerMillimetre < 0.0 ? "ProfileMeaning.AxisMirrored" : "ProfileMeaning.Axis", name, axis.Letter, Math.Abs(axis.CountsPerMillimetre), count, count / 25.4);
+            if (axis.MotorType is { } motor) yield return Wording.Get("ProfileMeaning.Motor", name, motor);
+            yield return axis.Travel is { } travel ? Wording.Get("ProfileMeaning.Travel", name, travel.Least, travel.Most) : Wording.Get("ProfileMeaning.NoTravel", name);
+        }
+
+        if (Math.Abs(profile.Scale.X) != Math.Abs(profile.Scale.Y)) yield return Wording.Get("ProfileMeaning.Chords");
+    }
+
+    private static IEnumerable<string> Speeds(MachineProfile profile)
+    {
+        var (feed, acceleration) = (profile.FeedMmPerMinute / 60.0, profile.AccelerationCounts / profile.Scale.Largest);
+        yield return Wording.Get("ProfileMeaning.Feed", profile.FeedMmPerMinute, feed, profile.RapidMmPerMinute, profile.JogMmPerMinute);
+        yield return Wording.Get("ProfileMeaning.Acceleration", acceleration, feed / acceleration, feed * feed / acceleration / 2.0, profile.SharpCornerDegrees);
+    }
+
+    private static IEnumerable<string> Tool(MachineProfile profile)
+    {
+        yield return profile.Height is { } height
+            ? Wording.Get("ProfileMeaning.ToolAxis", height.ClearanceHeight, height.RetractHeight, height.PlungeMmPerMinute, height.CutDepth)
+            : Wording.Get(profile.ToolActiveLow ? "ProfileMeaning.ToolOutputLow" : "ProfileMeaning.ToolOutput", profile.ToolOutput, profile.ToolSettleSeconds, profile.OffSettleSeconds);
+        if (profile.Height?.DepthPerPass is { } step) yield return Wording.Get("ProfileMeaning.Passes", step);
+        if (profile.Spindle is not { } spindle) yield break;
+        yield return Wording.Get(spindle.IsActiveLow ? "ProfileMeaning.SpindleLow" : "ProfileMeaning.Spindle", spindle.Output, spindle.SpinUpSeconds);
+        if (spindle.SpeedAxis is { } axis) yield return Wording.Get("ProfileMeaning.SpindleVolts", axis, spindle.SpeedVolts);
+    }
+
+    private static IEnumerable<string> Places(MachineProfile profile)
+    {
+        var homed = "XYZ".Zip(profile.Axes.All).Where(axis => axis.Second.Homing is not null).OrderBy(axis => axis.Second.Homing!.Order).ToList();
+        if (homed.Count == 0) yield return Wording.Get("ProfileMeaning.NotHomed");
+        foreach (var (name, axis) in homed) yield return Wording.Get(axis.Homing!.Plus ? "ProfileMeaning.HomedUp" : "ProfileMeaning.HomedDown", name, Mark(axis.Homing), axis.Homing.FastMmPerMinute, axis.Homing.Zero);
+        if (profile.Park is { } park) yield return Wording.Get("ProfileMeaning.Park", park.X, park.Y);
+        if (profile.Inputs.All.Count > 0) yield return Wording.Get("ProfileMeaning.Inputs", Named(profile.Inputs));
+        if (profile.Outputs.All.Count > 0) yield return Wording.Get("ProfileMeaning.Outputs", Named(profile.Outputs));
+    }
+
+    private static string Mark(AxisHoming homing) => Wording.Get((homing.ByLimit, homing.HasSwitch, homing.HasIndex) switch
+    {
+        (true, _, false) => "ProfileMeaning.ByLimit",
+        (true, _, true) => "ProfileMeaning.ByLimitIndex",
+        (_, true, false) => "ProfileMeaning.BySwitch",
+        (_, true, true) => "ProfileMeaning.BySwitchIndex",
+        _ => "ProfileMeaning.ByIndex",
+    });
+
+    private static string Cost(MachineProfile profile) => profile.Rates is { } rates ? Wording.Get("ProfileMeaning.Cost", rates.PerHour, rates.PerMetre, rates.PerStart) : Wording.Get("ProfileMeaning.NoCost");
+
+    private static string Named(LineNames names) => string.Join(", ", names.All.Select(line => $"{line.Key} = {line.Value}"));
+}

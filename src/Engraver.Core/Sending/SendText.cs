@@ -1,0 +1,86 @@
+using System.Globalization;
+using System.Text;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Posts.Agie;
+
+namespace Engraver.Core.Sending;
+
+/// <summary>Turns the bytes of a program file into what goes over the line.</summary>
+public static class SendText
+{
+    /// <summary>The first character of a program for a wire eroder (paper 000, Table 1); a file may hold several.</summary>
+    private const byte ProgramStart = (byte)'%';
+
+    /// <summary>The lines of a file without their ends (CR, LF or CR LF); what follows the last end is no line when it is empty.</summary>
+    public static IReadOnlyList<ReadOnlyMemory<byte>> Lines(ReadOnlyMemory<byte> file)
+    {
+        var (lines, from) = (new List<ReadOnlyMemory<byte>>(), 0);
+        var bytes = file.Span;
+        for (var i = 0; i < bytes.Length; i++)
+        {
+            if (bytes[i] is not ((byte)'\r' or (byte)'\n')) continue;
+            lines.Add(file[from..i]);
+            if (bytes[i] == '\r' && i + 1 < bytes.Length && bytes[i + 1] == '\n') i++;
+            from = i + 1;
+        }
+
+        if (from < file.Length) lines.Add(file[from..]);
+        return lines;
+    }
+
+    /// <summary>The programs for a wire eroder that the lines hold, each from its <c>%</c> to before the next; one when no line begins so.</summary>
+    /// <remarks>A control holds one program of at most 999 blocks at a time (sace-xps-agie.md 4.1: three digits for a block's number).</remarks>
+    public static IReadOnlyList<IReadOnlyList<ReadOnlyMemory<byte>>> AgiePrograms(IReadOnlyList<ReadOnlyMemory<byte>> lines)
+    {
+        ArgumentNullException.ThrowIfNull(lines);
+        var starts = Enumerable.Range(0, lines.Count).Where(i => !lines[i].IsEmpty && lines[i].Span[0] == ProgramStart).ToList();
+        if (starts.Count < 2) return [lines];
+        return [.. starts.Select((start, i) => (IReadOnlyList<ReadOnlyMemory<byte>>)[.. lines.Skip(start).Take((i + 1 < starts.Count ? starts[i + 1] : lines.Count) - start)])];
+    }
+
+    /// <summary>Why a program for a wire eroder does not fit its control; null when it does.</summary>
+    public static Diagnostic? TooLong(IReadOnlyList<ReadOnlyMemory<byte>> program)
+    {
+        var blocks = program.Count(line => line.Span.Trim((byte)' ') is var words && !words.IsEmpty && !words.SequenceEqual("%"u8));
+        return blocks > AgieText.MostBlocks ? SendingRules.TooManyBlocks.At(default, Text(blocks), Text(AgieText.MostBlocks)) : null;
+    }
+
+    /// <summary>Everything that goes over the line, in its bits; or why it cannot.</summary>
+    public static SendEncoding Encode(IReadOnlyList<ReadOnlyMemory<byte>> lines, SendFormat format, CharacterFrame frame)
+    {
+        ArgumentNullException.ThrowIfNull(lines);
+        ArgumentNullException.ThrowIfNull(format);
+        if (lines.Count == 0) return new SendEncoding(null, SendingRules.NothingToSend.At(default));
+        for (var i = 0; i < lines.Count; i++)
+        {
+            if (frame.Largest() < byte.MaxValue && lines[i].Span.IndexOfAnyInRange((byte)(frame.Largest() + 1), byte.MaxValue) is >= 0 and var at)
+                return new SendEncoding(null, SendingRules.CharacterTooLarge.At(new SourceRef(i + 1), Text(lines[i].Span[at]), Text(at + 1), Text(i + 1), frame.Name()));
+        }
+
+        var end = Encoding.Latin1.GetBytes(format.LineEnd);
+        return new SendEncoding(new SendJob(Bits([.. new byte[format.LeaderNuls], .. Encoding.Latin1.GetBytes(format.Start)]), [.. lines.Select(line => Bits([.. line.Span, .. end]))], Bits([.. Encoding.Latin1.GetBytes(format.End), .. new byte[format.TrailerNuls]])), null);
+
+        ReadOnlyMemory<byte> Bits(byte[] characters)
+        {
+            foreach (ref var character in characters.AsSpan()) character = frame.Encode(character);
+            return characters;
+        }
+    }
+
+    private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
+}
+
+/// <summary>What goes over the line: every character in its bits.</summary>
+/// <param name="Leader">Before the first line.</param>
+/// <param name="Lines">Each with its line end.</param>
+/// <param name="Trailer">Behind the last line.</param>
+public sealed record SendJob(ReadOnlyMemory<byte> Leader, IReadOnlyList<ReadOnlyMemory<byte>> Lines, ReadOnlyMemory<byte> Trailer)
+{
+    /// <summary>Characters of all.</summary>
+    public long Length => Leader.Length + Lines.Sum(line => (long)line.Length) + Trailer.Length;
+}
+
+/// <summary>What came of a program that is to be sent.</summary>
+/// <param name="Job">Null when it cannot be sent.</param>
+/// <param name="Why">Why it cannot; null when it can.</param>
+public sealed record SendEncoding(SendJob? Job, Diagnostic? Why);

@@ -1,0 +1,79 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Core.Sending;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Sending;
+
+namespace Engraver.Workbench.Commands.Files;
+
+/// <summary>SEND: Sends a program file over a serial line to the control of a machine, as plain text. Esc stops it and says how many lines are out.</summary>
+internal sealed class SendCommand : ICommand
+{
+    private const string LineName = "SEND.Line";
+
+    public CommandInfo Info { get; } = new("SEND", CommandGroup.Output);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var name = await context.ValueAsync(new TextPrompt(Wording.Get("Send.EnterProgram")) { Default = context.Remembered(VerifyCommand.Name) }).ConfigureAwait(false);
+        var file = Read(context.FileToRead(name));
+        int? program = file.Programs.Count == 1 ? null : (int)await context.ValueAsync(new NumberPrompt(Wording.Get("Send.EnterNumber", file.Programs.Count)) { Least = 1, Most = file.Programs.Count, Whole = true, Default = "1" }).ConfigureAwait(false);
+        var typed = await context.ValueAsync(new TextPrompt(Wording.Get("Send.EnterLine")) { Default = context.Remembered(LineName) }).ConfigureAwait(false);
+        if (!SendAddress.TryParse(typed, out var address)) throw new CommandException(CommandFailure.Usage, Wording.Get("Send.NoLine", typed, SendAddress.Forms));
+        var encoded = file.Encode(program, SendFormat.Default, address.Frame);
+        if (encoded.Why is { } why) FindingMessages.Say(context, name, [why], Severity.Error);
+        if (encoded.Job is not { } job) throw new CommandException(CommandFailure.Drawing, Wording.Get("Send.NotSent", name));
+        context.Remember(LineName, typed);
+        Tell(context, await SendAsync(context, job, address, cancellation).ConfigureAwait(false), cancellation);
+    }
+
+    private static async Task<SendResult> SendAsync(CommandContext context, SendJob job, SendAddress address, CancellationToken cancellation)
+    {
+        var pace = new SendPace(address.Frame, address.CharacterTime) { ObeysXoff = address.Flow == SerialFlow.XonXoff };
+        try
+        {
+            await using var line = ProgramLine.Open(address, pace.LongestHold, context.Time);
+            return await ProgramSender.SendAsync(line, job, pace, new Share(context.Progress), context.Time, cancellation).ConfigureAwait(false);
+        }
+        catch (NotSupportedException unbuilt)
+        {
+            throw new CommandException(CommandFailure.Usage, unbuilt.Message);
+        }
+        finally
+        {
+            context.Progress.End();
+        }
+    }
+
+    private static void Tell(CommandContext context, SendResult result, CancellationToken cancellation)
+    {
+        var said = SendWording.Of(result);
+        if (result.Outcome is SendOutcome.Complete)
+        {
+            context.Say(said);
+            return;
+        }
+
+        if (result.Outcome is not SendOutcome.Stopped) throw new CommandException(CommandFailure.LinkLost, said);
+        context.Say(said, MessageKind.Warning);
+        cancellation.ThrowIfCancellationRequested();
+    }
+
+    private static SendFile Read(string path)
+    {
+        try
+        {
+            return SendFile.Read(path);
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            throw new CommandException(CommandFailure.Usage, Wording.Get("Send.CannotRead", path, unreadable.Message));
+        }
+    }
+
+    private sealed class Share(CommandProgress progress) : IProgress<SendProgress>
+    {
+        public void Report(SendProgress value) => progress.Report((double)value.Lines / value.AllLines);
+    }
+}

@@ -1,0 +1,54 @@
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Reports;
+
+/// <summary>What a job comes to: lengths, times, cost. For the console, the palette of the job and a report.</summary>
+/// <param name="CutLength">Drawn length that is cut, mm.</param>
+/// <param name="Travel">Between strokes, mm.</param>
+/// <param name="Starts">Strokes that are begun.</param>
+/// <param name="Times">Planned.</param>
+/// <param name="Rates">Null: nobody says what machining costs.</param>
+public sealed record JobSheet(string Drawing, double CutLength, double Travel, int Starts, MotionTimes Times, JobRates? Rates)
+{
+    /// <summary>Null without rates.</summary>
+    public JobCost? Cost => Rates?.CostOf(Times.Total, CutLength, Starts);
+
+    /// <param name="times">Over the link that it will run over.</param>
+    public static JobSheet Of(PreparedJob job, MotionTimes times, JobRates? rates)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        return new JobSheet(Path.GetFileName(job.Drawing.FileName), job.Sequence.PathLength, job.Sequence.Travel, job.Sequence.Strokes.Count, times, rates);
+    }
+
+    /// <summary>The lines of the sheet: what, and how much.</summary>
+    public IReadOnlyList<(string What, string HowMuch)> Lines =>
+    [
+        (Wording.Get("JobSheet.Drawing"), Drawing),
+        (Wording.Get("JobSheet.CutLength"), Wording.Get("JobSheet.Metres", CutLength / 1000.0)),
+        (Wording.Get("JobSheet.Travel"), Wording.Get("JobSheet.Metres", Travel / 1000.0)),
+        (Wording.Get("JobSheet.Starts"), Wording.Get("JobSheet.Number", Starts)),
+        (Wording.Get("JobSheet.Cutting"), Wording.Get("JobSheet.Seconds", Times.Cutting)),
+        (Wording.Get("JobSheet.Rapid"), Wording.Get("JobSheet.Seconds", Times.Rapid)),
+        (Wording.Get("JobSheet.Standing"), Wording.Get("JobSheet.Seconds", Times.Dwell)),
+        (Wording.Get("JobSheet.Time"), Wording.Get("JobSheet.Seconds", Times.Total)),
+        .. Rates is { } rates && Cost is { } cost
+            ? (IEnumerable<(string, string)>)
+            [
+                (Wording.Get("JobSheet.ForTime"), Wording.Get("JobSheet.PerHour", cost.Time, rates.PerHour)),
+                (Wording.Get("JobSheet.ForLength"), Wording.Get("JobSheet.PerMetre", cost.Length, rates.PerMetre)),
+                (Wording.Get("JobSheet.ForStarts"), Wording.Get("JobSheet.PerStart", cost.Starts, rates.PerStart)),
+                (Wording.Get("JobSheet.Cost"), Wording.Get("JobSheet.Money", cost.Total)),
+            ]
+            : [],
+    ];
+
+    /// <summary>The sheet as text, what and how much in two columns.</summary>
+    public void Write(TextWriter output)
+    {
+        ArgumentNullException.ThrowIfNull(output);
+        var width = Lines.Max(line => line.What.Length) + 2;
+        foreach (var (what, howMuch) in Lines) output.WriteLine(what.PadRight(width) + howMuch);
+    }
+}

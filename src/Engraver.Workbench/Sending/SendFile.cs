@@ -1,0 +1,38 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Posts.Agie;
+using Engraver.Core.Sending;
+
+namespace Engraver.Workbench.Sending;
+
+/// <summary>A program file that is to be sent. One that is named as a program for a wire eroder may hold several programs, of which the control takes one at a time.</summary>
+public sealed class SendFile
+{
+    private readonly bool _isAgie;
+
+    private SendFile(IReadOnlyList<IReadOnlyList<ReadOnlyMemory<byte>>> programs, bool isAgie) => (Programs, _isAgie) = (programs, isAgie);
+
+    /// <summary>Lines of each program.</summary>
+    public IReadOnlyList<IReadOnlyList<ReadOnlyMemory<byte>>> Programs { get; }
+
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file may not be read.</exception>
+    public static SendFile Read(string path)
+    {
+        var isAgie = path.EndsWith(new AgiePost().Ending, StringComparison.OrdinalIgnoreCase);
+        var lines = SendText.Lines(File.ReadAllBytes(path));
+        return new SendFile(isAgie ? SendText.AgiePrograms(lines) : [lines], isAgie);
+    }
+
+    /// <summary>One program as it goes over the line.</summary>
+    /// <param name="program">From 1; null where the file holds one.</param>
+    public SendEncoding Encode(int? program, SendFormat format, CharacterFrame frame)
+    {
+        if (program is null && Programs.Count > 1) return new SendEncoding(null, SendingRules.SeveralPrograms.At(default, Text(Programs.Count)));
+        if (program is < 1 || program > Programs.Count) return new SendEncoding(null, SendingRules.NoSuchProgram.At(default, Text(program.Value), Text(Programs.Count)));
+        var lines = Programs[(program ?? 1) - 1];
+        return _isAgie && SendText.TooLong(lines) is { } tooLong ? new SendEncoding(null, tooLong) : SendText.Encode(lines, format, frame);
+    }
+
+    private static string Text(int number) => number.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,16 @@
+namespace Engraver.Workbench.Sending;
+
+/// <summary>Says how a sending ended, for the console and the command line.</summary>
+public static class SendWording
+{
+    public static string Of(SendResult result)
+    {
+        ArgumentNullException.ThrowIfNull(result);
+        return result.Outcome switch
+        {
+            SendOutcome.Complete => Wording.Get("Sending.Complete", result.Lines, result.Characters, result.Seconds, result.Holds),
+            SendOutcome.Stopped => Wording.Get("Sending.Stopped", result.Lines, result.AllLines),
+            _ => Wording.Get("Sending.Broken", result.Reason, result.Lines, result.AllLines),
+        };
+    }
+}

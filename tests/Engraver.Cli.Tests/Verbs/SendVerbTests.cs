@@ -1,0 +1,120 @@
+using System.Text;
+using Engraver.TestKit;
+
+namespace Engraver.Cli.Tests.Verbs;
+
+public class SendVerbTests
+{
+    private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(60);
+
+    [Fact]
+    public async Task A_posted_program_is_sent_and_received_as_it_was_posted()
+    {
+        using var folder = new TemporaryFolder();
+        using var far = new PseudoTerminalPair();
+        using var near = new PseudoTerminalPair();
+        Assert.Equal(ExitCode.Done, (await CliRun.RunAsync("post", SampleDrawing.PathOf("paper-001"), "--target", "agie", "-o", folder.PathOf("part.agie"))).ExitCode);
+        using var told = new FirstLine();
+        using var output = new MemoryStream();
+        using var streams = new ConsoleStreams(output, told, TextReader.Null);
+        var receiving = EngraverProgram.RunAsync(["receive", "--from", $"serial://{far.Device}?baud=115200&frame=7E1", "-o", folder.PathOf("heard.agie"), "--silence", "0.7", "--json"], streams, CancellationToken.None);
+        await told.Written.WaitAsync(s_patience);
+        var relaying = Task.Run(() => Relay(near, far));
+        var sent = await CliRun.RunAsync("send", folder.PathOf("part.agie"), "--to", $"serial://{near.Device}?baud=115200&frame=7E1", "--leader", "30", "--trailer", "30", "--end-text", "\\x04", "--json");
+        var code = await receiving.WaitAsync(s_patience);
+        await relaying.WaitAsync(s_patience);
+
+        var (posted, json, heard) = (File.ReadAllText(folder.PathOf("part.agie")), JsonText.Of(sent), JsonText.Of(new CliRun(code, Encoding.UTF8.GetString(output.ToArray()), "")));
+        Assert.Equal((ExitCode.Done, ExitCode.Done), (sent.ExitCode, code));
+        Assert.Equal(posted + "\u0004\n", File.ReadAllText(folder.PathOf("heard.agie")));
+        Assert.Equal(["outcome", "lines", "ofLines", "characters", "holds", "heard", "seconds", "reason"], json.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(("complete", posted.Count(letter => letter == '\n')), (json.GetProperty("outcome").GetString(), json.GetProperty("lines").GetInt32()));
+        Assert.Equal(posted.Length + json.GetProperty("lines").GetInt32() + 61, json.GetProperty("characters").GetInt32());
+        Assert.Equal(["file", "lines", "characters", "damaged", "findings"], heard.EnumerateObject().Select(field => field.Name));
+        Assert.Equal(0, heard.GetProperty("damaged").GetInt32());
+    }
+
+    [Fact]
+    public async Task A_stop_ends_with_5_and_says_how_many_lines_are_out()
+    {
+        using var folder = new TemporaryFolder();
+        using var cable = new PseudoTerminalPair();
+        using var stop = new CancellationTokenSource();
+        File.WriteAllLines(folder.PathOf("long.nc"), Enumerable.Repeat("G1 X1 Y1", 5000));
+        var sending = CliRun.RunAsync(stop.Token, "send", folder.PathOf("long.nc"), "--to", $"serial://{cable.Device}?baud=19200");
+        await Task.Run(() => cable.Hear(200)).WaitAsync(s_patience);
+        await stop.CancelAsync();
+        var run = await sending.WaitAsync(s_patience);
+
+        Assert.Equal((ExitCode.StoppedByOperator, ""), (run.ExitCode, run.Out));
+        Assert.Matches("^engraver: Stopped: [0-9]+ of 5000 lines are out.\n$", run.Error);
+        Assert.InRange(int.Parse(run.Error.Split(' ')[2], System.Globalization.CultureInfo.InvariantCulture), 10, 4999);
+    }
+
+    [Fact]
+    public async Task A_file_with_several_programs_is_not_sent_at_once()
+    {
+        using var folder = new TemporaryFolder();
+        File.WriteAllText(folder.PathOf("two.agie"), "%\t001\n\t002\n%\t001\n");
+        var all = await CliRun.RunAsync("send", folder.PathOf("two.agie"), "--to", "serial:///dev/engraver-nothing");
+        var third = await CliRun.RunAsync("send", folder.PathOf("two.agie"), "--to", "serial:///dev/engraver-nothing", "--program", "3");
+        var nowhere = await CliRun.RunAsync("send", folder.PathOf("two.agie"), "--to", "serial:///dev/engraver-nothing", "--program", "2");
+
+        Assert.Equal(ExitCode.DrawingError, all.ExitCode);
+        Assert.Contains("SND0004: The file holds 2 programs", all.Error, StringComparison.Ordinal);
+        Assert.Contains("SND0005: There is no program 3 in the file; it holds 2.", third.Error, StringComparison.Ordinal);
+        Assert.Equal(ExitCode.LinkLost, nowhere.ExitCode);
+        Assert.Contains("No connection to /dev/engraver-nothing", nowhere.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--to", "tcp://localhost")]
+    [InlineData("--to", "serial:///dev/x?baud=1")]
+    [InlineData("--to", "serial:///dev/x", "--leader", "-1")]
+    [InlineData("--to", "serial:///dev/x", "--line-delay", "much")]
+    [InlineData("--to", "serial:///dev/x", "--start-text", "\\q")]
+    [InlineData("--to", "serial:///dev/x?frame=7E1", "--start-text", "\\xFF")]
+    [InlineData("--to", "serial:///dev/x", "--line-end", "none")]
+    [InlineData]
+    public async Task What_cannot_be_meant_is_a_usage_error(params string[] options)
+    {
+        using var folder = new TemporaryFolder();
+        File.WriteAllText(folder.PathOf("a.nc"), "G1\n");
+
+        Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync(["send", folder.PathOf("a.nc"), .. options])).ExitCode);
+    }
+
+    /// <summary>What the sender says goes on to the receiver, which holds it now and then.</summary>
+    private static void Relay(PseudoTerminalPair from, PseudoTerminalPair to)
+    {
+        for (var turn = 0; from.HearSome(64) is { Length: > 0 } some; turn++)
+        {
+            to.Say(some);
+            if (turn % 5 != 0) continue;
+            from.Say("\u0093"); // XOFF with the bit of an even parity
+            from.Say("\u0011");
+        }
+    }
+
+    /// <summary>Tells when the first line was written.</summary>
+    private sealed class FirstLine : StringWriter
+    {
+        private readonly TaskCompletionSource _written = new(TaskCreationOptions.RunContinuationsAsynchronously);
+
+        public Task Written => _written.Task;
+
+        public override void WriteLine(string? value) => _written.TrySetResult();
+
+        public override Task WriteLineAsync(string? value)
+        {
+            _written.TrySetResult();
+            return Task.CompletedTask;
+        }
+
+        public override Task WriteLineAsync(ReadOnlyMemory<char> buffer, CancellationToken cancellationToken = default)
+        {
+            _written.TrySetResult();
+            return Task.CompletedTask;
+        }
+    }
+}

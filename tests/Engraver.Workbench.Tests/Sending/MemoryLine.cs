@@ -1,0 +1,60 @@
+using System.Threading.Channels;
+using Engraver.Workbench.Sending;
+
+namespace Engraver.Workbench.Tests.Sending;
+
+/// <summary>A line of memory: keeps what is sent with its time, and says what the test wants at a given place.</summary>
+internal sealed class MemoryLine(TimeProvider time) : IProgramLine
+{
+    private readonly Channel<byte> _said = Channel.CreateUnbounded<byte>();
+    private readonly SemaphoreSlim _listens = new(0);
+    private readonly long _begun = time.GetTimestamp();
+
+    public List<(TimeSpan At, byte Bits)> Heard { get; } = [];
+
+    /// <summary>Said when so many characters have come; the sender has taken it before it goes on.</summary>
+    public (int At, byte Bits)? Answer { get; set; }
+
+    /// <summary>The line is gone after so many characters.</summary>
+    public int BreaksAt { get; set; } = int.MaxValue;
+
+    public bool WasDrained { get; private set; }
+
+    public int Count
+    {
+        get
+        {
+            lock (Heard) return Heard.Count;
+        }
+    }
+
+    public void Say(byte bits) => _said.Writer.TryWrite(bits);
+
+    public async ValueTask WriteAsync(ReadOnlyMemory<byte> bits, CancellationToken cancellation)
+    {
+        cancellation.ThrowIfCancellationRequested();
+        if (Count + bits.Length > BreaksAt) throw new IOException("the cable was pulled");
+        lock (Heard) Heard.AddRange(bits.ToArray().Select(one => (time.GetElapsedTime(_begun), one)));
+        if (Answer is not { } answer || Count < answer.At) return;
+        Answer = null;
+        await _listens.WaitAsync(cancellation);
+        Say(answer.Bits);
+        await _listens.WaitAsync(cancellation); // it was taken, and the sender listens again
+    }
+
+    public async ValueTask<int> ReadAsync(Memory<byte> bits, CancellationToken cancellation)
+    {
+        _listens.Release();
+        var said = await _said.Reader.ReadAsync(cancellation);
+        bits.Span[0] = said;
+        return 1;
+    }
+
+    public ValueTask DrainAsync(CancellationToken cancellation)
+    {
+        WasDrained = true;
+        return ValueTask.CompletedTask;
+    }
+
+    public ValueTask DisposeAsync() => ValueTask.CompletedTask;
+}
