@@ -13,7 +13,8 @@ namespace Engraver.Workbench.Tests.Verification;
 /// <summary>Of every target's program, seeded corruptions of one character or one number are noticed by the verification, or do no harm: a path that a test reads from the text in its own way cuts the drawing and nothing else.</summary>
 public sealed class TargetCorruptionTests : IDisposable
 {
-    private static readonly int s_cases = TestExtent.Cases(perCommit: 16, full: 200, "ENGRAVER_CORRUPTIONS");
+    /// <summary>The curves of these two are read as many chords, which takes a second each time.</summary>
+    private static int CasesOf(string target) => TestExtent.Cases(perCommit: target is "xps-spline" or "xps-pvt" ? 2 : 10, full: 200, "ENGRAVER_CORRUPTIONS");
 
     private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-corrupt-");
 
@@ -36,7 +37,7 @@ public sealed class TargetCorruptionTests : IDisposable
         var drawn = JobPreparation.Analyse(drawing, new DrawingSettings()).ToSegments();
         Assert.True((await VerifyAsync(drawing, text, reader)).Ok);
         Assert.True(DoesNoHarm(text, target, drawn, reader));
-        for (var number = 0; number < s_cases; number++)
+        for (var number = 0; number < CasesOf(target); number++)
         {
             var bad = Corruption.Of(random, text, number);
             var report = await VerifyAsync(drawing, bad, reader);

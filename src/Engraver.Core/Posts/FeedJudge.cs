@@ -1,6 +1,6 @@
 using Engraver.Core.Diagnostics;
 
-namespace Engraver.Core.Verification;
+namespace Engraver.Core.Posts;
 
 /// <summary>Compares the feeds at which a program cuts with those of the job, while it is read: a level cut runs at the feed, what goes down goes down no faster than the plunge feed.</summary>
 /// <param name="feed">Of the job along the path, mm/min.</param>
