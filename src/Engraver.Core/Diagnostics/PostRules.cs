@@ -15,7 +15,7 @@ public static class PostRules
 
     public static readonly DiagnosticRule NothingToMove = new("PST0006", Severity.Error);
 
-    public static readonly DiagnosticRule NotInDialect = new("PST0010", Severity.Error, "option", "dialect", "instead");
+    public static readonly DiagnosticRule NotInDialect = new("PST0010", Severity.Error, "dialect", "option");
 
     public static readonly DiagnosticRule PlaceNotWritable = new("PST0011", Severity.Error, "x", "y", "largest");
 

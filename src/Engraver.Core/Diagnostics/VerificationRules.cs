@@ -21,7 +21,7 @@ public static class VerificationRules
 
     public static readonly DiagnosticRule NotCut = new("VER0009", Severity.Error, "length", "x", "y");
 
-    public static readonly DiagnosticRule OtherFeed = new("VER0010", Severity.Error, "line", "feed", "least", "most");
+    public static readonly DiagnosticRule OtherFeed = new("VER0010", Severity.Error, "feed", "line", "least", "most");
 
     public static readonly DiagnosticRule ToolpathBeside = new("VER0020", Severity.Error, "deviation", "x", "y", "tolerance");
 

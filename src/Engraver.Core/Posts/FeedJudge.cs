@@ -35,7 +35,7 @@ public sealed class FeedJudge(double feed, double? plunge)
         var most = plunge is { } down && fall > 0.0 ? Math.Min(feed, down * length / fall) : feed;
         var least = fall == 0.0 ? feed : 0.0;
         var within = (most * Rounding) + quantum;
-        if (Finding is null && (mmPerMinute > most + within || mmPerMinute < least - within || !(mmPerMinute > 0.0))) Finding = VerificationRules.OtherFeed.At(new SourceRef(line), FactText.Of(line), double.IsFinite(mmPerMinute) ? FactText.Of(mmPerMinute) : Wording.Get("FeedJudge.Rapid"), FactText.Of(least), FactText.Of(most));
+        if (Finding is null && (mmPerMinute > most + within || mmPerMinute < least - within || !(mmPerMinute > 0.0))) Finding = VerificationRules.OtherFeed.At(new SourceRef(line), double.IsFinite(mmPerMinute) ? FactText.Of(mmPerMinute) : Wording.Get("FeedJudge.Rapid"), FactText.Of(line), FactText.Of(least), FactText.Of(most));
     }
 
     /// <summary>A cut reached this height.</summary>

@@ -42,7 +42,7 @@ public class VerifyVerbTests
         var run = await CliRun.RunAsync("verify", folder.PathOf("job.ngc"), "--against", SampleDrawing.PathOf("paper-001"), "--target", "gcode", "--dialect", "grbl");
 
         Assert.Equal(ExitCode.DrawingError, run.ExitCode);
-        Assert.Contains("job.ngc:1: error PST0001", run.Error, StringComparison.Ordinal);
+        Assert.Contains("job.ngc(1): error PST0001", run.Error, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -87,6 +87,6 @@ public class VerifyVerbTests
     [Theory]
     [InlineData("verify")]
     [InlineData("verify", "job.dmc")]
-    [InlineData("verify", "job.dmc", "--against", "drawing.dxf", "--target", "hpgl")]
+    [InlineData("verify", "job.dmc", "--against", "drawing.dxf", "--target", "punched-tape")]
     public async Task What_is_not_built_or_not_given_is_a_usage_error(params string[] words) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync(words)).ExitCode);
 }

@@ -33,8 +33,8 @@ public sealed class GcodePost : IPost
     /// <summary>What is chosen and the dialect does not have.</summary>
     private static IEnumerable<Diagnostic> Unfit(GcodeChoice choice, MachineProfile machine)
     {
-        if (machine.Height is null && choice.Switch == GcodeChoice.ByOutput && !choice.Dialect.HasOutputs) yield return PostRules.NotInDialect.At(default, $"tool-switch {choice.Switch}", choice.Dialect.Name, $"{GcodeChoice.BySpindle}, {GcodeChoice.ByCoolant}");
-        if (choice.Blend > 0.0 && !choice.Dialect.HasBlending) yield return PostRules.NotInDialect.At(default, "blend", choice.Dialect.Name, "0");
+        if (machine.Height is null && choice.Switch == GcodeChoice.ByOutput && !choice.Dialect.HasOutputs) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, $"--tool-switch {choice.Switch}");
+        if (choice.Blend > 0.0 && !choice.Dialect.HasBlending) yield return PostRules.NotInDialect.At(default, choice.Dialect.Name, "--blend");
         if (machine.Height is null && machine.Spindle is not null && choice.Switch == GcodeChoice.BySpindle) yield return PostRules.ToolAndSpindle.At(default);
     }
 
