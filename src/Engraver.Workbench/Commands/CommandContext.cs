@@ -31,6 +31,12 @@ public sealed class CommandContext
 
     public PlaybackSession Playback => _session.Playback;
 
+    /// <summary>Where AUTOSEQUENCE shows how far it has walked.</summary>
+    internal SequenceWalk Walk => _session.Walk;
+
+    /// <summary>A person sits at a desktop and has typed or clicked the command.</summary>
+    internal bool IsWatched => _session.Environment.RunNeedsArming && !IsScripted;
+
     /// <summary>Where a long command reports its progress.</summary>
     public CommandProgress Progress => _session.Progress;
 
