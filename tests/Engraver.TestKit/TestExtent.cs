@@ -40,6 +40,17 @@ public static class TestExtent
         }
     }
 
+    /// <summary>Each subject with one pair of choices, so that with enough subjects every pair of choices occurs; in the full run every combination.</summary>
+    /// <remarks>For a way whose pairs of subject and choice another test already tries.</remarks>
+    public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> InTurn<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second) =>
+        IsFull ? Crossed(subjects, first, second) : Rotated(subjects, first, second);
+
+    /// <summary>The combinations of <see cref="InTurn{TSubject, TFirst, TSecond}"/> in the smaller run.</summary>
+    public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> Rotated<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second)
+    {
+        for (var i = 0; i < subjects.Count; i++) yield return (subjects[i], first[i % first.Count], second[(i + (i / first.Count)) % second.Count]);
+    }
+
     /// <summary>Every combination.</summary>
     public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> Crossed<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second) =>
         from subject in subjects

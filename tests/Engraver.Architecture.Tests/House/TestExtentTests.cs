@@ -25,6 +25,17 @@ public class TestExtentTests
         Assert.Equal(s_modes.Length * s_links.Length, runs.Select(run => (run.First, run.Second)).Distinct().Count());
     }
 
+    [Theory]
+    [InlineData(6)]
+    [InlineData(10)]
+    public void In_turn_every_subject_and_every_pair_of_choices_occurs(int subjects)
+    {
+        var runs = TestExtent.Rotated(Enumerable.Range(0, subjects).ToArray(), s_modes, s_links).ToList();
+
+        Assert.Equal(Enumerable.Range(0, subjects), runs.Select(run => run.Subject));
+        Assert.Equal(s_modes.Length * s_links.Length, runs.Select(run => (run.First, run.Second)).Distinct().Count());
+    }
+
     [Fact]
     public void The_full_run_tries_every_combination_once()
     {

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using Engraver.Simulator;
+using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
@@ -25,10 +26,11 @@ public sealed class ResumeAfterPowerRunTests : IDisposable
 
     private readonly TemporaryFolder _folder = new();
 
+    /// <summary>A commit tries one strategy (in the session itself <c>ResumeAfterPowerTests</c> of the Workbench try all), the full run each.</summary>
+    public static TheoryData<string, int> Modes => TestExtent.IsFull ? new() { { "stream", 730_001 }, { "calls", 730_002 }, { "program", 730_003 } } : new() { { "calls", 730_002 } };
+
     [Theory]
-    [InlineData("stream", 730_001)]
-    [InlineData("calls", 730_002)]
-    [InlineData("program", 730_003)]
+    [MemberData(nameof(Modes))]
     public async Task Behind_a_power_cycle_and_a_homing_resume_cuts_what_is_left(string mode, int serialNumber)
     {
         using var limit = new CancellationTokenSource(TimeSpan.FromSeconds(120));

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
 using Engraver.Simulator;
+using Engraver.TestKit;
 
 namespace Engraver.Cli.Tests.Runs;
 
@@ -10,10 +11,13 @@ public class SamePlaceTests
     private const int Tool = 1;
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(180);
 
+    /// <summary>A commit tries each strategy from one of the two programs (in the session itself <c>WorkOriginTests</c> try all), the full run each from both.</summary>
+    public static TheoryData<string> ConsoleModes => TestExtent.IsFull ? ["stream", "calls", "program"] : ["stream", "program"];
+
+    public static TheoryData<string> ScriptModes => TestExtent.IsFull ? ["Stream", "Calls", "Program"] : ["Calls"];
+
     [Theory]
-    [InlineData("stream")]
-    [InlineData("calls")]
-    [InlineData("program")]
+    [MemberData(nameof(ConsoleModes))]
     public async Task A_job_of_the_console_is_cut_in_the_same_place_again_after_a_stop_and_after_a_killed_host(string mode)
     {
         using var folder = new TemporaryFolder();
@@ -34,9 +38,7 @@ public class SamePlaceTests
 
     /// <summary>A script is typed to the same session that the desktop has; a desktop is left by a killed process as a script is.</summary>
     [Theory]
-    [InlineData("Stream")]
-    [InlineData("Calls")]
-    [InlineData("Program")]
+    [MemberData(nameof(ScriptModes))]
     public async Task So_is_a_job_of_the_desktops_commands(string mode)
     {
         using var folder = new TemporaryFolder();

@@ -1,6 +1,7 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Geometry.Biarcs;
 using Engraver.Core.Verification;
+using Engraver.TestKit;
 
 namespace Engraver.Core.Tests.Verification;
 
@@ -62,7 +63,7 @@ public class DrawnCoverageTests
     [Fact]
     public void Short_lines_under_a_crowd_of_long_ones_are_whole_when_each_was_cut()
     {
-        for (var seed = 1; seed <= 20; seed++)
+        for (var seed = 1; seed <= TestExtent.Cases(perCommit: 5, full: 20, "ENGRAVER_CROWD_SEEDS"); seed++)
         {
             var random = new Random(seed);
             Point2D Near(double most) => new(random.NextDouble() * most, random.NextDouble() * most);
@@ -90,7 +91,7 @@ public class DrawnCoverageTests
     [Fact]
     public void Tightly_turning_splines_are_whole_when_arcs_are_cut_for_them()
     {
-        for (var seed = 1; seed <= 300; seed++)
+        for (var seed = 1; seed <= TestExtent.Cases(perCommit: 80, full: 300, "ENGRAVER_TURN_SEEDS"); seed++)
         {
             var random = new Random(seed);
             double Any() => random.NextDouble() * 4.0;

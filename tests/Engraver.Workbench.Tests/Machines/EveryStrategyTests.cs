@@ -4,7 +4,7 @@ using Engraver.TestKit;
 namespace Engraver.Workbench.Tests.Machines;
 
 /// <summary>The main job three ways over each kind of link, judged by every motor sample of the simulated controller.</summary>
-/// <remarks>A commit tries each pair of drawing, strategy and link; <c>./test --full</c> every combination.</remarks>
+/// <remarks>A commit tries each pair of a foreign drawing, strategy and link, and each sample in one strategy over one link (on <c>sim:</c> the console's <c>SampleRunTests</c> try each in every strategy); <c>./test --full</c> every combination.</remarks>
 public class EveryStrategyTests
 {
     /// <summary>2.5 counts at 1000 counts/mm and the default curve tolerance, millimetres.</summary>
@@ -28,9 +28,9 @@ public class EveryStrategyTests
     ];
 
     public static TheoryData<string, JobMode, string> Samples =>
-        Combined([.. Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal)]);
+        Listed(TestExtent.InTurn([.. Directory.GetFiles(RepositoryFolder.Samples, "*.dxf").Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal)], Enum.GetValues<JobMode>(), s_links));
 
-    public static TheoryData<string, JobMode, string> Corpus => Combined(s_corpus);
+    public static TheoryData<string, JobMode, string> Corpus => Listed(TestExtent.Combinations(s_corpus, Enum.GetValues<JobMode>(), s_links));
 
     [Theory]
     [MemberData(nameof(Samples))]
@@ -53,10 +53,10 @@ public class EveryStrategyTests
         Assert.Equal((0, 0), (result.Underruns, result.Rejected));
     }
 
-    private static TheoryData<string, JobMode, string> Combined(IReadOnlyList<string> drawings)
+    private static TheoryData<string, JobMode, string> Listed(IEnumerable<(string Drawing, JobMode Mode, string Link)> combinations)
     {
         var runs = new TheoryData<string, JobMode, string>();
-        foreach (var (drawing, mode, link) in TestExtent.Combinations(drawings, Enum.GetValues<JobMode>(), s_links)) runs.Add(drawing, mode, link);
+        foreach (var (drawing, mode, link) in combinations) runs.Add(drawing, mode, link);
         return runs;
     }
 }

@@ -81,6 +81,7 @@ public static class MachineRun
         return new MachineRunReport(judged.Result, judged.Judgement, machine.Identity.Model, planned)
         {
             Placement = placement.Found,
+            OpenLoop = placement.OpenLoop,
             Trace = judged.Trace,
             IsDryRun = options.DryRun,
             ResumedFrom = options.Resume is null ? null : beginning.Place,
@@ -165,6 +166,9 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
 {
     /// <summary>Where the drawing's zero lay; null while that is not known.</summary>
     public PlacementResult? Placement { get; init; }
+
+    /// <summary>X, Y and Z as far as steppers move them: a judgement by polled positions knows of them what was commanded, and nothing of what the motors did.</summary>
+    public IReadOnlyList<char> OpenLoop { get; init; } = [];
 
     /// <summary>The tool stayed off.</summary>
     public bool IsDryRun { get; init; }

@@ -1,4 +1,5 @@
 using Engraver.Core.Machines;
+using Engraver.TestKit;
 
 namespace Engraver.Galil.Tests.Jobs.Holds;
 
@@ -13,11 +14,7 @@ public class HeightHoldTests
         get
         {
             var all = new TheoryData<JobMode, string>();
-            foreach (var mode in new[] { JobMode.Stream, JobMode.Calls, JobMode.Program })
-            {
-                foreach (var where in new[] { "line", "arc", "slope", "upright", "last", "rapid", "plunge" }) all.Add(mode, where);
-            }
-
+            foreach (var (where, mode, _) in TestExtent.InTurn(["line", "arc", "slope", "upright", "last", "rapid", "plunge"], Enum.GetValues<JobMode>(), [true])) all.Add(mode, where);
             return all;
         }
     }
