@@ -64,7 +64,7 @@ public sealed class ShellModel : Observable
     {
         get
         {
-            var file = Desk.Session.Document.Current.Drawing is { } drawing ? Path.GetFileName(drawing.FileName) : null;
+            var file = Path.GetFileName(Desk.Session.Document.FilePath);
             if (Desk.Session.Machine.Status.State is not MachineState.Offline and var state) return Text.Get("Window.TitleWithMachine", file ?? Text.Get("Window.NoDrawing"), state.Said());
             return file is null ? Text.Get("Window.Title") : Text.Get("Window.TitleOf", file);
         }

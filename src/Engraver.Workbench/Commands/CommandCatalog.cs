@@ -35,7 +35,7 @@ public sealed class CommandCatalog
         new PocketCommand(), new OriginCommand(), new HideObjectsCommand(), new UnisolateObjectsCommand(),
         new EnterCommand(), new AutoSequenceCommand(), new CncOrderCommand(), new ToolStartCommand(), new DiscontinuitiesCommand(),
         new SacePathCommand(), new SaceOffsetCommand(), new SaceUniformOffsetCommand(), new SaceConstantOffsetsCommand(), new SaceDeepEngravingCommand(), new SaceHelicalDrillCommand(), .. SaceLengthCommand.All, new SaceToggleDensityCommand(), new SaceCornersCommand(),
-        new SaceShowTrajectoriesCommand(), new SaceEditTrajectoryCommand(), new SaceDeleteLastTrajectoryCommand(), new SaceDeleteAllTrajectoriesCommand(), new SaceExportTrajectoriesCommand(), new SaceSimulateCommand(),
+        new SaceShowTrajectoriesCommand(), new SaceEditTrajectoryCommand(), new SaceDeleteLastTrajectoryCommand(), new SaceDeleteAllTrajectoriesCommand(), new SaceUpdateTrajectoriesCommand(), new SaceExportTrajectoriesCommand(), new SaceSimulateCommand(),
         new PostCommand(), new AgiePostCommand(), new LinkCommand(), new VerifyCommand(), new SendCommand(), new PlotCommand(),
         new CncConnectCommand(), new CncDisconnectCommand(), new CncMotorsCommand(), new CncStatusCommand(), new CncProfileCommand(), new CncCommissionCommand(), new CncOutputCommand(),
         new CncHomeCommand(), new CncJogCommand(), new CncGoToCommand(), new CncFrameCommand(), new CncZeroCommand(), new CncOriginCommand(), new CncFinishCommand(),

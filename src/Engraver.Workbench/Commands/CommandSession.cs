@@ -71,7 +71,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>What is waited for now.</summary>
     public PromptView Prompt => (_aside is { Pending: not null } aside ? aside : _frames.Top) is { Pending: { } asks } frame
-        ? new PromptView(frame.Info.Name, _frames.Before + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.Prompt.Aim)
+        ? new PromptView(frame.Info.Name, _frames.Before + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.Prompt.Aim) { Preview = asks.Prompt.Preview }
         : PromptView.Idle;
 
     internal CommandEnvironment Environment { get; }
@@ -298,5 +298,8 @@ public sealed class CommandSession : IAsyncDisposable
 /// <param name="Aim">The place that a click on the canvas answers with (its coordinates are entered); null when it is no answer.</param>
 public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, PointAim? Aim)
 {
+    /// <summary>What Enter alone would lead to (<see cref="CommandLanguage.Prompt.Preview"/>); null when there is nothing to be seen.</summary>
+    public GhostOf? Preview { get; init; }
+
     public static PromptView Idle => new(null, Wording.Get("Prompt.Command"), [], null, false, null);
 }

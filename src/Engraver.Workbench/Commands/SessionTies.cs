@@ -32,9 +32,9 @@ internal sealed class SessionTies : IDisposable
     {
         var state = _document.Current;
         _machine.Profile = state.Settings.Machine;
-        if (_machine.Armed is { Job: var job } && (!ReferenceEquals(job.Drawing, state.Drawing) || job.Settings != state.Settings)) _machine.Disarm();
+        if (_machine.Armed is { Job: var job } && !job.IsOf(state)) _machine.Disarm();
         if (_machine.Part is { } part && (!ReferenceEquals(part.Drawing, state.Drawing) || part.Settings != state.Settings)) _machine.ChoosePart(null);
-        if (_machine.ShownJob is { } shown && (!ReferenceEquals(shown.Drawing, state.Drawing) || shown.Settings != state.Settings)) _machine.DismissJob();
+        if (_machine.ShownJob is { } shown && !shown.IsOf(state)) _machine.DismissJob();
     }
 
     private void OnDerived(object? sender, EventArgs e)

@@ -20,7 +20,7 @@ internal static class DrawingOpening
         Leave(context);
         var sidecar = DrawingSaving.LoadSidecar(context, drawing);
         context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] }, Sidecar = sidecar });
-        context.Document.MarkKept();
+        context.Document.MarkOpened();
         context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
         context.Say(Wording.Get("DrawingOpening.OnUnit", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
@@ -31,7 +31,7 @@ internal static class DrawingOpening
     public static void Leave(CommandContext context)
     {
         if (context.Document.Current.Drawing is not { } drawing) return;
-        if (context.Document.IsEdited) context.Say(Wording.Get("DrawingOpening.EditedNotSavedUndo", Path.GetFileName(drawing.FileName)), MessageKind.Warning);
+        if (context.Document.IsEdited) context.Say(Wording.Get("DrawingOpening.EditedNotSavedUndo", Path.GetFileName(context.Document.FilePath)), MessageKind.Warning);
         var path = Path.GetFullPath(drawing.FileName);
         if (!context.Settings.Current.RecentFiles.Contains(path)) return;
         var view = context.View.Current;

@@ -34,7 +34,8 @@ internal sealed class ExportCommand : ICommand
                 var plot = DrawingPlot.Create(drawing, settings, asDrawn: false);
                 return output => SvgPlotWriter.Write(plot, output);
             case ".csv" or ".json":
-                var table = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings).Table;
+                var (table, findings) = JobPreparation.CutTableOf(drawing, settings);
+                FindingMessages.Say(context, drawing.FileName, findings, Severity.Warning);
                 return output => EntityTableFormat.Write(ending[1..], table, output);
             default: return PostTable.ForEnding(ending) is { } entry ? Program(context, entry.Post) : null;
         }
