@@ -40,6 +40,8 @@ public sealed class DesktopModel : IAsyncDisposable
         session.Playback.Changed += (_, _) => Post();
         session.Walk.Changed += (_, _) => Post();
         session.Derivation.Changed += (_, _) => Post();
+        session.Certificates.Changed += (_, _) => Post();
+        session.History.Changed += (_, _) => Post();
         session.Derivation.KeepsUp = true;
     }
 

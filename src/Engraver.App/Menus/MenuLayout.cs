@@ -9,14 +9,14 @@ public static class MenuLayout
 
     private static readonly IReadOnlyList<MenuSection> s_wished =
     [
-        new("File", ["OPEN", "RECENT", "CLOSE", Separator, "QSAVE", "SAVEAS", "EXPORT", Separator, "SCRIPT", "REINIT", "OPTIONS", Separator, "Window.Exit"]),
+        new("File", ["OPEN", "RECENT", "HISTORY", "CLOSE", Separator, "QSAVE", "SAVEAS", "EXPORT", Separator, "SCRIPT", "REINIT", "OPTIONS", Separator, "Window.Exit"]),
         new("Edit", ["U", "UNDO", "REDO", Separator, "SELECT", "Window.SelectAll", Separator, "ERASE", "MOVE", "COPY", "ROTATE", "SCALE", "MIRROR", "ARRAY", "EXPLODE", "REVERSE", Separator, "HIDEOBJECTS", "UNISOLATEOBJECTS"]),
         new("View", ["ZOOM", "PAN", "REGEN", Separator, "GRID", "SNAP", "ORTHO", "OSNAP", "DYNAMICINPUT", Separator, "SHOW", "THEME", Separator, "Window.Palettes", "Window.Pages", "Window.Clean", "Window.History"]),
         new("Drawing", ["LAYER", "PROPERTIES", "LIST", Separator, "DIST", "ID", "AREA", Separator, "CHECK", "DISCONTINUITIES", "OVERKILL", "JOIN", Separator, "ORIGIN", Separator, "CNCUNITS", "CNCCUT"]),
         new("Toolpath", ["AUTOSEQUENCE", "CNCORDER", "ENTER", "TOOLSTART", "STARTPOINT", "PIN", "LEADIN", "LINK", Separator, "OFFSET", "POCKET", "KERF", Separator, "PLAYBACK", Separator, "CNCMAXERR", "CNCJOINTOL", "CNCDUPLICATES", "CNCRECOVER"]),
         new("Trajectory", ["SACEPATH", "SACEOFFSET", "SACEUNIFORMOFFSET", "SACECONSTANTOFFSETS", "SACEDEEPENGRAVING", "SACEHELICALDRILL", Separator, "SACESHOWTRAJECTORIES", "SACEEDITTRAJECTORY", "SACEUPDATETRAJECTORIES", "SACEDELETELASTTRAJECTORY", "SACEDELETEALLTRAJECTORIES", Separator, "SACESIMULATE", "SACEEXPORTTRAJECTORIES", Separator, "SACESETMAXERROR", "SACETOGGLEDYNAMICDENSITY", "SACESETSTATICSEGMENTLENGTH", "SACECORNERS", "SACESETZPLANE"]),
         new("Machine", ["CNCCONNECT", "CNCDISCONNECT", "CNCPROFILE", "CNCCOMMISSION", "CNCSTATUS", Separator, "CNCMOTORS", "CNCSIM", Separator, "CNCFRAME", "CNCARM", "CNCRUN", "CNCHOME", "CNCJOG", "CNCGOTO", "CNCZERO", "CNCORIGIN", "CNCHOLD", "CNCRESUME", "CNCOVERRIDE", "CNCSTOP", "CNCABORT", "CNCOUTPUT", Separator, "CNCTRACE", "ALARMS", "CNCTERMINAL", Separator, "CNCFINISH", "CNCFEED", "CNCVS", "CNCRAPID", "CNCVA"]),
-        new("Plot", ["PLOT", "POST", "AGIEPOST", "VERIFY", "SEND", Separator, "TABLE"]),
+        new("Plot", ["PLOT", "POST", "AGIEPOST", "VERIFY", "CERTIFY", "SEND", Separator, "REPORT", "TABLE"]),
         new("Help", ["HELP"]),
     ];
 

@@ -8,6 +8,7 @@ using Engraver.App.Contours;
 using Engraver.App.Desk;
 using Engraver.App.Findings;
 using Engraver.App.HandMoves;
+using Engraver.App.Histories;
 using Engraver.App.Jobs;
 using Engraver.App.Layers;
 using Engraver.App.MachineStrip;
@@ -91,6 +92,7 @@ public sealed class ShellModel : Observable
         new("Trajectories", () => new TrajectoriesView { DataContext = new TrajectoriesModel(Desk) }),
         new("Findings", () => new FindingsView { DataContext = new FindingsModel(Desk) }),
         _alarms,
+        new("History", () => new HistoryView { DataContext = new HistoryModel(Desk) }),
         new("Terminal", () => new TerminalView { DataContext = new TerminalModel(Desk) }),
     ];
 

@@ -1,8 +1,10 @@
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Commissioning;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Playback;
@@ -27,11 +29,12 @@ public sealed class CommandSession : IAsyncDisposable
         Catalog = catalog;
         Machine = new MachineSession(environment.Time) { OriginsFolder = MachineMemories.FolderIn(environment.RunJournalFolder) };
         Derivation = new DerivationSession(Document);
+        History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
         Playback = new PlaybackSession(environment.Time);
         Settings = new SettingsSession(environment.SettingsFile, environment.Time);
         Aliases = ReloadAliases();
         View.Change(state => SystemVariables.Restore(state, Settings.Current));
-        _ties = new SessionTies(Document, Machine, Derivation, Playback);
+        _ties = new SessionTies(Document, Machine, Derivation, Playback, Certificates);
     }
 
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
@@ -49,6 +52,12 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Strokes, job, findings and plan of the document.</summary>
     public DerivationSession Derivation { get; }
+
+    /// <summary>How the job of the document stands to its certificate.</summary>
+    public CertificateWatch Certificates { get; } = new();
+
+    /// <summary>Every run and every program that was written.</summary>
+    public JobHistory History { get; }
 
     /// <summary>Plays the planned motion of the document that was derived last.</summary>
     public PlaybackSession Playback { get; }

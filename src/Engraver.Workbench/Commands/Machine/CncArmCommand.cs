@@ -28,7 +28,8 @@ internal sealed class CncArmCommand : ICommand
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false);
         var placement = job.Motion.Program is { } program ? await context.Machine.AskAsync(program, mode.DryRun, cancellation).ConfigureAwait(false) : null;
-        var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow());
+        var certificate = job.Motion.Program is { } certified ? await context.Certificates.LookAsync(job, context.Machine.FitToLink(certified, mode.Mode, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
+        var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow(), certificate?.Check);
         foreach (var check in checklist.Checks) CheckText.Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
         var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);

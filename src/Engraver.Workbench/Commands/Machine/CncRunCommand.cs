@@ -46,8 +46,8 @@ internal sealed class CncRunCommand : ICommand
     {
         var fit = context.Machine.FitToLink(job.Motion.Program!, mode, job.Drawing);
         FindingMessages.Say(context, job.Drawing.FileName, fit.Diagnostics, Severity.Warning);
-        var report = await context.Machine.RunAsync(job, fit.Program, address => JobStart.Options(context, job, address, mode, dryRun), cancellation).ConfigureAwait(false);
-        JobStart.Conclude(context, job, report);
+        var checks = context.Machine.Armed?.Checklist;
+        await JobStart.RunAsync(context, job, checks, options => context.Machine.RunAsync(job, fit.Program, address => options(JobStart.Options(context, job, address, mode, dryRun)), cancellation), simulated: false).ConfigureAwait(false);
     }
 }
 
@@ -59,7 +59,6 @@ internal sealed class CncSimCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
-        var report = await context.Machine.SimulateAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }, cancellation).ConfigureAwait(false);
-        JobStart.Conclude(context, job, report);
+        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, job.Motion.Program!, address => options(JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
     }
 }

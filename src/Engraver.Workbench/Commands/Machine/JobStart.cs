@@ -4,6 +4,8 @@ using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
+using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
 using Engraver.Workbench.Reports;
 using Engraver.Workbench.Settings;
@@ -47,6 +49,27 @@ internal static class JobStart
             Resume = job.Followed is null ? context.Machine.Part?.Request : null,
             Told = finding => FindingMessages.Say(context, job.Drawing.FileName, [finding], Severity.Warning),
         };
+
+    /// <summary>Runs a job, writes it into the history, and tells the operator how it ended.</summary>
+    /// <param name="checks">The list that it was armed by; null where there was none.</param>
+    /// <param name="run">Runs it with the options that it hands on.</param>
+    /// <exception cref="CommandException">The job did not complete.</exception>
+    /// <exception cref="ControllerException">The link never came up.</exception>
+    public static async Task RunAsync(CommandContext context, PreparedJob job, ArmingChecklist? checks, Func<Func<MachineRunOptions, MachineRunOptions>, Task<MachineRunReport>> run, bool simulated)
+    {
+        var (begun, taken) = (context.Time.GetUtcNow(), default(MachineRunOptions));
+        try
+        {
+            var report = await run(options => taken = options).ConfigureAwait(false);
+            if (taken is not null) context.Remember(HistoryEntry.OfRun(job, taken, report, begun, simulated, checks));
+            Conclude(context, job, report);
+        }
+        catch (ControllerException lost) when (taken is not null)
+        {
+            context.Remember(HistoryEntry.OfLost(job, taken, lost.Message, begun));
+            throw;
+        }
+    }
 
     /// <summary>Tells the operator how the job ended.</summary>
     /// <exception cref="CommandException">The job did not complete.</exception>

@@ -32,16 +32,20 @@ public static class MachineRun
     {
         using var clock = connection.TakeClock();
         var trace = options.TracePath is { } path ? clock.TraceTo(await OpenAsync(path, stop).ConfigureAwait(false), wall: time) : null;
+        var (kept, unkept) = KeptConversation.Begin(options.JournalPath);
+        var conversation = kept is null ? null : clock.ConversationTo(kept, wall: time);
         MachineRunReport report;
         try
         {
-            report = await InSessionAsync(job, program, connection, options, trace, clock, progress, stop).ConfigureAwait(false);
+            report = await InSessionAsync(job, program, connection, options, trace, conversation, clock, progress, stop).ConfigureAwait(false);
         }
         finally
         {
             if (trace is not null) await trace.CloseAsync(stop).ConfigureAwait(false); // behind the session: until its links are closed something may be heard
+            if (conversation is not null) await conversation.CloseAsync(stop).ConfigureAwait(false);
         }
 
+        if ((unkept ?? conversation?.Failure) is { } failure) options.Told?.Invoke(PreparationRules.ConversationNotKept.At(default, failure));
         return report with { TraceFailure = trace?.Failure };
     }
 
@@ -50,9 +54,9 @@ public static class MachineRun
         Task.Factory.StartNew(() => new StreamWriter(path), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).WaitAsync(stop);
 
     private static async Task<MachineRunReport> InSessionAsync(
-        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, MachineTrace? trace, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
+        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, MachineTrace? trace, MachineConversation? conversation, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        await using var machine = await clock.ShakeHandsAsync(connection, trace, stop).ConfigureAwait(false);
+        await using var machine = await clock.ShakeHandsAsync(connection, trace, conversation, stop).ConfigureAwait(false);
         try
         {
             return await OnMachineAsync(job, program, machine, connection, options, clock, progress, stop).ConfigureAwait(false);
