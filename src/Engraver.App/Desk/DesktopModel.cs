@@ -39,6 +39,7 @@ public sealed class DesktopModel : IAsyncDisposable
         session.Settings.Changed += (_, _) => Post();
         session.Progress.Changed += (_, _) => Post();
         session.Playback.Changed += (_, _) => Post();
+        session.Walk.Changed += (_, _) => Post();
         session.Derivation.Changed += (_, _) => Post();
         session.Certificates.Changed += (_, _) => Post();
         session.History.Changed += (_, _) => Post();

@@ -63,6 +63,9 @@ public sealed class CommandSession : IAsyncDisposable
     /// <summary>Plays the planned motion of the document that was derived last.</summary>
     public PlaybackSession Playback { get; }
 
+    /// <summary>How far AUTOSEQUENCE has walked.</summary>
+    public SequenceWalk Walk { get; } = new();
+
     /// <summary>The progress of the command at work.</summary>
     public CommandProgress Progress { get; } = new();
 
