@@ -10,12 +10,13 @@ using Engraver.Workbench.Settings;
 
 namespace Engraver.Benchmarks.Stops;
 
-/// <summary>Measures the time from STOP to the bytes that brake the axes on a TCP wire, while a job streams to a simulated controller at speed 1 to which a fault of a faults file has just happened.</summary>
+/// <summary>Measures the time from STOP to the bytes that brake the axes on a TCP wire or a serial line, while a job streams to a simulated controller at speed 1 to which a fault of a faults file has just happened.</summary>
 internal sealed class FaultStopBenchmark
 {
-    /// <summary>Controller second at which the fault happens at first, and how much later where the job does not stream by then.</summary>
+    /// <summary>Controller second at which the fault happens at first, and how much later where the job does not stream by then; a serial line carries so many bytes before the first segment.</summary>
     private const double FirstSecond = 0.8;
-    private const double LaterSeconds = 0.2;
+    private const double LaterPart = 0.25;
+    private const double BytesBefore = 11_000.0;
 
     /// <summary>STOP comes within so many seconds behind the fault.</summary>
     private const double PressWithin = 0.06;
@@ -26,12 +27,15 @@ internal sealed class FaultStopBenchmark
     private readonly Random _random = new(1);
     private readonly string _folder;
     private readonly PreparedJob _job;
-    private double _faultSecond = FirstSecond;
+    private readonly int? _baud;
+    private double _faultSecond;
 
-    /// <param name="folder">For the journals of the jobs; exists.</param>
-    public FaultStopBenchmark(string folder)
+    /// <param name="folder">For the journals of the jobs, and the serial device; exists.</param>
+    /// <param name="baud">Of a serial line; null for TCP.</param>
+    public FaultStopBenchmark(string folder, int? baud)
     {
-        _folder = folder;
+        (_folder, _baud) = (folder, baud);
+        _faultSecond = FirstSecond + (baud is { } rate ? BytesBefore * 10.0 / rate : 0.0);
         var settings = new DrawingSettings();
         _job = JobPreparation.Prepare(DxfReader.Read(Zigzag(), "stop.dxf", new DxfReadOptions(), CancellationToken.None), settings, JobPlan.StyleOf(JobMode.Stream));
     }
@@ -57,27 +61,32 @@ internal sealed class FaultStopBenchmark
     /// <exception cref="ControllerException">The simulated controller could not be reached.</exception>
     public async Task<FaultStopFigure> RunAsync(string name, string? fault, int presses, CancellationToken stop)
     {
-        var (times, lost, before, pause) = (new List<double>(), 0, 0, 0.0);
+        var (times, behind, lost, before, pause) = (new List<double>(), new List<double>(), 0, 0, 0.0);
         while (times.Count + lost + before < presses)
         {
             switch (await PressAsync(fault is null ? null : string.Create(CultureInfo.InvariantCulture, $"{{\"faults\":[{{\"kind\":\"{name}\",\"atSeconds\":{_faultSecond}{fault}}}]}}"), stop).ConfigureAwait(false))
             {
-                case { Pressed: false }: _faultSecond += LaterSeconds; break; // this computer was too slow to start the job in time
-                case { Milliseconds: { } time, Pause: var collecting }: (times, pause) = ([.. times, time], Math.Max(pause, collecting)); break;
+                case { Pressed: false }: _faultSecond *= 1.0 + LaterPart; break; // this computer was too slow to start the job in time
+                case { Milliseconds: { } time, Pause: var collecting, UnderWay: var underWay }:
+                    times.Add(time);
+                    behind.Add(Math.Max(0.0, time - underWay));
+                    pause = Math.Max(pause, collecting);
+                    break;
                 case { Braked: true }: before++; break;
                 default: lost++; break;
             }
         }
 
         times.Sort();
-        return new FaultStopFigure(name, times, before, lost) { LongestPause = pause };
+        behind.Sort();
+        return new FaultStopFigure(name, times, before, lost) { LongestPause = pause, Behind = _baud is null ? null : behind };
     }
 
-    private async Task<(bool Pressed, bool Braked, double? Milliseconds, double Pause)> PressAsync(string? faults, CancellationToken stop)
+    private async Task<(bool Pressed, bool Braked, double? Milliseconds, double Pause, double UnderWay)> PressAsync(string? faults, CancellationToken stop)
     {
         await using var controller = ServedSimulator.Create(1.0, profile: null, faults, signColumn: false);
         var on = Stopwatch.GetTimestamp();
-        await using var wire = new WireTap(await controller.ListenTcpAsync(0, stop).ConfigureAwait(false));
+        await using var wire = _baud is { } baud ? await FaultStopSerialTap.OverSerialAsync(controller, Path.Combine(_folder, "line"), baud, stop).ConfigureAwait(false) : await FaultStopWire.OverTcpAsync(controller, stop).ConfigureAwait(false);
         await using var machine = new MachineSession(TimeProvider.System);
         await machine.ConnectAsync(ControllerAddress.Parse(wire.Address), stop).ConfigureAwait(false);
         var heard = new TaskCompletionSource<long>(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -85,7 +94,7 @@ internal sealed class FaultStopBenchmark
         var braked = false;
         wire.Heard += (text, at) =>
         {
-            if (!text.Contains("ST A", StringComparison.Ordinal)) return;
+            if (!text.Contains("STS", StringComparison.Ordinal)) return; // the end of the path, in the same line or before the end of the axes
             if (at >= Volatile.Read(ref pressed)) heard.TrySetResult(at);
             else Volatile.Write(ref braked, Stopwatch.GetElapsedTime(on, at).TotalSeconds >= _faultSecond);
         };
@@ -95,12 +104,14 @@ internal sealed class FaultStopBenchmark
         if (rest > TimeSpan.Zero) await Task.Delay(rest, stop).ConfigureAwait(false);
         var isUnderWay = machine.Progress is { SegmentsSent: > 0 };
         var collecting = GC.GetTotalPauseDuration();
+        wire.Press(Stopwatch.GetTimestamp());
         Volatile.Write(ref pressed, Stopwatch.GetTimestamp());
         machine.Stop();
         var reached = await Task.WhenAny(heard.Task, Task.Delay(s_patience, stop)).ConfigureAwait(false) == heard.Task;
         var pause = (GC.GetTotalPauseDuration() - collecting).TotalMilliseconds;
+        var underWay = wire.UnderWayMilliseconds;
         await EndAsync(run).ConfigureAwait(false);
-        return (isUnderWay && rest > TimeSpan.Zero, braked, reached ? Stopwatch.GetElapsedTime(pressed, await heard.Task.ConfigureAwait(false)).TotalMilliseconds : null, pause);
+        return (isUnderWay && rest > TimeSpan.Zero, braked, reached ? Stopwatch.GetElapsedTime(pressed, await heard.Task.ConfigureAwait(false)).TotalMilliseconds : null, pause, underWay);
     }
 
     /// <summary>However the job ends.</summary>
@@ -138,9 +149,15 @@ internal sealed record FaultStopFigure(string Fault, IReadOnlyList<double> Milli
     /// <summary>The longest garbage collection between a press and the wire, milliseconds.</summary>
     public double LongestPause { get; init; }
 
+    /// <summary>On a serial line: from the end of the exchange under way, ascending; null for TCP, where a stop does not wait for it.</summary>
+    public IReadOnlyList<double>? Behind { get; init; }
+
+    /// <summary>The head of the table for a serial line.</summary>
+    public const string SerialHead = "| Fault | presses | braked already | without a wire | p50 ms | p99 ms | worst ms | collecting ms | behind the line under way: p50 ms | p99 ms | worst ms |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|";
+
     public const string MarkdownHead = "| Fault | presses | braked already | without a wire | p50 ms | p99 ms | worst ms | collecting ms |\n|---|---:|---:|---:|---:|---:|---:|---:|";
 
-    public string ToMarkdown() => string.Create(CultureInfo.InvariantCulture, $"| {Fault} | {Milliseconds.Count + Braked + Lost} | {Braked} | {Lost} | {At(0.5)} | {At(0.99)} | {At(1.0)} | {LongestPause:0.00} |");
+    public string ToMarkdown() => string.Create(CultureInfo.InvariantCulture, $"| {Fault} | {Milliseconds.Count + Braked + Lost} | {Braked} | {Lost} | {At(Milliseconds, 0.5)} | {At(Milliseconds, 0.99)} | {At(Milliseconds, 1.0)} | {LongestPause:0.00} |{(Behind is null ? "" : $" {At(Behind, 0.5)} | {At(Behind, 0.99)} | {At(Behind, 1.0)} |")}");
 
-    private string At(double part) => Milliseconds.Count == 0 ? "" : Milliseconds[Math.Min(Milliseconds.Count - 1, (int)(Milliseconds.Count * part))].ToString("0.00", CultureInfo.InvariantCulture);
+    private static string At(IReadOnlyList<double> times, double part) => times.Count == 0 ? "" : times[Math.Min(times.Count - 1, (int)(times.Count * part))].ToString("0.00", CultureInfo.InvariantCulture);
 }

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Engraver.Cli.Options;
 using Engraver.Cli.Verbs;
+using Engraver.Cli.Verbs.Jobs;
 using Engraver.Cli.Verbs.Profiles;
 using Engraver.Cli.Verbs.Sending;
 
@@ -25,9 +26,13 @@ internal static class EngraverCommandLine
         root.Subcommands.Add(PlanVerb.Build(host));
         root.Subcommands.Add(PostVerb.Build(host));
         root.Subcommands.Add(VerifyVerb.Build(host));
+        root.Subcommands.Add(CertifyVerb.Build(host));
         root.Subcommands.Add(SendVerb.Build(host));
         root.Subcommands.Add(ReceiveVerb.Build(host));
         root.Subcommands.Add(RunVerb.Build(host));
+        root.Subcommands.Add(ReportVerb.Build(host));
+        root.Subcommands.Add(HistoryVerb.Build(host));
+        root.Subcommands.Add(ReplayVerb.Build(host));
         root.Subcommands.Add(HandVerbs.Status(host));
         root.Subcommands.Add(HandVerbs.GoTo(host));
         root.Subcommands.Add(HandVerbs.Jog(host));

@@ -105,11 +105,15 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <exception cref="IOException">The path is taken or cannot be written, the port already has a client, or the system has no free terminal.</exception>
     /// <exception cref="UnauthorizedAccessException">The path may not be written.</exception>
     /// <exception cref="PlatformNotSupportedException">This is not Linux.</exception>
-    public Task ServeSerialAsync(string path, int baud, CancellationToken cancellation)
+    public Task ServeSerialAsync(string path, int baud, CancellationToken cancellation) => ServeSerialAsync(path, baud, null, cancellation);
+
+    /// <summary>The same with somebody who listens on the line.</summary>
+    /// <param name="heard">Told all bytes as they pass, and whether the host sent them; on the threads that carry them. Null for nobody.</param>
+    public Task ServeSerialAsync(string path, int baud, Action<ReadOnlyMemory<byte>, bool>? heard, CancellationToken cancellation)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(baud);
         cancellation.ThrowIfCancellationRequested();
-        var frontEnd = SerialFrontEnd.Open(_core, path, baud, _options);
+        var frontEnd = SerialFrontEnd.Open(_core, path, baud, _options, heard);
         lock (_gate)
         {
             _frontEnds.Add(frontEnd);
@@ -172,7 +176,7 @@ public sealed class SimulatedController : IAsyncDisposable
         _core.With(m => m.Motion.Axes[axis].Inputs.HomeGrounded = active);
     }
 
-    /// <summary>Blocks or frees the shaft of axis 0 to 3. While it is blocked the motor does not move and the position error grows.</summary>
+    /// <summary>Blocks or frees the shaft of axis 0 to 3. While it is blocked the motor does not move: the position error of a servo grows, and a stepper loses the steps that it is sent.</summary>
     public void HoldMotor(int axis, bool held)
     {
         RequireAxis(axis);
@@ -182,8 +186,8 @@ public sealed class SimulatedController : IAsyncDisposable
     /// <summary>Where the motor of axis 0 to 3 really stands, counts from where it stood at the first power up: DP, homing and power cycles change what that is called and not where it is.</summary>
     public int MotorPlace(int axis) => (int)Math.Round(Axis(axis, static found => found.Motor.Position - found.Shift), MidpointRounding.AwayFromZero);
 
-    /// <summary>Where a position that the controller now calls so really is, counts from where axis 0 to 3 stood at the first power up.</summary>
-    public int PlaceOf(int axis, int position) => (int)Math.Round(Axis(axis, found => position - found.Shift), MidpointRounding.AwayFromZero);
+    /// <summary>Where a position that the controller now calls so really is, a stepper's lost steps included, counts from where axis 0 to 3 stood at the first power up.</summary>
+    public int PlaceOf(int axis, int position) => (int)Math.Round(Axis(axis, found => position - found.Motor.Lost - found.Shift), MidpointRounding.AwayFromZero);
 
     /// <summary>One more fault beside those of the plan; its moment counts from power up, and one that is past happens at once.</summary>
     /// <exception cref="System.Text.Json.JsonException">The fault makes no sense.</exception>

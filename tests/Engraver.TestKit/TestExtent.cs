@@ -48,7 +48,7 @@ public static class TestExtent
     /// <summary>The combinations of <see cref="InTurn{TSubject, TFirst, TSecond}"/> in the smaller run.</summary>
     public static IEnumerable<(TSubject Subject, TFirst First, TSecond Second)> Rotated<TSubject, TFirst, TSecond>(IReadOnlyList<TSubject> subjects, IReadOnlyList<TFirst> first, IReadOnlyList<TSecond> second)
     {
-        for (var i = 0; i < subjects.Count; i++) yield return (subjects[i], first[i % first.Count], second[(i + (i / first.Count)) % second.Count]);
+        for (var i = 0; i < subjects.Count; i++) yield return (subjects[i], first[i % first.Count], second[((i % first.Count) + (i / first.Count)) % second.Count]);
     }
 
     /// <summary>Every combination.</summary>

@@ -16,6 +16,7 @@ public sealed partial class DrawingCanvas
     private const int MostGhostSegments = 20_000;
 
     private PointAim? _aim;
+    private GhostOf? _preview;
 
     /// <summary>Half the side of the box in which object snaps are found, units of the control (APERTURE).</summary>
     public double Aperture { get; set; } = 10.0;
@@ -26,7 +27,7 @@ public sealed partial class DrawingCanvas
     /// <summary>The box from the first corner that a command has to the cursor, or the one that is being drawn; units of the control.</summary>
     internal SelectionBox? Box => _cursor.Box;
 
-    /// <summary>What a click would give, drawing units.</summary>
+    /// <summary>What a click, or Enter, would give, drawing units.</summary>
     internal IReadOnlyList<Segment> Ghost => _ghosts.Shown;
 
     private double UnitsPerPoint => _keeper.View.UnitsPerPixel * Scaling;
@@ -45,10 +46,10 @@ public sealed partial class DrawingCanvas
     /// <returns>True when the command asks for something else than before.</returns>
     private bool LookWhatIsAsked()
     {
-        var before = _aim;
-        _aim = Commands?.Aim;
+        var before = (_aim, _preview);
+        (_aim, _preview) = (Commands?.Aim, Commands?.Preview);
         _pointer.AsksForPoint = _aim is not null;
-        return _aim != before;
+        return (_aim, _preview) != before;
     }
 
     private Point2D ToDrawing(Point2D at) => _keeper.View.ToDrawing(new Point2D(at.X * Scaling, at.Y * Scaling));
@@ -87,7 +88,8 @@ public sealed partial class DrawingCanvas
         _cursor.Box = _pointer.Box ?? (_aim is { Use: PointUse.Corner } && from is { } corner && at is { } opposite ? new SelectionBox(new Point2D(corner.X, corner.Y), opposite) : null);
         _cursor.Line = _aim is { Use: PointUse.Place } && from is { } start && at is { } end ? (start, ToControl(Aimed(end))) : null;
         _cursor.Tip = _aim is { } aim && at is { } place && View?.Current is { DynamicInput: true } ? CursorTip.Format(Commands?.Asked ?? "", aim, Aimed(place)) : "";
-        _ghosts.Want(_aim?.Ghost, at is { } pointed ? Aimed(pointed) : null);
+        if (_preview is { } preview) _ghosts.Want(preview, default(Point2D));
+        else _ghosts.Want(_aim?.Ghost, at is { } pointed ? Aimed(pointed) : null);
         _cursor.Ghost = [.. _ghosts.Shown.Take(MostGhostSegments).Select(Chords)];
         (_cursor.AsksForPoint, _cursor.PickBox) = (AsksForPlace, PickBox);
         _cursor.InvalidateVisual();

@@ -9,6 +9,9 @@ public interface ICanvasCommands
     /// <summary>What the running command wants to be pointed at: clicks then give points and pick nothing; null when none asks.</summary>
     PointAim? Aim { get; }
 
+    /// <summary>What Enter would lead to, wherever the cursor is; null when there is nothing to be seen.</summary>
+    GhostOf? Preview { get; }
+
     /// <summary>The instruction of the command that asks.</summary>
     string Asked { get; }
 

@@ -14,6 +14,8 @@ public sealed class CanvasCommands(DesktopModel desk, Action cancel, Action<Poin
 {
     public PointAim? Aim => desk.Prompt.Aim;
 
+    public GhostOf? Preview => desk.Prompt.Preview;
+
     public string Asked => PromptLine.WithoutOptions(desk.Prompt.Text);
 
     /// <summary>Selects, and moves the tool of the playback to where the entity is cut.</summary>

@@ -117,7 +117,8 @@ public sealed class CanvasSource
     /// <summary>A row of the table is one move of the job, a segment of the controller a part of one.</summary>
     private int MovesDone(int segmentsDone)
     {
-        if (segmentsDone == 0 || _desk.Derived.Current.Motion is not { } motion || _canvas.Overlay is not { } overlay) return 0;
+        if (segmentsDone == 0 || _desk.Session.Machine.ShownJob?.Followed is not null) return 0; // trajectories are no rows of the table
+        if (_desk.Derived.Current.Motion is not { } motion || _canvas.Overlay is not { } overlay) return 0;
         return segmentsDone >= motion.SegmentCount ? overlay.MoveCount : motion.At(motion.TimeOfSegment(segmentsDone)).Row;
     }
 }

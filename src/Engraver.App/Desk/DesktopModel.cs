@@ -39,6 +39,8 @@ public sealed class DesktopModel : IAsyncDisposable
         session.Progress.Changed += (_, _) => Post();
         session.Playback.Changed += (_, _) => Post();
         session.Derivation.Changed += (_, _) => Post();
+        session.Certificates.Changed += (_, _) => Post();
+        session.History.Changed += (_, _) => Post();
         session.Derivation.KeepsUp = true;
     }
 

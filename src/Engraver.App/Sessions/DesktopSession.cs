@@ -42,7 +42,7 @@ public sealed class DesktopSession : IAsyncDisposable
     public static CommandEnvironment ForUser() => new() { AliasFile = UserFiles.Aliases, SettingsFile = UserFiles.DesktopSettingsFile, RunNeedsArming = true, SimulatorSpeed = 1.0 };
 
     /// <summary>A picture must not depend on how an operator left the window, nor change it: nothing is remembered.</summary>
-    public static CommandEnvironment WithoutFiles() => ForUser() with { SettingsFile = null };
+    public static CommandEnvironment WithoutFiles() => ForUser() with { SettingsFile = null, KeepsHistory = false };
 
     /// <summary>What cannot be held, as a move by hand, is stopped.</summary>
     private void HoldOrStop()

@@ -28,7 +28,7 @@ internal sealed class ClosingGuard
         var warnsOfJob = _desk.IsMoving && !_warnedOfJob;
         var warnsOfEdits = _desk.Session.Document.IsEdited && !ReferenceEquals(state.Edition, _warnedOf);
         if (warnsOfJob) _desk.Tell(MessageKind.Warning, Text.Get("Window.JobRuns"));
-        if (warnsOfEdits) _desk.Tell(MessageKind.Warning, Text.Get("Window.NotSaved", Path.GetFileName(state.Drawing!.FileName)));
+        if (warnsOfEdits) _desk.Tell(MessageKind.Warning, Text.Get("Window.NotSaved", Path.GetFileName(_desk.Session.Document.FilePath)));
         (_warnedOfJob, _warnedOf) = (_desk.IsMoving, state.Edition);
         return warnsOfJob || warnsOfEdits;
     }

@@ -54,7 +54,7 @@ public sealed class FileQuestions(DesktopModel desk, Func<IStorageProvider> dial
         Title = Text.Get("Command." + command),
         FileTypeChoices = TypesOf(patterns),
         DefaultExtension = patterns[0][2..],
-        SuggestedFileName = Path.GetFileNameWithoutExtension(desk.Session.Document.Current.Drawing?.FileName),
+        SuggestedFileName = Path.GetFileNameWithoutExtension(desk.Session.Document.FilePath),
         ShowOverwritePrompt = false,
     });
 

@@ -8,6 +8,7 @@ using Engraver.App.Contours;
 using Engraver.App.Desk;
 using Engraver.App.Findings;
 using Engraver.App.HandMoves;
+using Engraver.App.Histories;
 using Engraver.App.Jobs;
 using Engraver.App.Layers;
 using Engraver.App.MachineStrip;
@@ -64,7 +65,7 @@ public sealed class ShellModel : Observable
     {
         get
         {
-            var file = Desk.Session.Document.Current.Drawing is { } drawing ? Path.GetFileName(drawing.FileName) : null;
+            var file = Path.GetFileName(Desk.Session.Document.FilePath);
             if (Desk.Session.Machine.Status.State is not MachineState.Offline and var state) return Text.Get("Window.TitleWithMachine", file ?? Text.Get("Window.NoDrawing"), state.Said());
             return file is null ? Text.Get("Window.Title") : Text.Get("Window.TitleOf", file);
         }
@@ -91,6 +92,7 @@ public sealed class ShellModel : Observable
         new("Trajectories", () => new TrajectoriesView { DataContext = new TrajectoriesModel(Desk) }),
         new("Findings", () => new FindingsView { DataContext = new FindingsModel(Desk) }),
         _alarms,
+        new("History", () => new HistoryView { DataContext = new HistoryModel(Desk) }),
         new("Terminal", () => new TerminalView { DataContext = new TerminalModel(Desk) }),
     ];
 

@@ -1,6 +1,7 @@
 using Engraver.App.Binding;
 using Engraver.App.Desk;
 using Engraver.App.Texts;
+using Engraver.Core.Drawings;
 using Engraver.Workbench.Sidecars;
 
 namespace Engraver.App.Trajectories;
@@ -9,12 +10,13 @@ namespace Engraver.App.Trajectories;
 public sealed class TrajectoriesModel : Observable
 {
     private readonly DesktopModel _desk;
-    private TrajectoryList? _shown;
+    private (TrajectoryList? List, Drawing? Drawing) _shown;
 
     public TrajectoriesModel(DesktopModel desk)
     {
         _desk = desk;
         Export = new Act(() => _ = desk.RunAsync("SACEEXPORTTRAJECTORIES"));
+        Update = new Act(() => _ = desk.RunAsync("SACEUPDATETRAJECTORIES"));
         DeleteAll = new Act(() => _ = desk.RunAsync("SACEDELETEALLTRAJECTORIES"));
         desk.Changed += Look;
         Look();
@@ -27,23 +29,33 @@ public sealed class TrajectoriesModel : Observable
     /// <summary>How many, and how the next ones are made.</summary>
     public string Summary { get; private set; } = "";
 
+    /// <summary>Objects of some were edited since.</summary>
+    public bool HasStale => Rows.Any(row => row.IsStale);
+
     public Act Export { get; }
+
+    /// <summary>Makes those anew whose objects were edited.</summary>
+    public Act Update { get; }
 
     public Act DeleteAll { get; }
 
     private void Look()
     {
-        var list = _desk.Session.Document.Current.Sidecar.Trajectories;
-        if (ReferenceEquals(list, _shown)) return;
-        _shown = list;
-        Rows = [.. list.All.Select((one, index) => new TrajectoryRow(one, index, list.All.Count, _desk, Anew))];
+        var (list, drawing) = (_desk.Session.Document.Current.Sidecar.Trajectories, _desk.Session.Document.Current.Drawing);
+        if (ReferenceEquals(list, _shown.List) && (ReferenceEquals(drawing, _shown.Drawing) || list.All.Count == 0)) return;
+        var edits = drawing is not null && list.All.Count > 0 ? new TrajectoryEdits(drawing) : null;
+        bool[] stale = [.. list.All.Select(one => edits?.IsStale(one) == true)];
+        var isSame = ReferenceEquals(list, _shown.List) && stale.SequenceEqual(Rows.Select(row => row.IsStale));
+        _shown = (list, drawing);
+        if (isSame) return; // what is being typed into a field stays
+        Rows = [.. list.All.Select((one, index) => new TrajectoryRow(one, index, list.All.Count, _desk, Anew) { IsStale = stale[index] })];
         Summary = Text.Get(list.Settings.DynamicDensity ? "Trajectories.Dynamic" : "Trajectories.Uniform", list.All.Sum(one => one.Curve.Points), list.Settings.DynamicDensity ? list.Settings.MaxErrorMm : list.Settings.SegmentLengthMm);
         Tell(null);
     }
 
     private void Anew()
     {
-        _shown = null;
+        _shown = default;
         Look();
     }
 }

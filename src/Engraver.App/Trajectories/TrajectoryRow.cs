@@ -27,6 +27,9 @@ public sealed class TrajectoryRow(DocumentTrajectory one, int index, int count, 
     /// <summary>True when the proven error is larger than the one asked for, as equal steps may make it.</summary>
     public bool IsBeyond => one.Curve.VerifiedBound > one.MaxErrorMm;
 
+    /// <summary>Its objects have been edited since it was made.</summary>
+    public bool IsStale { get; init; }
+
     public string Length => one.Curve.Length.ToString("0.###", CultureInfo.InvariantCulture);
 
     /// <summary>Largest ratio of neighbouring steps.</summary>

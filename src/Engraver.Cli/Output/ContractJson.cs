@@ -1,6 +1,7 @@
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using System.Text.Json.Serialization.Metadata;
+using Engraver.Cli.Output.Jobs;
 
 namespace Engraver.Cli.Output;
 
@@ -17,6 +18,9 @@ namespace Engraver.Cli.Output;
 [JsonSerializable(typeof(VerifyJson))]
 [JsonSerializable(typeof(StatusJson))]
 [JsonSerializable(typeof(DiscoverJson))]
+[JsonSerializable(typeof(CertificateCheckJson))]
+[JsonSerializable(typeof(HistoryJson))]
+[JsonSerializable(typeof(ReplayJson))]
 internal sealed partial class ContractJson : JsonSerializerContext
 {
     public static void Write<T>(TextWriter output, T value, JsonTypeInfo<T> type) => output.WriteLine(JsonSerializer.Serialize(value, type));

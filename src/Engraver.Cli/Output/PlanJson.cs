@@ -8,6 +8,7 @@ namespace Engraver.Cli.Output;
 /// <param name="NotCut">What is seen on the layers that are cut and gives no cut, by DXF type.</param>
 /// <param name="Cost">By the rates that were given; null without any.</param>
 /// <param name="CostParts">What it is for; null as the cost.</param>
+/// <param name="Uncut">Places of the drawing that a tool of this diameter does not reach, the largest first; empty without --kerf.</param>
 internal sealed record PlanJson(
     PlanJson.PlanSecondsJson? Seconds,
     double CutLength,
@@ -16,9 +17,14 @@ internal sealed record PlanJson(
     double? PeakAxisAcceleration,
     double? Cost,
     IReadOnlyDictionary<string, int> NotCut,
-    PlanJson.PlanCostJson? CostParts)
+    PlanJson.PlanCostJson? CostParts,
+    IReadOnlyList<PlanJson.PlanUncutJson> Uncut)
 {
     internal sealed record PlanSecondsJson(double Total, double Cutting, double Rapid, double Dwell);
+
+    /// <param name="Distance">Of the drawn line from what the tool reaches, mm.</param>
+    /// <param name="Whole">Nothing of the contour is reached.</param>
+    internal sealed record PlanUncutJson(double X, double Y, double Distance, bool Whole);
 
     internal sealed record PlanCostJson(double Time, double Length, double Starts);
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using Engraver.Core.Machines;
 using Engraver.Core.Motion;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Reports;
 
 namespace Engraver.Cli.Output;
 
@@ -14,10 +15,11 @@ internal static class PlanReport
     public static PlanJson Json(PreparedJob job, MotionProgram? program, MotionTimes times, JobRates? rates)
     {
         var (length, travel) = (job.Sequence.PathLength, job.Sequence.Travel);
-        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null);
+        PlanJson.PlanUncutJson[] uncut = [.. (job.Kerf?.Uncut ?? []).Select(place => new PlanJson.PlanUncutJson(place.Place.X, place.Place.Y, place.Uncut, place.IsWhole))];
+        if (program is null) return new PlanJson(null, length, travel, null, null, null, job.NotCut.Counts, null, uncut);
         var peaks = MotionPeaks.From(program);
-        var cost = rates?.CostOf(times.Total, length, job.Sequence.Strokes.Count);
-        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts));
+        var cost = JobSheet.Of(job, times, rates).Cost;
+        return new PlanJson(new PlanJson.PlanSecondsJson(times.Total, times.Cutting, times.Rapid, times.Dwell), length, travel, peaks.Speed, peaks.AxisAcceleration, cost?.Total, job.NotCut.Counts, cost is null ? null : new PlanJson.PlanCostJson(cost.Time, cost.Length, cost.Starts), uncut);
     }
 
     public static void Text(TextWriter output, PlanJson plan)

@@ -31,6 +31,9 @@ internal sealed record RunJson(
     RunJson.ResumedJson? ResumedFrom,
     IReadOnlyList<StartCheckJson>? Checks)
 {
+    /// <summary>X, Y and Z as far as steppers move them: what is polled of those is what was commanded.</summary>
+    public IReadOnlyList<string> OpenLoop { get; init; } = [];
+
     /// <summary>The trajectories that were run; null for a job of the drawing itself.</summary>
     public FollowedJson? Trajectory { get; init; }
 

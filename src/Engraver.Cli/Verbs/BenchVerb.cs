@@ -6,6 +6,7 @@ using Engraver.Benchmarks.Pockets;
 using Engraver.Benchmarks.Stages;
 using Engraver.Benchmarks.Stops;
 using Engraver.Benchmarks.Trajectories;
+using Engraver.Core.Machines;
 
 namespace Engraver.Cli.Verbs;
 
@@ -40,8 +41,9 @@ internal static class BenchVerb
         });
         var names = new Option<string[]>("--fault") { HelpName = "KIND", Description = Wording.Get("Bench.Fault"), Arity = ArgumentArity.OneOrMore, AllowMultipleArgumentsPerToken = true };
         names.AcceptOnlyFromAmong([.. FaultStopBenchmark.Faults.Select(fault => fault.Name)]);
-        var command = new Command("stop", Wording.Get("Bench.Stops")) { presses, names };
-        command.SetAction((parsed, stop) => StopAsync(host, parsed.GetValue(presses), parsed.GetValue(names) ?? [], stop));
+        var serial = new Option<int?>("--serial") { HelpName = "BAUD", Description = Wording.Get("Bench.Serial"), CustomParser = Baud };
+        var command = new Command("stop", Wording.Get("Bench.Stops")) { presses, names, serial };
+        command.SetAction((parsed, stop) => StopAsync(host, parsed.GetValue(presses), parsed.GetValue(names) ?? [], parsed.GetValue(serial), stop));
         return command;
     }
 
@@ -96,16 +98,20 @@ internal static class BenchVerb
         return ExitCode.Done;
     }
 
-    private static async Task<int> StopAsync(VerbHost host, int presses, string[] names, CancellationToken stop)
+    private static async Task<int> StopAsync(VerbHost host, int presses, string[] names, int? baud, CancellationToken stop)
     {
         var folder = Directory.CreateTempSubdirectory("engraver-bench-");
         try
         {
-            var benchmark = new FaultStopBenchmark(folder.FullName);
-            await benchmark.RunAsync("none", null, 3, stop).ConfigureAwait(false); // compiles what is measured
-            await SayAsync(host, FaultStopFigure.MarkdownHead, stop).ConfigureAwait(false);
+            var benchmark = new FaultStopBenchmark(folder.FullName, baud);
+            await benchmark.RunAsync("none", null, baud is null ? 3 : 1, stop).ConfigureAwait(false); // compiles what is measured
+            await SayAsync(host, baud is null ? FaultStopFigure.MarkdownHead : FaultStopFigure.SerialHead, stop).ConfigureAwait(false);
             foreach (var (name, fault) in FaultStopBenchmark.Faults.Where(fault => names.Length == 0 || names.Contains(fault.Name))) await SayAsync(host, (await benchmark.RunAsync(name, fault, presses, stop).ConfigureAwait(false)).ToMarkdown(), stop).ConfigureAwait(false);
             return ExitCode.Done;
+        }
+        catch (PlatformNotSupportedException unbuilt)
+        {
+            throw new UsageException(Wording.Get("Bench.NoSerial", unbuilt.Message));
         }
         finally
         {
@@ -130,6 +136,13 @@ internal static class BenchVerb
     {
         await host.Out.WriteLineAsync(line.AsMemory(), stop).ConfigureAwait(false);
         await host.Out.FlushAsync(stop).ConfigureAwait(false);
+    }
+
+    private static int? Baud(ArgumentResult result)
+    {
+        if (result.Tokens is [var token] && int.TryParse(token.Value, NumberStyles.None, CultureInfo.InvariantCulture, out var baud) && SerialLine.Rates.Contains(baud)) return baud;
+        result.AddError(Wording.Get("Bench.NoRate", result.Tokens[0].Value, string.Join(", ", SerialLine.Rates)));
+        return null;
     }
 
     private static int[] Sizes(ArgumentResult result)

@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Machines;
@@ -61,36 +62,12 @@ internal sealed partial class HandVerbs
 
     private async Task<int> ZeroAsync(MachineSession machine, ZeroOptions options, ParseResult parsed, CancellationToken stop)
     {
-        var (profile, way) = (machine.Profile, options.Read(parsed));
-        if (way.Z && profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        var place = way.Point ?? way.Centre ?? default;
-        if (!profile.Scale.Holds(Bounds2D.FromCorners(place, place), default) || !profile.Scale.HoldsHeight(way.Height)) return NotMoved(Wording.Get("Hand.NotCountable"));
-        var at = profile.Scale.ToCounts(place) with { Z = profile.Scale.ToHeight(way.Height) };
-        (int? X, int? Y) Zero(CountsPoint here) => way switch
-        {
-            { Edge: { } edge } => EdgeTouch.ZeroAt(here, edge, way.Radius, profile.Scale),
-            { Centre: not null } => EdgeTouch.Middle(at, here) is var middle ? (middle.X, middle.Y) : default,
-            _ => (here.X - at.X, here.Y - at.Y), // without a place of the drawing that is its zero
-        };
-        await machine.SetOriginAsync(
-            (memory, here) =>
-            {
-                var ((x, y), chosen) = (Zero(here.Position), way.Name ?? memory.Active);
-                return (memory with { Active = chosen }).WithOrigin(chosen, way.X ? x : null, way.Y ? y : null, (way.Z || way.IsWhole) && profile.Axes.Z is not null ? here.Position.Z - at.Z : null);
-            },
-            stop).ConfigureAwait(false);
+        var (profile, (touch, name, z)) = (machine.Profile, options.Read(parsed, machine.Profile.Scale));
+        if (z && profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
+        if (touch is null || !touch.IsCountable(profile.Scale)) return NotMoved(Wording.Get("Hand.NotCountable"));
+        await machine.SetOriginAsync((memory, here) => touch.Set(memory with { Active = name ?? memory.Active }, name ?? memory.Active, here.Position, profile), stop).ConfigureAwait(false);
         return ExitCode.Done;
     }
-
-    /// <summary>What becomes of the place where the machine stands.</summary>
-    /// <param name="X">The origin's X is set.</param>
-    /// <param name="IsWhole">No axis is named, and the zero is here: then Z is set too, where there is one.</param>
-    /// <param name="Point">It is this place of the drawing, mm.</param>
-    /// <param name="Edge">It touches this edge.</param>
-    /// <param name="Centre">It is the second touch; this was the first, machine mm.</param>
-    /// <param name="Height">The tool stands at this height of the drawing, mm.</param>
-    /// <param name="Name">The origin that is set and becomes the active one; null for the active one.</param>
-    private sealed record ZeroWay(bool X, bool Y, bool Z, bool IsWhole, Point2D? Point, WorkEdge? Edge, double Radius, Point2D? Centre, double Height, string? Name);
 
     private sealed class ZeroOptions
     {
@@ -121,13 +98,17 @@ internal sealed partial class HandVerbs
             });
         }
 
-        public ZeroWay Read(ParseResult parsed)
+        /// <returns>What becomes of the place, null where its first touch cannot be counted; the origin's name, null for the active one; whether the height was asked for.</returns>
+        public (ZeroTouch? Touch, string? Name, bool AsksHeight) Read(ParseResult parsed, CountsScale scale)
         {
             var (x, y, z) = (parsed.GetValue(_x), parsed.GetValue(_y), parsed.GetValue(_z) || parsed.GetValue(_height) is not null);
             var (point, centre) = (Place(parsed.GetValue(_point)), Place(parsed.GetValue(_centre)));
             var all = !x && !y && (!z || point is not null);
-            WorkEdge? edge = parsed.GetValue(_edge) is { } name ? Enum.Parse<WorkEdge>(name, ignoreCase: true) : null;
-            return new ZeroWay(all || x, all || y, z, all && point is null && edge is null && centre is null, point, edge, parsed.GetValue(_radius), centre, parsed.GetValue(_height) ?? 0.0, parsed.GetValue(_name) is { } given ? WorkOriginNames.Find(given) : null);
+            WorkEdge? edge = parsed.GetValue(_edge) is { } named ? Enum.Parse<WorkEdge>(named, ignoreCase: true) : null;
+            var isWhole = all && point is null && edge is null && centre is null; // no axis is named, and the zero is here: then the height is set too, where there is one
+            var first = centre is { } touched ? HandPlace.OfMachine(touched, scale) : null;
+            var touch = new ZeroTouch { X = all || x, Y = all || y, Z = z || isWhole, Place = point ?? default, Height = parsed.GetValue(_height) ?? 0.0, Edge = edge, Radius = parsed.GetValue(_radius), First = first };
+            return (centre is not null && first is null ? null : touch, parsed.GetValue(_name) is { } given ? WorkOriginNames.Find(given) : null, z);
         }
 
         /// <summary>The text is the name of a work origin.</summary>

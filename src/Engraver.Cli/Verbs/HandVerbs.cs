@@ -3,6 +3,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Core.Machines.Origins;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Origins;
@@ -128,7 +129,7 @@ internal sealed partial class HandVerbs
 
     private async Task<int> GoToAsync(MachineSession machine, Point2D place, bool byMachine, CancellationToken stop)
     {
-        var (scale, zero) = (machine.Profile.Scale, default(CountsPoint));
+        var zero = default(CountsPoint);
         if (!byMachine)
         {
             var found = await machine.FindZeroAsync(stop).ConfigureAwait(false);
@@ -136,9 +137,8 @@ internal sealed partial class HandVerbs
             zero = frame;
         }
 
-        if (!scale.Holds(Bounds2D.FromCorners(place, place), new CountsPoint(-zero.X, -zero.Y))) return NotMoved(Wording.Get("Hand.NotCountable"));
-        var at = scale.ToCounts(place);
-        return Concluded(await machine.GoToAsync(new CountsPoint(at.X + zero.X, at.Y + zero.Y), JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
+        if (HandPlace.OfDrawing(place, zero, machine.Profile.Scale) is not { } goal) return NotMoved(Wording.Get("Hand.NotCountable"));
+        return Concluded(await machine.GoToAsync(goal, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
 
     /// <summary>Brings a tool that an axis holds to its clearance height over the work; the machine stays where it is in plan.</summary>
@@ -147,7 +147,7 @@ internal sealed partial class HandVerbs
         if (machine.Profile.Height is null) return NotMoved(Wording.Get("Hand.NoClearance"));
         var found = await machine.FindZeroAsync(stop).ConfigureAwait(false);
         if (found?.Frame is not { } zero || machine.Status.MachinePosition is not { } here) return NotMoved(WhyUnplaced(found));
-        var goal = machine.Profile.Scale.ToCounts(here) with { Z = zero.Z + machine.Profile.ClearanceCounts };
+        if (HandPlace.AtClearance(here, zero, machine.Profile) is not { } goal) return NotMoved(Wording.Get("Hand.NotCountable"));
         return Concluded(await machine.StepAsync(goal, withHeight: true, JournalFolder.NewJournal("goto", TimeProvider.System), feed: null, stop).ConfigureAwait(false));
     }
 
@@ -159,9 +159,8 @@ internal sealed partial class HandVerbs
     {
         if (machine.Status.MachinePosition is not { } here) return NotMoved(Wording.Get("Hand.PlaceNotKnown"));
         if (height != 0.0 && machine.Profile.Axes.Z is null) return NotMoved(Wording.Get("Hand.NoZAxis"));
-        var (goal, scale, top) = (here + step, machine.Profile.Scale, (machine.Status.MachineHeight ?? 0.0) + height);
-        if (!scale.Holds(Bounds2D.FromCorners(goal, goal), default) || !scale.HoldsHeight(top)) return NotMoved(Wording.Get("Hand.NotCountable"));
-        return Concluded(await machine.StepAsync(scale.ToCounts(goal) with { Z = scale.ToHeight(top) }, height != 0.0, JournalFolder.NewJournal("jog", TimeProvider.System), feed, stop).ConfigureAwait(false));
+        if (HandPlace.Beside(here, machine.Status.MachineHeight ?? 0.0, step, height, machine.Profile.Scale) is not { } goal) return NotMoved(Wording.Get("Hand.NotCountable"));
+        return Concluded(await machine.StepAsync(goal, height != 0.0, JournalFolder.NewJournal("jog", TimeProvider.System), feed, stop).ConfigureAwait(false));
     }
 
     /// <summary>Says why a move did not go to its end.</summary>

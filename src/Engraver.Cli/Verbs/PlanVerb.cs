@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
 using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
@@ -19,7 +18,7 @@ internal static class PlanVerb
         var json = JsonOption.New();
         var connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
         var mode = ModeOption.New();
-        var rate = new Option<JobRates?>("--rate") { HelpName = "HOUR[,METRE[,START]]", Description = Wording.Get("Plan.Rate"), CustomParser = Rates };
+        var rate = RateOption.New();
         var sheet = new Option<bool>("--sheet") { Description = Wording.Get("Plan.Sheet") };
         var command = new Command("plan", Wording.Get("Plan.SaysHowLongJob"));
         drawing.AddTo(command);
@@ -46,13 +45,5 @@ internal static class PlanVerb
         var fit = JobPlan.FitToLink(program, address, mode, job.Drawing);
         var times = JobPlan.PlannedTimes(fit.Program, address, mode);
         return (PlanReport.Json(job, fit.Program, times, rates), times, fit.Diagnostics);
-    }
-
-    private static JobRates? Rates(ArgumentResult result)
-    {
-        var word = result.Tokens[0].Value;
-        if (JobRates.Parse(word) is { } rates) return rates;
-        result.AddError(Wording.Get("Plan.NoRates", word));
-        return null;
     }
 }

@@ -6,9 +6,11 @@ using Engraver.Cli.Terminals;
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
 using Engraver.Core.Machines.Origins;
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Arming;
 using Engraver.Workbench.Machines.Runs;
@@ -109,6 +111,7 @@ internal sealed class RunVerb
     {
         var control = new JobControl();
         ArmingChecklist? checks = null;
+        var certificate = CertificateStanding.OfRun(job, fit.Program);
         var options = new MachineRunOptions(parsed.GetRequiredValue(_connect)!, mode)
         {
             Control = control,
@@ -122,7 +125,7 @@ internal sealed class RunVerb
             Holder = PlacementOptions.Holder,
             MayStart = (status, placement) =>
             {
-                checks = ArmingChecklist.OnConsole(job, placement.Program.Profile, status, placement.Found);
+                checks = ArmingChecklist.OnConsole(job, placement.Program.Profile, status, placement.Found, certificate.Check);
                 if (!parsed.GetValue(_json)) _host.Print(parsed, checks);
                 return status.State == MachineState.Busy ? null : checks.WhyNot; // the job looks closer and says what is at work there
             },
@@ -132,18 +135,21 @@ internal sealed class RunVerb
         CheckWritable(options.JournalPath);
         if (options.TracePath is { } trace) CheckWritable(trace);
         _host.Report(parsed, job.Drawing.FileName, fit.Diagnostics);
+        var begun = TimeProvider.System.GetUtcNow();
         MachineRunReport report;
         try
         {
             report = await RunProgressBar.ShowAsync(quiet, fit.Program, progress => MachineRun.RunAsync(job, fit.Program, options, TimeProvider.System, Watching(control, job.Settings.Machine.Scale, progress), stop)).ConfigureAwait(false);
         }
-        catch (Exception ended) when (parsed.GetValue(_json) && (ended is ControllerException || (ended is OperationCanceledException && stop.IsCancellationRequested)))
+        catch (Exception ended) when (ended is ControllerException || (ended is OperationCanceledException && stop.IsCancellationRequested && parsed.GetValue(_json)))
         {
             // The link never came up, or the operator did not wait for it: the one object is printed all the same.
-            await SayNotStartedAsync(job.Settings, job, ended is ControllerException ? JobOutcome.LinkLost : JobOutcome.Stopped).ConfigureAwait(false);
+            if (ended is ControllerException) _host.Remember(HistoryEntry.OfLost(job, options, ended.Message, begun));
+            if (parsed.GetValue(_json)) await SayNotStartedAsync(job.Settings, job, ended is ControllerException ? JobOutcome.LinkLost : JobOutcome.Stopped).ConfigureAwait(false);
             throw;
         }
 
+        _host.Remember(HistoryEntry.OfRun(job, options, report, begun, simulated: false, checks));
         return Finish(parsed, job, report, options.JournalPath, checks);
     }
 

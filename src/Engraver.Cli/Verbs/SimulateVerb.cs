@@ -106,7 +106,7 @@ internal static class SimulateVerb
     {
         try
         {
-            await controller.ServeSerialAsync(path, baud, stop).ConfigureAwait(false);
+            await controller.ServeSerialAsync(path, baud, null, stop).ConfigureAwait(false);
         }
         catch (Exception unusable) when (unusable is IOException or UnauthorizedAccessException or PlatformNotSupportedException)
         {

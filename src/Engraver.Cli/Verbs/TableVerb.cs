@@ -22,10 +22,9 @@ internal static class TableVerb
         {
             var settings = drawing.Settings(parsed);
             var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
-            var analysed = JobPreparation.Analyse(read, settings);
-            var table = parsed.GetValue(asDrawn) ? analysed : JobPreparation.Sequence(read, analysed, settings).Table;
+            var (table, findings) = parsed.GetValue(asDrawn) ? (JobPreparation.Analyse(read, settings), []) : JobPreparation.CutTableOf(read, settings);
             EntityTableFormat.Write(parsed.GetRequiredValue(format), table, host.Out);
-            return Task.FromResult(host.Report(parsed, read.FileName, read.Diagnostics));
+            return Task.FromResult(host.Report(parsed, read.FileName, [.. read.Diagnostics, .. findings]));
         });
         return command;
     }

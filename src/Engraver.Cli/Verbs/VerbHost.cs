@@ -3,6 +3,7 @@ using Engraver.Cli.Options;
 using Engraver.Cli.Output;
 using Engraver.Core.Diagnostics;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines.Arming;
 
 namespace Engraver.Cli.Verbs;
@@ -42,6 +43,12 @@ internal sealed class VerbHost(ConsoleStreams streams, GlobalOptions global, Mac
     public void Print(ParseResult parsed, ArmingChecklist list)
     {
         foreach (var check in list.Checks.Where(check => !check.Passed || !global.Quiet(parsed))) Error.WriteLine(check.Line);
+    }
+
+    /// <summary>Adds a job to the history; that it cannot be kept is said, and changes nothing else.</summary>
+    public void Remember(HistoryEntry entry)
+    {
+        if (new JobHistory(JobHistory.FolderIn(null)).Add(entry).Failure is { } failure) Error.WriteLine(Wording.Get("Verbs.HistoryNotKept", failure));
     }
 
     /// <summary>Writes a result to a file, whole or not at all, or to standard output when no file is named.</summary>

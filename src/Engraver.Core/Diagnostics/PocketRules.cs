@@ -17,6 +17,8 @@ public static class PocketRules
 
     public static readonly DiagnosticRule NoRoomForScrew = new("POC0007", Severity.Info, "count", "x", "y");
 
+    public static readonly DiagnosticRule NoRoomForRamp = new("POC0008", Severity.Warning, "count", "x", "y");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [TooNarrow, NotReached, LeftStanding, NotClosed, NoInside, WithoutInside, NoRoomForScrew];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [TooNarrow, NotReached, LeftStanding, NotClosed, NoInside, WithoutInside, NoRoomForScrew, NoRoomForRamp];
 }

@@ -27,6 +27,8 @@ public static class PreparationRules
 
     public static readonly DiagnosticRule TraceNotKept = new("JOB0020", Severity.Warning, "reason");
 
+    public static readonly DiagnosticRule ConversationNotKept = new("JOB0021", Severity.Warning, "reason");
+
     public static readonly DiagnosticRule OutsideTravel = new("JOB0030", Severity.Error, "axis", "place", "least", "most");
 
     public static readonly DiagnosticRule NotHomed = new("JOB0031", Severity.Error);
@@ -40,5 +42,5 @@ public static class PreparationRules
     public static readonly DiagnosticRule NotResumed = new("JOB0040", Severity.Error, "journal", "reason");
 
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, TraceNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [NotCut, NotLevel, SeveralHeights, OneHeight, TooLarge, NoOrigin, ZeroLost, PositionDoubted, OriginHalfSet, OriginTooFar, StateNotKept, TraceNotKept, ConversationNotKept, OutsideTravel, NotHomed, HeightNotSet, HeightOutsideTravel, DryRunOutsideTravel, NotResumed];
 }

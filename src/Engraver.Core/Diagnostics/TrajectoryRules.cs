@@ -13,6 +13,10 @@ public static class TrajectoryRules
 
     public static readonly DiagnosticRule TooFast = new("TRJ0005", Severity.Warning, "file", "feed", "acceleration", "limit", "speed");
 
+    public static readonly DiagnosticRule SourceEdited = new("TRJ0006", Severity.Warning, "count", "name");
+
+    public static readonly DiagnosticRule HeightsNotRun = new("TRJ0007", Severity.Warning, "low", "high");
+
     /// <summary>Every rule, for the documentation and its test.</summary>
-    public static IReadOnlyList<DiagnosticRule> All { get; } = [ErrorNotKept, LimitBroken, LineUnreadable, StepsTooLong, TooFast];
+    public static IReadOnlyList<DiagnosticRule> All { get; } = [ErrorNotKept, LimitBroken, LineUnreadable, StepsTooLong, TooFast, SourceEdited, HeightsNotRun];
 }

@@ -65,6 +65,9 @@ public readonly record struct Segment
         return _curve is null ? new Segment(Kind, End, Start, _arc.Reversed()) : FromCurve(_curve.Reversed());
     }
 
+    /// <summary>The segment under a similarity of the plane.</summary>
+    public Segment Mapped(Transform2D map) => _curve is not null ? FromCurve(_curve.Mapped(map)) : new Segment(Kind, map.Apply(Start), map.Apply(End), Kind == SegmentKind.Line ? default : map.Apply(_arc));
+
     /// <summary>The point at a fraction of a line's length, an arc's sweep, a curve's parameter.</summary>
     public Point2D PointAt(double fraction) => Kind == SegmentKind.Line ? Line.PointAt(fraction) : _curve?.PointAt(fraction) ?? _arc.PointAt(fraction);
 

@@ -18,6 +18,15 @@ public abstract record ControllerAddress
     /// <summary>Loopback port at which a simulated controller in another process offers its clock; null for a controller that follows the wall clock.</summary>
     public int? ClockPort { get; init; }
 
+    /// <summary>The address as it is typed, without a clock: <see cref="Parse"/> reads it.</summary>
+    public string Typed => this switch
+    {
+        TcpAddress tcp => string.Create(CultureInfo.InvariantCulture, $"tcp://{tcp.Host}:{tcp.Port}"),
+        SerialAddress serial => string.Create(CultureInfo.InvariantCulture, $"serial://{serial.Device}?baud={serial.Baud}{serial.Flow switch { SerialFlow.None => "&flow=none", SerialFlow.XonXoff => "&flow=xonxoff", _ => "" }}"),
+        SimulatedAddress { Speed: var speed } => double.IsPositiveInfinity(speed) ? "sim:" : string.Create(CultureInfo.InvariantCulture, $"sim:?speed={speed}"),
+        _ => ToString(),
+    };
+
     /// <exception cref="FormatException">The text is not an address; the message says what is accepted.</exception>
     public static ControllerAddress Parse(string text) =>
         TryParse(text, out var address) ? address : throw new FormatException(Wording.Get("ControllerAddress.NoControllerAddressWrite", text, Forms));

@@ -64,6 +64,12 @@ public sealed record JournalHeader(string Drawing, string Controller, JobMode Mo
 {
     public string Kind { get; } = "job";
 
+    /// <summary>Letters of the axes of X, Y and, where there is one, Z; empty in journals of an older version.</summary>
+    public string Axes { get; init; } = "";
+
+    /// <summary>_RPA of the Z axis when the job began; 0 without one.</summary>
+    public int StartZ { get; init; }
+
     /// <summary>What is added to heights of the drawing; 0 where an output is the tool.</summary>
     public int FrameZ { get; init; }
 

@@ -32,6 +32,9 @@ public sealed record MachineAxes(MachineAxis X, MachineAxis Y, MachineAxis? Z = 
 /// <param name="MotorType">As the controller numbers them (galil-dmc.md C, MT: 1 servo, 2 stepper); null leaves it as it is.</param>
 public readonly record struct MachineAxis(char Letter, double CountsPerMillimetre, double? MotorType = null)
 {
+    /// <summary>The profile makes it a stepper (galil-dmc.md C, MT: 2, -2, 2.5 or -2.5), whose motion nothing counts.</summary>
+    public bool IsStepper => MotorType is { } type && Math.Abs(type) >= 2.0;
+
     /// <summary>How far it may go, machine mm; null where the machine's owner does not say.</summary>
     public AxisTravel? Travel { get; init; }
 

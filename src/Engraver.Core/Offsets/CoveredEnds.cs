@@ -8,7 +8,7 @@ namespace Engraver.Core.Offsets;
 /// What is taken away is certainly too near; what is left is judged later, so that it does not matter how much is left.</remarks>
 internal sealed class CoveredEnds
 {
-    /// <summary>Part of the distance, and tolerances, by which what is taken away must be nearer.</summary>
+    /// <summary>Part of the distance, and tolerances, by which what is taken away must be nearer; and what smooth joints allow besides.</summary>
     private const double Depth = 1e-6;
 
     private const double DepthTolerances = 16.0;
@@ -34,7 +34,7 @@ internal sealed class CoveredEnds
 
     private CoveredEnds(RawOffset raw, PieceTree? source)
     {
-        (_source, _drawn, _radius) = (source, raw.Drawn, (raw.Distance * (1.0 - Depth)) - (DepthTolerances * raw.Tolerance));
+        (_source, _drawn, _radius) = (source, raw.Drawn, (raw.Distance * (1.0 - Depth)) - (DepthTolerances * raw.Tolerance) - raw.Smoothness);
         (_pieces, _nodes) = ([.. raw.Pieces], [.. raw.Nodes]);
         _gone = new bool[_pieces.Length];
         (_pieceBefore, _pieceBehind) = (new int[_nodes.Count], new int[_nodes.Count]);

@@ -39,6 +39,9 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
 
     public double Tolerance => tolerance;
 
+    /// <summary>Millimetres by which a piece may be nearer to what was drawn because a joint that was meant smooth has one node.</summary>
+    public double Smoothness { get; private set; }
+
     public IReadOnlyList<RawPiece> Pieces => _pieces;
 
     /// <summary>Places that pieces begin and end at, by their numbers.</summary>
@@ -51,6 +54,7 @@ internal sealed class RawOffset(double distance, OffsetOptions options, double t
     public void Add(RawChain chain)
     {
         var pieces = chain.Pieces;
+        Smoothness = Math.Max(Smoothness, chain.Smoothness);
         var shifted = new ShiftedPiece[pieces.Length];
         for (var i = 0; i < pieces.Length; i++) shifted[i] = ShiftedPiece.LeftOf(pieces[i], distance, tolerance);
         var joins = new (int From, int To)[pieces.Length];

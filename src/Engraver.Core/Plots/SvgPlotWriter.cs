@@ -1,6 +1,6 @@
 using System.Globalization;
-using System.Net;
 using Engraver.Core.Geometry;
+using Engraver.Core.Languages;
 using static Engraver.Core.Plots.SvgPath;
 
 namespace Engraver.Core.Plots;
@@ -110,9 +110,9 @@ public static class SvgPlotWriter
         var (top, drawn) = (frame.FieldHeight, plot.Drawn);
         var closed = plot.Strokes.Count(stroke => stroke.Closed);
         Line(output, $"<rect class=\"caption\" y=\"{Number(top)}\" width=\"100%\" height=\"{Number(PlotFrame.CaptionHeight)}\"/>");
-        Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{Escaped(Wording.Get("Plot.Size", plot.Title, Millimetres(drawn.Width), Millimetres(drawn.Height)))}</text>");
+        Line(output, $"<text x=\"16\" y=\"{Number(top + 21.0)}\" font-size=\"14\">{MarkupText.Escaped(Wording.Get("Plot.Size", plot.Title, Millimetres(drawn.Width), Millimetres(drawn.Height)))}</text>");
         var travel = plot.ToolStart is null ? string.Empty : Wording.Get("Plot.Travel", Millimetres(plot.Travel));
-        Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{Escaped(plot.Heat?.Caption ?? Wording.Get("Plot.Strokes", plot.Strokes.Count, Millimetres(plot.CutLength), travel))}</text>");
+        Line(output, $"<text x=\"16\" y=\"{Number(top + 42.0)}\" font-size=\"12\">{MarkupText.Escaped(plot.Heat?.Caption ?? Wording.Get("Plot.Strokes", plot.Strokes.Count, Millimetres(plot.CutLength), travel))}</text>");
         var entries = new List<(string Class, string Text)> { ("cut closed", Wording.Get("Plot.Closed", closed)), ("cut open", Wording.Get("Plot.Open", plot.Strokes.Count - closed)) };
         if (plot.Heat is { } heat) entries = [($"cut {HeatClass(0)}", heat.Least), ($"cut {HeatClass(RunPlot.Steps - 1)}", heat.Most)];
         if (plot.ToolStart is not null) entries.AddRange([("rapid", Wording.Get("Plot.Rapid")), ("start", Wording.Get("Plot.Start"))]);
@@ -120,7 +120,7 @@ public static class SvgPlotWriter
     }
 
     private static void WriteLegend(string css, string text, double x, double y, TextWriter output) =>
-        Line(output, $"<path class=\"{css}\" stroke-width=\"2\" d=\"M{Number(x)},{Number(y - 4.0)}h24\"/><text x=\"{Number(x + 30.0)}\" y=\"{Number(y)}\" font-size=\"12\">{Escaped(text)}</text>");
+        Line(output, $"<path class=\"{css}\" stroke-width=\"2\" d=\"M{Number(x)},{Number(y - 4.0)}h24\"/><text x=\"{Number(x + 30.0)}\" y=\"{Number(y)}\" font-size=\"12\">{MarkupText.Escaped(text)}</text>");
 
     private static string Colour(PlotStroke stroke) => stroke.Heat is { } heat ? HeatClass(heat) : stroke.Closed ? "closed" : "open";
 
@@ -133,9 +133,6 @@ public static class SvgPlotWriter
     private static string HeatColour(double part) => string.Create(CultureInfo.InvariantCulture, $"#{(int)Math.Min(255.0, 510.0 * part):x2}{(int)Math.Min(224.0, 448.0 * (1.0 - part)):x2}50");
 
     private static string Millimetres(double value) => value.ToString("0.##", CultureInfo.InvariantCulture);
-
-    /// <summary>Without control characters, which XML does not allow.</summary>
-    private static string Escaped(string text) => WebUtility.HtmlEncode(string.Concat(text.Where(letter => !char.IsControl(letter))));
 
     private static void Line(TextWriter output, string text)
     {

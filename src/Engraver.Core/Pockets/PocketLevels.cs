@@ -35,6 +35,9 @@ internal sealed class PocketDescent
 
     private const double SmallestScrew = 0.1;
 
+    /// <summary>Length of a ramp there and back, in tool radii: on a shorter one the tool would stand and turn.</summary>
+    private const double ShortestRamp = 0.1;
+
     /// <summary>Millimetres by which a screw line may come nearer to a wall than the radius.</summary>
     private const double Rounding = 1e-6;
 
@@ -50,7 +53,7 @@ internal sealed class PocketDescent
         if (_depths.Entry == PocketEntry.Plunge || z >= top) return new PocketCut(stroke, z, [], PocketEntry.Plunge);
         var length = (top - z) / Math.Tan(_depths.RampAngle.Radians);
         if (_depths.Entry == PocketEntry.Helix && Screw(stroke, length) is { } screw) return new PocketCut(stroke, z, WithHeights(screw, top, z), PocketEntry.Helix);
-        return new PocketCut(stroke, z, WithHeights(Ramp(stroke, length), top, z), PocketEntry.Ramp);
+        return Ramp(stroke, length) is { } ramp ? new PocketCut(stroke, z, WithHeights(ramp, top, z), PocketEntry.Ramp) : new PocketCut(stroke, z, [], PocketEntry.Plunge);
     }
 
     /// <summary>Turns about a centre on the pocket's side of the start, ending in the direction of the first pass; null where no circle of a useful size keeps clear of the walls.</summary>
@@ -72,12 +75,13 @@ internal sealed class PocketDescent
         return null;
     }
 
-    /// <summary>Along the moves before the first link: round and round when they close, there and back when not.</summary>
-    private List<Point2D> Ramp(PocketStroke stroke, double length)
+    /// <summary>Along the moves before the first link: round and round when they close, there and back when not; null where they are too short to go down on.</summary>
+    private List<Point2D>? Ramp(PocketStroke stroke, double length)
     {
         List<PathPiece> first = [.. stroke.Moves.TakeWhile(move => !move.IsLink).Select(move => PathPiece.FromSegment(move.Segment))];
         if (first.Count == 0) first.Add(PathPiece.FromSegment(stroke.Moves[0].Segment));
         var (points, total) = (Points(first), first.Sum(piece => piece.Length));
+        if (total < ShortestRamp * _options.ToolRadius) return null;
         if (first[^1].End.IsNear(first[0].Start, PassChain.Joint))
         {
             var turns = Math.Max(1, (int)Math.Ceiling(length / total));

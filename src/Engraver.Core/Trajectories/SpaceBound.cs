@@ -21,7 +21,7 @@ internal static class SpaceBound
         for (var i = 0; i < spline.Count; i++)
         {
             var (cubic, step, z) = (spline[i], knots[i + 1] - knots[i], HeightControls(heights, i));
-            var bend = (step * step * curvature) + Math.Max(Bend(cubic.A, cubic.B, cubic.C, z[0], z[1], z[2]), Bend(cubic.B, cubic.C, cubic.D, z[1], z[2], z[3]));
+            var bend = (step * step * curvature) + LargestBend(cubic, z);
             var most = 0.0;
             for (var k = 0; k <= Parts; k++)
             {
@@ -38,17 +38,20 @@ internal static class SpaceBound
     }
 
     /// <summary>The heights as a Bezier polygon, as the plan has its own.</summary>
-    private static double[] HeightControls(IReadOnlyList<double> heights, int segment)
+    public static double[] HeightControls(IReadOnlyList<double> heights, int segment)
     {
         var (before, start, end, after) = (heights[segment], heights[segment + 1], heights[segment + 2], heights[segment + 3]);
         return [start, start + ((end - before) / 6.0), end - ((after - start) / 6.0), end];
     }
 
-    private static double HeightAt(double[] z, double u)
+    public static double HeightAt(double[] z, double u)
     {
         var v = 1.0 - u;
         return (v * v * v * z[0]) + (3.0 * v * v * u * z[1]) + (3.0 * v * u * u * z[2]) + (u * u * u * z[3]);
     }
+
+    /// <summary>Largest size of the second derivative of a cubic with its heights, which is linear.</summary>
+    public static double LargestBend(in Cubic cubic, double[] z) => Math.Max(Bend(cubic.A, cubic.B, cubic.C, z[0], z[1], z[2]), Bend(cubic.B, cubic.C, cubic.D, z[1], z[2], z[3]));
 
     /// <summary>Size of the second derivative at an end of a cubic.</summary>
     private static double Bend(Point2D a, Point2D b, Point2D c, double za, double zb, double zc) =>

@@ -21,7 +21,7 @@ internal sealed class Job
     private readonly ControllerSession _session;
     private readonly JobOptions _options;
     private readonly JobLog _log;
-    private readonly CancellationToken _stop;
+    private readonly StopOrder _stop;
     private readonly JobLedger _ledger;
     private readonly JobMachine _machine;
     private readonly Func<IJobStrategy> _strategyOfRest;
@@ -36,7 +36,7 @@ internal sealed class Job
     /// <summary>Where an output is the tool: the height at which the job is cut, while the operator may have moved the machine away from it, in this job or since the one that it resumes, the controller's own counts.</summary>
     private int? _heightOfCut;
 
-    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, CancellationToken stop, HandOperation? hand = null)
+    public Job(MotionProgram program, ControllerSession session, JobOptions options, IProgress<JobProgress>? progress, JobJournal journal, StopOrder stop, HandOperation? hand = null)
     {
         _session = session;
         _options = options;
@@ -48,7 +48,7 @@ internal sealed class Job
         _ledger = new JobLedger(program, options.KeepsPolledTrace, rest, options.From);
         _ledger.Begin();
         var mark = hand is null ? MachineMemory.NewMark(session.Time.GetUtcNow()) : 0;
-        _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), stop) { Mark = mark };
+        _machine = new JobMachine(session, program, options, _ledger, () => _log!.Polled(), _stop) { Mark = mark };
         _isHandMove = hand is not null;
         _log = new JobLog(_machine, _ledger, journal, progress, session.Time);
         _memory = new ProgramMemory(session);
@@ -111,9 +111,9 @@ internal sealed class Job
             var step = await BusyStepAsync().ConfigureAwait(false) is { Ends: true } busy ? busy : await RunFreeMachineAsync().ConfigureAwait(false);
 
             // A motion that ended early or a halted thread is a consequence of the stop.
-            return step.Outcome == JobOutcome.Refused && _stop.IsCancellationRequested ? Stopped : step;
+            return step.Outcome == JobOutcome.Refused && _stop.IsPressed ? Stopped : step;
         }
-        catch (OperationCanceledException) when (_stop.IsCancellationRequested)
+        catch (OperationCanceledException) when (_stop.IsPressed)
         {
             return Stopped;
         }
@@ -128,22 +128,29 @@ internal sealed class Job
     }
 
     private async Task<JobStep> BusyStepAsync() =>
-        await _session.BusyReasonAsync(_stop).ConfigureAwait(false) is { } busy ? JobStep.Broken(busy) : JobStep.Done;
+        await _session.BusyReasonAsync(_stop.Work).ConfigureAwait(false) is { } busy ? JobStep.Broken(busy) : JobStep.Done;
 
     /// <summary>Called when the machine is free: from here on the operator's stop acts on it at once.</summary>
     private async Task<JobStep> RunFreeMachineAsync()
     {
         _touched = true;
-        using var pressed = _stop.UnsafeRegister(stopper => ((OperatorStop)stopper!).Begin(), _stopper);
-        return await PrepareAsync().ConfigureAwait(false) is { Ends: true } unprepared ? unprepared : await CutAsync().ConfigureAwait(false);
+        _stop.BrakeBy(_stopper.Begin);
+        try
+        {
+            return await PrepareAsync().ConfigureAwait(false) is { Ends: true } unprepared ? unprepared : await CutAsync().ConfigureAwait(false);
+        }
+        finally
+        {
+            _stop.BrakeBy(null);
+        }
     }
 
     private async Task<JobStep> PrepareAsync()
     {
         if (!await _stopper.RehearseAsync().ConfigureAwait(false)) return JobStep.Broken(Wording.Get("Job.StopSwitchedOn"));
         var mark = await MarkAsync().ConfigureAwait(false);
-        await _session.NoteSoftLimitsAsync(_options.SoftLimits, _stop).ConfigureAwait(false);
-        if (await _found.BorrowAsync(_resident.Text, _stop).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
+        await _session.NoteSoftLimitsAsync(_options.SoftLimits, _stop.Work).ConfigureAwait(false);
+        if (await _found.BorrowAsync(_resident.Text, _stop.Work).ConfigureAwait(false) is { } refused) return _machine.Refuse(refused, "");
         var acceleration = _program.Profile.AccelerationCounts;
         var axes = _program.Profile.Axes.Letters;
         string[] settings = ["AC", "DC"];

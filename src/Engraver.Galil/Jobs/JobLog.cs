@@ -22,6 +22,8 @@ internal sealed class JobLog(JobMachine machine, JobLedger ledger, JobJournal jo
         journal.Write(new JournalHeader(
             options.DrawingName, controller, options.Mode, ledger.SegmentCount, at.X, at.Y, machine.Frame.X, machine.Frame.Y, time.GetUtcNow())
         {
+            Axes = machine.Profile.Axes.Letters,
+            StartZ = at.Z,
             FrameZ = machine.Frame.Z,
             HeightOfCut = machine.Profile is { Height: null, Axes.Z: not null } ? options.HeightOfCut ?? at.Z : null,
             Program = program,

@@ -23,7 +23,7 @@ internal sealed class JobMachine
     private readonly JobLedger _ledger;
     private readonly Action _polled;
     private readonly CountsPoint? _frameGiven;
-    private readonly CancellationToken _stop;
+    private readonly StopOrder _order;
     private Heartbeat _heartbeat;
     private string _beat = ResidentServer.HeartbeatCommand;
     private readonly StopHandleWatch _stopHandle;
@@ -38,7 +38,7 @@ internal sealed class JobMachine
     private bool _isGuarded;
     private int _glances;
 
-    public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, Action polled, CancellationToken stop)
+    public JobMachine(ControllerSession session, MotionProgram program, JobOptions options, JobLedger ledger, Action polled, StopOrder stop)
     {
         _session = session;
         Profile = program.Profile;
@@ -52,7 +52,7 @@ internal sealed class JobMachine
         _polled = polled;
         Lift = options.DryRun ? DryLift.Of(program) : 0;
         _frameGiven = options.Frame is { } given ? given with { Z = given.Z + Lift } : null;
-        _stop = stop;
+        _order = stop;
         _heartbeat = new Heartbeat(session.Time);
         _stopHandle = new StopHandleWatch(session, ledger);
         _progress = new ProgressWatch(program.Profile);
@@ -130,8 +130,11 @@ internal sealed class JobMachine
     /// <summary>Text to add to the report of a refused line of the program in the controller, by its line number.</summary>
     public Func<int, string> PlaceInProgram { get; set; } = _ => "";
 
-    /// <summary>The operator's stop.</summary>
-    public CancellationToken Stop => _stop;
+    /// <summary>Ends every wait of the job once the operator's stop is on its way.</summary>
+    public CancellationToken Stop => _order.Work;
+
+    /// <summary>The operator has pressed STOP: what a poll shows may be an effect of it.</summary>
+    public bool IsStopped => _order.IsPressed;
 
     /// <summary>Time since the last poll.</summary>
     public TimeSpan SincePoll => _times.SincePoll;
@@ -155,11 +158,11 @@ internal sealed class JobMachine
     /// <summary>Sends one command, and the heartbeat when it is due.</summary>
     public async ValueTask<Reply> ReplyAsync(string command)
     {
-        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(_beat, _stop).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
-        var reply = await _session.Commands.SendAsync(command, _stop).ConfigureAwait(false);
+        if (IsBeatDueBefore(command.Length) && await _session.Commands.SendAsync(_beat, _order.ToSend()).ConfigureAwait(false) is Rejected unbeaten) return unbeaten;
+        var reply = await _session.Commands.SendAsync(command, _order.ToSend()).ConfigureAwait(false);
         if (reply is Accepted && command != _beat) _progress.Acted();
         if (!_heartbeat.IsDue()) return reply;
-        var beat = await _session.Commands.SendAsync(_beat, _stop).ConfigureAwait(false);
+        var beat = await _session.Commands.SendAsync(_beat, _order.ToSend()).ConfigureAwait(false);
         return beat is Rejected && reply is Accepted ? beat : reply;
     }
 
@@ -175,14 +178,14 @@ internal sealed class JobMachine
     /// <summary>Queries one number.</summary>
     public async ValueTask<(double Value, JobStep Step)> AskAsync(string operand)
     {
-        var reading = await _session.Commands.ReadAsync(operand, _stop).ConfigureAwait(false);
+        var reading = await _session.Commands.ReadAsync(operand, _order.ToSend()).ConfigureAwait(false);
         return reading.Refusal is { } refused ? (0.0, Refuse(refused, "")) : (reading.Values[0], JobStep.Done);
     }
 
     /// <summary>Queries several numbers at once.</summary>
     public async ValueTask<(IReadOnlyList<double> Values, JobStep Step)> AskAllAsync(string operands)
     {
-        var reading = await _session.Commands.ReadAsync(operands, _stop).ConfigureAwait(false);
+        var reading = await _session.Commands.ReadAsync(operands, _order.ToSend()).ConfigureAwait(false);
         return reading.Refusal is { } refused ? ([], Refuse(refused, "")) : (reading.Values, JobStep.Done);
     }
 
@@ -216,7 +219,7 @@ internal sealed class JobMachine
     private async ValueTask<JobStep> ReadAsync(StateQuestion question)
     {
         if (IsBeatDueBefore(2 * question.Text.Length) && await SendAsync(_beat).ConfigureAwait(false) is { Ends: true } unbeaten) return unbeaten;
-        var reading = await _session.Commands.ReadAsync(question.Text, _stop).ConfigureAwait(false);
+        var reading = await _session.Commands.ReadAsync(question.Text, _order.ToSend()).ConfigureAwait(false);
         if (reading.Refusal is { } refused) return Refuse(refused, "");
         Known = question.Update(Known ?? default, reading.Values);
         return JobStep.Done;
@@ -227,7 +230,7 @@ internal sealed class JobMachine
         _times.Polled(State.Time);
         if (await AskFollowingErrorAsync().ConfigureAwait(false) is { Ends: true } unasked) return unasked;
         _ledger.Trail(new TracePoint(Seconds, Here, IsToolOn) { Executed = _ledger.Executed, Error = FollowingError });
-        if (IsToolOn && State.SequenceRunning && !_stop.IsCancellationRequested) _ledger.SeeCutting(SegmentsDone?.Invoke(State) ?? _ledger.Executed, Here);
+        if (IsToolOn && State.SequenceRunning && !IsStopped) _ledger.SeeCutting(SegmentsDone?.Invoke(State) ?? _ledger.Executed, Here);
         _polled();
         await _stopHandle.LookAsync().ConfigureAwait(false);
         if (await FaultAsync().ConfigureAwait(false) is { Ends: true } fault) return fault;
@@ -239,7 +242,7 @@ internal sealed class JobMachine
     /// <summary>Asks _TE of each axis (galil-dmc.md A.10), where that is wanted and was not asked just now.</summary>
     private async ValueTask<JobStep> AskFollowingErrorAsync()
     {
-        if (!_asksFollowingError || Line is not null || _stop.IsCancellationRequested || (FollowingError is not null && Time.GetElapsedTime(_errorAsked) < s_betweenErrors)) return JobStep.Done;
+        if (!_asksFollowingError || Line is not null || IsStopped || (FollowingError is not null && Time.GetElapsedTime(_errorAsked) < s_betweenErrors)) return JobStep.Done;
         _errorAsked = Time.GetTimestamp();
         var (values, end) = await AskAllAsync(DmcAxes.Operands(Profile.Axes.Letters, "_TE")).ConfigureAwait(false);
         if (!end.Ends) FollowingError = CountsPoint.From([.. values]);
@@ -249,7 +252,7 @@ internal sealed class JobMachine
     /// <summary>Ends the job when a poll shows that the program in the controller has ended, the tool is not as it should be, or there is no progress.</summary>
     private async ValueTask<JobStep> FaultAsync()
     {
-        if (_stop.IsCancellationRequested) return JobStep.Done; // what this poll saw may be an effect of the stop
+        if (IsStopped) return JobStep.Done; // what this poll saw may be an effect of the stop
         var isToolWrong = _toolWatch.IsWrong(State, Tool.IsOutputOn(State), Tool.Wanted(State), Tool.WantedByProgram is not null);
         var hasProgramEnded = State.Trip != 0 || State.ProgramError != 0 || !State.ProgramRuns;
         _ledger.IsToolMissing = _toolWatch.IsMissing && !hasProgramEnded; // then the controller switched it off and stopped
@@ -292,7 +295,7 @@ internal sealed class JobMachine
 
     /// <summary>Looks at the machine as its watch does.</summary>
     /// <exception cref="ControllerException">The link failed.</exception>
-    public ValueTask<MachineReading> ReadAsync() => StatusPoll.ReadAsync(_session.StopHandle, Profile.Axes, _stop);
+    public ValueTask<MachineReading> ReadAsync() => StatusPoll.ReadAsync(_session.StopHandle, Profile.Axes, _order.ToSend());
 
     /// <summary>Ends the program in the controller and its watchdog; call at rest with the tool off.</summary>
     public ValueTask<JobStep> HaltProgramAsync()
@@ -352,7 +355,7 @@ internal sealed class JobMachine
     public async ValueTask RestAsync(double seconds)
     {
         var rest = TimeSpan.FromSeconds(Math.Min(seconds, _pollInterval.TotalSeconds));
-        if (rest > TimeSpan.Zero) await Task.Delay(rest, _session.Time, _stop).ConfigureAwait(false);
+        if (rest > TimeSpan.Zero) await Task.Delay(rest, _session.Time, _order.Work).ConfigureAwait(false);
     }
 
     private async ValueTask<JobStep> UntilAsync(Func<ValueTask<JobStep>> look, Func<MachineState, bool> reached, double atLeastSeconds)

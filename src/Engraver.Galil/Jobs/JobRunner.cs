@@ -95,6 +95,7 @@ public static class JobRunner
         }
 
         // Replies from memory are immediate: without a thread of its own the whole job would run before this method returns.
-        using (journal) return await Task.Run(new Job(program, session, options, progress, journal, stop, hand).RunAsync, CancellationToken.None).ConfigureAwait(false);
+        using var order = new StopOrder(stop);
+        using (journal) return await Task.Run(new Job(program, session, options, progress, journal, order, hand).RunAsync, CancellationToken.None).ConfigureAwait(false);
     }
 }

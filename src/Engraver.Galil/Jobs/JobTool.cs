@@ -49,8 +49,19 @@ internal sealed class JobTool(JobMachine machine, bool dryRun)
     /// <summary>The same of an output, in a dry run too; never for a tool that an axis holds.</summary>
     public bool IsOutputOn(MachineState state) => machine.Profile.Height is null && machine.Profile.Tool.IsOn(state.Outputs);
 
+    /// <summary>This job has a spindle that turns.</summary>
+    public bool HasSpindle => !dryRun && machine.Profile.Spindle is not null;
+
+    /// <summary>A program in the controller runs the job, and the spindle is switched on by <see cref="TurnForProgramAsync"/> only.</summary>
+    public bool TurnsForProgram { private get; set; }
+
     /// <summary>Switches the spindle, and waits until it turns. A dry run leaves it off.</summary>
-    public async ValueTask<JobStep> TurnAsync(bool on)
+    public ValueTask<JobStep> TurnAsync(bool on) => on && TurnsForProgram ? new(JobStep.Done) : SwitchSpindleAsync(on);
+
+    /// <summary>Spindle on for a program that is loaded and watched, and waits until it turns.</summary>
+    public ValueTask<JobStep> TurnForProgramAsync() => SwitchSpindleAsync(on: true);
+
+    private async ValueTask<JobStep> SwitchSpindleAsync(bool on)
     {
         if (dryRun || machine.Profile.Spindle is not { } spindle) return JobStep.Done;
         if (await machine.SendAllAsync(on ? Subprograms.SpindleOn(spindle) : Subprograms.SpindleOff(spindle)).ConfigureAwait(false) is { Ends: true } refused) return refused;

@@ -50,6 +50,9 @@ internal sealed class Axis
     /// <summary>TP: the main encoder; of a stepper, which has none in its loop, the commanded position.</summary>
     public int Encoder => IsStepper ? Reference : Motor.Counts;
 
+    /// <summary>For the record: the commanded position, and of a stepper, which may have lost steps, where its shaft stands.</summary>
+    public int Place => IsStepper ? Motor.Counts : Reference;
+
     /// <summary>TD: the auxiliary encoder, for a stepper the pulses sent.</summary>
     public int SecondEncoder => IsStepper ? Reference : Auxiliary;
 
@@ -161,11 +164,11 @@ internal sealed class Axis
         _profile.Target += difference;
         MoveStart += difference;
         TrippointReference += difference;
-        Motor.Define(Motor.Position + difference);
+        Motor.Renumber(difference);
     }
 
-    /// <summary>SH: the motor's position becomes the commanded position (C).</summary>
-    public void TakeMotorPosition() => SetPosition(_smoothed = Motor.Counts);
+    /// <summary>SH: the motor's position becomes the commanded position (C); nobody knows that of a stepper.</summary>
+    public void TakeMotorPosition() => SetPosition(_smoothed = Encoder);
 
     /// <summary>Target of the move that BG would begin: for PA and PR; null for a jog or a homing.</summary>
     public long? PendingTarget() => NextMove switch
@@ -252,14 +255,14 @@ internal sealed class Axis
     public bool IsPlain => Smoothing >= 1 && !MotorOff && !IsLoopReversed && Motor.IsPlain && !Inputs.HasSwitches && Latch is not { IsArmed: true, WaitsForIndex: true };
 
     /// <summary>Moves the switches with the command: in a homing the commanded position operates them, not the motor that trails it.</summary>
-    public void PassSwitches() => Inputs.MoveTo(Position - Shift);
+    public void PassSwitches() => Inputs.MoveTo(Position - Motor.Lost - Shift);
 
     /// <summary>After every sample: the smoothed output and the motor follow the profile.</summary>
     public void Follow()
     {
         _smoothed = Smoothing >= 1 ? Position : _smoothed + ((Position - _smoothed) * Smoothing);
         if (!IsMoving && Math.Abs(Position - _smoothed) < 0.5) _smoothed = Position;
-        if (IsStepper) Motor.Define(_smoothed);
+        if (IsStepper) Motor.Step(_smoothed);
         else if (IsLoopReversed) Motor.RunAway(_smoothed, MotorOff);
         else Motor.Follow(_smoothed, MotorOff);
         Inputs.MoveTo(Motor.Position - Shift);

@@ -15,30 +15,32 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
     private readonly SimulatorOptions _options;
     private readonly TimeSpan _byteTime;
     private readonly Handle _handle;
+    private readonly Action<ReadOnlyMemory<byte>, bool>? _heard;
     private readonly ByteQueue _incoming = new();
     private readonly CancellationTokenSource _stopping = new();
     private readonly TaskCompletionSource _listenerEnded = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly Task _serving;
 
-    private SerialFrontEnd(ControllerCore core, PseudoTerminal terminal, string path, int baud, SimulatorOptions options)
+    private SerialFrontEnd(ControllerCore core, PseudoTerminal terminal, string path, int baud, SimulatorOptions options, Action<ReadOnlyMemory<byte>, bool>? heard)
     {
-        (_core, _terminal, _path, _options) = (core, terminal, path, options);
+        (_core, _terminal, _path, _options, _heard) = (core, terminal, path, options, heard);
         _byteTime = options.IsVirtual ? TimeSpan.Zero : TimeSpan.FromSeconds(10.0 / baud / options.Speed);
         _handle = core.OpenSerial(baud, terminal.Ring) ?? throw new IOException("The serial port has a client.");
         new Thread(Listen) { IsBackground = true, Name = "serial port" }.Start();
         _serving = Task.WhenAll(core.WatchAsync(ReceiveAsync(_stopping.Token)), core.WatchAsync(SendAsync(_stopping.Token)));
     }
 
+    /// <param name="heard">Told all bytes as they pass, and whether the host sent them; on the threads that carry them. Null for nobody.</param>
     /// <exception cref="IOException">The path is taken, the port already has a client, or the system has no free terminal.</exception>
     /// <exception cref="PlatformNotSupportedException">This is not Linux.</exception>
-    public static SerialFrontEnd Open(ControllerCore core, string path, int baud, SimulatorOptions options)
+    public static SerialFrontEnd Open(ControllerCore core, string path, int baud, SimulatorOptions options, Action<ReadOnlyMemory<byte>, bool>? heard)
     {
         if (!OperatingSystem.IsLinux()) throw new PlatformNotSupportedException("the simulated serial port is built for Linux only so far; serve TCP instead.");
         var terminal = PseudoTerminal.Open();
         try
         {
             TerminalLink.Create(path, terminal.SlaveName);
-            return new SerialFrontEnd(core, terminal, path, baud, options);
+            return new SerialFrontEnd(core, terminal, path, baud, options, heard);
         }
         catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
         {
@@ -62,7 +64,11 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
         var buffer = new byte[4096];
         try
         {
-            while (_terminal.WaitAndRead(buffer) is > 0 and var count) _incoming.Write(buffer.AsSpan(0, count));
+            while (_terminal.WaitAndRead(buffer) is > 0 and var count)
+            {
+                _heard?.Invoke(buffer.AsMemory(0, count), true);
+                _incoming.Write(buffer.AsSpan(0, count));
+            }
         }
         catch (IOException)
         {
@@ -105,6 +111,7 @@ internal sealed class SerialFrontEnd : IAsyncDisposable
             while (await _handle.Output.ReadAsync(buffer, cancellation).ConfigureAwait(false) is > 0 and var count)
             {
                 await wire.PassAsync(count, cancellation).ConfigureAwait(false);
+                _heard?.Invoke(buffer.AsMemory(0, count), false);
                 for (var sent = 0; sent < count;)
                 {
                     sent += _terminal.Write(buffer.AsSpan(sent, count - sent));

@@ -55,6 +55,6 @@ internal sealed class MotionRecorder(MotionKernel motion, DigitalIo io, bool kee
     private MotionSample Row(long sample)
     {
         var axes = motion.Axes;
-        return new(sample, axes[0].Reference, axes[1].Reference, axes[2].Reference, axes[3].Reference, io.Outputs) { Error = (axes[0].Error, axes[1].Error, axes[2].Error, axes[3].Error) };
+        return new(sample, axes[0].Place, axes[1].Place, axes[2].Place, axes[3].Place, io.Outputs) { Error = (axes[0].Error, axes[1].Error, axes[2].Error, axes[3].Error) };
     }
 }

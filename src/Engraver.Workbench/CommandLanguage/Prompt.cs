@@ -22,6 +22,9 @@ public abstract record Prompt(string Instruction)
     /// <summary>The place of the drawing that is an answer (a click on the canvas enters its coordinates); null when none is.</summary>
     public virtual PointAim? Aim => null;
 
+    /// <summary>What Enter alone would lead to, wherever the cursor is, so that it can be seen before; null when there is nothing to be seen.</summary>
+    public GhostOf? Preview { get; init; }
+
     /// <summary>True when nothing but an option is an answer.</summary>
     public virtual bool OnlyOptions => false;
 

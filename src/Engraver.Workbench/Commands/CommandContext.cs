@@ -1,7 +1,9 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Alarms;
 using Engraver.Workbench.Machines.Runs;
@@ -30,6 +32,12 @@ public sealed class CommandContext
     public DerivationSession Derivation => _session.Derivation;
 
     public PlaybackSession Playback => _session.Playback;
+
+    /// <summary>Every run and every program that was written.</summary>
+    public JobHistory History => _session.History;
+
+    /// <summary>How the job of the document stands to its certificate.</summary>
+    public CertificateWatch Certificates => _session.Certificates;
 
     /// <summary>Where a long command reports its progress.</summary>
     public CommandProgress Progress => _session.Progress;
@@ -113,6 +121,12 @@ public sealed class CommandContext
     internal bool StartIsForHands => _session.StartIsForHands;
 
     internal bool IsScripted => _session.IsScripted;
+
+    /// <summary>Adds a job to the history; that it cannot be kept is said.</summary>
+    internal void Remember(HistoryEntry entry)
+    {
+        if (History.Add(entry).Failure is { } failure) Say(Wording.Get("History.NotKept", failure), MessageKind.Warning);
+    }
 
     /// <summary>A path for the journal of a run that starts now.</summary>
     internal string NewRunJournal(string drawing) => _session.NewRunJournal(drawing);

@@ -19,6 +19,9 @@ public sealed record CommandEnvironment
     /// <summary>Where run journals go when no file is named; null: the operator's data folder.</summary>
     public string? RunJournalFolder { get; init; }
 
+    /// <summary>Whether the history of jobs is kept, beside the journals; otherwise it lives as long as the session.</summary>
+    public bool KeepsHistory { get; init; } = true;
+
     /// <summary>Where the desktop's settings are kept; null: they live as long as the session.</summary>
     public string? SettingsFile { get; init; }
 

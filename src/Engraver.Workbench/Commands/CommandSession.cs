@@ -1,8 +1,10 @@
 using Engraver.Core.Geometry;
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Commissioning;
 using Engraver.Workbench.Commands.Settings;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Machines.Origins;
 using Engraver.Workbench.Playback;
@@ -27,11 +29,12 @@ public sealed class CommandSession : IAsyncDisposable
         Catalog = catalog;
         Machine = new MachineSession(environment.Time) { OriginsFolder = MachineMemories.FolderIn(environment.RunJournalFolder) };
         Derivation = new DerivationSession(Document);
+        History = new JobHistory(environment.KeepsHistory ? JobHistory.FolderIn(environment.RunJournalFolder) : null);
         Playback = new PlaybackSession(environment.Time);
         Settings = new SettingsSession(environment.SettingsFile, environment.Time);
         Aliases = ReloadAliases();
         View.Change(state => SystemVariables.Restore(state, Settings.Current));
-        _ties = new SessionTies(Document, Machine, Derivation, Playback);
+        _ties = new SessionTies(Document, Machine, Derivation, Playback, Certificates);
     }
 
     /// <summary>Raised for every line of the history, on the thread of the command.</summary>
@@ -49,6 +52,12 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>Strokes, job, findings and plan of the document.</summary>
     public DerivationSession Derivation { get; }
+
+    /// <summary>How the job of the document stands to its certificate.</summary>
+    public CertificateWatch Certificates { get; } = new();
+
+    /// <summary>Every run and every program that was written.</summary>
+    public JobHistory History { get; }
 
     /// <summary>Plays the planned motion of the document that was derived last.</summary>
     public PlaybackSession Playback { get; }
@@ -68,7 +77,7 @@ public sealed class CommandSession : IAsyncDisposable
 
     /// <summary>What is waited for now.</summary>
     public PromptView Prompt => (_aside is { Pending: not null } aside ? aside : _frames.Top) is { Pending: { } asks } frame
-        ? new PromptView(frame.Info.Name, _frames.Before + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.Prompt.Aim)
+        ? new PromptView(frame.Info.Name, _frames.Before + asks.Prompt.Text, asks.Prompt.Options, asks.Prompt.Default, asks.Prompt.TakesSpaces, asks.Prompt.Aim) { Preview = asks.Prompt.Preview }
         : PromptView.Idle;
 
     internal CommandEnvironment Environment { get; }
@@ -295,5 +304,8 @@ public sealed class CommandSession : IAsyncDisposable
 /// <param name="Aim">The place that a click on the canvas answers with (its coordinates are entered); null when it is no answer.</param>
 public sealed record PromptView(string? Command, string Text, IReadOnlyList<Keyword> Options, string? Default, bool TakesSpaces, PointAim? Aim)
 {
+    /// <summary>What Enter alone would lead to (<see cref="CommandLanguage.Prompt.Preview"/>); null when there is nothing to be seen.</summary>
+    public GhostOf? Preview { get; init; }
+
     public static PromptView Idle => new(null, Wording.Get("Prompt.Command"), [], null, false, null);
 }

@@ -1,3 +1,4 @@
+using Engraver.Workbench.Certificates;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Machines;
 using Engraver.Workbench.Playback;
@@ -11,10 +12,13 @@ internal sealed class SessionTies : IDisposable
     private readonly MachineSession _machine;
     private readonly DerivationSession _derivation;
     private readonly PlaybackSession _playback;
+    private readonly CertificateWatch _certificates;
+    private readonly CancellationTokenSource _ended = new();
+    private PreparedJob? _certified;
 
-    public SessionTies(DocumentSession document, MachineSession machine, DerivationSession derivation, PlaybackSession playback)
+    public SessionTies(DocumentSession document, MachineSession machine, DerivationSession derivation, PlaybackSession playback, CertificateWatch certificates)
     {
-        (_document, _machine, _derivation, _playback) = (document, machine, derivation, playback);
+        (_document, _machine, _derivation, _playback, _certificates) = (document, machine, derivation, playback, certificates);
         document.Changed += OnDocumentChanged;
         derivation.Changed += OnDerived;
         machine.Changed += OnMachineChanged;
@@ -22,6 +26,7 @@ internal sealed class SessionTies : IDisposable
 
     public void Dispose()
     {
+        _ended.Cancel();
         _document.Changed -= OnDocumentChanged;
         _derivation.Changed -= OnDerived;
         _machine.Changed -= OnMachineChanged;
@@ -32,14 +37,17 @@ internal sealed class SessionTies : IDisposable
     {
         var state = _document.Current;
         _machine.Profile = state.Settings.Machine;
-        if (_machine.Armed is { Job: var job } && (!ReferenceEquals(job.Drawing, state.Drawing) || job.Settings != state.Settings)) _machine.Disarm();
+        if (_machine.Armed is { Job: var job } && !job.IsOf(state)) _machine.Disarm();
         if (_machine.Part is { } part && (!ReferenceEquals(part.Drawing, state.Drawing) || part.Settings != state.Settings)) _machine.ChoosePart(null);
-        if (_machine.ShownJob is { } shown && (!ReferenceEquals(shown.Drawing, state.Drawing) || shown.Settings != state.Settings)) _machine.DismissJob();
+        if (_machine.ShownJob is { } shown && !shown.IsOf(state)) _machine.DismissJob();
     }
 
     private void OnDerived(object? sender, EventArgs e)
     {
         if (!ReferenceEquals(_playback.Motion, _derivation.Current.Motion)) _playback.Load(_derivation.Current.Motion);
+        if (_derivation.Current is not { Job: { Motion.Program: { } program } job } derived || ReferenceEquals(job, _certified)) return;
+        _certified = job;
+        _ = _certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Mode, job.Drawing).Program, _ended.Token);
     }
 
     /// <summary>The planned time depends on the serial line that the job goes over.</summary>

@@ -29,15 +29,33 @@ public sealed class MachineClock : IDisposable
         return new(clock, clock, clock.Heard);
     }
 
-    /// <summary>Shakes hands with a machine and goes by this clock.</summary>
+    /// <summary>Shakes hands with a machine and goes by this clock; nothing of it is kept to be replayed.</summary>
     /// <param name="trace">Where every line on the wire is written; null for nowhere.</param>
     /// <exception cref="ControllerException">The link never came up.</exception>
-    public async Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, CancellationToken cancellation) =>
-        await GalilConnection.OpenAsync(async stop => Over(await connection.OpenLinkAsync(stop).ConfigureAwait(false)), trace?.Wire, Time, cancellation).ConfigureAwait(false);
+    public Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, CancellationToken cancellation) => ShakeHandsAsync(connection, trace, conversation: null, cancellation);
+
+    /// <summary>Shakes hands with a machine and goes by this clock.</summary>
+    /// <param name="trace">Where every line on the wire is written; null for nowhere.</param>
+    /// <param name="conversation">Where every byte that is said is kept, to be replayed; null for nowhere.</param>
+    /// <exception cref="ControllerException">The link never came up.</exception>
+    public async Task<IMachineConnection> ShakeHandsAsync(MachineConnection connection, MachineTrace? trace, MachineConversation? conversation, CancellationToken cancellation) =>
+        await GalilConnection.OpenAsync(
+            async stop =>
+            {
+                var link = Over(await connection.OpenLinkAsync(stop).ConfigureAwait(false));
+                return conversation is null ? link : conversation.Recorder.Over(link);
+            },
+            trace?.Wire,
+            Time,
+            cancellation).ConfigureAwait(false);
 
     /// <summary>Begins a trace of every line on the wire, timed by this clock.</summary>
     /// <param name="file">Owned: it is closed with the trace.</param>
     public MachineTrace TraceTo(TextWriter file, TimeProvider wall) => new(new WireTrace(file, Time, wall: wall));
+
+    /// <summary>Begins to keep what is said, timed by this clock.</summary>
+    /// <param name="file">Owned: it is closed with the conversation.</param>
+    public MachineConversation ConversationTo(TextWriter file, TimeProvider wall) => new(new ConversationRecorder(file, Time, isControllersClock: _taken is not null, wall));
 
     public void Dispose() => _taken?.Dispose();
 
@@ -56,4 +74,18 @@ public sealed class MachineTrace
 
     /// <summary>Writes what is left and closes the file.</summary>
     public Task CloseAsync(CancellationToken cancellation) => Wire.CloseAsync(cancellation);
+}
+
+/// <summary>What is said to a machine, kept to be replayed.</summary>
+public sealed class MachineConversation
+{
+    internal MachineConversation(ConversationRecorder recorder) => Recorder = recorder;
+
+    internal ConversationRecorder Recorder { get; }
+
+    /// <summary>Why it was not kept whole; null while it is.</summary>
+    public string? Failure => Recorder.Failure;
+
+    /// <summary>Writes what is left and closes the file.</summary>
+    public Task CloseAsync(CancellationToken cancellation) => Recorder.CloseAsync(cancellation);
 }

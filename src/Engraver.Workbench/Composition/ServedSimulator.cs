@@ -51,7 +51,8 @@ public sealed class ServedSimulator : IAsyncDisposable
     public Task<IPEndPoint> ListenClockAsync(CancellationToken cancellation) => _controller.ListenClockAsync(cancellation);
 
     /// <summary>The path becomes a link to a pseudo-terminal.</summary>
-    public Task ServeSerialAsync(string path, int baud, CancellationToken cancellation) => _controller.ServeSerialAsync(path, baud, cancellation);
+    /// <param name="heard">Told all bytes as they pass on the line, and whether the host sent them; on the threads that carry them. Null for nobody.</param>
+    public Task ServeSerialAsync(string path, int baud, Action<ReadOnlyMemory<byte>, bool>? heard, CancellationToken cancellation) => _controller.ServeSerialAsync(path, baud, heard, cancellation);
 
     public ValueTask DisposeAsync() => _controller.DisposeAsync();
 

@@ -1,4 +1,5 @@
 using Engraver.Core.Drawings;
+using Engraver.Workbench.Files;
 using Engraver.Workbench.Sidecars;
 
 namespace Engraver.Workbench.Documents;
@@ -10,6 +11,8 @@ public sealed class DocumentSession
     private readonly Stack<Step> _undo = new();
     private readonly Stack<Step> _redo = new();
     private readonly Dictionary<string, string> _sidecars = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, string> _saved = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, IReadOnlyDictionary<string, IReadOnlyList<string>>> _handles = new(StringComparer.Ordinal);
     private Drawing? _kept;
     private Sidecar _keptSidecar = Sidecar.Empty;
 
@@ -41,12 +44,40 @@ public sealed class DocumentSession
         Become(next);
     }
 
-    /// <summary>Notes that the drawing as it is now, and what belongs to it, stand in files.</summary>
-    public void MarkKept() => (_kept, _keptSidecar) = (Current.Edition, Current.Sidecar);
+    /// <summary>Path of the file that the drawing belongs to: the one that was written last, else the one that was opened; null when no drawing is open.</summary>
+    public string? FilePath => Current.Drawing is { FileName: var opened } ? _saved.GetValueOrDefault(opened, opened) : null;
+
+    /// <summary>Notes that the drawing as it is now, and what belongs to it, stand in the file that was opened.</summary>
+    public void MarkOpened()
+    {
+        if (Current.Drawing is { FileName: var opened })
+        {
+            _saved.Remove(opened);
+            _handles.Remove(Path.GetFullPath(opened));
+        }
+
+        (_kept, _keptSidecar) = (Current.Edition, Current.Sidecar);
+    }
+
+    /// <summary>Notes that the drawing as it is now, and what belongs to it, were written.</summary>
+    /// <param name="path">Of the drawing, which belongs to this file from now on, unless it is a stream.</param>
+    public void MarkSaved(string path)
+    {
+        if (Current.Drawing is { FileName: var opened } && !FileKind.IsStream(path)) _saved[opened] = path;
+        (_kept, _keptSidecar) = (Current.Edition, Current.Sidecar);
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
 
     /// <summary>The text of a sidecar file as this session read or wrote it last; null when it did neither.</summary>
     /// <param name="path">Of the sidecar.</param>
     public string? KnownSidecar(string path) => _sidecars.GetValueOrDefault(Path.GetFullPath(path));
+
+    /// <summary>For each handle of the drawing those of its entities in a file that this session wrote; empty where they are the same, as in the file that was opened.</summary>
+    /// <param name="path">Of the drawing's file.</param>
+    public IReadOnlyDictionary<string, IReadOnlyList<string>> HandlesIn(string path) => _handles.GetValueOrDefault(Path.GetFullPath(path)) ?? new Dictionary<string, IReadOnlyList<string>>();
+
+    /// <summary>Notes under which handles the entities of the drawing stand in a file.</summary>
+    public void MarkHandles(string path, IReadOnlyDictionary<string, IReadOnlyList<string>> handles) => _handles[Path.GetFullPath(path)] = handles;
 
     /// <summary>Notes what stands in a sidecar file now.</summary>
     public void MarkSidecar(string path, string text) => _sidecars[Path.GetFullPath(path)] = text;

@@ -26,6 +26,23 @@ public static class EditedDrawing
         };
     }
 
+    /// <summary>For each handle of the drawing those under which its entities stand in a written sheet.</summary>
+    /// <param name="sheet">As <see cref="SheetOf"/> made it of this drawing.</param>
+    public static IReadOnlyDictionary<string, IReadOnlyList<string>> HandlesIn(DxfSheet sheet, Drawing drawing)
+    {
+        ArgumentNullException.ThrowIfNull(sheet);
+        ArgumentNullException.ThrowIfNull(drawing);
+        var (written, handles, next) = (sheet.EntityHandles, new Dictionary<string, IReadOnlyList<string>>(StringComparer.OrdinalIgnoreCase), 0);
+        for (var index = 0; index < drawing.Entities.Count; index++)
+        {
+            var count = Written(drawing, index, hidden: false).Count();
+            if (drawing.SourceOf(index).Handle is { } handle) handles[handle] = [.. handles.GetValueOrDefault(handle, []), .. written.Skip(next).Take(count)];
+            next += count;
+        }
+
+        return handles;
+    }
+
     private static DxfSheetLayer LayerOf(Layer layer) =>
         new(layer.Name, layer.Colour.Index ?? Foreground, layer.Plot) { On = layer.On, Frozen = layer.Frozen, Rgb = layer.Colour.Rgb };
 

@@ -60,9 +60,25 @@ public static class JobPreparation
     public static SequencingResult Sequence(Drawing drawing, CutTable cut, DrawingSettings settings)
     {
         ArgumentNullException.ThrowIfNull(cut);
+        return Sequencer.Sequence(cut.Table, drawing, SequencingFor(drawing, cut, settings));
+    }
+
+    /// <summary>The settings as options of the sequencer for what is cut.</summary>
+    /// <exception cref="SettingException">The entering entity is not in the drawing.</exception>
+    public static SequencingOptions SequencingFor(Drawing drawing, CutTable cut, DrawingSettings settings)
+    {
+        ArgumentNullException.ThrowIfNull(cut);
         var options = SequencingFor(drawing, settings);
-        if (cut.Kerf is not { } kerf) return Sequencer.Sequence(cut.Table, drawing, options);
-        return Sequencer.Sequence(kerf.Table, drawing, options with { JoinTolerance = kerf.KeepsOpen ? options.JoinTolerance : Math.Min(options.JoinTolerance, ExactJoint), KeepDuplicates = true, ArcTolerance = null });
+        if (cut.Kerf is not { } kerf) return options;
+        return options with { JoinTolerance = kerf.KeepsOpen ? options.JoinTolerance : Math.Min(options.JoinTolerance, ExactJoint), KeepDuplicates = true, ArcTolerance = null };
+    }
+
+    /// <summary>The table of what is cut in the order of cutting, with the findings of the compensation for the radius of the tool.</summary>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    public static (EntityTable Table, IReadOnlyList<Diagnostic> Findings) CutTableOf(Drawing drawing, DrawingSettings settings)
+    {
+        var cut = ToCut(drawing, settings);
+        return (Sequence(drawing, cut, settings).Table, cut.Kerf?.Diagnostics ?? []);
     }
 
     /// <summary>Contours, order, discontinuities.</summary>

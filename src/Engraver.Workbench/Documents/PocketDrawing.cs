@@ -83,8 +83,12 @@ public sealed record PocketDrawing(PocketResult Result, IReadOnlyList<PocketCut>
         if (result.Unreached.MaxBy(place => place.Depth) is { } deepest) yield return PocketRules.NotReached.At(default, FactText.Of(result.Unreached.Count), FactText.Of(result.Unreached.Sum(place => place.Area ?? 0.0)), FactText.Of(deepest.Depth), FactText.Of(deepest.Place.X), FactText.Of(deepest.Place.Y)) with { Place = deepest.Place };
     }
 
-    private static IEnumerable<Diagnostic> Findings(IReadOnlyList<PocketCut> cuts, PocketDepths depths)
+    /// <summary>What is to be said of the ways down.</summary>
+    internal static IEnumerable<Diagnostic> Findings(IReadOnlyList<PocketCut> cuts, PocketDepths depths)
     {
+        if (depths.Entry == PocketEntry.Plunge) yield break;
+        List<PocketCut> plunges = [.. cuts.Where(cut => cut.Entry == PocketEntry.Plunge)];
+        if (plunges is [var straight, ..]) yield return PocketRules.NoRoomForRamp.At(default, FactText.Of(plunges.Count), FactText.Of(straight.Stroke.Start.X), FactText.Of(straight.Stroke.Start.Y)) with { Place = straight.Stroke.Start };
         if (depths.Entry != PocketEntry.Helix) yield break;
         List<PocketCut> ramps = [.. cuts.Where(cut => cut.Entry == PocketEntry.Ramp)];
         if (ramps is [var first, ..]) yield return PocketRules.NoRoomForScrew.At(default, FactText.Of(ramps.Count), FactText.Of(first.Stroke.Start.X), FactText.Of(first.Stroke.Start.Y)) with { Place = first.Stroke.Start };

@@ -22,6 +22,12 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
     /// <summary>The compensation for the radius of the tool; null without one.</summary>
     public KerfResult? Kerf { get; init; }
 
+    /// <summary>The trajectories that are run instead of the drawing, and the document that they belong to; null for a job of the drawing. <see cref="Drawing"/> is then theirs.</summary>
+    public FollowedTrajectories? Followed { get; init; }
+
+    /// <summary>The document's drawing.</summary>
+    public Drawing DocumentDrawing => Followed?.Drawing ?? Drawing;
+
     /// <summary>What is seen on the layers that are cut and gives no cut.</summary>
     public NotCutFindings NotCut => NotCutFindings.From(Drawing, JobPreparation.SelectionOf(Settings));
 
@@ -37,6 +43,14 @@ public sealed record PreparedJob(Drawing Drawing, DrawingSettings Settings, Enti
         (_, null) => Wording.Get("PreparedJob.MachineCannotCutWhat", Ids(Motion.Diagnostics.Where(finding => finding.Severity == Severity.Error))),
         _ => NothingCut(NotCut),
     };
+
+    /// <summary>True for the job of a document as it stands: its drawing and settings, and its trajectories where these are run.</summary>
+    public bool IsOf(DocumentState state)
+    {
+        ArgumentNullException.ThrowIfNull(state);
+        if (!ReferenceEquals(DocumentDrawing, state.Drawing)) return false;
+        return Followed is { } followed ? followed.Settings == state.Settings && ReferenceEquals(followed.Trajectories, state.Sidecar.Trajectories.All) : Settings == state.Settings;
+    }
 
     /// <summary>The toolpath has these faults; without a full stop.</summary>
     internal static string NotAsDrawn(IReadOnlyList<Diagnostic> faults) => Wording.Get("PreparedJob.ToolpathNotWhatDrawn", Ids(faults));

@@ -23,12 +23,13 @@ public sealed record TrajectoryDrawing(IReadOnlyList<NamedTrajectory> Trajectori
         ArgumentNullException.ThrowIfNull(drawing);
         ArgumentNullException.ThrowIfNull(settings);
         ArgumentNullException.ThrowIfNull(request);
-        var sequence = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings);
+        var cut = JobPreparation.ToCut(drawing, settings);
+        var sequence = JobPreparation.Sequence(drawing, cut, settings);
         var work = new TrajectoryCollector(drawing, settings, request);
         if (request.Offset is { } offset) work.AddOffsets(sequence, offset);
         else work.AddPaths(sequence);
         if (sequence.Contours == 0 && !DrawingFile.IsUnreadable(drawing)) work.Findings.Add(DocumentRules.NothingToPost.At(default));
-        return new TrajectoryDrawing(work.Made, [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics, .. work.Findings]);
+        return new TrajectoryDrawing(work.Made, [.. drawing.Diagnostics, .. JobPreparation.Findings(drawing, settings), .. sequence.Diagnostics, .. cut.FindingsBeside(sequence), .. work.Findings]);
     }
 
     private sealed class TrajectoryCollector(Drawing drawing, DrawingSettings settings, TrajectoryRequest request)

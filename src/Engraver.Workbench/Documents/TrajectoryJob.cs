@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.EntityTables;
 using Engraver.Core.Geometry;
+using Engraver.Core.Kerf;
 using Engraver.Core.Machines;
 using Engraver.Core.Sequencing.Ordering;
 using Engraver.Core.Trajectories;
@@ -17,6 +18,12 @@ namespace Engraver.Workbench.Documents;
 /// <param name="Bound">No place of the path is farther from the source than this, millimetres: the largest proven bound and what the arcs add.</param>
 public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajectory> Trajectories, double Bound)
 {
+    /// <summary>Ends of lines in space that are one, millimetres.</summary>
+    private const double ExactJoint = 1e-6;
+
+    /// <summary>Height that counts as none, millimetres.</summary>
+    private const double NoHeight = 1e-6;
+
     /// <summary>Part of a count by which arcs may leave the spline.</summary>
     private const double CountShare = 0.25;
 
@@ -48,20 +55,45 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
         ArgumentNullException.ThrowIfNull(settings);
         ArgumentNullException.ThrowIfNull(trajectories);
         var arcError = CountShare / settings.Machine.Scale.Largest;
-        var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null };
-        var splines = TrajectorySheet.Of(drawing, [.. trajectories.Select(one => (IReadOnlyList<Segment>)[Segment.FromCurve(TrajectoryCurve.Of(one.Curve))])]);
+        var rises = trajectories.Any(one => one.IsHelix);
+        var own = settings with { MaxErrorMm = arcError, Layers = null, SkippedLayers = [], Enter = null, Order = StrokeOrder.Drawn, KeepDuplicates = true, RecoverArcs = false, Unit = null, Kerf = KerfSide.Off };
+        if (rises) own = own with { JoinToleranceMm = Math.Min(own.JoinToleranceMm, ExactJoint) }; // a chord of a helix may be shorter than what is joined in a drawing
+        var splines = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfCurve(one.Curve, arcError) : [Raised(Segment.FromCurve(TrajectoryCurve.Of(one.Curve)), one.Curve.Z)]).Select(AtHeight)]);
         var table = JobPreparation.Analyse(splines, own);
         var sequence = JobPreparation.Sequence(splines, table, own);
         var job = JobPreparation.FromPath(splines, own, table, sequence, JobPreparation.PathOf(sequence, own), style);
-        var bound = trajectories.Select(one => one.Curve.VerifiedBound).DefaultIfEmpty().Max() + arcError;
-        var source = TrajectorySheet.Of(drawing, [.. trajectories.Select(one => one.Curve.Source)]);
-        return new TrajectoryJob(job with { Analysed = JobPreparation.Analyse(source, own), Settings = own with { MaxErrorMm = bound } }, trajectories, bound);
+        var bound = trajectories.Select(one => one.Curve.VerifiedBound).DefaultIfEmpty().Max() + (rises ? 2.0 * arcError : arcError);
+        var source = TrajectorySheet.Of(drawing, [.. trajectories.SelectMany(one => one.IsHelix ? TrajectoryChords.OfSource(one.Curve, arcError) : one.Curve.Source.Select(segment => Raised(segment, one.Curve.Z))).Select(AtHeight)]);
+        return new TrajectoryJob(
+            job with
+            {
+                Analysed = JobPreparation.Analyse(source, own),
+                Settings = own with { MaxErrorMm = bound },
+                Findings = [.. job.Findings, .. Heights(trajectories, settings.Machine), .. TrajectoryEdits.Findings(drawing, trajectories)],
+                Followed = new FollowedTrajectories(drawing, settings, trajectories),
+            },
+            trajectories,
+            bound);
+
+        RaisedSegment AtHeight(RaisedSegment raised) => settings.Machine.Height is null ? Raised(raised.Segment, 0.0) : raised;
     }
+
+    /// <summary>A warning where there are heights and no axis that holds the tool.</summary>
+    private static IEnumerable<Diagnostic> Heights(IReadOnlyList<DocumentTrajectory> trajectories, MachineProfile machine)
+    {
+        double[] heights = [.. trajectories.SelectMany(one => one.Curve.Heights?.Skip(1).SkipLast(1) ?? [one.Curve.Z])];
+        if (machine.Height is not null || !Array.Exists(heights, z => Math.Abs(z) > NoHeight)) yield break;
+        yield return TrajectoryRules.HeightsNotRun.At(default, FactText.Of(heights.Min()), FactText.Of(heights.Max()));
+    }
+
+    private static RaisedSegment Raised(Segment segment, double z) => new(segment, z, z);
 
     private static List<DocumentTrajectory> Planned(Drawing drawing, DrawingSettings settings, List<Diagnostic> findings)
     {
         var made = new List<DocumentTrajectory>();
-        foreach (var stroke in JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings).Strokes)
+        var cut = JobPreparation.ToCut(drawing, settings);
+        findings.AddRange(cut.Kerf?.Diagnostics ?? []);
+        foreach (var stroke in JobPreparation.Sequence(drawing, cut, settings).Strokes)
         {
             var planned = TrajectoryPlanner.Plan([.. stroke.Moves.Select(move => move.Segment)], stroke.Closed, new TrajectoryOptions(settings.MaxErrorMm));
             made.AddRange(planned.Trajectories.Select((one, i) => new DocumentTrajectory($"traj{made.Count + i}_path", one, settings.MaxErrorMm)));
@@ -72,19 +104,25 @@ public sealed record TrajectoryJob(PreparedJob Job, IReadOnlyList<DocumentTrajec
     }
 }
 
+/// <summary>The trajectories of a document that a job runs instead of the drawing.</summary>
+/// <param name="Drawing">Of the document.</param>
+/// <param name="Settings">Of the document.</param>
+/// <param name="Trajectories">In the order in which they are run.</param>
+public sealed record FollowedTrajectories(Drawing Drawing, DrawingSettings Settings, IReadOnlyList<DocumentTrajectory> Trajectories);
+
 /// <summary>Segments in millimetres as a drawing of one layer.</summary>
 internal static class TrajectorySheet
 {
     /// <param name="like">File name, bytes, version and findings are taken from it.</param>
-    /// <param name="groups">Each segment becomes an entity.</param>
-    public static Drawing Of(Drawing like, IReadOnlyList<IReadOnlyList<Segment>> groups)
+    /// <param name="segments">Each becomes an entity at its height.</param>
+    public static Drawing Of(Drawing like, IReadOnlyList<RaisedSegment> segments)
     {
         var (entities, parts, curves) = (new GrowingColumn<DrawingEntity>(), new GrowingColumn<DrawingPart>(), new List<RationalCurve>());
-        foreach (var segment in groups.SelectMany(group => group))
+        foreach (var (segment, startZ, endZ) in segments)
         {
             var type = segment.Kind switch { SegmentKind.Line => CurveType.Line, SegmentKind.Circle => CurveType.Circle, SegmentKind.Arc => CurveType.Arc, SegmentKind.Ellipse => CurveType.Ellipse, _ => CurveType.Spline };
             entities.Add(new DrawingEntity { FirstPart = parts.Count, PartCount = 1, Type = type, Closed = segment.IsClosed });
-            parts.Add(PartOf(segment, entities.Count - 1, curves));
+            parts.Add(PartOf(new RaisedSegment(segment, startZ, endZ), entities.Count - 1, curves));
         }
 
         return like with
@@ -99,11 +137,21 @@ internal static class TrajectorySheet
         };
     }
 
-    private static DrawingPart PartOf(Segment segment, int entity, List<RationalCurve> curves)
+    private static DrawingPart PartOf(in RaisedSegment raised, int entity, List<RationalCurve> curves)
     {
-        if (segment.Kind == SegmentKind.Line) return DrawingPart.Line(entity, segment.Start.X, segment.Start.Y, 0.0, segment.End.X, segment.End.Y, 0.0);
-        if (!segment.IsFreeCurve) return DrawingPart.Arc(entity, segment.Arc, 0.0);
-        curves.Add(segment.Curve);
+        var segment = raised.Segment;
+        if (segment.Kind == SegmentKind.Line) return DrawingPart.Line(entity, segment.Start.X, segment.Start.Y, raised.StartZ, segment.End.X, segment.End.Y, raised.EndZ);
+        if (!segment.IsFreeCurve) return DrawingPart.Arc(entity, segment.Arc, raised.StartZ);
+        curves.Add(AtHeight(segment.Curve, raised.StartZ));
         return DrawingPart.FreeCurve(entity, segment.Kind, curves.Count - 1);
+    }
+
+    private static RationalCurve AtHeight(RationalCurve curve, double z) => curve.With([.. curve.Spans.ToArray().Select(span => AtHeight(span, z))]);
+
+    private static BezierSpan AtHeight(BezierSpan span, double z)
+    {
+        var points = span.Homogeneous.ToArray();
+        for (var i = 0; i < points.Length; i += BezierSpan.Stride) points[i + 2] = z * points[i + 3];
+        return new BezierSpan(points);
     }
 }

@@ -14,7 +14,7 @@ public static class RunText
         ArgumentNullException.ThrowIfNull(spell);
         var result = report.Result;
         var planned = job.Motion.Program?.SegmentCount ?? 0;
-        return Wording.Get(report.IsDryRun ? "RunText.SegmentsGone" : "RunText.SegmentsCutMachineTime", OutcomeText.Said(result.Outcome), result.SegmentsExecuted, planned, result.Seconds, spell(report.IsDryRun ? Wording.Get("RunText.DryRun", Unseen(job.NotCut)) : Verdict(report.Judgement, LeftOut(job), job.NotCut)));
+        return Wording.Get(report.IsDryRun ? "RunText.SegmentsGone" : "RunText.SegmentsCutMachineTime", OutcomeText.Said(result.Outcome), result.SegmentsExecuted, planned, result.Seconds, spell(report.IsDryRun ? Wording.Get("RunText.DryRun", Unseen(job.NotCut)) : Verdict(report, LeftOut(job), job.NotCut)));
     }
 
     /// <summary>Entities of the drawing, in its blocks too, that gave no curve though they should have.</summary>
@@ -23,11 +23,13 @@ public static class RunText
     /// <summary>What is seen and not cut, and how to have it cut; empty when there is nothing of the kind.</summary>
     private static string Unseen(NotCutFindings notCut) => notCut.Counts.Count == 0 ? "" : $"; {notCut.Clause}: {notCut.HowTo}";
 
-    private static string Verdict(RunJudgement judgement, int leftOut, NotCutFindings notCut)
+    private static string Verdict(MachineRunReport report, int leftOut, NotCutFindings notCut)
     {
+        var (judgement, openLoop) = (report.Judgement, report.OpenLoop);
         var unseen = Unseen(notCut);
         if (judgement.MaxDeviationMm is not { } deviation) return Wording.Get("RunText.NothingKnownAboutCut", unseen);
-        var who = judgement.Source == "record" ? Wording.Get("RunText.SimulatedMotors") : Wording.Get("RunText.PolledPositions");
+        var isOpenLoop = judgement.Source != "record" && openLoop.Count > 0;
+        var who = Wording.Get(judgement.Source == "record" ? "RunText.SimulatedMotors" : isOpenLoop ? "RunText.CommandedPositions" : "RunText.PolledPositions");
         var missing = judgement.MissingLengthMm switch
         {
             null => Wording.Get("RunText.HowMuchMissingNot"),
@@ -36,6 +38,7 @@ public static class RunText
             _ => unseen.Length > 0 ? Wording.Get("RunText.NothingItsCurvesMissing") : Wording.Get("RunText.NothingMissing"),
         };
         if (leftOut > 0) missing += Wording.Get("RunText.ButItsEntitiesCould", leftOut, leftOut == 1 ? Wording.Get("RunText.Is") : Wording.Get("RunText.Are"));
+        if (isOpenLoop) missing = Wording.Get("RunText.IfTheSteppersFollowed", missing, string.Join(", ", openLoop));
         return Wording.Get("RunText.WorstMmFromDrawing", who, deviation, missing, unseen);
     }
 }

@@ -14,6 +14,7 @@ public static partial class SettingWording
         ["units-inch"] = ("--units inch", "CNCUNITS 1"),
         ["look"] = (Verb("info"), "CHECK"),
         ["cut"] = ("--cut", "CNCCUT"),
+        ["certify"] = (Verb("certify"), "CERTIFY"),
         ["zero"] = (Verb("zero"), "CNCZERO"),
         ["home"] = (Verb("home"), "CNCHOME"),
         ["motors"] = (Verb("motors"), "CNCMOTORS"),

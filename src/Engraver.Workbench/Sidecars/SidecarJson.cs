@@ -37,6 +37,8 @@ internal sealed class TrajectoryJson
 
     public List<string>? Handles { get; set; }
 
+    public TrajectoryOriginJson? Made { get; set; }
+
     /// <summary>For readers; computed anew from the points when the file is read.</summary>
     public double? VerifiedBound { get; set; }
 
@@ -52,6 +54,10 @@ internal sealed class TrajectoryJson
     [JsonExtensionData]
     public Dictionary<string, JsonElement>? Others { get; set; }
 }
+
+/// <param name="Drawn">Fingerprint of the entities.</param>
+/// <param name="Side">With an offset only.</param>
+internal sealed record TrajectoryOriginJson(int Group, int Index, int Count, string? Drawn, double? Offset, string? Side, string? Corners);
 
 /// <summary>One of the three.</summary>
 internal sealed class SegmentJson

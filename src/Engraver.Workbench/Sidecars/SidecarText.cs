@@ -13,7 +13,7 @@ public static class SidecarText
     public const int Major = 1;
 
     /// <summary>A higher one only adds members, which are kept.</summary>
-    public const int Minor = 0;
+    public const int Minor = 1;
 
     /// <param name="drawing">Name of the drawing's file.</param>
     /// <param name="fingerprint">Of its curves.</param>
@@ -65,7 +65,7 @@ public static class SidecarText
             DynamicDensity = json.DynamicDensity ?? standard.DynamicDensity,
             SegmentLengthMm = json.SegmentLength ?? standard.SegmentLengthMm,
             PlaneZ = json.PlaneZ ?? standard.PlaneZ,
-            Corners = json.Corners switch { null or "stop" => CornerMode.Stop, "continuous" => CornerMode.Continuous, _ => throw Wrong("trajectorySettings.corners") },
+            Corners = CornersOf(json.Corners, "trajectorySettings.corners"),
         };
         return settings is { MaxErrorMm: > 0.0, SegmentLengthMm: > 0.0 } ? settings : throw Wrong("trajectorySettings");
     }
@@ -79,7 +79,9 @@ public static class SidecarText
         return major == Major ? minor : throw new SidecarVersionException(version.GetString()!);
     }
 
-    private static string CornersWord(CornerMode corners) => corners == CornerMode.Stop ? "stop" : "continuous";
+    internal static CornerMode CornersOf(string? word, string where) => word switch { null or "stop" => CornerMode.Stop, "continuous" => CornerMode.Continuous, _ => throw Wrong(where) };
+
+    internal static string CornersWord(CornerMode corners) => corners == CornerMode.Stop ? "stop" : "continuous";
 }
 
 /// <summary>The file is of a version whose meaning this program does not know.</summary>

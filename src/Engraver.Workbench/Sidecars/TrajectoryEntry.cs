@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Engraver.Core.Geometry;
+using Engraver.Core.Offsets;
 using Engraver.Core.Trajectories;
 
 namespace Engraver.Workbench.Sidecars;
@@ -7,6 +8,8 @@ namespace Engraver.Workbench.Sidecars;
 /// <summary>A trajectory as an entry of the file. Its bound is proven anew when it is read.</summary>
 internal static class TrajectoryEntry
 {
+    private static readonly (string Word, OffsetSide Side)[] s_sides = [("left", OffsetSide.Left), ("right", OffsetSide.Right), ("in", OffsetSide.In), ("out", OffsetSide.Out)];
+
     public static TrajectoryJson ToJson(DocumentTrajectory one)
     {
         var curve = one.Curve;
@@ -18,6 +21,7 @@ internal static class TrajectoryEntry
             MaxError = one.MaxErrorMm,
             SegmentLength = one.SegmentLengthMm,
             Handles = [.. one.Handles],
+            Made = ToJson(one.Origin),
             VerifiedBound = curve.VerifiedBound,
             Length = curve.Length,
             Lines = [.. curve.Lines.Select((place, i) => curve.Heights is { } heights ? new[] { place.X, place.Y, heights[i] } : [place.X, place.Y])],
@@ -42,8 +46,21 @@ internal static class TrajectoryEntry
         {
             SegmentLengthMm = json.SegmentLength,
             Handles = json.Handles ?? [],
+            Origin = OriginOf(json.Made, where + ".made"),
             Others = [.. json.Others ?? []],
         };
+    }
+
+    private static TrajectoryOriginJson? ToJson(TrajectoryOrigin? origin) => origin is null ? null
+        : new(origin.Group, origin.Index, origin.Count, origin.Drawn, origin.Offset, origin.Offset is null ? null : s_sides.First(side => side.Side == origin.Side).Word, SidecarText.CornersWord(origin.Corners));
+
+    private static TrajectoryOrigin? OriginOf(TrajectoryOriginJson? json, string where)
+    {
+        if (json is null) return null;
+        if (json is not { Group: >= 0, Index: >= 0, Drawn: { Length: > 0 } drawn, Offset: null or > 0.0 } || json.Count <= json.Index) throw SidecarText.Wrong(where);
+        var side = s_sides.Where(side => side.Word == json.Side).Select(side => (OffsetSide?)side.Side).FirstOrDefault();
+        if (side is null && json.Offset is not null) throw SidecarText.Wrong(where + ".side");
+        return new TrajectoryOrigin(json.Group, json.Index, json.Count, drawn) { Offset = json.Offset, Side = side ?? default, Corners = SidecarText.CornersOf(json.Corners, where + ".corners") };
     }
 
     private static SegmentJson ToJson(Segment segment)

@@ -40,6 +40,9 @@ public sealed record DocumentTrajectory(string Name, Trajectory Curve, double Ma
     /// <summary>Handles of the entities from which it was made; empty where they have none.</summary>
     public IReadOnlyList<string> Handles { get; init; } = [];
 
+    /// <summary>From what it was made; null for a helix, and for one of a file that does not say.</summary>
+    public TrajectoryOrigin? Origin { get; init; }
+
     /// <summary>Members of its entry in the file that this program does not know.</summary>
     public IReadOnlyList<KeyValuePair<string, JsonElement>> Others { get; init; } = [];
 

@@ -256,6 +256,25 @@ public sealed class DrawingCanvasTests(DesktopFixture fixture)
         Assert.Empty(canvas.Ghost);
     });
 
+    /// <summary>What Enter would lead to is drawn wherever the cursor is, and goes with the question.</summary>
+    [Fact]
+    public Task What_Enter_would_give_is_seen_without_the_cursor() => With((canvas, _, hands, heard) =>
+    {
+        heard.Aim = null;
+        heard.Preview = _ => [Segment.FromLine(new Point2D(-100.0, 30.0), new Point2D(100.0, 30.0))];
+        canvas.TakeAim();
+        fixture.Desktop.StepUntil(() => canvas.Ghost is [{ Start.Y: 30.0 }], s_patience);
+        Draw();
+        Assert.Contains(Enumerable.Range(110, 20), x => hands.PixelAt(x, 120) != Color.FromUInt32(CanvasTheme.Dark.Background));
+        heard.Preview = _ => [Segment.FromLine(new Point2D(-100.0, 20.0), new Point2D(100.0, 20.0))];
+        canvas.TakeAim();
+        fixture.Desktop.StepUntil(() => canvas.Ghost is [{ Start.Y: 20.0 }], s_patience);
+        heard.Preview = null;
+        canvas.TakeAim();
+
+        Assert.Empty(canvas.Ghost);
+    });
+
     private void Draw() => fixture.Desktop.Step();
 
     private Task With(Action<DrawingCanvas, ViewSession, HeadlessWindow, HeardCommands> test) => fixture.Runner.RunAsync(() =>

@@ -13,6 +13,8 @@ internal sealed class HeardCommands : ICanvasCommands
 
     public PointAim? Aim { get; set; }
 
+    public GhostOf? Preview { get; set; }
+
     public string Asked => "Specify a place:";
 
     public void PickAt(Point2D place, int entity, bool remove) => Heard.Add(remove ? $"unpick {entity}" : $"pick {entity}");

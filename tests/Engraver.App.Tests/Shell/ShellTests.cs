@@ -71,6 +71,15 @@ public sealed class ShellTests(DesktopFixture fixture)
         Assert.Contains("nameplate.dxf", here.Window.Title, StringComparison.Ordinal);
     });
 
+    /// <summary>The file that was saved last is the drawing's.</summary>
+    [Fact]
+    public Task The_title_names_the_file_that_was_saved_last() => fixture.WithOperator(here =>
+    {
+        here.Enter("OPEN", "nameplate.dxf", "SAVEAS", "other.dxf");
+        here.Step();
+        Assert.Contains("other.dxf", here.Window.Title, StringComparison.Ordinal);
+    });
+
     [Fact]
     public Task Settings_are_kept_between_two_starts()
     {

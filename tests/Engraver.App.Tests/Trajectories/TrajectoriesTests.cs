@@ -55,6 +55,22 @@ public sealed class TrajectoriesTests(DesktopFixture fixture)
         Assert.Equal(0, here.Window.Canvas.Overlay!.Trajectories.Count);
     });
 
+    [Fact]
+    public Task Trajectories_whose_objects_were_edited_are_marked_until_they_are_made_anew() => fixture.WithOperator(here =>
+    {
+        WithTwo(here);
+        Assert.Equal([false, false], Rows(here).Select(row => row.IsStale));
+        Assert.False(here.Find<Button>("UpdateTrajectoriesButton").IsVisible);
+        Run(here, "MOVE", "H", All(here)[1].Handles[0], "", "0,0", "0.1,0");
+        Assert.Equal([false, true], Rows(here).Select(row => row.IsStale));
+        here.Step();
+        here.Click(here.Find<Button>("UpdateTrajectoriesButton"));
+        here.Rest();
+
+        Assert.Equal([false, false], Rows(here).Select(row => row.IsStale));
+        Assert.Equal(["traj0_path", "traj1_path"], Rows(here).Select(row => row.Name));
+    });
+
     private static void WithTwo(Operator here)
     {
         here.Open("gasket.dxf");

@@ -19,7 +19,7 @@ public class StartListTests
 
         Assert.Equal(
             [
-                "ok     The drawing has no errors.", "ok     The job has 4 segments.", "ok     The link to sim: stands; the controller has answered just now.", "ok     The controller is ready.", "ok     The motors are on.", "ok     No limit is hit.",
+                "ok     The drawing has no errors.", "ok     The job has 4 segments.", "note   No certificate stands beside the drawing; engraver certify reads the program back and writes one.", "ok     The link to sim: stands; the controller has answered just now.", "ok     The controller is ready.", "ok     The motors are on.", "ok     No limit is hit.",
                 "ok     The abort input is not active.", "ok     The drawing's zero lies at 0,0 mm of the machine, where the controller counts 0: no origin was set.",
             ],
             run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries));

@@ -44,9 +44,24 @@ public class BenchVerbTests
         Assert.Equal("1", rows[1][2]);
     }
 
+    /// <summary>The line under way is at most the whole time, and what comes behind it at least the bytes of CB 1 and STS.</summary>
+    [Fact]
+    public async Task A_stop_is_measured_on_a_serial_line_and_behind_the_line_under_way()
+    {
+        var run = await CliRun.RunAsync("bench", "stop", "--serial", "115200", "--presses", "1", "--fault", "none");
+
+        Assert.True(run.ExitCode == ExitCode.Done, run.Error);
+        var lines = run.Out.TrimEnd('\n').Split('\n');
+        var row = lines[2].Split('|', StringSplitOptions.TrimEntries);
+        Assert.Equal((lines[0].Split('|').Length, "none", "1", "0", "0"), (row.Length, row[1], row[2], row[3], row[4]));
+        Assert.InRange(Number(row[9]), 0.7, Number(row[5]));
+    }
+
     [Theory]
     [InlineData("--presses", "0")]
     [InlineData("--fault", "flood")]
+    [InlineData("--serial", "300")]
+    [InlineData("--serial", "fast")]
     public async Task What_is_no_number_of_presses_and_no_fault_is_a_usage_error(string option, string value) => Assert.Equal(ExitCode.Usage, (await CliRun.RunAsync("bench", "stop", option, value)).ExitCode);
 
     [Fact]

@@ -45,6 +45,62 @@ public class KerfOptionTests
     }
 
     [Fact]
+    public async Task A_plan_lists_the_places_that_are_not_reached()
+    {
+        using var folder = new TemporaryFolder();
+        var inside = JsonText.Of(await CliRun.RunAsync("plan", FileOf(folder), "--kerf", "inside", "--tool-diameter", "4", "--json")).GetProperty("uncut").EnumerateArray().ToList();
+        var narrow = JsonText.Of(await CliRun.RunAsync("plan", FileOf(folder), "--kerf", "inside", "--tool-diameter", "11", "--json")).GetProperty("uncut").EnumerateArray().ToList();
+        var none = JsonText.Of(await CliRun.RunAsync("plan", FileOf(folder), "--json")).GetProperty("uncut");
+
+        Assert.Equal(["x", "y", "distance", "whole"], inside[0].EnumerateObject().Select(field => field.Name));
+        Assert.Equal([(0.0, 0.0), (0.0, 20.0), (40.0, 0.0), (40.0, 20.0)], inside.Select(place => (place.GetProperty("x").GetDouble(), place.GetProperty("y").GetDouble())).Order());
+        Assert.All(inside, place => Assert.Equal((0.828427, false), (Math.Round(place.GetProperty("distance").GetDouble(), 6), place.GetProperty("whole").GetBoolean())));
+        Assert.Single(narrow, place => place.GetProperty("whole").GetBoolean()); // the hole
+        Assert.Equal(0, none.GetArrayLength());
+    }
+
+    [Fact]
+    public async Task The_sequence_its_CL_data_and_the_table_are_of_the_compensated_path()
+    {
+        using var folder = new TemporaryFolder();
+        var cl = folder.PathOf("cl.dxf");
+        string[] kerf = ["--kerf", "nesting", "--tool-diameter", "4"];
+        var sequence = JsonText.Of(await CliRun.RunAsync(["sequence", FileOf(folder), "--json", "-o", cl, .. kerf]));
+        var table = await CliRun.RunAsync(["table", FileOf(folder), "--format", "csv", .. kerf]);
+        var drawn = await CliRun.RunAsync(["table", FileOf(folder), "--format", "csv", "--as-drawn", .. kerf]);
+        var again = JsonText.Of(await CliRun.RunAsync("sequence", cl, "--json"));
+
+        Assert.Equal(120.0 + (4.0 * Math.PI) + (6.0 * Math.PI), sequence.GetProperty("pathLength").GetDouble(), 6);
+        Assert.Equal(sequence.GetProperty("pathLength").GetDouble(), again.GetProperty("pathLength").GetDouble(), 6);
+        Assert.Equal((9, 2), (sequence.GetProperty("segments").GetInt32(), sequence.GetProperty("contours").GetInt32()));
+        Assert.Equal((1 + 9, 1 + 5), (table.Out.Trim().Split('\n').Length, drawn.Out.Trim().Split('\n').Length));
+    }
+
+    [Theory]
+    [InlineData("sequence")]
+    [InlineData("table")]
+    public async Task What_is_not_reached_is_told_by_the_sequence_and_the_table_too(string verb)
+    {
+        using var folder = new TemporaryFolder();
+        var run = await CliRun.RunAsync(verb, FileOf(folder), "--kerf", "inside", "--tool-diameter", "4");
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Contains("KRF0001", run.Error, StringComparison.Ordinal);
+    }
+
+    /// <summary>Trajectories that nobody made before follow the compensated path as well.</summary>
+    [Fact]
+    public async Task Trajectories_run_beside_the_lines()
+    {
+        using var folder = new TemporaryFolder();
+        var run = JsonText.Of(await CliRun.RunAsync("run", FileOf(folder), "--connect", "sim:?speed=max", "--json", "--trajectory", "--journal", folder.PathOf("j.jsonl"), "--kerf", "nesting", "--tool-diameter", "4"));
+
+        Assert.Equal(0.0, run.GetProperty("missingLength").GetDouble());
+        var made = JsonText.Of(await CliRun.RunAsync("trajectory", FileOf(folder), "-o", folder.PathOf("out"), "--json", "--kerf", "nesting", "--tool-diameter", "4"));
+        Assert.Equal(120.0 + (10.0 * Math.PI), made.GetProperty("trajectories").EnumerateArray().Sum(one => one.GetProperty("length").GetDouble()), 6);
+    }
+
+    [Fact]
     public async Task A_kerf_without_a_tool_is_a_usage_error()
     {
         using var folder = new TemporaryFolder();

@@ -20,6 +20,15 @@ public class ControllerAddressTests
     }
 
     [Theory]
+    [InlineData("tcp://10.0.0.5:5000")]
+    [InlineData("serial:///dev/ttyS0?baud=9600")]
+    [InlineData("serial://COM3?baud=115200&flow=none")]
+    [InlineData("serial:///dev/ttyS0?baud=19200&flow=xonxoff")]
+    [InlineData("sim:")]
+    [InlineData("sim:?speed=2.5")]
+    public void An_address_is_told_as_it_is_typed(string text) => Assert.Equal(text, ControllerAddress.Parse(text).Typed);
+
+    [Theory]
     [InlineData("")]
     [InlineData("10.0.0.5:23")]
     [InlineData("tcp://")]

@@ -132,6 +132,28 @@ public class HardOffsetTests
         }
     }
 
+    /// <summary>Of the drawing of an owl: a spline goes on nearly straight in a line, which is followed by a line so short that on the inside of their corner nothing of it is left. The joint that was meant smooth has one node,
+    /// by which the long line lies a little too near; it is not taken for covered all the same.</summary>
+    [Fact]
+    public void A_loop_stays_closed_where_a_smooth_joint_and_a_short_line_follow_each_other()
+    {
+        var (start, joint, corner, next, end) = (new Point2D(53.11028, 7.538356), new Point2D(52.979315, 13.296333), new Point2D(52.9182, 13.587321), new Point2D(52.883275, 13.62259), new Point2D(51.137093, 18.437081));
+        Segment[] segments =
+        [
+            Spline(start, new Point2D(53.450211, 9.457806), new Point2D(53.364788, 11.422332), joint), Segment.FromLine(joint, corner), Segment.FromLine(corner, next),
+            Spline(next, new Point2D(52.502447, 15.310671), new Point2D(51.899572, 16.917805), end), Segment.FromLine(end, new Point2D(60.0, 18.5)), Segment.FromLine(new Point2D(60.0, 18.5), new Point2D(60.0, 7.5)), Segment.FromLine(new Point2D(60.0, 7.5), start),
+        ];
+        var result = Offset([new OffsetContour(segments, true)], 0.9497793700244718, OffsetSide.Out);
+        var loop = Assert.Single(result.Loops);
+        var box = segments.Aggregate(Bounds2D.Empty, (all, segment) => all.Union(segment.Bounds));
+
+        Assert.Empty(result.Unresolved);
+        Assert.InRange(result.MaxDeviation, 0.0, 2e-3);
+        Assert.True(loop.Segments.Aggregate(Bounds2D.Empty, (all, segment) => all.Union(segment.Bounds)).Grown(-0.94).Contains(box));
+    }
+
+    private static Segment Spline(Point2D a, Point2D b, Point2D c, Point2D d) => Segment.FromCurve(new RationalCurve(SegmentKind.Spline, [new BezierSpan([a.X, a.Y, 0.0, 1.0, b.X, b.Y, 0.0, 1.0, c.X, c.Y, 0.0, 1.0, d.X, d.Y, 0.0, 1.0])]));
+
     private static void ForEach(int number, Func<OffsetContour[], double, OffsetSide, string?> faultOf)
     {
         var (name, contours, distances) = HardContours.Closed[number];

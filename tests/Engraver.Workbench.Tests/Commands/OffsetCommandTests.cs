@@ -75,6 +75,38 @@ public class OffsetCommandTests
         Assert.Equal(4, talk.State.Drawing!.Entities.Count);
     }
 
+    /// <summary>Multiple goes on from what was made last, in either direction, until Enter; then another object is asked for.</summary>
+    [Fact]
+    public async Task Multiple_offsets_what_was_made_last()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("OFFSET", "1.5", "5,0", "Multiple", "5,9", "5,9", "5,9", "", "20,8", "20,20", "");
+        var drawing = talk.State.Drawing!;
+
+        Assert.Equal([("0,1.5", "10,1.5"), ("0,3", "10,3"), ("0,4.5", "10,4.5")], new[] { 4, 5, 6 }.Select(index => Ends(drawing, index)));
+        Assert.Equal((8, 4.5), (drawing.Entities.Count, drawing.Parts[drawing.Entities[7].FirstPart].D));
+    }
+
+    [Fact]
+    public async Task Undo_within_Multiple_goes_back_to_what_was_made_before()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("OFFSET", "E", "Y", "1", "5,0", "M", "5,9", "5,9", "U", "5,-9");
+        Assert.Equal((4, ("0,0", "10,0")), (talk.State.Drawing!.Entities.Count, Ends(talk.State.Drawing!, 3))); // 0, 1, 2, back to 1, down to 0
+        await talk.TypeAsync("Exit");
+        Assert.Null(talk.Session.Prompt.Command);
+    }
+
+    [Fact]
+    public async Task Through_and_Multiple_go_together()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("OFFSET", "T", "5,0", "M", "3,1.25", "3,4", "3,100", "");
+
+        Assert.Equal([("0,1.25", "10,1.25"), ("0,4", "10,4"), ("0,100", "10,100")], new[] { 4, 5, 6 }.Select(index => Ends(talk.State.Drawing!, index)));
+        await talk.Session.CancelAsync();
+    }
+
     [Fact]
     public async Task What_is_left_of_nothing_and_a_place_on_nothing_are_told()
     {

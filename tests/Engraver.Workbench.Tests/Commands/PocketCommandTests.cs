@@ -1,8 +1,11 @@
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Core.Kerf;
+using Engraver.Core.Sequencing.Ordering;
 using Engraver.TestKit;
 using Engraver.Workbench.Commands;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Tests.Commands;
 
@@ -50,6 +53,89 @@ public class PocketCommandTests
         Assert.Contains("POC0005", talk.Said, StringComparison.Ordinal);
         Assert.Same(before, talk.State.Drawing);
     }
+
+    /// <summary>At each question what Enter would give is shown; at the depth it is what will be drawn.</summary>
+    [Fact]
+    public async Task The_passes_are_seen_before_they_are_taken()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("POCKET", "H", "A3", "");
+        Assert.Equal(2.5, Widest(talk), 9); // the tool of 1 that Enter would take
+        await talk.TypeAsync("2");
+        Assert.Equal(2.0, Widest(talk), 9);
+        await talk.TypeAsync("0.5", "Contour", "Allowance");
+        Assert.Contains("left at the walls", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        await talk.TypeAsync("0.25", "From", "Centre");
+        var shown = talk.Session.Prompt.Preview!(default).ToList();
+        await talk.TypeAsync("0");
+        var drawn = talk.State.Previous.SelectMany(index => Outline(talk.State.Drawing!, index)).ToList();
+
+        Assert.Equal(drawn.Sum(segment => segment.Length), shown.Sum(segment => segment.Length), 9);
+        Assert.All(drawn, segment => Assert.Contains(shown, one => one.DistanceTo(segment.PointAt(0.5)) < 1e-9));
+        Assert.Null(talk.Session.Prompt.Preview);
+        Assert.InRange(drawn[^1].Start.DistanceTo(new Point2D(20, 5)), 2.0 - 1e-9, 2.0 + 1e-9); // the last pass is that along the wall
+    }
+
+    [Fact]
+    public async Task In_a_drawing_in_inches_the_passes_are_shown_where_they_will_be()
+    {
+        await using var talk = new CommandTalk();
+        talk.Session.Document.Take("OPEN", new DocumentState { Drawing = new DrawingBuilder().Circle(1, 1, 1).Build() with { Unit = LengthUnits.FromInsUnits(1)! } });
+        await talk.TypeAsync("POCKET", "ALL", "", "12.7", "");
+        Assert.Equal(0.75, talk.Session.Prompt.Preview!(default).Max(segment => segment.Start.DistanceTo(new Point2D(1, 1))), 9);
+    }
+
+    /// <summary>Ramps lie before the strokes that they lead to; nothing else is cut any more, and one step brings all of it back.</summary>
+    [Fact]
+    public async Task A_pocket_with_ramps_becomes_the_job_and_is_cut_by_a_mill()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        talk.Session.Document.Take("CNCPROFILE", talk.State with { Settings = talk.State.Settings with { Machine = MachineProfileSource.Load(CommandTalk.Sample("machine-mill.json")), Kerf = KerfSide.Nesting, ToolDiameterMm = 2.0 } });
+        var before = talk.State;
+        await talk.TypeAsync("POCKET", "H", "A4", "", "2", "0.5", "Contour", "Entry", "Ramp", "5", "Job", "Pocket", "1", "0.5");
+        var (drawing, settings) = (talk.State.Drawing!, talk.State.Settings);
+        var heights = talk.State.Previous.Select(index => drawing.Parts[drawing.Entities[index].FirstPart]).Select(part => (part.C, part.Kind == SegmentKind.Line ? part.F : part.C)).ToList();
+
+        Assert.Equal(["POCKET"], settings.Layers!);
+        Assert.Equal((StrokeOrder.Drawn, KerfSide.Off), (settings.Order, settings.Kerf));
+        Assert.Equal((0.0, true), (heights[0].C, heights[0].Item2 < 0.0)); // a way down first
+        Assert.Contains((-0.5, -0.5), heights);
+        Assert.Equal((-1.0, -1.0), heights[^1]);
+        Assert.Contains("The job is the layer POCKET alone", talk.Said, StringComparison.Ordinal);
+        Assert.DoesNotContain("half a tool diameter", talk.Said, StringComparison.Ordinal);
+        Assert.IsType<InputResult.Done>(await talk.TypeAsync("CNCSIM"));
+        var judged = talk.Session.Machine.LastRun!.Judgement;
+        Assert.InRange(judged.MaxDeviationMm!.Value, 0.0, 0.01);
+        Assert.Equal(0.0, judged.MissingLengthMm);
+        await talk.TypeAsync("U");
+        Assert.Same(before.Drawing, talk.State.Drawing);
+        Assert.Equal(before.Settings, talk.State.Settings);
+    }
+
+    [Fact]
+    public async Task The_choice_of_the_job_is_not_taken_over_and_the_job_may_stay_the_whole_drawing()
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("POCKET", "H", "A4", "", "2", "0.5", "Contour", "Job", "Pocket", "0", "U", "POCKET", "H", "A4", "", "", "", "", "");
+
+        Assert.Null(talk.State.Settings.Layers);
+        Assert.Contains("half a tool diameter", talk.Said, StringComparison.Ordinal);
+    }
+
+    /// <summary>A square of 8: a tool of 7.8 has no room for a screw line and goes down on its pass; for one of 8 all of it is one place.</summary>
+    [Theory]
+    [InlineData("7.8", "POC0007", 1)]
+    [InlineData("8", "POC0008", 0)]
+    public async Task A_way_down_without_room_is_told(string diameter, string id, int ways)
+    {
+        await using var talk = CommandTalk.WithDrawing();
+        await talk.TypeAsync("POCKET", "H", "A4", "", diameter, "0.5", "Contour", "Entry", "Helix", "3", "1", "1");
+
+        Assert.Contains(id, talk.Said, StringComparison.Ordinal);
+        Assert.Equal(1 + ways, talk.State.Previous.Count);
+    }
+
+    private static double Widest(CommandTalk talk) => talk.Session.Prompt.Preview!(default).Max(segment => segment.Start.DistanceTo(new Point2D(20, 5)));
 
     private static List<Segment> Outline(Drawing drawing, int index)
     {

@@ -68,6 +68,29 @@ public class SaveAsTests
         Assert.True(talk.Said.IndexOf("DOC0003", StringComparison.Ordinal) < talk.Said.IndexOf("out.dxf written: 8 curves and 0 texts", StringComparison.Ordinal), talk.Said);
     }
 
+    /// <summary>SAVEAS gives the drawing another file, which QSAVE writes from then on; what was opened stays as it was.</summary>
+    [Fact]
+    public async Task QSAVE_writes_the_file_that_was_saved_last()
+    {
+        await using var talk = new CommandTalk();
+        await SavedAsync(talk, new DxfText().Header("AC1015", 4).Section("ENTITIES", s_raised).End());
+        var opened = await File.ReadAllBytesAsync(talk.PathOf("in.dxf"));
+        await talk.TypeAsync("OPEN", "in.dxf", "SAVEAS", "other.dxf");
+        Assert.Equal(talk.PathOf("other.dxf"), talk.Session.Document.FilePath);
+        await talk.TypeAsync("MOVE", "ALL", "", "0,0", "100,0", "QSAVE");
+        Assert.Contains("Replace other.dxf?", talk.Session.Prompt.Text, StringComparison.Ordinal);
+        await talk.TypeAsync("Y", "SACEPATH", "L", "", "QSAVE");
+
+        Assert.Equal(opened, await File.ReadAllBytesAsync(talk.PathOf("in.dxf")));
+        Assert.True(File.Exists(talk.PathOf("other.dxf.engraver.json")));
+        Assert.False(File.Exists(talk.PathOf("in.dxf.engraver.json")));
+        await talk.TypeAsync("OPEN", "other.dxf");
+        Assert.Equal(101.0, talk.State.Drawing!.Parts[0].A);
+        await talk.TypeAsync("OPEN", "in.dxf", "MOVE", "ALL", "", "0,0", "1,0", "QSAVE");
+        Assert.Contains("Replace in.dxf?", talk.Session.Prompt.Text, StringComparison.Ordinal); // opened anew, it is itself again
+        await talk.Session.CancelAsync();
+    }
+
     private static async Task<(Drawing Before, Drawing After)> SavedAsync(CommandTalk talk, DxfText file)
     {
         await File.WriteAllBytesAsync(talk.PathOf("in.dxf"), file.ToAscii());

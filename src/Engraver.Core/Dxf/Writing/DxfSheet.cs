@@ -1,3 +1,4 @@
+using System.Globalization;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
 
@@ -17,6 +18,17 @@ public sealed record DxfSheet(IReadOnlyList<DxfSheetLayer> Layers, IReadOnlyList
     /// <summary>The text styles and their fonts, Standard first.</summary>
     internal IReadOnlyList<(string Name, string Font)> Styles =>
         [.. Texts.Select(text => (text.Text.Style, text.Text.Font)).Append(("Standard", "")).DistinctBy(style => style.Item1, StringComparer.OrdinalIgnoreCase).OrderBy(style => !style.Item1.Equals("Standard", StringComparison.OrdinalIgnoreCase))];
+
+    /// <summary>The handle under which each of <see cref="Entities"/> is written.</summary>
+    public IReadOnlyList<string> EntityHandles
+    {
+        get
+        {
+            var (handles, next) = (new string[Entities.Count], DxfHandles.FirstEntityOf(this));
+            for (var i = 0; i < handles.Length; i++, next += Entities[i - 1].Handles) handles[i] = next.ToString("X", CultureInfo.InvariantCulture);
+            return handles;
+        }
+    }
 
     internal int Handles => Entities.Sum(entity => entity.Handles) + Texts.Count;
 

@@ -37,6 +37,9 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     /// <summary>A program in the controller runs the job: whether it has come to its end. Null while this computer commands every motion.</summary>
     public Func<MachineState, bool>? HasProgramEnded { get; set; }
 
+    /// <summary>The program waits at its gate for something else than the hold, and whoever made it wait lets it go on.</summary>
+    public bool KeepsGate { private get; set; }
+
     /// <summary>Whether the sequence that stands still will move again; it will not where it has run dry.</summary>
     public Func<MachineState, bool> WillMove { get; set; } = _ => true;
 
@@ -67,7 +70,7 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     /// <summary>Call after every poll: holds, or puts an override in force.</summary>
     public async ValueTask<JobStep> AttendAsync()
     {
-        if (!IsAsked || machine.Stop.IsCancellationRequested) return JobStep.Done;
+        if (!IsAsked || machine.IsStopped) return JobStep.Done;
         _isAttending = true;
         try
         {
@@ -163,7 +166,7 @@ internal sealed class JobHold(JobMachine machine, JobControl control, IReadOnlyL
     private async ValueTask<JobStep> GoOnAsync(bool isProgram)
     {
         if (await SendRatioAsync().ConfigureAwait(false) is { Ends: true } unsent) return unsent;
-        if (isProgram && await machine.SendAsync(ResidentServer.OpenGateCommand).ConfigureAwait(false) is { Ends: true } closed) return closed;
+        if (isProgram && !KeepsGate && await machine.SendAsync(ResidentServer.OpenGateCommand).ConfigureAwait(false) is { Ends: true } closed) return closed;
         Enter(JobPhase.Running);
         var from = machine.State.Time;
         return await machine.PollUntilAsync(state => !state.SequenceRunning || state.PathSpeed != 0 || !WillMove(state) || PollTimes.SamplesSince(from, state.Time) > SamplesToMove).ConfigureAwait(false);

@@ -11,6 +11,7 @@ namespace Engraver.Galil.Jobs.Execution;
 
 /// <summary>Runs the job in the controller, one chunk after another; the next one is loaded while the machine is at rest with the tool off (galil-dmc.md F.1 method 2).</summary>
 /// <remarks>
+/// While a program is loaded no thread watches the machine, so a spindle stands meanwhile; it is switched on once the program waits behind its first rapid, with its watchdog at work.
 /// No operand reports how many lines the program memory holds (galil-dmc.md 0.3: 1000, not confirmed), so the download itself tests it: when it is refused
 /// for too many lines, the rest of the job is packed for half as many.
 /// </remarks>
@@ -25,7 +26,11 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
     private IReadOnlyList<VectorSequence> _sequences = [];
     private int _borne = -1;
 
-    public ValueTask<JobStep> StartAsync() => new(JobStep.Done);
+    public ValueTask<JobStep> StartAsync()
+    {
+        machine.Tool.TurnsForProgram = true;
+        return new(JobStep.Done);
+    }
 
     public async ValueTask<JobStep> CutAsync()
     {
@@ -64,10 +69,11 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         return new Queue<ProgramChunk>(packed.Chunks);
     }
 
-    /// <summary>No thread may run while the memory changes; the watchdog is stopped too, while the machine is at rest.</summary>
+    /// <summary>No thread may run while the memory changes; the watchdog is stopped too, while the machine is at rest and its spindle stands.</summary>
     private async ValueTask<JobStep> LoadAsync(ProgramChunk chunk)
     {
         _chunk = null;
+        if (await machine.Tool.TurnAsync(on: false).ConfigureAwait(false) is { Ends: true } turning) return turning;
         if (await machine.HaltProgramAsync().ConfigureAwait(false) is { Ends: true } running) return running;
         return await memory.SwapAsync(chunk.Text, machine.Stop).ConfigureAwait(false) is { } refused ? JobStep.Refused(refused, "") : JobStep.Done;
     }
@@ -86,7 +92,7 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         if (await machine.OpenAsync(ledger.SegmentsBefore + _path.Count, progress.SequenceStarts, 0).ConfigureAwait(false) is { Ends: true } unopened) return unopened;
         machine.PlaceInProgram = progress.PlaceOf;
         machine.Tool.WantedByProgram = ChunkProgress.IsToolWanted;
-        if (await machine.SendAllAsync([ResidentServer.DefineVariables(machine.Profile), ResidentServer.MarkCommand(machine.Mark), .. ResidentServer.DefineHeight(machine.Profile, machine.Frame, machine.Lift, isCut: true), Text($"XQ {SupervisedProgram.Entry},{ResidentProgram.MainThread}")]).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
+        if (await machine.SendAllAsync(StartCommands()).ConfigureAwait(false) is { Ends: true } unstarted) return unstarted;
         _chunk = progress;
         machine.SegmentsDone = state => ledger.SegmentsBefore + progress.Executed(state.Calls, state.SequenceRunning ? state.Counter : 0);
         (_sequences, _borne) = ([.. chunk.Parts.SelectMany(part => part.Sequences)], -1);
@@ -94,20 +100,12 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
         machine.Hold.RapidsAreAsPlanned();
         machine.Hold.HasProgramEnded = state => progress.IsEnd(state.Calls);
         ledger.Sent += chunk.Segments.Count();
-        if (await machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
-        var end = await WatchedAsync(chunk).ConfigureAwait(false);
-        return end.Ends && machine.State.ProgramError == SupervisedProgram.Strayed ? end with { Sentence = end.Sentence + progress.PlaceAt(machine.State.Calls) } : end;
-    }
-
-    /// <summary>The program was read back before it ran; the path is watched all the same, because somebody else may move the axes. Over a serial line sequence and position are queried one after the other, and only the end is compared.</summary>
-    private async ValueTask<JobStep> WatchedAsync(ProgramChunk chunk)
-    {
-        var watches = chunk.Parts.SelectMany(part => part.Sequences).Select(sequence => machine.Watch(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
-        if (machine.Line is null) machine.Expectation = state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Look(state.Counter, machine.Here) : JobStep.Done;
         try
         {
-            var end = await machine.PollUntilAsync(IsDone, Seconds(chunk)).ConfigureAwait(false);
-            return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here with { Z = chunk.Parts[^1].Sequences[^1].End.Z }); // a tool that an axis holds is up again by now
+            if (await machine.AwaitWatchdogAsync().ConfigureAwait(false) is { Ends: true } unwatched) return unwatched;
+            if (machine.Tool.HasSpindle && await TurnAsync().ConfigureAwait(false) is { Ends: true } unturned) return unturned;
+            var end = await WatchedAsync(chunk).ConfigureAwait(false);
+            return end.Ends && machine.State.ProgramError == SupervisedProgram.Strayed ? end with { Sentence = end.Sentence + progress.PlaceAt(machine.State.Calls) } : end;
         }
         finally
         {
@@ -115,6 +113,41 @@ internal sealed class ProgramStrategy(MotionProgram program, JobMachine machine,
             machine.Hold.HasProgramEnded = null;
             machine.SegmentsDone = null;
         }
+    }
+
+    private IReadOnlyList<string> StartCommands() =>
+    [
+        ResidentServer.DefineVariables(machine.Profile),
+        ResidentServer.MarkCommand(machine.Mark),
+        .. ResidentServer.DefineHeight(machine.Profile, machine.Frame, machine.Lift, isCut: true),
+        .. machine.Tool.HasSpindle ? (string[])[ResidentServer.CloseGateCommand] : [],
+        Text($"XQ {SupervisedProgram.Entry},{ResidentProgram.MainThread}"),
+    ];
+
+    /// <summary>Spindle on while the program waits behind its first rapid, and the gate open when it has its speed, whether or not the job was held meanwhile.</summary>
+    private async ValueTask<JobStep> TurnAsync()
+    {
+        machine.Hold.KeepsGate = true;
+        try
+        {
+            if (await machine.AwaitAsync(ResidentProgram.Variables.AtGate, waits => waits != 0.0).ConfigureAwait(false) is { Ends: true } astray) return astray;
+            if (await machine.Tool.TurnForProgramAsync().ConfigureAwait(false) is { Ends: true } standing) return standing;
+        }
+        finally
+        {
+            machine.Hold.KeepsGate = false;
+        }
+
+        return await machine.SendAsync(ResidentServer.OpenGateCommand).ConfigureAwait(false);
+    }
+
+    /// <summary>The program was read back before it ran; the path is watched all the same, because somebody else may move the axes. Over a serial line sequence and position are queried one after the other, and only the end is compared.</summary>
+    private async ValueTask<JobStep> WatchedAsync(ProgramChunk chunk)
+    {
+        var watches = chunk.Parts.SelectMany(part => part.Sequences).Select(sequence => machine.Watch(sequence.Start, sequence.Segments, sequence.Speed)).ToList();
+        if (machine.Line is null) machine.Expectation = state => IsCutting(state) && state.Calls / 2 < watches.Count ? watches[state.Calls / 2].Look(state.Counter, machine.Here) : JobStep.Done;
+        var end = await machine.PollUntilAsync(IsDone, Seconds(chunk)).ConfigureAwait(false);
+        return end.Ends || watches.Count == 0 ? end : watches[^1].LookAtEnd(machine.Here with { Z = chunk.Parts[^1].Sequences[^1].End.Z }); // a tool that an axis holds is up again by now
     }
 
     /// <summary>The controller is at this sequence: it and those that may come before the next look must bear the override.</summary>

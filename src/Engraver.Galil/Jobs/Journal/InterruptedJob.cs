@@ -8,7 +8,7 @@ namespace Engraver.Galil.Jobs.Journal;
 /// <param name="Place">The last place that it tells; what lies before it was cut.</param>
 /// <param name="Opened">The sequence, call or program that was begun last; null for none.</param>
 /// <param name="End">Null where the job did not end properly.</param>
-internal sealed record InterruptedJob(JournalHeader Header, JobPlace Place, JournalOpened? Opened, JournalEnd? End)
+public sealed record InterruptedJob(JournalHeader Header, JobPlace Place, JournalOpened? Opened, JournalEnd? End)
 {
     /// <returns>Null when no job is told of.</returns>
     /// <exception cref="IOException">It cannot be read.</exception>

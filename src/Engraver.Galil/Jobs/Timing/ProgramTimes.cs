@@ -5,7 +5,7 @@ using Engraver.Galil.Programs.Timing;
 
 namespace Engraver.Galil.Jobs.Timing;
 
-/// <summary>A job that runs in the controller: loading takes its bytes, both ways, for what was downloaded is read back; then only the controller's own statements take time.</summary>
+/// <summary>A job that runs in the controller: loading takes its bytes, both ways, for what was downloaded is read back, and behind each chunk but the first the spindle turns up again; then only the controller's own statements take time.</summary>
 /// <param name="line">Null for a network, on which loading is nothing beside the cutting.</param>
 internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
 {
@@ -27,10 +27,12 @@ internal sealed class ProgramTimes(SerialLine? line) : DmcTimes
 
     public override double Loading(MotionProgram program)
     {
-        if (line is null) return 0.0;
+        var spinUp = program.Profile.Spindle?.SpinUpSeconds ?? 0.0;
+        if (line is null && spinUp == 0.0) return 0.0;
         var frame = new ControllerFrame(program.Start, program.Start);
         var chunks = new SupervisedProgram(program, frame, dryRun: false).Pack(program.Strokes, DmcLimits.ProgramLines, null).Chunks;
-        return chunks.Sum(chunk => (BytesAroundChunk + (2.0 * chunk.Text.Length) + chunk.Text.AsSpan().Count('\n')) * line.ByteSeconds); // an upload ends each line with two characters
+        var again = (chunks.Count - 1) * spinUp; // the spindle stands while the next chunk is loaded
+        return line is null ? again : again + chunks.Sum(chunk => (BytesAroundChunk + (2.0 * chunk.Text.Length) + chunk.Text.AsSpan().Count('\n')) * line.ByteSeconds); // an upload ends each line with two characters
     }
 
     public override double Rapid(CountsPoint from, CountsPoint to, double moving, MotionProgram program) => RapidStatements * SecondsPerStatement;

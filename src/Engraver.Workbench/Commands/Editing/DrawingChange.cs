@@ -30,8 +30,9 @@ internal static class DrawingChange
     }
 
     /// <param name="previous">What the command worked on, by its index in the rebuilt drawing.</param>
-    public static void Take(CommandContext context, DrawingRebuild rebuilt, IReadOnlyList<int> previous) =>
-        Take(context, rebuilt.Finish(), previous, rebuilt.Places(context.Document.Current.HiddenObjects), previous);
+    /// <param name="change">Settings that change in the same step; null for none.</param>
+    public static void Take(CommandContext context, DrawingRebuild rebuilt, IReadOnlyList<int> previous, Func<DrawingSettings, DrawingSettings>? change = null) =>
+        Take(context, rebuilt.Finish(), previous, rebuilt.Places(context.Document.Current.HiddenObjects), previous, change);
 
     /// <summary>For an edit that leaves every object in its place.</summary>
     /// <param name="previous">What the command worked on, by its index in the edited drawing.</param>
@@ -51,10 +52,11 @@ internal static class DrawingChange
     private static int BelowIn(List<int> sorted, int index) => ~sorted.BinarySearch(index) is >= 0 and var below ? below : throw new ArgumentOutOfRangeException(nameof(index));
 
     /// <param name="substitutes">Indices of objects that may have taken the place of those that are gone.</param>
-    private static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden, IEnumerable<int> substitutes)
+    private static void Take(CommandContext context, Drawing edited, IReadOnlyList<int> previous, IReadOnlyList<int> hidden, IEnumerable<int> substitutes, Func<DrawingSettings, DrawingSettings>? change = null)
     {
         var state = context.Document.Current;
         var settings = state.Settings with { Enter = EnteringAfter(context, edited, substitutes) };
+        if (change is not null) settings = change(settings);
         context.Take(state with { Drawing = edited, Settings = settings, Selection = [], Previous = previous, HiddenObjects = hidden });
     }
 

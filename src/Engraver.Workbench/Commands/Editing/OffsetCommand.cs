@@ -1,5 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Geometry;
+using Engraver.Core.Offsets;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
 
@@ -22,8 +23,42 @@ internal sealed class OffsetCommand : ICommand
         while (await AnswerAsync(context, new PointPrompt(Wording.Get("Offset.SelectObject")) { Use = PointUse.Object }, made).ConfigureAwait(false) is { } at)
         {
             if (ObjectSelection.At(context, at) is not { } entity) context.Say(Wording.Get("Offset.NoObject"));
-            else if (await AnswerAsync(context, SidePrompt(context, choice, entity), made).ConfigureAwait(false) is not { } side) return;
-            else if (Take(context, choice, entity, side)) made[0]++;
+            else if (!await OffsetAsync(context, choice, entity, made).ConfigureAwait(false)) return;
+        }
+    }
+
+    /// <summary>One object to one side; with Multiple again and again, each time what was made last, until Enter.</summary>
+    /// <returns>False when the operator is done with the command.</returns>
+    private static async Task<bool> OffsetAsync(CommandContext context, OffsetChoice choice, int entity, int[] made)
+    {
+        var (sources, isMultiple) = (new Stack<int>([entity]), false);
+        while (true)
+        {
+            var prompt = SidePrompt(context, choice, sources.Peek(), isMultiple);
+            switch (await context.AskAsync(prompt).ConfigureAwait(false))
+            {
+                case Answer<Point2D>.Value { Of: var side }:
+                    if (Take(context, choice, sources.Peek(), side) is { } next)
+                    {
+                        made[0]++;
+                        sources.Push(next);
+                    }
+
+                    if (!isMultiple) return true;
+                    break;
+                case Answer<Point2D>.Chosen { Option: "Multiple" }:
+                    isMultiple = true;
+                    break;
+                case Answer<Point2D>.Chosen { Option: "Undo" }:
+                    if (!Undo(context, made)) break;
+                    if (sources.Count == 1) return true; // the object may stand elsewhere now
+                    sources.Pop();
+                    break;
+                case Answer<Point2D>.Ended:
+                    return true;
+                default:
+                    return false;
+            }
         }
     }
 
@@ -68,11 +103,14 @@ internal sealed class OffsetCommand : ICommand
         throw new CommandException(CommandFailure.Usage, Wording.Get("Offset.NoLayer", name));
     }
 
-    private static PointPrompt SidePrompt(CommandContext context, OffsetChoice choice, int entity)
+    private static PointPrompt SidePrompt(CommandContext context, OffsetChoice choice, int entity, bool isMultiple)
     {
         var (drawing, maxError) = (context.Drawing, context.Document.Current.Settings.MaxErrorMm);
         return new PointPrompt(Wording.Get(choice.Distance is null ? "Offset.SpecifyThroughPoint" : "Offset.SpecifySide"))
         {
+            Options = isMultiple ? Keyword.List("Exit", "Undo") : Keyword.List("Exit", "Multiple", "Undo"),
+            Default = isMultiple ? null : "Exit",
+            EnterEnds = isMultiple,
             Ghost = place => [.. EntityOffset.Create(drawing, entity, place, choice.Distance, maxError).SelectMany(loop => loop.Segments)],
         };
     }
@@ -86,12 +124,8 @@ internal sealed class OffsetCommand : ICommand
             {
                 case Answer<Point2D>.Value { Of: var place }:
                     return place;
-                case Answer<Point2D>.Chosen { Option: "Undo" } when made[0] > 0:
-                    made[0]--;
-                    context.Document.Undo();
-                    break;
                 case Answer<Point2D>.Chosen { Option: "Undo" }:
-                    context.Say(Wording.Get("Offset.NothingToUndo"));
+                    Undo(context, made);
                     break;
                 default:
                     return null;
@@ -99,14 +133,29 @@ internal sealed class OffsetCommand : ICommand
         }
     }
 
-    private static bool Take(CommandContext context, OffsetChoice choice, int entity, Point2D side)
+    /// <returns>False when this command has made nothing that is still there.</returns>
+    private static bool Undo(CommandContext context, int[] made)
+    {
+        if (made[0] == 0)
+        {
+            context.Say(Wording.Get("Offset.NothingToUndo"));
+            return false;
+        }
+
+        made[0]--;
+        context.Document.Undo();
+        return true;
+    }
+
+    /// <returns>Index of what was made, of several loops the one nearest to the place; null when nothing is left.</returns>
+    private static int? Take(CommandContext context, OffsetChoice choice, int entity, Point2D side)
     {
         var drawing = context.Drawing;
         var loops = EntityOffset.Create(drawing, entity, side, choice.Distance, context.Document.Current.Settings.MaxErrorMm);
         if (loops.Count == 0)
         {
             context.Say(Wording.Get("Offset.NothingLeft"), MessageKind.Warning);
-            return false;
+            return null;
         }
 
         var rebuilt = new DrawingRebuild(drawing);
@@ -118,7 +167,7 @@ internal sealed class OffsetCommand : ICommand
         var first = rebuilt.Count;
         EntityOffset.Add(rebuilt, drawing, entity, loops, choice.Layer);
         DrawingChange.Take(context, rebuilt, [.. Enumerable.Range(first, loops.Count)]);
-        return true;
+        return first + Enumerable.Range(0, loops.Count).MinBy(loop => loops[loop].Segments.Min(segment => SegmentDistance.Measure(segment, side)));
     }
 
     /// <param name="Distance">Drawing units; null: through a point.</param>

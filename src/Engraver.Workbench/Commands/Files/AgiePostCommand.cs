@@ -3,6 +3,7 @@ using Engraver.Core.Posts.Agie;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Sequencing;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
 using Engraver.Workbench.Reports;
 
 namespace Engraver.Workbench.Commands.Files;
@@ -23,7 +24,9 @@ internal sealed class AgiePostCommand : ICommand
         var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, new AgiePost(), options);
         FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
-        if (await ResultFile.WriteAsync(context, output => output.Write(text)).ConfigureAwait(false) is { } name) Keep(context, name, posted);
+        var name = await ResultFile.WriteAsync(context, output => output.Write(text)).ConfigureAwait(false);
+        if (name is not null) Keep(context, name, posted);
+        context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, new AgiePost().Name, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
         if (posted.Forecast is { } forecast) context.SayResult(output => ForecastText.WriteSum(output, forecast));
     }
 

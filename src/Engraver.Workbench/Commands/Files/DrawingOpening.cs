@@ -10,18 +10,19 @@ namespace Engraver.Workbench.Commands.Files;
 internal static class DrawingOpening
 {
     /// <param name="name">As the operator wrote it.</param>
+    /// <param name="wanted">Settings of an earlier job to take with it; null for those of now without what they say of another drawing.</param>
     /// <exception cref="CommandException">Nothing could be read.</exception>
-    public static void Open(CommandContext context, string name, string path, CancellationToken cancellation)
+    public static void Open(CommandContext context, string name, string path, CancellationToken cancellation, DrawingSettings? wanted = null)
     {
-        var state = context.Document.Current;
-        var drawing = Read(context, path, cancellation);
+        var settings = wanted ?? context.Document.Current.Settings with { Enter = null, Layers = null, SkippedLayers = [] };
+        var drawing = Read(context, path, settings, cancellation);
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Warning);
         if (DrawingFile.IsUnreadable(drawing)) throw new CommandException(CommandFailure.Drawing, Wording.Get("DrawingOpening.NotOpened", name, SettingWording.AtCommandLine(drawing.Diagnostics.First(found => found.Severity == Severity.Error)).Message));
         Leave(context);
         var sidecar = DrawingSaving.LoadSidecar(context, drawing);
-        context.Take(new DocumentState { Drawing = drawing, Settings = state.Settings with { Enter = null, Layers = null, SkippedLayers = [] }, Sidecar = sidecar });
-        context.Document.MarkKept();
-        context.Settings.Change(settings => settings.WithRecent(Path.GetFullPath(path)));
+        context.Take(new DocumentState { Drawing = drawing, Settings = settings, Sidecar = sidecar });
+        context.Document.MarkOpened();
+        context.Settings.Change(kept => kept.WithRecent(Path.GetFullPath(path)));
         Show(context, drawing);
         context.Say(Wording.Get("DrawingOpening.OnUnit", CountText.Format(drawing.Entities.Count, "Curve"), CountText.Format(drawing.Layers.Count, "Layer"), drawing.Unit.Name));
         if (sidecar.Trajectories.All.Count is > 0 and var count) context.Say(Wording.Get("DrawingOpening.Trajectories", CountText.Format(count, "Trajectory")));
@@ -31,18 +32,18 @@ internal static class DrawingOpening
     public static void Leave(CommandContext context)
     {
         if (context.Document.Current.Drawing is not { } drawing) return;
-        if (context.Document.IsEdited) context.Say(Wording.Get("DrawingOpening.EditedNotSavedUndo", Path.GetFileName(drawing.FileName)), MessageKind.Warning);
+        if (context.Document.IsEdited) context.Say(Wording.Get("DrawingOpening.EditedNotSavedUndo", Path.GetFileName(context.Document.FilePath)), MessageKind.Warning);
         var path = Path.GetFullPath(drawing.FileName);
         if (!context.Settings.Current.RecentFiles.Contains(path)) return;
         var view = context.View.Current;
         context.Settings.Change(settings => settings.WithView(path, new SavedView(view.Centre.X, view.Centre.Y, view.Height)));
     }
 
-    private static Drawing Read(CommandContext context, string path, CancellationToken cancellation)
+    private static Drawing Read(CommandContext context, string path, DrawingSettings settings, CancellationToken cancellation)
     {
         try
         {
-            return DrawingFile.Open(path, context.Document.Current.Settings, cancellation, context.Progress);
+            return DrawingFile.Open(path, settings, cancellation, context.Progress);
         }
         finally
         {

@@ -28,6 +28,7 @@ internal static class DrawingSaving
         var drawing = context.Drawing;
         var sheet = EditedDrawing.SheetOf(drawing, context.Document.Current.HiddenObjects);
         OutputFile.Write(path, output => DxfWriter.Write(sheet, output));
+        context.Document.MarkHandles(path, EditedDrawing.HandlesIn(sheet, drawing));
         context.Say(Wording.Get("SaveAs.WrittenOnUnitBlocks", name, CountText.Format(sheet.Entities.Count, "Curve"), CountText.Format(sheet.Texts.Count, "Text"), CountText.Format(sheet.Layers.Count, "Layer"), drawing.Unit.Name));
     }
 
@@ -40,11 +41,19 @@ internal static class DrawingSaving
         if (FileKind.IsStream(drawing)) return false;
         var known = context.Document.KnownSidecar(path);
         if (sidecar.IsEmpty && (known is null || !File.Exists(path))) return false;
-        var text = SidecarText.Write(sidecar, Path.GetFileName(drawing), SidecarFile.FingerprintOf(context.Drawing));
+        var text = SidecarText.Write(WithHandlesOf(sidecar, context.Document.HandlesIn(drawing)), Path.GetFileName(drawing), SidecarFile.FingerprintOf(context.Drawing));
         if (SidecarFile.Write(path, text, known, context.Time) is { } aside) FindingMessages.Say(context, drawing, [SidecarRules.SetAside.At(default, Path.GetFileName(path), Path.GetFileName(aside))], Severity.Warning);
         context.Document.MarkSidecar(path, text);
         context.Say(Wording.Get("DrawingSaving.Sidecar", Path.GetFileName(path), CountText.Format(sidecar.Trajectories.All.Count, "Trajectory")));
         return true;
+    }
+
+    /// <summary>A written drawing gives its entities handles of its own, by which the trajectories find them again.</summary>
+    private static Sidecar WithHandlesOf(Sidecar sidecar, IReadOnlyDictionary<string, IReadOnlyList<string>> written)
+    {
+        if (written.Count == 0) return sidecar;
+        var list = sidecar.Trajectories;
+        return sidecar with { Trajectories = list with { All = [.. list.All.Select(one => one with { Handles = [.. one.Handles.SelectMany(handle => written.GetValueOrDefault(handle, [])).Distinct()] })] } };
     }
 
     /// <summary>What stands beside the file of a drawing; where nothing does, trajectories are made as for the drawing before.</summary>

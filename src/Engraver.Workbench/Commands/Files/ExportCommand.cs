@@ -5,6 +5,7 @@ using Engraver.Core.Posts;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
 using Engraver.Workbench.Files;
+using Engraver.Workbench.Histories;
 
 namespace Engraver.Workbench.Commands.Files;
 
@@ -21,6 +22,7 @@ internal sealed class ExportCommand : ICommand
         var name = await ReplacePrompt.AskAsync(context, Wording.Get("Export.EnterFileName", string.Join(' ', s_endings))).ConfigureAwait(false);
         var write = Writer(context, Path.GetExtension(name).ToLowerInvariant()) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("Export.HasNoneEndings", name, string.Join(", ", s_endings)));
         OutputFile.Write(context.FileToWrite(name), write);
+        if (Program(Path.GetExtension(name).ToLowerInvariant()) is { } post) context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, context.FileToWrite(name), context.Time.GetUtcNow()));
         context.Say(Wording.Get("Export.WrittenFrom", name, Path.GetFileName(drawing.FileName)));
     }
 
@@ -34,11 +36,15 @@ internal sealed class ExportCommand : ICommand
                 var plot = DrawingPlot.Create(drawing, settings, asDrawn: false);
                 return output => SvgPlotWriter.Write(plot, output);
             case ".csv" or ".json":
-                var table = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings).Table;
+                var (table, findings) = JobPreparation.CutTableOf(drawing, settings);
+                FindingMessages.Say(context, drawing.FileName, findings, Severity.Warning);
                 return output => EntityTableFormat.Write(ending[1..], table, output);
-            default: return PostTable.ForEnding(ending) is { } entry ? Program(context, entry.Post) : null;
+            default: return Program(ending) is { } post ? Program(context, post) : null;
         }
     }
+
+    /// <summary>The post that writes files of an ending; null for what is no program.</summary>
+    private static IPost? Program(string ending) => ending is ".svg" or ".csv" or ".json" ? null : PostTable.ForEnding(ending)?.Post;
 
     private static Action<TextWriter> Program(CommandContext context, IPost post)
     {

@@ -2,6 +2,7 @@ using Engraver.Core.Diagnostics;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Composition;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
 
 namespace Engraver.Workbench.Commands.Files;
 
@@ -21,6 +22,8 @@ internal sealed class PostCommand : ICommand
         var posted = PostedProgram.Create(drawing, context.Document.Current.Settings, post, PostedProgram.NoOptions);
         FindingMessages.Say(context, drawing.FileName, posted.Diagnostics, Severity.Warning);
         if (posted.Text is not { } text) throw new CommandException(CommandFailure.Drawing, $"{posted.WithoutProgram}.");
-        if (await ResultFile.WriteAsync(context, output => output.Write(text)).ConfigureAwait(false) is { } name && reader is not null) context.Remember(VerifyCommand.Name, name);
+        var name = await ResultFile.WriteAsync(context, output => output.Write(text)).ConfigureAwait(false);
+        if (name is not null && reader is not null) context.Remember(VerifyCommand.Name, name);
+        context.Remember(HistoryEntry.OfPost(drawing.FileName, context.Document.Current.Settings, post.Name, name is null ? null : context.FileToWrite(name), context.Time.GetUtcNow()));
     }
 }

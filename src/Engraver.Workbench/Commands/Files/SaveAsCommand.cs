@@ -9,20 +9,22 @@ internal sealed class SaveAsCommand : ICommand
     {
         DrawingSaving.SayRest(context);
         var name = await ReplacePrompt.AskAsync(context, Wording.Get("SaveAs.EnterNameDxfFile")).ConfigureAwait(false);
-        DrawingSaving.WriteDrawing(context, name, context.FileToWrite(name));
-        DrawingSaving.WriteSidecar(context, context.FileToWrite(name));
-        context.Document.MarkKept();
+        var path = context.FileToWrite(name);
+        DrawingSaving.WriteDrawing(context, name, path);
+        DrawingSaving.WriteSidecar(context, path);
+        context.Document.MarkSaved(path);
     }
 }
 
-/// <summary>QSAVE: Saves the drawing in its own file, when it was edited, and what belongs to it beside it.</summary>
+/// <summary>QSAVE: Saves the drawing in its own file (that which SAVEAS wrote last, else the one that was opened), when it was edited, and what belongs to it beside it.</summary>
 internal sealed class QSaveCommand : ICommand
 {
     public CommandInfo Info { get; } = new("QSAVE", CommandGroup.File);
 
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
-        var path = context.Drawing.FileName;
+        _ = context.Drawing;
+        var path = context.Document.FilePath!;
         if (context.Document.IsDrawingEdited)
         {
             DrawingSaving.SayRest(context);
@@ -32,6 +34,6 @@ internal sealed class QSaveCommand : ICommand
 
         var written = DrawingSaving.WriteSidecar(context, path);
         if (!context.Document.IsDrawingEdited && !written) context.Say(Wording.Get("QSave.Nothing"));
-        context.Document.MarkKept();
+        context.Document.MarkSaved(path);
     }
 }

@@ -1,3 +1,4 @@
+using Engraver.Core.Diagnostics;
 using Engraver.Core.EntityTables;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Documents;
@@ -18,8 +19,8 @@ internal sealed class TableCommand : ICommand
         var order = await context.ChoiceAsync(Wording.Get("Table.EnterOrderRows"), Keyword.List("Sequenced", "Drawn"), "Sequenced").ConfigureAwait(false);
         var format = (await context.ChoiceAsync(Wording.Get("Table.EnterFormat"), s_formats, context.Remembered("TABLE", "Text")).ConfigureAwait(false));
         context.Remember("TABLE", format);
-        var analysed = JobPreparation.Analyse(drawing, settings);
-        var table = order == "Drawn" ? analysed : JobPreparation.Sequence(drawing, analysed, settings).Table;
+        var (table, findings) = order == "Drawn" ? (JobPreparation.Analyse(drawing, settings), []) : JobPreparation.CutTableOf(drawing, settings);
+        FindingMessages.Say(context, drawing.FileName, findings, Severity.Warning);
         await ResultFile.WriteAsync(context, output => EntityTableFormat.Write(format.ToLowerInvariant(), table, output)).ConfigureAwait(false);
     }
 }

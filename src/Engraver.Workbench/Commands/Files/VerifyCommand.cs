@@ -22,18 +22,22 @@ internal sealed class VerifyCommand : ICommand
         context.Remember(Name, name);
         var reader = PostTable.ReaderFor(name);
         var program = ReadBackFile.Open(context.FileToRead(name));
-        var report = await VerifyAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, cancellation), cancellation).ConfigureAwait(false);
+        var report = await ReadBackProgress.ShowAsync(context.Progress, progress => ProgramVerification.VerifyAsync(program, reader, drawing, settings, progress, cancellation), cancellation).ConfigureAwait(false);
         FindingMessages.Say(context, drawing.FileName, drawing.Diagnostics, Severity.Error);
         FindingMessages.Say(context, name, report.Diagnostics, Severity.Warning);
         context.Say(VerificationText.Sentence(report), MessageKind.Result);
         if (!report.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Verify.DoesNotCutOpen", name));
     }
+}
 
-    private static async Task<VerificationReport> VerifyAsync(CommandProgress shown, Func<IProgress<ReplayProgress>, Task<VerificationReport>> verify, CancellationToken cancellation)
+/// <summary>Reads a program back on another thread, with the command's progress shown.</summary>
+internal static class ReadBackProgress
+{
+    public static async Task<T> ShowAsync<T>(CommandProgress shown, Func<IProgress<ReplayProgress>, Task<T>> read, CancellationToken cancellation)
     {
         try
         {
-            return await Task.Run(() => verify(new Fractions(shown)), cancellation).ConfigureAwait(false);
+            return await Task.Run(() => read(new Fractions(shown)), cancellation).ConfigureAwait(false);
         }
         finally
         {

@@ -9,7 +9,7 @@ namespace Engraver.Workbench.Commands.Machine;
 /// <summary>CNCARM: Checks everything that must be so before a start, and lets START work for 60 s or until anything changes.</summary>
 internal sealed class CncArmCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List([.. Enum.GetNames<JobMode>(), "Dryrun", "oFf"]);
+    private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List([.. Enum.GetNames<JobMode>(), "Dryrun", "Trajectories", "oFf"]);
 
     public CommandInfo Info { get; } = new("CNCARM", CommandGroup.Machine);
 
@@ -23,12 +23,13 @@ internal sealed class CncArmCommand : ICommand
             return;
         }
 
-        var job = await JobAsync(context, mode.Mode, cancellation).ConfigureAwait(false);
+        var job = mode.RunsTrajectories ? JobStart.Followed(context, mode.Mode) : await JobAsync(context, mode.Mode, cancellation).ConfigureAwait(false);
         JobStart.SayPart(context, job, mode.Mode);
         var hasErrors = job.Diagnostics.Any(found => found.Severity == Severity.Error);
         var accepted = hasErrors && await context.ConfirmAsync(Wording.Get("Machine.DrawingHasErrorsGo")).ConfigureAwait(false);
         var placement = job.Motion.Program is { } program ? await context.Machine.AskAsync(program, mode.DryRun, cancellation).ConfigureAwait(false) : null;
-        var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow());
+        var certificate = job.Motion.Program is { } certified ? await context.Certificates.LookAsync(job, context.Machine.FitToLink(certified, mode.Mode, job.Drawing).Program, cancellation).ConfigureAwait(false) : null;
+        var checklist = ArmingChecklist.Create(job, context.Machine.Status, accepted, placement, context.Time.GetUtcNow(), certificate?.Check);
         foreach (var check in checklist.Checks) CheckText.Say(context, check);
         if (!checklist.Passed) throw new CommandException(CommandFailure.Refused, Wording.Get("CncArm.NotArmed"));
         var armed = context.Machine.Arm(job, mode.Mode, mode.DryRun, checklist);
@@ -36,21 +37,21 @@ internal sealed class CncArmCommand : ICommand
     }
 
     /// <returns>Null: the operator chose to disarm.</returns>
-    private static async Task<(JobMode Mode, bool DryRun)?> ModeAsync(CommandContext context)
+    private static async Task<(JobMode Mode, bool DryRun, bool RunsTrajectories)?> ModeAsync(CommandContext context)
     {
-        var dryRun = false;
+        var (dryRun, runsTrajectories) = (false, false);
         while (true)
         {
             var answer = await context.ChoiceAsync(Wording.Get("CncArm.EnterMode", dryRun ? Wording.Get("CncArm.ToolOff2") : ""), s_answers, context.Remembered("CNCARM", nameof(JobMode.Stream))).ConfigureAwait(false);
             if (answer == "oFf") return null;
-            if (answer == "Dryrun")
+            if (answer is "Dryrun" or "Trajectories")
             {
-                dryRun = true;
+                (dryRun, runsTrajectories) = (dryRun || answer == "Dryrun", runsTrajectories != (answer == "Trajectories"));
                 continue;
             }
 
             context.Remember("CNCARM", answer);
-            return (Enum.Parse<JobMode>(answer), dryRun);
+            return (Enum.Parse<JobMode>(answer), dryRun, runsTrajectories);
         }
     }
 

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
 
@@ -22,12 +23,13 @@ internal sealed class CncGoToCommand : ICommand
             return;
         }
 
+        var scale = context.Machine.Profile.Scale;
         var goal = answer switch
         {
-            Answer<MachinePlace>.Value { Of: var place } => new Point2D(place.X, place.Y),
-            Answer<MachinePlace>.Chosen { Option: "Work" } => await MachineAsync(context, await context.ValueAsync(new PointPrompt(Wording.Get("CncGoTo.SpecifyPlaceDrawing"))).ConfigureAwait(false), cancellation).ConfigureAwait(false),
-            Answer<MachinePlace>.Chosen { Option: "Park" } => context.Machine.Profile.Park ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoParkPosition")),
-            _ => await MachineAsync(context, context.Document.Current.Settings.Start, cancellation).ConfigureAwait(false),
+            Answer<MachinePlace>.Value { Of: var place } => HandPlace.OfMachine(new Point2D(place.X, place.Y), scale),
+            Answer<MachinePlace>.Chosen { Option: "Work" } => await OfDrawingAsync(context, await context.ValueAsync(new PointPrompt(Wording.Get("CncGoTo.SpecifyPlaceDrawing"))).ConfigureAwait(false), cancellation).ConfigureAwait(false),
+            Answer<MachinePlace>.Chosen { Option: "Park" } => HandPlace.OfMachine(context.Machine.Profile.Park ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoParkPosition")), scale),
+            _ => await OfDrawingAsync(context, context.Document.Current.Settings.Start, cancellation).ConfigureAwait(false),
         };
         await HandMotion.GoAsync(context, goal, cancellation).ConfigureAwait(false);
     }
@@ -36,20 +38,15 @@ internal sealed class CncGoToCommand : ICommand
     /// <exception cref="CommandException">No axis holds the tool, or nobody knows where the work is.</exception>
     private static async Task ClearAsync(CommandContext context, CancellationToken cancellation)
     {
-        var profile = context.Machine.Profile;
-        if (profile.Height is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoClearance"));
+        if (context.Machine.Profile.Height is null) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.NoClearance"));
         var zero = await ZeroAsync(context, cancellation).ConfigureAwait(false);
-        await HandMotion.ToHeightAsync(context, zero.Z + profile.ClearanceCounts, cancellation).ConfigureAwait(false);
+        await HandMotion.ToClearanceAsync(context, zero, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>A place of the drawing as machine millimetres, through the active work origin.</summary>
+    /// <summary>A place of the drawing through the active work origin; null where the controller cannot count it.</summary>
     /// <exception cref="CommandException">Nobody knows where the work is.</exception>
-    private static async Task<Point2D> MachineAsync(CommandContext context, Point2D drawing, CancellationToken cancellation)
-    {
-        var scale = context.Machine.Profile.Scale;
-        var zero = await ZeroAsync(context, cancellation).ConfigureAwait(false);
-        return new Point2D((zero.X / scale.X) + drawing.X, (zero.Y / scale.Y) + drawing.Y);
-    }
+    private static async Task<CountsPoint?> OfDrawingAsync(CommandContext context, Point2D drawing, CancellationToken cancellation) =>
+        HandPlace.OfDrawing(drawing, await ZeroAsync(context, cancellation).ConfigureAwait(false), context.Machine.Profile.Scale);
 
     /// <summary>The drawing's zero by the active work origin, counts; the controller is asked whether it still counts from where the origin was set.</summary>
     /// <exception cref="CommandException">The origin is not set, or its zero is lost.</exception>

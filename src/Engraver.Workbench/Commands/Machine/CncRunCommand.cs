@@ -5,10 +5,10 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Machine;
 
-/// <summary>CNCRUN: Runs the armed job (CNCARM) on the connected controller, in a script too; on a simulated one it also runs unarmed and asks first.</summary>
+/// <summary>CNCRUN: Runs the armed job (CNCARM) on the connected controller, in a script too; on a simulated one it also runs unarmed and asks first, the drawing or its trajectories.</summary>
 internal sealed class CncRunCommand : ICommand
 {
-    private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List(["Yes", "No", "Dryrun", .. Enum.GetNames<JobMode>()]);
+    private static readonly IReadOnlyList<Keyword> s_answers = Keyword.List(["Yes", "No", "Dryrun", "Trajectories", .. Enum.GetNames<JobMode>()]);
 
     public CommandInfo Info { get; } = new("CNCRUN", CommandGroup.Machine) { StartsMotion = true };
 
@@ -24,14 +24,15 @@ internal sealed class CncRunCommand : ICommand
         }
 
         if (context.RunNeedsArming) throw new CommandException(CommandFailure.Usage, Wording.Get("CncRun.NothingArmedCncarmFirst", machine));
-        var (mode, dryRun) = (context.Machine.Part?.Mode ?? JobMode.Stream, false);
+        var (mode, dryRun, runsTrajectories) = (context.Machine.Part?.Mode ?? JobMode.Stream, false, false);
         while (true)
         {
-            var job = await JobStart.PrepareAsync(context, mode).ConfigureAwait(false);
+            var job = await JobStart.PrepareAsync(context, mode, runsTrajectories).ConfigureAwait(false);
             JobStart.SayPart(context, job, mode);
             var answer = await context.ChoiceAsync(Wording.Get("CncRun.StartOnMode", dryRun ? Wording.Get("CncRun.WithToolOff") : Wording.Get("CncRun.Cutting"), machine, mode), s_answers, "No").ConfigureAwait(false);
             if (answer == "No") return;
             if (answer == "Dryrun") dryRun = true;
+            else if (answer == "Trajectories") runsTrajectories = !runsTrajectories;
             else if (Enum.TryParse<JobMode>(answer, out var chosen)) mode = chosen;
             else
             {
@@ -45,8 +46,8 @@ internal sealed class CncRunCommand : ICommand
     {
         var fit = context.Machine.FitToLink(job.Motion.Program!, mode, job.Drawing);
         FindingMessages.Say(context, job.Drawing.FileName, fit.Diagnostics, Severity.Warning);
-        var report = await context.Machine.RunAsync(job, fit.Program, address => JobStart.Options(context, job, address, mode, dryRun), cancellation).ConfigureAwait(false);
-        JobStart.Conclude(context, job, report);
+        var checks = context.Machine.Armed?.Checklist;
+        await JobStart.RunAsync(context, job, checks, options => context.Machine.RunAsync(job, fit.Program, address => options(JobStart.Options(context, job, address, mode, dryRun)), cancellation), simulated: false).ConfigureAwait(false);
     }
 }
 
@@ -58,7 +59,6 @@ internal sealed class CncSimCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var job = await JobStart.PrepareAsync(context, JobMode.Stream).ConfigureAwait(false);
-        var report = await context.Machine.SimulateAsync(job, job.Motion.Program!, address => JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }, cancellation).ConfigureAwait(false);
-        JobStart.Conclude(context, job, report);
+        await JobStart.RunAsync(context, job, checks: null, options => context.Machine.SimulateAsync(job, job.Motion.Program!, address => options(JobStart.Options(context, job, address, JobMode.Stream, dryRun: false) with { Resume = null }), cancellation), simulated: true).ConfigureAwait(false);
     }
 }

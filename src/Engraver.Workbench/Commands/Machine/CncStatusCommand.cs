@@ -26,7 +26,7 @@ internal sealed class CncStatusCommand : ICommand
         });
         if (machine.Description is null || machine.IsRunning) return;
         var now = context.Time.GetUtcNow();
-        var checklist = job is null ? ArmingChecklist.OfMachineAlone(machine.Status, now) : ArmingChecklist.Create(job, machine.Status, errorsAccepted: false, placement, now);
+        var checklist = job is null ? ArmingChecklist.OfMachineAlone(machine.Status, now) : ArmingChecklist.Create(job, machine.Status, errorsAccepted: false, placement, now, context.Certificates.StandingOf(job)?.Check);
         foreach (var check in checklist.Checks) CheckText.Say(context, check);
     }
 

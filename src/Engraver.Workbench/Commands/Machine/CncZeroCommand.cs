@@ -29,17 +29,10 @@ internal sealed class CncZeroCommand : ICommand
         var place = axes == "Point" ? await context.ValueAsync(new PointPrompt(Wording.Get("CncZero.SpecifyPlace"))).ConfigureAwait(false) : default;
         var height = axes == "Height" ? await context.ValueAsync(new NumberPrompt(Wording.Get("CncZero.SpecifyHeight"))).ConfigureAwait(false) : 0.0;
         if (IsSet(before, axes) && !await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", before.Active)).ConfigureAwait(false)) return;
-        var scale = context.Machine.Profile.Scale;
-        if (!scale.Holds(Bounds2D.FromCorners(place, place), default) || !scale.HoldsHeight(height)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
-        var at = scale.ToCounts(place) with { Z = scale.ToHeight(height) };
+        var touch = new ZeroTouch { X = axes is not ("Y" or "Z" or "Height"), Y = axes is not ("X" or "Z" or "Height"), Z = axes is "Z" or "Height" or "All", Place = place, Height = height };
+        if (!touch.IsCountable(context.Machine.Profile.Scale)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
         var part = context.Machine.Part;
-        var memory = await context.Machine.SetOriginAsync(
-            (memory, here) => memory.WithOrigin(
-                memory.Active,
-                axes is "Y" or "Z" or "Height" ? null : here.Position.X - at.X,
-                axes is "X" or "Z" or "Height" ? null : here.Position.Y - at.Y,
-                axes is "Z" or "Height" or "All" && context.Machine.Profile.Axes.Z is not null ? here.Position.Z - at.Z : null),
-            cancellation).ConfigureAwait(false);
+        var memory = await context.Machine.SetOriginAsync((memory, here) => touch.Set(memory, memory.Active, here.Position, context.Machine.Profile), cancellation).ConfigureAwait(false);
         context.Say(OriginText.Sentence(memory.Active, memory.ActiveOrigin, context.Machine.Profile), MessageKind.Result);
         OriginText.TellPart(context, part);
     }

@@ -1,5 +1,6 @@
 using Engraver.Core.Geometry;
 using Engraver.Core.Machines;
+using Engraver.Core.Machines.Moves;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Settings;
 
@@ -25,20 +26,22 @@ internal static class HandMotion
         if (context.Machine.Status.MotorsOn == false) throw new CommandException(CommandFailure.Refused, Wording.Get("CncGoTo.MotorsOffCncmotorsOn"));
     }
 
-    /// <summary>Goes to a machine position, mm, and says where the machine stands.</summary>
-    public static async Task GoAsync(CommandContext context, Point2D goal, CancellationToken cancellation)
+    /// <summary>Goes to a place (<see cref="HandPlace"/>) and says where the machine stands.</summary>
+    public static async Task GoAsync(CommandContext context, CountsPoint? goal, CancellationToken cancellation)
     {
-        var counts = Counts(context, goal);
+        var counts = Counted(goal);
         CheckMotors(context);
         Conclude(context, await context.Machine.GoToAsync(counts, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
     }
 
-    /// <summary>Goes to a height, counts of the controller, and stays where it is in plan.</summary>
-    public static async Task ToHeightAsync(CommandContext context, int height, CancellationToken cancellation)
+    /// <summary>Brings the tool to the clearance height over the work, and stays where it is in plan.</summary>
+    /// <param name="zero">Where the drawing's zero lies, counts of the controller.</param>
+    public static async Task ToClearanceAsync(CommandContext context, CountsPoint zero, CancellationToken cancellation)
     {
         var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PlaceNotKnown"));
+        var goal = Counted(HandPlace.AtClearance(here, zero, context.Machine.Profile));
         CheckMotors(context);
-        Conclude(context, await context.Machine.StepAsync(Counts(context, here) with { Z = height }, withHeight: true, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
+        Conclude(context, await context.Machine.StepAsync(goal, withHeight: true, context.NewRunJournal("goto"), feed: null, cancellation).ConfigureAwait(false));
     }
 
     /// <summary>The same by a step in mm from where the machine stands.</summary>
@@ -46,9 +49,7 @@ internal static class HandMotion
     public static async Task StepAsync(CommandContext context, Vector2D step, double height, CancellationToken cancellation)
     {
         var here = context.Machine.Status.MachinePosition ?? throw new CommandException(CommandFailure.Refused, Wording.Get("CncJog.PlaceNotKnown"));
-        var (scale, top) = (context.Machine.Profile.Scale, (context.Machine.Status.MachineHeight ?? 0.0) + height);
-        if (!scale.HoldsHeight(top)) throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
-        var counts = Counts(context, here + step) with { Z = scale.ToHeight(top) };
+        var counts = Counted(HandPlace.Beside(here, context.Machine.Status.MachineHeight ?? 0.0, step, height, context.Machine.Profile.Scale));
         CheckMotors(context);
         Conclude(context, await context.Machine.StepAsync(counts, height != 0.0, context.NewRunJournal("jog"), feed: null, cancellation).ConfigureAwait(false));
     }
@@ -64,9 +65,5 @@ internal static class HandMotion
         context.Say(Wording.Get("CncGoTo.MachineStandsMm", PlaceText.Show(at, context.Machine.Profile.Scale)), MessageKind.Result);
     }
 
-    private static CountsPoint Counts(CommandContext context, Point2D machine)
-    {
-        var scale = context.Machine.Profile.Scale;
-        return scale.Holds(Bounds2D.FromCorners(machine, machine), default) ? scale.ToCounts(machine) : throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
-    }
+    private static CountsPoint Counted(CountsPoint? place) => place ?? throw new CommandException(CommandFailure.Usage, Wording.Get("CncGoTo.PlaceCannotCountedController"));
 }

@@ -25,7 +25,7 @@ internal static class TouchedZero
         var isX = edge is WorkEdge.Left or WorkEdge.Right;
         if (!await MaySetAsync(context, isX, !isX).ConfigureAwait(false)) return;
         context.Remember(Radius, radius.ToString("R", CultureInfo.InvariantCulture));
-        await SetAsync(context, here => EdgeTouch.ZeroAt(here, edge, radius, context.Machine.Profile.Scale), cancellation).ConfigureAwait(false);
+        await SetAsync(context, new ZeroTouch { X = isX, Y = !isX, Edge = edge, Radius = radius }, cancellation).ConfigureAwait(false);
         context.Remember(Edge, isX ? nameof(WorkEdge.Bottom) : nameof(WorkEdge.Left));
         context.Say(Wording.Get(isX ? "CncZero.NowTheBottom" : "CncZero.NowTheLeft"));
     }
@@ -44,7 +44,7 @@ internal static class TouchedZero
 
         var axes = await context.ChoiceAsync(Wording.Get("CncZero.MiddleOfWhichAxes"), s_axes, "All").ConfigureAwait(false);
         if (!await MaySetAsync(context, axes != "Y", axes != "X").ConfigureAwait(false)) return;
-        await SetAsync(context, here => EdgeTouch.Middle(first, here) is var middle ? (axes == "Y" ? null : middle.X, axes == "X" ? null : middle.Y) : default, cancellation).ConfigureAwait(false);
+        await SetAsync(context, new ZeroTouch { X = axes != "Y", Y = axes != "X", First = first }, cancellation).ConfigureAwait(false);
         context.Machine.ForgetTouch();
     }
 
@@ -55,10 +55,10 @@ internal static class TouchedZero
         return !isSet || await context.ConfirmAsync(Wording.Get("CncZero.IsSetAlready", memory.Active)).ConfigureAwait(false);
     }
 
-    private static async Task SetAsync(CommandContext context, Func<CountsPoint, (int? X, int? Y)> zero, CancellationToken cancellation)
+    private static async Task SetAsync(CommandContext context, ZeroTouch touch, CancellationToken cancellation)
     {
         var part = context.Machine.Part;
-        var memory = await context.Machine.SetOriginAsync((memory, here) => zero(here.Position) is var (x, y) ? memory.WithOrigin(memory.Active, x, y, null) : memory, cancellation).ConfigureAwait(false);
+        var memory = await context.Machine.SetOriginAsync((memory, here) => touch.Set(memory, memory.Active, here.Position, context.Machine.Profile), cancellation).ConfigureAwait(false);
         context.Say(OriginText.Sentence(memory.Active, memory.ActiveOrigin, context.Machine.Profile), MessageKind.Result);
         OriginText.TellPart(context, part);
     }

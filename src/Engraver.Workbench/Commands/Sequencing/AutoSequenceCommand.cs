@@ -15,8 +15,9 @@ internal sealed class AutoSequenceCommand : ICommand
         var drawing = context.Drawing;
         var state = context.Document.Current;
         var settings = state.Settings with { Order = StrokeOrder.Nearest };
-        var result = JobPreparation.Sequence(drawing, JobPreparation.Analyse(drawing, settings), settings);
-        FindingMessages.Say(context, drawing.FileName, result.Diagnostics, Severity.Warning);
+        var cut = JobPreparation.ToCut(drawing, settings);
+        var result = JobPreparation.Sequence(drawing, cut, settings);
+        FindingMessages.Say(context, drawing.FileName, [.. result.Diagnostics, .. cut.FindingsBeside(result)], Severity.Warning);
         context.SayResult(output => SequenceText.Write(output, result));
         context.Take(state with { Settings = settings });
         return Task.CompletedTask;

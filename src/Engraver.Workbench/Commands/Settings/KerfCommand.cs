@@ -1,10 +1,13 @@
+using Engraver.Core.Drawings;
+using Engraver.Core.Geometry;
 using Engraver.Core.Kerf;
 using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
 using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Settings;
 
-/// <summary>KERF: Sets the side of the lines on which the tool runs and its diameter.</summary>
+/// <summary>KERF: Sets the side of the lines on which the tool runs and its diameter; the path is seen before Enter takes it.</summary>
 internal sealed class KerfCommand : ICommand
 {
     public CommandInfo Info { get; } = new("KERF", CommandGroup.Setting);
@@ -13,14 +16,28 @@ internal sealed class KerfCommand : ICommand
     {
         var settings = context.Document.Current.Settings;
         var side = Enum.Parse<KerfSide>(await context.ChoiceAsync(Wording.Get("Kerf.EnterSide"), Keyword.List("OFF", "Nesting", "Outside", "Inside", "Left", "Right"), settings.Kerf == KerfSide.Off ? "OFF" : settings.Kerf.ToString()).ConfigureAwait(false), ignoreCase: true);
-        var diameter = side == KerfSide.Off ? settings.ToolDiameterMm : await DiameterAsync(context, settings.ToolDiameterMm).ConfigureAwait(false);
+        var diameter = side == KerfSide.Off ? settings.ToolDiameterMm : await DiameterAsync(context, side, settings.ToolDiameterMm).ConfigureAwait(false);
         var state = context.Document.Current;
         context.Take(state with { Settings = state.Settings with { Kerf = side, ToolDiameterMm = diameter } });
     }
 
-    private static async Task<double> DiameterAsync(CommandContext context, double before)
+    private static async Task<double> DiameterAsync(CommandContext context, KerfSide side, double before)
     {
-        var setting = SettingTable.ToolDiameter;
-        return await context.ValueAsync(new NumberPrompt(Wording.Get("Kerf.SpecifyDiameter")) { Default = before > 0.0 ? NumberPrompt.Show(before) : null, Least = setting.Least, Most = setting.Most }).ConfigureAwait(false);
+        var (setting, shown) = (SettingTable.ToolDiameter, before);
+        while (true)
+        {
+            var prompt = new NumberPrompt(Wording.Get("Kerf.SpecifyDiameter")) { Default = shown > 0.0 ? NumberPrompt.Show(shown) : null, Least = setting.Least, Most = setting.Most };
+            if (context.Document.Current.Drawing is not { } drawing) return await context.ValueAsync(prompt).ConfigureAwait(false);
+            var answer = await context.AskAsync(prompt with { Options = Keyword.List("Preview"), Preview = shown > 0.0 ? PathOf(drawing, context.Document.Current.Settings with { Kerf = side, ToolDiameterMm = shown }) : null }).ConfigureAwait(false);
+            if (answer is Answer<double>.Value { Of: var diameter }) return diameter;
+            shown = await context.ValueAsync(prompt with { Instruction = Wording.Get("Kerf.PreviewDiameter") }).ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>The path of the tool's centre, drawing units.</summary>
+    private static GhostOf PathOf(Drawing drawing, DrawingSettings settings)
+    {
+        var scale = Transform2D.ScaleFrom(Point2D.Origin, 1.0 / (settings.Unit ?? drawing.Unit).ToMillimetres);
+        return _ => [.. JobPreparation.ToCut(drawing, settings).Table.ToSegments().Select(segment => segment.Mapped(scale))];
     }
 }

@@ -1,7 +1,10 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Drawings;
 using Engraver.Core.Geometry;
+using Engraver.Core.Kerf;
+using Engraver.Core.Offsets;
 using Engraver.Core.Pockets;
+using Engraver.Core.Sequencing.Ordering;
 using Engraver.Workbench.CommandLanguage;
 using Engraver.Workbench.Commands.Editing;
 using Engraver.Workbench.Commands.Trajectories;
@@ -9,7 +12,7 @@ using Engraver.Workbench.Documents;
 
 namespace Engraver.Workbench.Commands.Toolpaths;
 
-/// <summary>POCKET: Clears what closed objects enclose; the strokes become polylines on the layer POCKET.</summary>
+/// <summary>POCKET: Clears what closed objects enclose; the strokes and the ways down to them become polylines on the layer POCKET, in the order of cutting, and may become the job.</summary>
 internal sealed class PocketCommand : ICommand
 {
     private const string Layer = "POCKET";
@@ -19,38 +22,21 @@ internal sealed class PocketCommand : ICommand
     public async Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var selected = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
-        var (options, depths) = await AskAsync(context).ConfigureAwait(false);
+        IReadOnlyList<OffsetContour> contours = [.. selected.All.Select(one => one.Contour)];
+        var (options, depths, isJob) = await new PocketQuestions(context, contours).AskAsync().ConfigureAwait(false);
         var drawing = context.Drawing;
-        var result = PocketPlanner.Plan([.. selected.All.Select(one => one.Contour)], options with { MaxErrorMm = context.Document.Current.Settings.MaxErrorMm });
-        FindingMessages.Say(context, drawing.FileName, PocketDrawing.Findings(result, options), Severity.Info);
+        var result = PocketPlanner.Plan(contours, options);
+        var cuts = result.Strokes.Count > 0 ? PocketLevels.Of(result, options, depths) : [];
+        FindingMessages.Say(context, drawing.FileName, [.. PocketDrawing.Findings(result, options), .. PocketDrawing.Findings(cuts, depths)], Severity.Info);
         if (result is not { Strokes.Count: > 0, Coverage: { } coverage }) throw new CommandException(CommandFailure.Usage, Wording.Get("Pocket.NothingToClear"));
         cancellation.ThrowIfCancellationRequested();
         context.Say(Wording.Get("Pocket.Covered", 100.0 * coverage, result.ReachableArea, result.Passes.Count, result.Strokes.Count), MessageKind.Result);
-        Take(context, drawing, selected.Entities, PocketLevels.Of(result, options, depths));
-        context.Say(Wording.Get("Pocket.OutlinesStay"), MessageKind.Warning);
+        Take(context, drawing, selected.Entities, cuts, isJob);
+        if (isJob) context.Say(Wording.Get("Pocket.IsTheJob", Layer), MessageKind.Result);
+        else context.Say(Wording.Get("Pocket.OutlinesStay"), MessageKind.Warning);
     }
 
-    private static async Task<(PocketOptions Options, PocketDepths Depths)> AskAsync(CommandContext context)
-    {
-        var diameter = await NumberAsync(context, "Diameter", "1", 1e-3, 1e3).ConfigureAwait(false);
-        var overlap = await NumberAsync(context, "Overlap", "0.5", 0.01, 0.99).ConfigureAwait(false);
-        var strategy = await context.ChoiceAsync(Wording.Get("Pocket.Strategy"), Keyword.List("Contour", "Zigzag"), context.Remembered("POCKET.Strategy", "Contour")).ConfigureAwait(false);
-        context.Remember("POCKET.Strategy", strategy);
-        var angle = strategy == "Zigzag" ? await NumberAsync(context, "Angle", "0", -360, 360).ConfigureAwait(false) : 0.0;
-        var depth = await NumberAsync(context, "Depth", "0", 0, 1e3).ConfigureAwait(false);
-        var step = depth > 0.0 ? await NumberAsync(context, "Step", NumberPrompt.Show(depth), 1e-3, 1e3).ConfigureAwait(false) : 0.0;
-        var options = new PocketOptions { ToolRadius = diameter / 2.0, Overlap = overlap, Strategy = Enum.Parse<PocketStrategy>(strategy), Angle = Angle.FromDegrees(angle) };
-        return (options, new PocketDepths { Depth = depth, Step = step });
-    }
-
-    private static async Task<double> NumberAsync(CommandContext context, string name, string first, double least, double most)
-    {
-        var value = await context.ValueAsync(new NumberPrompt(Wording.Get("Pocket." + name)) { Default = context.Remembered("POCKET." + name, first), Least = least, Most = most }).ConfigureAwait(false);
-        context.Remember("POCKET." + name, NumberPrompt.Show(value));
-        return value;
-    }
-
-    private static void Take(CommandContext context, Drawing drawing, IReadOnlyList<int> selected, IReadOnlyList<PocketCut> cuts)
+    private static void Take(CommandContext context, Drawing drawing, IReadOnlyList<int> selected, IReadOnlyList<PocketCut> cuts, bool isJob)
     {
         var layers = drawing.Layers.ToList();
         var layer = layers.FindIndex(known => known.Name.Equals(Layer, StringComparison.OrdinalIgnoreCase));
@@ -66,11 +52,17 @@ internal sealed class PocketCommand : ICommand
         var (added, scale) = (new List<int>(), Transform2D.ScaleFrom(Point2D.Origin, 1.0 / drawing.Unit.ToMillimetres));
         foreach (var cut in cuts)
         {
+            if (cut.Way.Count > 1)
+            {
+                added.Add(rebuilt.Count);
+                rebuilt.Add(like, CurveType.Polyline, closed: false, [.. cut.Way.Skip(1).Zip(cut.Way, (to, from) => DrawingPart.Line(0, from.Place.X, from.Place.Y, from.Z, to.Place.X, to.Place.Y, to.Z).Transformed(scale))]);
+            }
+
             added.Add(rebuilt.Count);
             rebuilt.Add(like, CurveType.LwPolyline, cut.Stroke.Start == cut.Stroke.End, [.. PocketDrawing.SegmentsOf(cut.Stroke).Select(segment => PartOf(segment, cut.Z).Transformed(scale))]);
         }
 
-        DrawingChange.Take(context, rebuilt, added);
+        DrawingChange.Take(context, rebuilt, added, settings => isJob ? settings with { Layers = [Layer], SkippedLayers = [], Order = StrokeOrder.Drawn, Enter = null, Kerf = KerfSide.Off } : settings);
     }
 
     private static DrawingPart PartOf(in Segment segment, double z) =>

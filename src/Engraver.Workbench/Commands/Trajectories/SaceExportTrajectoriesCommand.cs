@@ -34,7 +34,7 @@ internal sealed class SaceExportTrajectoriesCommand : ICommand
     /// <exception cref="CommandException">A controller would not take one of them; nothing was written.</exception>
     private static List<NamedTrajectory> Files(CommandContext context, IReadOnlyList<DocumentTrajectory> all, TrajectoryFormat format)
     {
-        var (files, findings) = (new List<NamedTrajectory>(), new List<Diagnostic>());
+        var (files, findings) = (new List<NamedTrajectory>(), new List<Diagnostic>(TrajectoryEdits.Findings(context.Drawing, all)));
         foreach (var one in all)
         {
             var made = TrajectoryExport.Files(one, format, context.Document.Current.Settings.Machine);

@@ -11,10 +11,10 @@ internal sealed class SaceShowTrajectoriesCommand : ICommand
     public Task RunAsync(CommandContext context, CancellationToken cancellation)
     {
         var list = context.Document.Current.Sidecar.Trajectories;
-        var now = list.Settings;
+        var (now, edits) = (list.Settings, context.Document.Current.Drawing is { } drawing ? new TrajectoryEdits(drawing) : null);
         context.SayResult(output =>
         {
-            foreach (var one in list.All) output.WriteLine(TrajectoryLine.Format(one));
+            foreach (var one in list.All) output.WriteLine(edits?.IsStale(one) == true ? Wording.Get("Trajectories.Edited", TrajectoryLine.Format(one)) : TrajectoryLine.Format(one));
             output.WriteLine(Wording.Get("Trajectories.Count", CountText.Format(list.All.Count, "Trajectory")));
             output.WriteLine(now.DynamicDensity ? Wording.Get("Trajectories.Dynamic", NumberPrompt.Show(now.MaxErrorMm)) : Wording.Get("Trajectories.Uniform", NumberPrompt.Show(now.SegmentLengthMm)));
         });

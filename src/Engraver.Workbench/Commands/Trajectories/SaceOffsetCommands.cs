@@ -88,7 +88,8 @@ internal static class SaceOffsets
                 var (sources, distance) = (group.ToList(), distances[pass] * making.Unit);
                 var result = ContourOffset.Offset([.. sources.Select(one => one.Contour)], distance, group.Key, OffsetOptions.Default with { MaxErrorMm = making.Settings.MaxErrorMm });
                 making.Tell(OffsetDrawing.Findings(result, sources.Count, distance));
-                foreach (var one in result.Loops) making.Add(one.Segments, one.Closed, sources.Count == 1 ? sources[0].Handles : [], name(pass, loop++));
+                (OffsetContour, Func<int, string>)[] loops = [.. result.Loops.Select(one => (new OffsetContour(one.Segments, one.Closed), name(pass, loop++)))];
+                making.AddBeside(loops, [.. sources.SelectMany(one => one.Handles).Distinct()], distance, group.Key);
             }
         }
 

@@ -11,7 +11,7 @@ internal sealed class SacePathCommand : ICommand
     {
         var contours = await SelectedContours.TakeAsync(context).ConfigureAwait(false);
         var making = new TrajectoryMaking(context, cancellation);
-        foreach (var one in contours.All) making.Add(one.Contour.Segments, one.Contour.Closed, one.Handles, number => $"traj{number}_path");
+        foreach (var one in contours.All) making.Add(one, number => $"traj{number}_path", making.Settings.PlaneZ);
         making.Take();
     }
 }
@@ -33,7 +33,7 @@ internal sealed class SaceDeepEngravingCommand : ICommand
         var making = new TrajectoryMaking(context, cancellation);
         var count = (int)Math.Ceiling((depth / step) - 1e-9);
         double[] heights = [.. Enumerable.Range(0, count + 1).Select(i => making.Settings.PlaneZ - (making.Unit * Math.Min(depth, i * step)))];
-        foreach (var one in contours.All) making.Add(one.Contour.Segments, one.Contour.Closed, one.Handles, number => $"traj{number}_deep", heights);
+        foreach (var one in contours.All) making.Add(one, number => $"traj{number}_deep", heights);
         making.Take();
     }
 }

@@ -71,7 +71,10 @@ internal static class TrajectoryChange
         if (change(list.Settings) is var changed && changed != list.Settings) Take(context, list with { Settings = changed });
     }
 
-    public static void All(CommandContext context, IReadOnlyList<DocumentTrajectory> all) => Take(context, context.Document.Current.Sidecar.Trajectories with { All = all });
+    public static void All(CommandContext context, IReadOnlyList<DocumentTrajectory> all) => All(context, all, context.Document.Current.Sidecar.Trajectories.NextNumber);
+
+    /// <param name="next">Number in the name of the next one.</param>
+    public static void All(CommandContext context, IReadOnlyList<DocumentTrajectory> all, int next) => Take(context, context.Document.Current.Sidecar.Trajectories with { All = all, NextNumber = next });
 
     private static void Take(CommandContext context, TrajectoryList list)
     {

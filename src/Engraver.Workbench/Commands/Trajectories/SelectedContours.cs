@@ -8,6 +8,7 @@ using Engraver.Core.Sequencing;
 using Engraver.Core.Sequencing.Chaining;
 using Engraver.Core.Sequencing.Nesting;
 using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
 
 namespace Engraver.Workbench.Commands.Trajectories;
 
@@ -23,13 +24,19 @@ internal sealed record SelectedContours(IReadOnlyList<SelectedContour> All, IRea
     public static async Task<SelectedContours> TakeAsync(CommandContext context)
     {
         var selected = await ObjectSelection.TakeAsync(context).ConfigureAwait(false);
-        var (drawing, settings) = (context.Drawing, context.Document.Current.Settings);
-        var table = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, selected));
+        var (contours, findings) = Of(context.Drawing, context.Document.Current.Settings, selected);
+        if (contours.All.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NothingToFollow"));
+        FindingMessages.Say(context, context.Drawing.FileName, findings.Where(found => found.Rule == SequencingRules.SmallGap), Severity.Warning);
+        return contours;
+    }
+
+    /// <summary>The contours of some entities, none where nothing of them has a length.</summary>
+    public static (SelectedContours Contours, IReadOnlyList<Diagnostic> Findings) Of(Drawing drawing, DrawingSettings settings, IReadOnlyList<int> entities)
+    {
+        var table = ArcAnalysis.Analyse(EntityTableBuilder.Build(drawing, entities));
         var chained = Sequencer.Chain(table, drawing, JobPreparation.SequencingFor(drawing, settings with { Enter = null }));
-        var contours = OffsetDrawing.ContoursOf(chained);
-        if (contours.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("Trajectories.NothingToFollow"));
-        FindingMessages.Say(context, drawing.FileName, chained.Diagnostics.Where(found => found.Rule == SequencingRules.SmallGap), Severity.Warning);
-        return new SelectedContours([.. contours.Select((contour, i) => new SelectedContour(contour, HandlesOf(chained, chained.Chain.Contours[i], drawing)))], selected);
+        var contours = OffsetDrawing.ContoursOf(chained).Select((contour, i) => new SelectedContour(contour, HandlesOf(chained, chained.Chain.Contours[i], drawing)));
+        return (new SelectedContours([.. contours], entities), chained.Diagnostics);
     }
 
     /// <summary>The side of a place: in or out of the closed contours together (islands are holes), and for each open contour whether the place lies to its left.</summary>

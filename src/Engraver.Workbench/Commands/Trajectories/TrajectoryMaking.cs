@@ -1,6 +1,6 @@
 using System.Globalization;
 using Engraver.Core.Diagnostics;
-using Engraver.Core.Geometry;
+using Engraver.Core.Offsets;
 using Engraver.Core.Trajectories;
 using Engraver.Core.Trajectories.Formats;
 using Engraver.Workbench.CommandLanguage;
@@ -16,33 +16,50 @@ internal sealed class TrajectoryMaking(CommandContext context, CancellationToken
     private readonly TrajectoryList _list = context.Document.Current.Sidecar.Trajectories;
     private readonly List<DocumentTrajectory> _made = [];
     private readonly List<Diagnostic> _findings = [];
+    private readonly TrajectoryEdits _edits = new(context.Drawing);
 
     /// <summary>Millimetres of a drawing unit.</summary>
     public double Unit { get; } = context.Drawing.Unit.ToMillimetres;
 
     public TrajectorySettings Settings => _list.Settings;
 
-    /// <summary>One for each run of a contour between corners, or one for the contour.</summary>
+    /// <summary>One for each run of a contour between corners, or one for the contour; at one height or at several.</summary>
     /// <param name="name">Its name from its number.</param>
-    public void Add(IReadOnlyList<Segment> contour, bool closed, IReadOnlyList<string> handles, Func<int, string> name) => Add(contour, closed, handles, name, [Settings.PlaneZ]);
+    public void Add(SelectedContour contour, Func<int, string> name, params IReadOnlyList<double> heights) => Add([(contour.Contour, name)], contour.Handles, heights, offset: null, default);
 
-    /// <summary>The same at several heights.</summary>
-    public void Add(IReadOnlyList<Segment> contour, bool closed, IReadOnlyList<string> handles, Func<int, string> name, IReadOnlyList<double> heights)
+    /// <summary>The same beside contours.</summary>
+    /// <param name="loops">With the names of their trajectories from their numbers.</param>
+    /// <param name="handles">Of all objects that were offset together.</param>
+    /// <param name="distance">Millimetres.</param>
+    public void AddBeside(IReadOnlyList<(OffsetContour Loop, Func<int, string> Name)> loops, IReadOnlyList<string> handles, double distance, OffsetSide side) => Add(loops, handles, [Settings.PlaneZ], distance, side);
+
+    private void Add(IReadOnlyList<(OffsetContour Loop, Func<int, string> Name)> contours, IReadOnlyList<string> handles, IReadOnlyList<double> heights, double? offset, OffsetSide side)
     {
         cancellation.ThrowIfCancellationRequested();
-        var planned = TrajectoryPlanner.Plan(contour, closed, Settings.ToOptions());
-        foreach (var z in heights)
+        var runs = new List<(Trajectory Curve, Func<int, string> Name)>();
+        foreach (var (contour, name) in contours)
         {
-            foreach (var one in planned.Trajectories) Add(one.Moved(z), handles, name);
+            var planned = TrajectoryPlanner.Plan(contour.Segments, contour.Closed, Settings.ToOptions());
+            runs.AddRange(planned.Trajectories.Select(one => (one, name)));
+            _findings.AddRange(TrajectoryFindings.NotKept(planned.Unproven, Settings.MaxErrorMm));
         }
 
-        _findings.AddRange(TrajectoryFindings.NotKept(planned.Unproven, Settings.MaxErrorMm));
+        var (group, drawn) = (_list.NextNumber + _made.Count, _edits.DrawnOf(handles));
+        foreach (var z in heights)
+        {
+            for (var i = 0; i < runs.Count; i++)
+            {
+                var origin = drawn.Length == 0 ? null : new TrajectoryOrigin(group, i, runs.Count, drawn) { Offset = offset, Side = side, Corners = Settings.Corners };
+                Add(runs[i].Curve.Moved(z), handles, runs[i].Name, origin);
+            }
+        }
     }
 
-    public void Add(Trajectory curve, IReadOnlyList<string> handles, Func<int, string> name)
+    /// <param name="origin">Null when it is made from no object.</param>
+    public void Add(Trajectory curve, IReadOnlyList<string> handles, Func<int, string> name, TrajectoryOrigin? origin = null)
     {
         var called = name(_list.NextNumber + _made.Count);
-        _made.Add(new DocumentTrajectory(called, curve, Settings.MaxErrorMm) { SegmentLengthMm = Settings.DynamicDensity || curve.Heights is not null ? null : Settings.SegmentLengthMm, Handles = handles });
+        _made.Add(new DocumentTrajectory(called, curve, Settings.MaxErrorMm) { SegmentLengthMm = Settings.DynamicDensity || curve.Heights is not null ? null : Settings.SegmentLengthMm, Handles = handles, Origin = origin });
         if (curve.VerifiedBound > Settings.MaxErrorMm) _findings.Add(TrajectoryRules.StepsTooLong.At(default, called, FactText.Of(curve.VerifiedBound), FactText.Of(Settings.MaxErrorMm)));
     }
 

@@ -21,17 +21,19 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     /// <param name="errorsAccepted">The operator has said that the drawing's errors do not matter.</param>
     /// <param name="placement">Where the job would go on this machine; null while nobody has asked it.</param>
     /// <param name="now">By the clock of the status: what the controller said a while ago gets no tick.</param>
-    public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now) => Create(job, status, errorsAccepted, placement, now, CheckSpeech.Desktop);
+    /// <param name="certificate">How the job stands to its certificate, with commands as their keys; null where nobody has looked.</param>
+    public static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, ArmingCheck? certificate = null) => Create(job, status, errorsAccepted, placement, now, CheckSpeech.Desktop, certificate);
 
     /// <summary>The same in the words of the console, of a machine that was asked just now. No ARM comes before the start there: the drawing's errors were accepted, and a job switches the motors on that it finds off.</summary>
     /// <param name="profile">Of the machine on which the job was placed.</param>
-    public static ArmingChecklist OnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement) =>
-        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console);
+    /// <param name="certificate">As for <see cref="Create(PreparedJob, MachineStatus, bool, PlacementResult, DateTimeOffset, ArmingCheck)"/>.</param>
+    public static ArmingChecklist OnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement, ArmingCheck? certificate = null) =>
+        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console, certificate);
 
     /// <summary>The same before the machine goes round a job, tool out of the work.</summary>
     /// <param name="placement">Where the way round the job would go.</param>
     public static ArmingChecklist OfFrameOnConsole(PreparedJob job, MachineProfile profile, MachineStatus status, PlacementResult? placement) =>
-        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console with { StaysInside = "ArmingChecklist.FrameStaysInside" });
+        Create(job with { Settings = job.Settings with { Machine = profile } }, status, errorsAccepted: true, placement, status.Time, CheckSpeech.Console with { StaysInside = "ArmingChecklist.FrameStaysInside" }, certificate: null);
 
     /// <summary>The first line that prevents the start; null when none does.</summary>
     public string? WhyNot => Checks.FirstOrDefault(check => !check.Passed)?.Sentence;
@@ -39,9 +41,10 @@ public sealed record ArmingChecklist(IReadOnlyList<ArmingCheck> Checks)
     /// <summary>The lines of the machine alone, where no job is prepared.</summary>
     public static ArmingChecklist OfMachineAlone(MachineStatus status, DateTimeOffset now) => new([.. OfMachine(status, now, CheckSpeech.Desktop), .. LastJob(status)]);
 
-    private static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, CheckSpeech speech) => new(
+    private static ArmingChecklist Create(PreparedJob job, MachineStatus status, bool errorsAccepted, PlacementResult? placement, DateTimeOffset now, CheckSpeech speech, ArmingCheck? certificate) => new(
     [
         .. OfDrawing(job, errorsAccepted, speech),
+        .. certificate is null ? Array.Empty<ArmingCheck>() : [certificate with { Sentence = speech.Spell(certificate.Sentence) }],
         .. OfMachine(status, now, speech),
         Asked(status, now, Origin(job, placement, speech)),
         .. Travel(job, placement, speech).Select(check => Asked(status, now, check)),
@@ -156,6 +159,9 @@ public sealed record ArmingCheck(bool Passed, string Sentence)
     /// <summary>False for what the controller said too long ago: nobody knows whether it is so.</summary>
     public bool IsAsked { get; init; } = true;
 
+    /// <summary>True for what is only told: nothing is wrong, and nothing was found right either.</summary>
+    public bool IsNote { get; init; }
+
     /// <summary>The line as the operator reads it.</summary>
-    public string Line => Wording.Get(this switch { { IsWarning: true } => "CncArm.Look", { IsAsked: false } => "CncArm.NotKnown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);
+    public string Line => Wording.Get(this switch { { IsNote: true } => "CncArm.Note", { IsWarning: true } => "CncArm.Look", { IsAsked: false } => "CncArm.NotKnown", { Passed: true } => "CncArm.Ok", _ => "CncArm.NotOk" }, Sentence);
 }

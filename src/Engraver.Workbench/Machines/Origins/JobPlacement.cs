@@ -20,6 +20,9 @@ public sealed class JobPlacement
     /// <summary>Whether the travel of the profile is in force, so that the controller watches it too.</summary>
     public bool KnowsTravel { get; private init; }
 
+    /// <summary>X, Y and Z as far as steppers move them, by the controller or by the profile: their positions are those that were commanded, and nobody knows whether the motors followed.</summary>
+    public IReadOnlyList<char> OpenLoop { get; private init; } = [];
+
     /// <summary>Asks the controller where the machine is and finds the place by the kept work origin.</summary>
     /// <param name="dryRun">The tool stays out of the work, which takes a tool that an axis holds higher.</param>
     /// <param name="time">Gives the number of the mark that is left in the controller.</param>
@@ -36,7 +39,7 @@ public sealed class JobPlacement
         if (found.Frame is { } at) found = WorkPlacement.Within(found, program with { Finish = FinishOf(program, finish, at) }, dryRun, hold.Memory, place);
         if (found.Frame is not { } frame) return new JobPlacement(hold, found, program);
         if (found.Source == OriginSource.Work) await VouchAsync(machine, hold, place, memory => found.IsAssumed ? memory.AssumeZero(program.Profile.Axes.Z is not null) : memory, time, cancellation).ConfigureAwait(false);
-        return new JobPlacement(hold, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = hold.Memory.KnowsTravel(program.Profile, place) };
+        return new JobPlacement(hold, found, program with { Finish = FinishOf(program, finish, frame) }) { KnowsTravel = hold.Memory.KnowsTravel(program.Profile, place), OpenLoop = OpenLoopOf(program.Profile.Axes, place) };
     }
 
     /// <summary>Notes that the machine is about to move.</summary>
@@ -76,6 +79,9 @@ public sealed class JobPlacement
         if (hold.Set(memory => change(memory) with { Mark = mark, Clock = place.Clock }) is { } failure) throw MachineMemoryException.NotWritten(failure);
         hold.Recognise(place with { Mark = mark });
     }
+
+    private static IReadOnlyList<char> OpenLoopOf(MachineAxes axes, ControllerPlace place) =>
+        [.. axes.All.Zip("XYZ").Where(pair => pair.First.IsStepper || place.Uncounted.Contains(pair.First.Letter, StringComparison.Ordinal)).Select(pair => pair.Second)];
 
     private static CountsPoint? FinishOf(MotionProgram program, FinishPlace finish, CountsPoint frame) => finish switch
     {

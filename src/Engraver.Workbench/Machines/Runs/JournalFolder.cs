@@ -20,6 +20,7 @@ public static class JournalFolder
     {
         folder ??= Usual;
         Directory.CreateDirectory(folder);
+        KeptConversation.MakeRoom(folder);
         var name = string.Create(CultureInfo.InvariantCulture, $"{Path.GetFileNameWithoutExtension(drawing)}-{time.GetUtcNow():yyyyMMdd-HHmmss-fff}-{Environment.ProcessId}.jsonl");
         return Path.Combine(folder, name);
     }

@@ -32,16 +32,20 @@ public static class MachineRun
     {
         using var clock = connection.TakeClock();
         var trace = options.TracePath is { } path ? clock.TraceTo(await OpenAsync(path, stop).ConfigureAwait(false), wall: time) : null;
+        var (kept, unkept) = KeptConversation.Begin(options.JournalPath);
+        var conversation = kept is null ? null : clock.ConversationTo(kept, wall: time);
         MachineRunReport report;
         try
         {
-            report = await InSessionAsync(job, program, connection, options, trace, clock, progress, stop).ConfigureAwait(false);
+            report = await InSessionAsync(job, program, connection, options, trace, conversation, clock, progress, stop).ConfigureAwait(false);
         }
         finally
         {
             if (trace is not null) await trace.CloseAsync(stop).ConfigureAwait(false); // behind the session: until its links are closed something may be heard
+            if (conversation is not null) await conversation.CloseAsync(stop).ConfigureAwait(false);
         }
 
+        if ((unkept ?? conversation?.Failure) is { } failure) options.Told?.Invoke(PreparationRules.ConversationNotKept.At(default, failure));
         return report with { TraceFailure = trace?.Failure };
     }
 
@@ -50,9 +54,9 @@ public static class MachineRun
         Task.Factory.StartNew(() => new StreamWriter(path), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default).WaitAsync(stop);
 
     private static async Task<MachineRunReport> InSessionAsync(
-        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, MachineTrace? trace, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
+        PreparedJob job, MotionProgram program, MachineConnection connection, MachineRunOptions options, MachineTrace? trace, MachineConversation? conversation, MachineClock clock, IProgress<JobProgress>? progress, CancellationToken stop)
     {
-        await using var machine = await clock.ShakeHandsAsync(connection, trace, stop).ConfigureAwait(false);
+        await using var machine = await clock.ShakeHandsAsync(connection, trace, conversation, stop).ConfigureAwait(false);
         try
         {
             return await OnMachineAsync(job, program, machine, connection, options, clock, progress, stop).ConfigureAwait(false);
@@ -81,6 +85,7 @@ public static class MachineRun
         return new MachineRunReport(judged.Result, judged.Judgement, machine.Identity.Model, planned)
         {
             Placement = placement.Found,
+            OpenLoop = placement.OpenLoop,
             Trace = judged.Trace,
             IsDryRun = options.DryRun,
             ResumedFrom = options.Resume is null ? null : beginning.Place,
@@ -165,6 +170,9 @@ public sealed record MachineRunReport(JobResult Result, RunJudgement Judgement, 
 {
     /// <summary>Where the drawing's zero lay; null while that is not known.</summary>
     public PlacementResult? Placement { get; init; }
+
+    /// <summary>X, Y and Z as far as steppers move them: a judgement by polled positions knows of them what was commanded, and nothing of what the motors did.</summary>
+    public IReadOnlyList<char> OpenLoop { get; init; } = [];
 
     /// <summary>The tool stayed off.</summary>
     public bool IsDryRun { get; init; }

@@ -38,6 +38,9 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     /// <summary>A switch, an input or a shaft that nobody frees: the next run meets it again.</summary>
     private bool IsStanding => one.Fault is { Kind: FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.Jam, ForSeconds: null };
 
+    /// <summary>Steps that a jammed stepper lost are seen by nobody: whoever commands it goes on beside its place until the machine is homed or the origin is set anew, and what was cut meanwhile is spoiled.</summary>
+    private bool MayLoseSteps => one is { Machine: MachineKind.Stepper, Fault.Kind: FaultKind.Jam };
+
     /// <summary>Counts that may be at work in all runs of the case.</summary>
     private double MostCounts => PartCounts + (_resumes * AgainCounts) + (_machine.HasHeight ? (_resumes + 1) * BrakingCounts : 0.0);
 
@@ -121,19 +124,17 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
     {
         Claim(!limit.IsCancellationRequested, "it hung", run);
         Claim(run.Sentence.Length > 0 && !run.Sentence.Contains("Exception", StringComparison.Ordinal), "it is not told in a sentence", run);
-        Claim(!one.IsRun || !run.IsComplete || run.IsCutRight, "complete and wrong", run);
-        Claim(!one.IsRun || !run.IsComplete || run.Zero == _zero, "complete and at another place", run);
-        Claim(one.Activity != HostActivity.GoTo || !run.IsComplete || IsAt(s_goal), $"complete and at {_machine.Controller.MotorPlace(0)}, {_machine.Controller.MotorPlace(1)}", run);
+        Claim(!one.IsRun || !run.IsComplete || MayLoseSteps || run.IsCutRight, "complete and wrong", run);
+        Claim(!one.IsRun || !run.IsComplete || MayLoseSteps || run.Zero == _zero, "complete and at another place", run);
+        Claim(!one.IsRun || run.Result?.FrameOrigin is null || run.OpenLoop == (one.Machine == MachineKind.Stepper ? "XY" : ""), $"it takes the positions of {run.OpenLoop} for those that were commanded", run);
+        Claim(one.Activity != HostActivity.GoTo || !run.IsComplete || MayLoseSteps || IsAt(s_goal), $"complete and at {_machine.Controller.MotorPlace(0)}, {_machine.Controller.MotorPlace(1)}", run);
         Claim(run.Result is null || _resumes > 0 || run.Result.SegmentsExecuted <= _machine.Controller.Status.SegmentsExecuted, "it counts segments that were not executed", run);
         Claim(run.CutCounts <= MostCounts, "something was cut twice", run);
         Claim(run.LongestBurn <= MostBurn, "the tool was on at a standstill", run);
         Claim(!one.IsRun || IsOfMotion || run.Record.MaxDeviationMm is not > FaultyMachine.MostBesideMm, "it cut beside the drawing", run);
         var rest = _machine.Rest();
-        Claim(!rest.IsMoving && (rest.Outputs & (MayTurnOn(run) ? 1 : 5)) == 0, $"outputs {rest.Outputs}, or the machine moves", run);
+        Claim(!rest.IsMoving && (rest.Outputs & 5) == 0, $"outputs {rest.Outputs}, or the machine moves", run);
     }
-
-    /// <summary>While a program is loaded nothing watches in the controller: a link that is lost just then, with both handles, leaves a spindle turning over the work.</summary>
-    private bool MayTurnOn(FaultyRun run) => one is { Machine: MachineKind.Mill, Mode: JobMode.Program } && run.Result is { Outcome: JobOutcome.LinkLost } && _machine.ToolHeight >= _machine.TopOfWork + _machine.Clearance - 2;
 
     /// <summary>The fault is one of the machine's motion, not of what is said over the wire.</summary>
     private bool IsOfMotion => one.Fault.Kind is FaultKind.LimitSwitch or FaultKind.AbortInput or FaultKind.MotorOff or FaultKind.Jam or FaultKind.PowerCycle;
@@ -175,12 +176,12 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         var next = await UntilHeardAsync(isResumed);
         if (IsStanding)
         {
-            Claim(!next.IsComplete || IsRight(next), "the next run is complete and wrong", next);
+            Claim(!next.IsComplete || MayLoseSteps || IsRight(next), "the next run is complete and wrong", next);
             _machine.Free(one.Fault);
             if (!next.IsComplete) next = await AgainAsync(next, isResumed);
         }
 
-        Claim(next.Refusal is not null || IsRight(next) || next.Result?.Outcome is JobOutcome.Refused, "the next run is neither right nor refused", next);
+        Claim(next.Refusal is not null || MayLoseSteps || IsRight(next) || next.Result?.Outcome is JobOutcome.Refused, "the next run is neither right nor refused", next);
         if (isResumed) Claim(next.CutCounts <= MostCounts, "the next run has cut something twice", next);
         if (!IsRight(next)) await RemedyAsync(next, isResumed);
         Claim((_machine.Rest().Outputs & 1) == 0, "the tool is on after the next run", next);
@@ -193,7 +194,7 @@ internal sealed class FaultTrial(FaultCase one, CancellationTokenSource limit) :
         Claim(unpowered.Length == 0, "the motors cannot be switched on: " + unpowered, refused);
         if (one.Activity != HostActivity.Home) await _machine.SetOriginAnewAsync(limit.Token);
         var next = await AgainAsync(refused, isResumed);
-        Claim(IsRight(next), "with the operator's remedy it is not right", next);
+        Claim(IsRight(next) || (MayLoseSteps && isResumed), "with the operator's remedy it is not right", next);
         if (isResumed) Claim(next.CutCounts <= MostCounts, "with the operator's remedy it has cut something twice", next);
     }
 

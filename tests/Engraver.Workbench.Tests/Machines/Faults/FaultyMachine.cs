@@ -212,6 +212,7 @@ internal sealed class FaultyMachine : IAsyncDisposable
             {
                 Tolerance = RunJudge.Tolerances(job).Deviation,
                 Journal = options.JournalPath,
+                OpenLoop = string.Concat(report.OpenLoop),
                 LongestBurn = CutRecord.LongestBurn(cut, IsAtWork(frame)),
                 Zero = report.Result.FrameOrigin is { } taken ? new CountsPoint(_controller.PlaceOf(0, taken.X), _controller.PlaceOf(1, taken.Y)) : null,
             };
@@ -363,6 +364,9 @@ internal sealed record FaultyRun(JobResult? Result, string? Refusal, RunJudgemen
     public double Tolerance { get; init; }
 
     public string Sentence { get; private init; } = Result?.Sentence ?? "";
+
+    /// <summary>Axes whose positions are those that were commanded, by the report of the run.</summary>
+    public string OpenLoop { get; init; } = "";
 
     /// <summary>Path of the run's journal; empty for a move.</summary>
     public string Journal { get; init; } = "";

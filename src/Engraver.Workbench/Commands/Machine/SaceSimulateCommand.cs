@@ -1,9 +1,9 @@
 using Engraver.Core.Diagnostics;
 using Engraver.Core.Machines;
-using Engraver.Workbench.Commands.Machine;
+using Engraver.Workbench.Commands.Trajectories;
 using Engraver.Workbench.Documents;
 
-namespace Engraver.Workbench.Commands.Trajectories;
+namespace Engraver.Workbench.Commands.Machine;
 
 /// <summary>SACESIMULATE: Runs the trajectories on a simulated controller as arcs and lines, and says how far it was from what they follow; no machine moves.</summary>
 internal sealed class SaceSimulateCommand : ICommand

@@ -1,0 +1,93 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Text;
+using Engraver.Workbench.Composition;
+
+namespace Engraver.Benchmarks.Stops;
+
+/// <summary>A pseudo-terminal that stands for a serial line of a rate: a command is on the wire when its last bit would have left such a line, which carries ten bits for each byte, one after the other.</summary>
+internal sealed class FaultStopSerialTap : FaultStopWire
+{
+    private readonly Lock _gate = new();
+    private readonly StringBuilder _command = new();
+    private readonly double _ticksPerByte;
+
+    /// <summary>Time stamp at which the line has carried everything that the host gave it.</summary>
+    private double _free;
+
+    private long _sent;
+    private long _prompted;
+    private long _pressed = long.MaxValue;
+    private long _ended;
+
+    /// <param name="baud">Bits per second.</param>
+    private FaultStopSerialTap(string path, int baud)
+    {
+        _ticksPerByte = Stopwatch.Frequency * 10.0 / baud;
+        Address = string.Create(CultureInfo.InvariantCulture, $"serial://{path}?baud={baud}");
+    }
+
+    public override string Address { get; }
+
+    public override double UnderWayMilliseconds
+    {
+        get
+        {
+            lock (_gate) return _ended == 0 ? 0.0 : Stopwatch.GetElapsedTime(_pressed, _ended).TotalMilliseconds;
+        }
+    }
+
+    /// <param name="path">Becomes the device; must not exist.</param>
+    public static async Task<FaultStopWire> OverSerialAsync(ServedSimulator controller, string path, int baud, CancellationToken cancellation)
+    {
+        var tap = new FaultStopSerialTap(path, baud);
+        await controller.ServeSerialAsync(path, baud, tap.Hear, cancellation).ConfigureAwait(false);
+        return tap;
+    }
+
+    public override void Press(long at)
+    {
+        lock (_gate) _pressed = _sent > _prompted ? at : long.MaxValue;
+    }
+
+    /// <summary>The line ends with its controller.</summary>
+    public override ValueTask DisposeAsync() => ValueTask.CompletedTask;
+
+    private void Hear(ReadOnlyMemory<byte> bytes, bool fromHost)
+    {
+        var came = Stopwatch.GetTimestamp();
+        var commands = new List<(string Text, long At)>();
+        lock (_gate)
+        {
+            if (fromHost) commands.AddRange(Carried(bytes.Span, came));
+            else if (bytes.Span.IndexOfAny(":?"u8) >= 0)
+            {
+                _prompted = came;
+                if (_pressed != long.MaxValue && _ended == 0) _ended = came;
+            }
+        }
+
+        foreach (var (text, at) in commands) Tell(text, at);
+    }
+
+    private List<(string Text, long At)> Carried(ReadOnlySpan<byte> bytes, long came)
+    {
+        var commands = new List<(string, long)>();
+        _sent = came;
+        _free = Math.Max(_free, came);
+        foreach (var one in bytes)
+        {
+            _free += _ticksPerByte;
+            if (one != '\r')
+            {
+                _command.Append((char)one);
+                continue;
+            }
+
+            commands.Add((_command.ToString(), (long)_free));
+            _command.Clear();
+        }
+
+        return commands;
+    }
+}

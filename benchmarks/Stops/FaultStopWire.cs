@@ -1,0 +1,43 @@
+using Engraver.Workbench.Composition;
+
+namespace Engraver.Benchmarks.Stops;
+
+/// <summary>The link between a host and a simulated controller, on which the commands are heard that pass.</summary>
+internal abstract class FaultStopWire : IAsyncDisposable
+{
+    /// <summary>Raised with each command and the time stamp at which it was on the wire, on any thread.</summary>
+    public event Action<string, long>? Heard;
+
+    /// <summary>Where the host finds the controller.</summary>
+    public abstract string Address { get; }
+
+    /// <summary>From <see cref="Press"/> on: for how long the exchange that was under way kept the wire, milliseconds. 0 where a stop does not wait for it.</summary>
+    public virtual double UnderWayMilliseconds => 0.0;
+
+    /// <summary>STOP is pressed at this time stamp.</summary>
+    public virtual void Press(long at)
+    {
+    }
+
+    public abstract ValueTask DisposeAsync();
+
+    protected void Tell(string command, long at) => Heard?.Invoke(command, at);
+
+    /// <summary>A TCP connection through a relay.</summary>
+    public static async Task<FaultStopWire> OverTcpAsync(ServedSimulator controller, CancellationToken cancellation) => new Tcp(new WireTap(await controller.ListenTcpAsync(0, cancellation).ConfigureAwait(false)));
+
+    private sealed class Tcp : FaultStopWire
+    {
+        private readonly WireTap _tap;
+
+        public Tcp(WireTap tap)
+        {
+            _tap = tap;
+            tap.Heard += Tell;
+        }
+
+        public override string Address => _tap.Address;
+
+        public override ValueTask DisposeAsync() => _tap.DisposeAsync();
+    }
+}

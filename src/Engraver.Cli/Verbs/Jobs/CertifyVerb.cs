@@ -1,0 +1,95 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Engraver.Cli.Options;
+using Engraver.Cli.Output;
+using Engraver.Cli.Output.Jobs;
+using Engraver.Core.Machines;
+using Engraver.Workbench.Certificates;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Verification;
+
+namespace Engraver.Cli.Verbs.Jobs;
+
+/// <summary><c>engraver certify</c>: reads the program of a job back and writes down that it does what the drawing says; with <c>--check</c> only whether what is written down still holds.</summary>
+internal sealed class CertifyVerb
+{
+    private readonly VerbHost _host;
+    private readonly DrawingOptions _drawing = new();
+    private readonly Option<string?> _target = new("--target") { Description = Wording.Get("Certify.Target") };
+    private readonly Option<string?> _program = new("--program") { HelpName = "FILE", Description = Wording.Get("Certify.Program") };
+    private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = Wording.Get("Certify.Output") };
+    private readonly Option<bool> _check = new("--check") { Description = Wording.Get("Certify.Check") };
+    private readonly Option<ControllerAddress?> _connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
+    private readonly Option<string> _mode = ModeOption.New();
+    private readonly Option<bool> _json = JsonOption.New();
+
+    private CertifyVerb(VerbHost host)
+    {
+        _host = host;
+        _target.AcceptOnlyFromAmong([.. PostTable.All.Where(entry => entry.Reader is not null).Select(entry => entry.Post.Name)]);
+    }
+
+    public static Command Build(VerbHost host)
+    {
+        var verb = new CertifyVerb(host);
+        var command = new Command("certify", Wording.Get("Certify.Summary"));
+        verb._drawing.AddTo(command);
+        foreach (var option in (Option[])[verb._target, verb._program, verb._output, verb._check, verb._connect, verb._mode, verb._json]) command.Options.Add(option);
+        command.SetAction(verb.RunAsync);
+        return command;
+    }
+
+    private async Task<int> RunAsync(ParseResult parsed, CancellationToken stop)
+    {
+        var (settings, file) = (_drawing.Settings(parsed), _drawing.File(parsed));
+        var hash = ContentHash.OfFile(file);
+        var request = new CertificationRequest(DrawingFile.Open(file, settings, stop), hash, settings, Target(parsed), TimeProvider.System.GetUtcNow())
+        {
+            Program = parsed.GetValue(_program) is { } program ? Given(program) : null,
+            Address = parsed.GetValue(_connect),
+            Mode = ModeOption.Mode(parsed.GetValue(_mode)),
+        };
+        var place = parsed.GetValue(_output) ?? CertificateFile.PathOf(file);
+        return parsed.GetValue(_check) ? Check(parsed, request, place) : await CertifyAsync(parsed, request, place, stop).ConfigureAwait(false);
+    }
+
+    private async Task<int> CertifyAsync(ParseResult parsed, CertificationRequest request, string place, CancellationToken stop)
+    {
+        if (request.DrawingHash is null && !DrawingFile.IsUnreadable(request.Drawing)) throw new UsageException(Wording.Get("Certify.NoFile", request.Drawing.FileName));
+        var quiet = _host.Quiet(parsed) || parsed.GetValue(_json);
+        var made = await VerifyProgressBar.ShowAsync(quiet, progress => Certification.CertifyAsync(request, progress, stop)).ConfigureAwait(false);
+        var code = _host.Report(parsed, request.Drawing.FileName, made.Diagnostics);
+        if (made.Certificate is not { } certificate)
+        {
+            _host.Error.WriteLine(Wording.Get("Certify.NoProgram", made.WithoutProgram));
+            return ExitCode.DrawingError;
+        }
+
+        if (certificate.Ok) _host.Write(place, output => output.WriteLine(CertificateFile.Text(certificate)));
+        if (parsed.GetValue(_json)) _host.Out.WriteLine(CertificateFile.Text(certificate));
+        else _host.Out.WriteLine(Wording.Get(certificate.Ok ? "Certify.Ok" : "Certify.NotOk", place, certificate.MaxDeviation ?? 0.0, certificate.Tolerance, certificate.MissingLength, certificate.ExtraLength));
+        return certificate.Ok ? code : ExitCode.DrawingError;
+    }
+
+    private int Check(ParseResult parsed, CertificationRequest request, string place)
+    {
+        _host.Report(parsed, request.Drawing.FileName, request.Drawing.Diagnostics);
+        var standing = CertificateStanding.Of(place, Certification.IdentityOf(request));
+        if (parsed.GetValue(_json)) ContractJson.Write(_host.Out, CertificateCheckJson.From(standing, place), ContractJson.Default.CertificateCheckJson);
+        else _host.Out.WriteLine(SettingWording.OnConsole(standing.Sentence) + ".");
+        return standing.State == CertificateState.Stands ? ExitCode.Done : ExitCode.DrawingError;
+    }
+
+    /// <summary>Without a target: what the machine would be sent in the mode.</summary>
+    private PostEntry Target(ParseResult parsed) =>
+        parsed.GetValue(_target) is { } name ? PostTable.Find(name) : PostTable.ForMotion(JobPlan.StyleOf(ModeOption.Mode(parsed.GetValue(_mode))));
+
+    /// <exception cref="UsageException">The program cannot be read.</exception>
+    private static (string File, string Text) Given(string path)
+    {
+        var read = ReadBackFile.Open(path);
+        return read.Text is { } text ? (path, text) : throw new UsageException(Wording.Get("Certify.ProgramUnreadable", path, read.Diagnostics[0].Message));
+    }
+}

@@ -1,0 +1,31 @@
+using System.CommandLine;
+using Engraver.Cli.Options;
+using Engraver.Cli.Output;
+using Engraver.Cli.Output.Jobs;
+using Engraver.Workbench.Histories;
+using Engraver.Workbench.Reports;
+
+namespace Engraver.Cli.Verbs.Jobs;
+
+/// <summary><c>engraver history</c>: the jobs that were run and the programs that were written, on the console and in the desktop.</summary>
+internal static class HistoryVerb
+{
+    public static Command Build(VerbHost host)
+    {
+        var search = new Option<string?>("--search") { HelpName = "TEXT", Description = Wording.Get("History.Search") };
+        var last = new Option<double?>("--last") { HelpName = "N", Description = Wording.Get("History.Last"), CustomParser = result => OptionValue.WholeNumberFromOne(result) };
+        var json = JsonOption.New();
+        var command = new Command("history", Wording.Get("History.Summary"));
+        foreach (var option in (Option[])[search, last, json]) command.Options.Add(option);
+        command.SetAction(parsed =>
+        {
+            var reading = new JobHistory(JobHistory.FolderIn(null)).Look();
+            var numbered = reading.Entries.Select((entry, index) => (Number: index + 1, Entry: entry)).Where(one => parsed.GetValue(search) is not { } word || one.Entry.Holds(word)).Take((int)(parsed.GetValue(last) ?? int.MaxValue)).ToList();
+            foreach (var finding in reading.Findings) host.Error.WriteLine(finding);
+            if (parsed.GetValue(json)) ContractJson.Write(host.Out, HistoryJson.From(numbered.Select(one => one.Entry), reading.Findings), ContractJson.Default.HistoryJson);
+            else HistoryText.Write(host.Out, numbered, TimeZoneInfo.Local);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+}

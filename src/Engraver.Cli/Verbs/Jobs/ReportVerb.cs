@@ -1,0 +1,38 @@
+using System.CommandLine;
+using Engraver.Cli.Options;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Histories;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Reports.Pages;
+
+namespace Engraver.Cli.Verbs.Jobs;
+
+/// <summary><c>engraver report</c>: a job, and its run where there was one, as a page for the browser and for paper.</summary>
+internal static class ReportVerb
+{
+    public static Command Build(VerbHost host)
+    {
+        var drawing = new DrawingOptions();
+        var output = new Option<string>("-o", "--output") { Required = true, HelpName = "OUT.html", Description = Wording.Get("Report.Output") };
+        var journal = new Option<string?>("--journal") { HelpName = "FILE", Description = Wording.Get("Report.Journal") };
+        var connect = ConnectOption.New(required: false, Wording.Get("Plan.WhereJobWillRun"));
+        var mode = ModeOption.New();
+        var rate = RateOption.New();
+        var command = new Command("report", Wording.Get("Report.Summary"));
+        drawing.AddTo(command);
+        foreach (var option in (Option[])[output, journal, connect, mode, rate]) command.Options.Add(option);
+        command.SetAction((parsed, stop) =>
+        {
+            var (settings, kept) = (drawing.Settings(parsed), parsed.GetValue(journal));
+            if (kept is not null && !File.Exists(kept) && !File.Exists(KeptTrace.PathOf(kept))) throw new UsageException(Wording.Get("Report.NoJournal", kept));
+            var history = new JobHistory(JobHistory.FolderIn(null));
+            var read = DrawingFile.Open(drawing.File(parsed), settings, stop);
+            var request = new JobReportRequest(read, settings, ModeOption.Mode(parsed.GetValue(mode)), TimeProvider.System.GetUtcNow()) { Address = parsed.GetValue(connect), Rates = parsed.GetValue(rate), Journal = kept };
+            var report = JobReport.Create(request.WithRunOf(history.Look()), stop);
+            if (!DrawingFile.IsUnreadable(read)) host.Write(parsed.GetValue(output), writer => JobReportPage.Write(report, TimeZoneInfo.Local, writer));
+            if (report.Run is { } run && history.Keep(run with { Report = Path.GetFullPath(parsed.GetRequiredValue(output)) }) is { } failure) host.Error.WriteLine(Wording.Get("Verbs.HistoryNotKept", failure));
+            return Task.FromResult(host.Report(parsed, read.FileName, report.Job.Diagnostics));
+        });
+        return command;
+    }
+}

@@ -1,0 +1,52 @@
+using Engraver.Core.Geometry;
+
+namespace Engraver.Core.Machines.Origins;
+
+/// <summary>What the place where the machine stands becomes in a work origin: the drawing's zero, a place of the drawing, a touched edge, or the second of two touches.</summary>
+public sealed record ZeroTouch
+{
+    /// <summary>The origin's X is set; an edge sets only the axis that it tells.</summary>
+    public bool X { get; init; }
+
+    public bool Y { get; init; }
+
+    /// <summary>The origin's height is set, on a machine that has a Z axis.</summary>
+    public bool Z { get; init; }
+
+    /// <summary>The machine stands at this place of the drawing, mm.</summary>
+    public Point2D Place { get; init; }
+
+    /// <summary>The tool stands at this height of the drawing, mm.</summary>
+    public double Height { get; init; }
+
+    /// <summary>The tool touches this edge; null for none.</summary>
+    public WorkEdge? Edge { get; init; }
+
+    /// <summary>Radius of the tool that touches the edge, mm.</summary>
+    public double Radius { get; init; }
+
+    /// <summary>The zero lies half-way between this touch, controller counts, and the machine; null for no such touch.</summary>
+    public CountsPoint? First { get; init; }
+
+    /// <summary>False where the place or the height is more than a controller counts.</summary>
+    public bool IsCountable(CountsScale scale) => scale.Holds(Bounds2D.FromCorners(Place, Place), default) && scale.HoldsHeight(Height);
+
+    /// <summary>The memory with the origin set; axes that are not set keep their places.</summary>
+    /// <param name="name">The origin.</param>
+    /// <param name="here">Where the machine stands, controller counts.</param>
+    public MachineMemory Set(MachineMemory memory, string name, CountsPoint here, MachineProfile profile)
+    {
+        ArgumentNullException.ThrowIfNull(memory);
+        ArgumentNullException.ThrowIfNull(profile);
+        var (x, y) = ZeroAt(here, profile.Scale);
+        return memory.WithOrigin(name, X ? x : null, Y ? y : null, Z && profile.Axes.Z is not null ? here.Z - profile.Scale.ToHeight(Height) : null);
+    }
+
+    private (int? X, int? Y) ZeroAt(CountsPoint here, CountsScale scale)
+    {
+        if (Edge is { } edge) return EdgeTouch.ZeroAt(here, edge, Radius, scale);
+        if (First is { } first) return EdgeTouch.Middle(first, here) is var middle ? (middle.X, middle.Y) : default;
+        var at = scale.ToCounts(Place);
+        return (here.X - at.X, here.Y - at.Y);
+    }
+}

@@ -1,0 +1,38 @@
+using System.Text.Json;
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Certificates;
+
+/// <summary>The file of a certificate: JSON beside the drawing, <c>part.certificate.json</c> for <c>part.dxf</c>.</summary>
+public static class CertificateFile
+{
+    public const string Ending = ".certificate.json";
+
+    /// <summary>The usual place.</summary>
+    public static string PathOf(string drawing) => Path.ChangeExtension(drawing, null) + Ending;
+
+    /// <summary>Writes it whole or not at all.</summary>
+    /// <exception cref="IOException">The place cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The same.</exception>
+    public static void Write(string path, JobCertificate certificate) => OutputFile.Write(path, output => output.WriteLine(Text(certificate)));
+
+    /// <summary>The text of the file.</summary>
+    public static string Text(JobCertificate certificate) => JsonSerializer.Serialize(certificate, CertificateJson.Default.JobCertificate);
+
+    /// <summary>Reads it.</summary>
+    /// <returns>Neither, when there is no file; a certificate; or why what is there is none, without a full stop.</returns>
+    public static (JobCertificate? Certificate, string? Problem) Read(string path)
+    {
+        if (!File.Exists(path) || FileKind.IsStream(path)) return (null, null);
+        try
+        {
+            var read = JsonSerializer.Deserialize(File.ReadAllText(path), CertificateJson.Default.JobCertificate);
+            if (read is null) return (null, Wording.Get("Certificate.Empty"));
+            return read.Version == JobCertificate.CurrentVersion ? (read, null) : (null, Wording.Get("Certificate.OtherVersion", read.Version));
+        }
+        catch (Exception unusable) when (unusable is JsonException or IOException or UnauthorizedAccessException)
+        {
+            return (null, unusable.Message.TrimEnd('.'));
+        }
+    }
+}

@@ -1,0 +1,118 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Machines;
+using Engraver.Core.Posts;
+using Engraver.Core.Toolpaths;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Settings;
+using Engraver.Workbench.Verification;
+
+namespace Engraver.Workbench.Certificates;
+
+/// <summary>Reads a job's program back and writes down what was found.</summary>
+public static class Certification
+{
+    /// <summary>Posts the job unless a program is given, reads it back by the target's own reader, and compares both ways.</summary>
+    /// <returns>Without a certificate when there is no program to read; a certificate that is not ok when the program is not what is drawn.</returns>
+    /// <exception cref="SettingException">A named layer or the entering entity is not in the drawing.</exception>
+    /// <exception cref="ArgumentException">Nothing reads programs of this target.</exception>
+    /// <exception cref="OperationCanceledException">The caller cancelled.</exception>
+    public static async Task<Certified> CertifyAsync(CertificationRequest request, IProgress<ReplayProgress>? progress, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        var (drawing, settings, post) = (request.Drawing, request.Settings, request.Target.Post);
+        var reader = request.Target.Reader ?? throw new ArgumentException($"Nothing reads programs of {post.Name}.", nameof(request));
+        var job = JobPreparation.PrepareUnlessCancelled(drawing, settings, post.Motion ?? MotionStyle.Continuous, cancellation);
+        var (posted, fitted) = Posted(request, job);
+        if (posted.Text is not { } text) return new Certified(null, posted.Diagnostics) { WithoutProgram = posted.WithoutProgram };
+        var report = await ProgramVerification.VerifyAsync(ReadBackFile.FromText(text), reader, drawing, settings, progress, cancellation).ConfigureAwait(false);
+        IReadOnlyList<Diagnostic> findings = [.. posted.Diagnostics, .. report.Diagnostics];
+        return new Certified(Certificate(request, job, fitted, text, report, findings), findings);
+    }
+
+    /// <summary>By what the job of a request is known again: its program is the given one, or the one that would be posted now.</summary>
+    public static JobIdentity IdentityOf(CertificationRequest request)
+    {
+        ArgumentNullException.ThrowIfNull(request);
+        return JobIdentity.Of(request.Drawing.FileName, request.Settings, request.Target.Post.Name, Program) with { Drawing = request.DrawingHash };
+
+        string? Program()
+        {
+            var job = JobPreparation.Prepare(request.Drawing, request.Settings, request.Target.Post.Motion ?? MotionStyle.Continuous);
+            return Posted(request, job).Posted.Text is { } text ? ContentHash.OfText(text) : null;
+        }
+    }
+
+    /// <returns>The program, and its motion as the link can carry it where the machine of the profile runs it.</returns>
+    private static (PostedProgram Posted, MotionProgram? Fitted) Posted(CertificationRequest request, PreparedJob job)
+    {
+        var (drawing, settings, post) = (request.Drawing, request.Settings, request.Target.Post);
+        var fit = post.Motion is not null && job.Motion.Program is { } program ? JobPlan.FitToLink(program, request.Address, request.Mode, drawing) : null;
+        if (request.Program is { } given) return (new PostedProgram(given.Text, job.Diagnostics), fit?.Program);
+        if (post.Motion is null) return (PostedProgram.Create(drawing, settings, post, PostedProgram.NoOptions), null);
+        return (PostedProgram.FromJob(fit is null ? job : job with { Motion = job.Motion with { Program = fit.Program } }, post, PostedProgram.NoOptions), fit?.Program);
+    }
+
+    private static JobCertificate Certificate(CertificationRequest request, PreparedJob job, MotionProgram? fitted, string text, VerificationReport report, IReadOnlyList<Diagnostic> findings)
+    {
+        var (machine, words) = (request.Settings.Machine, SettingWords.Of(request.Settings));
+        return new JobCertificate
+        {
+            Issued = request.Now,
+            IssuedBy = $"CncEngraver {ProgramVersion}",
+            Drawing = new CertifiedDrawing(Path.GetFileName(request.Drawing.FileName), request.DrawingHash, request.Drawing.Bytes),
+            Program = new CertifiedProgram(request.Target.Post.Name, request.Program is { } given ? Path.GetFileName(given.File) : null, ContentHash.OfText(text), text.Count(letter => letter == '\n')),
+            Settings = new CertifiedSettings(JobIdentity.OfSettings(words), words),
+            Profile = new CertifiedProfile(JobIdentity.OfProfile(machine), machine.Scale.X, machine.Scale.Y, machine.FeedMmPerMinute, machine.RapidMmPerMinute),
+            Ok = report.Ok,
+            MaxDeviation = report.MaxDeviationMm,
+            Tolerance = report.ToleranceMm,
+            MissingLength = report.MissingLengthMm,
+            ExtraLength = report.ExtraLengthMm,
+            Limits = Limits(job),
+            PlannedSeconds = fitted is null ? null : JobPlan.PlannedTimes(fitted, request.Address, request.Mode).Total,
+            Findings = [.. findings.OrderByDescending(found => found.Severity).Select(Finding)],
+        };
+    }
+
+    private static CertifiedLimits? Limits(PreparedJob job)
+    {
+        var (box, axes) = (FrameOutline.BoundsOf(job.Toolpath), job.Settings.Machine.Axes);
+        if (box.IsEmpty) return null;
+        var (x, y) = (axes.X.Travel is { } alongX ? alongX.Most - alongX.Least : (double?)null, axes.Y.Travel is { } alongY ? alongY.Most - alongY.Least : (double?)null);
+        return new CertifiedLimits(box.MinX, box.MinY, box.MaxX, box.MaxY, x, y, !(box.Width > x) && !(box.Height > y));
+    }
+
+    private static CertifiedFinding Finding(Diagnostic found) =>
+        new(found.Id, found.Severity.ToString().ToLower(CultureInfo.InvariantCulture), found.Source.Line > 0 ? (int)found.Source.Line : null, found.Sentence);
+
+    private static string ProgramVersion => typeof(Certification).Assembly.GetName().Version?.ToString(3) ?? "";
+}
+
+/// <summary>What is to be certified.</summary>
+/// <param name="Drawing">As it was read.</param>
+/// <param name="DrawingHash">Of its file, taken before it was read: a file that changes meanwhile makes a certificate that does not stand.</param>
+/// <param name="Target">An entry whose programs can be read back.</param>
+/// <param name="Now">The date of the certificate.</param>
+public sealed record CertificationRequest(Drawing Drawing, string? DrawingHash, DrawingSettings Settings, PostEntry Target, DateTimeOffset Now)
+{
+    /// <summary>A program that was posted before, with its file; null: it is posted now.</summary>
+    public (string File, string Text)? Program { get; init; }
+
+    /// <summary>The link that the machine's own program is sent over, which may have to be cut slower there; null for none.</summary>
+    public ControllerAddress? Address { get; init; }
+
+    /// <summary>How the machine runs it.</summary>
+    public JobMode Mode { get; init; }
+}
+
+/// <summary>What came of it.</summary>
+/// <param name="Certificate">Null when there is no program.</param>
+/// <param name="Diagnostics">Of every stage, of the post and of the reading.</param>
+public sealed record Certified(JobCertificate? Certificate, IReadOnlyList<Diagnostic> Diagnostics)
+{
+    /// <summary>Why there is no program, without a full stop.</summary>
+    public string WithoutProgram { get; init; } = "";
+}

@@ -1,0 +1,72 @@
+using System.Security.Cryptography;
+using System.Text;
+using Engraver.Core.Machines;
+using Engraver.Core.Machines.Profiles;
+using Engraver.Core.Posts;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Files;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Certificates;
+
+/// <summary>By what a job is known again: hashes of the drawing's bytes, of the machine profile and of the program, and the settings themselves.</summary>
+/// <param name="Drawing">SHA-256 of the drawing's file; null where there is no such file to read.</param>
+/// <param name="Settings">As <see cref="SettingWords"/> has them.</param>
+/// <param name="Profile">SHA-256 of the profile in its own full form: a field that is left out and one that is given with its default are the same.</param>
+/// <param name="Target">Name of the post.</param>
+/// <param name="Program">SHA-256 of the program's text; computed when it is asked for, null when there is none.</param>
+public sealed record JobIdentity(string? Drawing, IReadOnlyDictionary<string, string> Settings, string Profile, string Target, Lazy<string?> Program)
+{
+    /// <summary>Of a job that a machine runs: its program is the post of the same motion in the style of the mode.</summary>
+    /// <param name="program">Of <paramref name="job"/>, made fit for the link.</param>
+    public static JobIdentity OfRun(PreparedJob job, MotionProgram program)
+    {
+        ArgumentNullException.ThrowIfNull(job);
+        ArgumentNullException.ThrowIfNull(program);
+        var post = PostTable.ForMotion(program.Style).Post;
+        var sent = job with { Motion = job.Motion with { Program = program } };
+        return Of(job.Drawing.FileName, job.Settings, post.Name, () => PostedProgram.FromJob(sent, post, PostedProgram.NoOptions).Text is { } text ? ContentHash.OfText(text) : null);
+    }
+
+    /// <summary>Of a program that was posted.</summary>
+    /// <param name="drawing">The drawing's file.</param>
+    /// <param name="program">Computes the hash of the program.</param>
+    public static JobIdentity Of(string drawing, DrawingSettings settings, string target, Func<string?> program)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        return new JobIdentity(ContentHash.OfFile(drawing), SettingWords.Of(settings), OfProfile(settings.Machine), target, new Lazy<string?>(program));
+    }
+
+    /// <summary>The hash of a profile.</summary>
+    public static string OfProfile(MachineProfile profile) => ContentHash.OfText(MachineProfileFile.Write(profile));
+
+    /// <summary>The hash of settings.</summary>
+    public static string OfSettings(IReadOnlyDictionary<string, string> settings)
+    {
+        ArgumentNullException.ThrowIfNull(settings);
+        return ContentHash.OfText(string.Concat(settings.OrderBy(one => one.Key, StringComparer.Ordinal).Select(one => $"{one.Key}={one.Value}\n")));
+    }
+}
+
+/// <summary>SHA-256 as 64 hexadecimal digits.</summary>
+public static class ContentHash
+{
+    /// <summary>Of the bytes of a file; null when it cannot be read, or is a stream that can be read only once.</summary>
+    public static string? OfFile(string path)
+    {
+        if (FileKind.IsStream(path)) return null;
+        try
+        {
+            using var file = File.OpenRead(path);
+            return Convert.ToHexStringLower(SHA256.HashData(file));
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            return null;
+        }
+    }
+
+    /// <summary>Of a text as it is written to a file: UTF-8.</summary>
+    public static string OfText(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)));
+}

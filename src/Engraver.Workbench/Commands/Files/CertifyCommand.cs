@@ -1,0 +1,49 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Workbench.Certificates;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Composition;
+using Engraver.Workbench.Documents;
+
+namespace Engraver.Workbench.Commands.Files;
+
+/// <summary>CERTIFY: Reads the program of the drawing back, compares it both ways, and writes beside the drawing what was found; no machine moves.</summary>
+internal sealed class CertifyCommand : ICommand
+{
+    private const string Name = "CERTIFY";
+
+    private static readonly IReadOnlyList<PostEntry> s_readable = [.. PostTable.All.Where(entry => entry.Reader is not null)];
+    private static readonly IReadOnlyList<Keyword> s_targets = Keyword.List([.. s_readable.Select(entry => entry.Keyword)]);
+
+    public CommandInfo Info { get; } = new(Name, CommandGroup.Output);
+
+    /// <exception cref="CommandException">The drawing has edits that no file holds, there is no program, or the program is not what is drawn.</exception>
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var file = context.Drawing.FileName;
+        if (context.Document.IsDrawingEdited) throw new CommandException(CommandFailure.Usage, Wording.Get("Certify.Edited"));
+        var usual = PostTable.ForMotion(JobPlan.StyleOf(context.Derivation.Mode)).Keyword;
+        var keyword = await context.ChoiceAsync(Wording.Get("Certify.EnterTarget"), s_targets, context.Remembered(Name, usual)).ConfigureAwait(false);
+        context.Remember(Name, keyword);
+        var made = await ReadBackProgress.ShowAsync(context.Progress, progress => Certification.CertifyAsync(Request(context, file, s_readable.First(entry => entry.Keyword == keyword), cancellation), progress, cancellation), cancellation).ConfigureAwait(false);
+        FindingMessages.Say(context, file, made.Diagnostics, Severity.Warning);
+        if (made.Certificate is not { } certificate) throw new CommandException(CommandFailure.Drawing, $"{made.WithoutProgram}.");
+        if (!certificate.Ok) throw new CommandException(CommandFailure.Drawing, Wording.Get("Certify.NotOk", Path.GetFileName(file), certificate.MissingLength, certificate.ExtraLength));
+        CertificateFile.Write(CertificateFile.PathOf(file), certificate);
+        context.Say(Wording.Get("Certify.Written", Path.GetFileName(CertificateFile.PathOf(file)), certificate.MaxDeviation ?? 0.0, certificate.Tolerance), MessageKind.Result);
+        await LookAsync(context, cancellation).ConfigureAwait(false);
+    }
+
+    /// <summary>The drawing is read anew: what is certified is the file.</summary>
+    private static CertificationRequest Request(CommandContext context, string file, PostEntry target, CancellationToken cancellation)
+    {
+        var (settings, hash) = (context.Document.Current.Settings, ContentHash.OfFile(file));
+        var drawing = DrawingFile.Open(file, settings, cancellation);
+        return new CertificationRequest(drawing, hash, settings, target, context.Time.GetUtcNow()) { Address = context.Machine.Line, Mode = context.Derivation.Mode };
+    }
+
+    /// <summary>The list before a start shows it at once.</summary>
+    private static async Task LookAsync(CommandContext context, CancellationToken cancellation)
+    {
+        if (context.Derivation.Current is { Job: { Motion.Program: { } program } job } derived) await context.Certificates.LookAsync(job, JobPlan.FitToLink(program, derived.Line, derived.Mode, job.Drawing).Program, cancellation).ConfigureAwait(false);
+    }
+}

@@ -1,0 +1,64 @@
+using Engraver.Workbench.Certificates;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Histories;
+using Engraver.Workbench.Reports;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Commands.Files;
+
+/// <summary>HISTORY: Lists the jobs that were run and the programs that were written; opens the drawing of one, with the settings of that time where it is to be run again.</summary>
+internal sealed class HistoryCommand : ICommand
+{
+    /// <summary>Entries that are listed where none is searched for.</summary>
+    private const int Listed = 20;
+
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("List", "Search", "Open", "Rerun", "rePort");
+
+    public CommandInfo Info { get; } = new("HISTORY", CommandGroup.File);
+
+    public async Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        var reading = context.History.Look();
+        foreach (var finding in reading.Findings) context.Say(finding, MessageKind.Warning);
+        var option = await context.ChoiceAsync(Wording.Get("History.EnterOption"), s_options, "List").ConfigureAwait(false);
+        if (option is "List" or "Search")
+        {
+            var word = option == "Search" ? await context.ValueAsync(new TextPrompt(Wording.Get("History.EnterWord"))).ConfigureAwait(false) : null;
+            List(context, reading, word);
+            return;
+        }
+
+        if (reading.Entries.Count == 0) throw new CommandException(CommandFailure.Usage, Wording.Get("History.Nothing"));
+        var name = await context.ValueAsync(new TextPrompt(Wording.Get("History.EnterNumber"))).ConfigureAwait(false);
+        var entry = reading.Find(name) ?? throw new CommandException(CommandFailure.Usage, Wording.Get("History.NoEntry", name));
+        if (option == "rePort") await JobPageFile.WriteAsync(context, entry, SettingsOf(entry), cancellation).ConfigureAwait(false);
+        else Open(context, entry, option == "Rerun" ? SettingsOf(entry) : null, cancellation);
+    }
+
+    private static void List(CommandContext context, HistoryReading reading, string? word)
+    {
+        var found = reading.Holding(word).Entries;
+        if (found.Count == 0) throw new CommandException(CommandFailure.Usage, word is null ? Wording.Get("History.Nothing") : Wording.Get("History.NothingFound", word));
+        var numbered = reading.Entries.Select((entry, index) => (entry, index)).Where(one => found.Contains(one.entry)).Take(word is null ? Listed : int.MaxValue);
+        context.SayResult(output => HistoryText.Write(output, numbered.Select(one => (one.index + 1, one.entry)), context.Time.LocalTimeZone));
+    }
+
+    private static void Open(CommandContext context, HistoryEntry entry, DrawingSettings? settings, CancellationToken cancellation)
+    {
+        DrawingOpening.Open(context, entry.Drawing, entry.Drawing, cancellation, settings);
+        if (entry.DrawingSha256 is { } then && ContentHash.OfFile(entry.Drawing) != then) context.Say(Wording.Get("History.DrawingChanged", Path.GetFileName(entry.Drawing)), MessageKind.Warning);
+        if (settings is not null) context.Say(Wording.Get("History.SettingsTaken", HistoryText.Date(entry, context.Time.LocalTimeZone)));
+    }
+
+    private static DrawingSettings SettingsOf(HistoryEntry entry)
+    {
+        try
+        {
+            return entry.ToSettings();
+        }
+        catch (FormatException unfit)
+        {
+            throw new CommandException(CommandFailure.Usage, Wording.Get("History.SettingsUnfit", unfit.Message));
+        }
+    }
+}

@@ -1,0 +1,116 @@
+using Engraver.Core.Geometry;
+using Engraver.Core.Offsets;
+using Engraver.Core.Pockets;
+using Engraver.Workbench.CommandLanguage;
+
+namespace Engraver.Workbench.Commands.Toolpaths;
+
+/// <summary>Asks how a pocket is cut, and shows at every question the passes that Enter would give. Every answer is remembered.</summary>
+/// <param name="contours">Of what is selected, millimetres.</param>
+internal sealed class PocketQuestions(CommandContext context, IReadOnlyList<OffsetContour> contours)
+{
+    private const string Memory = "POCKET.";
+
+    private static readonly IReadOnlyList<Keyword> s_options = Keyword.List("From", "Allowance", "Entry", "Job");
+
+    /// <summary>The questions in their order; From, Allowance, Entry and Job are options of the last but one, the depth.</summary>
+    public async Task<PocketRequest> AskAsync()
+    {
+        context.Remember(Memory + "Job", "Everything"); // never taken over in silence
+        var (from, entry) = (context.Remembered(Memory + "From", "Wall"), context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge)));
+        context.Say(Wording.Get("Pocket.Settings", from, First("Allowance"), entry));
+        await NumberAsync("Diameter", 1e-3, 1e3).ConfigureAwait(false);
+        await NumberAsync("Overlap", 0.01, 0.99).ConfigureAwait(false);
+        if (await ChoiceAsync("Strategy", "Contour", "Zigzag").ConfigureAwait(false) == "Zigzag") await NumberAsync("Angle", -360, 360).ConfigureAwait(false);
+        while (await DepthAsync().ConfigureAwait(false) is { } option) await MoreAsync(option).ConfigureAwait(false);
+        if (Number("Depth") > 0.0) await NumberAsync("Step", 1e-3, 1e3, NumberPrompt.Show(Number("Depth"))).ConfigureAwait(false);
+        return Now();
+    }
+
+    /// <returns>The option that was chosen instead; null when the depth was given.</returns>
+    private async Task<string?> DepthAsync()
+    {
+        var prompt = Prompt("Depth", 0, 1e3, First("Depth")) with { Options = s_options };
+        switch (await context.AskAsync(prompt).ConfigureAwait(false))
+        {
+            case Answer<double>.Chosen { Option: var option }:
+                return option;
+            case Answer<double>.Value { Of: var depth }:
+                Remember("Depth", depth);
+                break;
+        }
+
+        return null;
+    }
+
+    private async Task MoreAsync(string option)
+    {
+        switch (option)
+        {
+            case "From":
+                await ChoiceAsync("From", "Wall", "Centre").ConfigureAwait(false);
+                break;
+            case "Allowance":
+                await NumberAsync("Allowance", 0, Number("Diameter") / 2.0).ConfigureAwait(false);
+                break;
+            case "Job":
+                await ChoiceAsync("Job", "Everything", "Pocket").ConfigureAwait(false);
+                break;
+            default:
+                if (await ChoiceAsync("Entry", "Plunge", "Ramp", "Helix").ConfigureAwait(false) != "Plunge") await NumberAsync("RampAngle", 0.1, 89).ConfigureAwait(false);
+                break;
+        }
+    }
+
+    private async Task NumberAsync(string name, double least, double most, string? first = null) => Remember(name, await context.ValueAsync(Prompt(name, least, most, context.Remembered(Memory + name) ?? first ?? First(name))).ConfigureAwait(false));
+
+    private NumberPrompt Prompt(string name, double least, double most, string standard)
+    {
+        var value = NumberPrompt.TryNumber(standard, out var known) ? Math.Clamp(known, least, most) : least;
+        return new NumberPrompt(Wording.Get("Pocket." + name)) { Default = NumberPrompt.Show(value), Least = least, Most = most, Preview = Preview() };
+    }
+
+    private async Task<string> ChoiceAsync(string name, params string[] options)
+    {
+        var prompt = new ChoicePrompt(Wording.Get("Pocket." + name)) { Options = Keyword.List(options), Default = context.Remembered(Memory + name, options[0]), Preview = Preview() };
+        var answer = ((Answer<string>.Chosen)await context.AskAsync(prompt).ConfigureAwait(false)).Option;
+        context.Remember(Memory + name, answer);
+        return answer;
+    }
+
+    private void Remember(string name, double value) => context.Remember(Memory + name, NumberPrompt.Show(value));
+
+    private string First(string name) => context.Remembered(Memory + name) ?? name switch { "Diameter" => "1", "Overlap" => "0.5", "RampAngle" => NumberPrompt.Show(PocketDepths.Flat.RampAngle.Degrees), _ => "0" };
+
+    private double Number(string name) => NumberPrompt.TryNumber(First(name), out var value) ? value : 0.0;
+
+    /// <summary>The answers so far, and for the rest what Enter gives.</summary>
+    private PocketRequest Now()
+    {
+        var (radius, depth) = (Number("Diameter") / 2.0, Number("Depth"));
+        var options = new PocketOptions
+        {
+            ToolRadius = radius,
+            Overlap = Number("Overlap"),
+            Strategy = Enum.Parse<PocketStrategy>(context.Remembered(Memory + "Strategy", nameof(PocketStrategy.Contour))),
+            Angle = Angle.FromDegrees(Number("Angle")),
+            FromCentre = context.Remembered(Memory + "From") == "Centre",
+            Allowance = Math.Min(Number("Allowance"), radius),
+            MaxErrorMm = context.Document.Current.Settings.MaxErrorMm,
+        };
+        var entry = depth > 0.0 ? Enum.Parse<PocketEntry>(context.Remembered(Memory + "Entry", nameof(PocketEntry.Plunge))) : PocketEntry.Plunge;
+        var depths = new PocketDepths { Depth = depth, Step = depth > 0.0 ? Number("Step") : 0.0, Entry = entry, RampAngle = Angle.FromDegrees(Number("RampAngle")) };
+        return new PocketRequest(options, depths, IsJob: context.Remembered(Memory + "Job") == "Pocket");
+    }
+
+    /// <summary>The passes of one level with their links, in drawing units.</summary>
+    private GhostOf Preview()
+    {
+        var (options, scale) = (Now().Options, Transform2D.ScaleFrom(Point2D.Origin, 1.0 / context.Drawing.Unit.ToMillimetres));
+        return _ => [.. PocketPlanner.Plan(contours, options).Strokes.SelectMany(stroke => stroke.Moves).Select(move => move.Segment.Mapped(scale))];
+    }
+}
+
+/// <summary>What the operator wants.</summary>
+/// <param name="IsJob">The passes are all that is cut from now on, in their order.</param>
+internal sealed record PocketRequest(PocketOptions Options, PocketDepths Depths, bool IsJob);

@@ -1,0 +1,47 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Workbench.CommandLanguage;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Sidecars;
+
+namespace Engraver.Workbench.Commands.Trajectories;
+
+/// <summary>SACEUPDATETRAJECTORIES: Makes those trajectories anew whose objects have been edited since; names, heights, errors and places in the list stay.</summary>
+internal sealed class SaceUpdateTrajectoriesCommand : ICommand
+{
+    public CommandInfo Info { get; } = new("SACEUPDATETRAJECTORIES", CommandGroup.Trajectory);
+
+    public Task RunAsync(CommandContext context, CancellationToken cancellation)
+    {
+        List<DocumentTrajectory> all = [.. TrajectoryPick.All(context)];
+        var edits = new TrajectoryEdits(context.Drawing);
+        var remaking = new TrajectoryRemaking(context.Drawing, context.Document.Current, edits);
+        var groups = all.Where(edits.IsStale).GroupBy(one => one.Origin!.Group).Select(group => group.ToList()).ToList();
+        if (groups.Count == 0)
+        {
+            context.Say(Wording.Get("Trajectories.NoneEdited"));
+            return Task.CompletedTask;
+        }
+
+        var made = new List<DocumentTrajectory>();
+        foreach (var group in groups)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            if (remaking.Anew(group) is { Count: > 0 } anew)
+            {
+                all.InsertRange(all.IndexOf(group[0]), anew);
+                all.RemoveAll(group.ToHashSet<object>(ReferenceEqualityComparer.Instance).Contains);
+                made.AddRange(anew);
+            }
+            else
+            {
+                context.Say(Wording.Get("Trajectories.SourceGone", string.Join(", ", group.Select(one => one.Name))), MessageKind.Warning);
+            }
+        }
+
+        FindingMessages.Say(context, context.Drawing.FileName, remaking.Findings, Severity.Warning);
+        if (made.Count == 0) throw new CommandException(CommandFailure.Drawing, Wording.Get("Trajectories.NoneMade"));
+        foreach (var one in made) context.Say(TrajectoryLine.Format(one), MessageKind.Result);
+        TrajectoryChange.All(context, all, remaking.NextNumber);
+        return Task.CompletedTask;
+    }
+}

@@ -1,0 +1,73 @@
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Offsets;
+using Engraver.Core.Trajectories;
+using Engraver.Core.Trajectories.Formats;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Sidecars;
+
+namespace Engraver.Workbench.Commands.Trajectories;
+
+/// <summary>Makes trajectories anew from the objects that they were made from, as these are drawn now.</summary>
+internal sealed class TrajectoryRemaking(Drawing drawing, DocumentState state, TrajectoryEdits edits)
+{
+    private readonly List<Diagnostic> _findings = [];
+
+    /// <summary>What could not be made within its error.</summary>
+    public IReadOnlyList<Diagnostic> Findings => _findings;
+
+    /// <summary>The number in the name of the next trajectory.</summary>
+    public int NextNumber { get; private set; } = state.Sidecar.Trajectories.NextNumber;
+
+    /// <param name="group">All that are left of what was made together.</param>
+    /// <returns>In their order; nothing when their objects are gone, or nothing is left of the offset.</returns>
+    public IReadOnlyList<DocumentTrajectory> Anew(IReadOnlyList<DocumentTrajectory> group)
+    {
+        var (first, origin) = (group[0], group[0].Origin!);
+        if (edits.EntitiesOf(first.Handles) is not { Count: > 0 } entities) return [];
+        IReadOnlyList<OffsetContour> contours = [.. SelectedContours.Of(drawing, state.Settings, entities).Contours.All.Select(one => one.Contour)];
+        if (origin.Offset is { } distance) contours = Beside(contours, distance, origin.Side, first.MaxErrorMm);
+        var runs = contours.SelectMany(contour => Planned(contour.Segments, contour.Closed, first, origin.Corners)).ToList();
+        var place = new TrajectoryOrigin(origin.Group, 0, runs.Count, edits.DrawnOf(first.Handles)) { Offset = origin.Offset, Side = origin.Side, Corners = origin.Corners };
+        return runs.Count == origin.Count ? [.. group.SelectMany(one => Fitted(one, first, runs[one.Origin!.Index], place))] : Others(group, runs, place);
+    }
+
+    /// <summary>As many as before: each takes the run of its number; one that was deleted stays so.</summary>
+    /// <param name="first">With whose error and steps the run was planned; it is planned again for one that was given others.</param>
+    private IEnumerable<DocumentTrajectory> Fitted(DocumentTrajectory one, DocumentTrajectory first, Trajectory run, TrajectoryOrigin place)
+    {
+        var isAsFirst = (one.MaxErrorMm, one.SegmentLengthMm) == (first.MaxErrorMm, first.SegmentLengthMm);
+        var own = isAsFirst ? [run] : Planned(run.Source, run.Closed, one, CornerMode.Continuous);
+        return own.Take(1).Select(curve => one with { Curve = curve.Moved(one.Curve.Z), Origin = place with { Index = one.Origin!.Index } });
+    }
+
+    /// <summary>The contours fall apart in other runs than before: all of them at each height, under the old names as far as these go.</summary>
+    private List<DocumentTrajectory> Others(IReadOnlyList<DocumentTrajectory> group, List<Trajectory> runs, TrajectoryOrigin place)
+    {
+        var made = new List<DocumentTrajectory>();
+        foreach (var z in group.Select(one => one.Curve.Z).Distinct())
+        {
+            for (var run = 0; run < runs.Count; run++)
+            {
+                var like = made.Count < group.Count ? group[made.Count] : group[0] with { Name = $"traj{NextNumber++}_{(place.Offset is null ? "path" : "offset")}", Others = [] };
+                made.Add(like with { Curve = runs[run].Moved(z), MaxErrorMm = group[0].MaxErrorMm, SegmentLengthMm = group[0].SegmentLengthMm, Origin = place with { Index = run } });
+            }
+        }
+
+        return made;
+    }
+
+    private IReadOnlyList<OffsetContour> Beside(IReadOnlyList<OffsetContour> contours, double distance, OffsetSide side, double maxError)
+    {
+        var result = ContourOffset.Offset(contours, distance, side, OffsetOptions.Default with { MaxErrorMm = maxError });
+        _findings.AddRange(OffsetDrawing.Findings(result, contours.Count, distance));
+        return [.. result.Loops.Select(loop => new OffsetContour(loop.Segments, loop.Closed))];
+    }
+
+    private IReadOnlyList<Trajectory> Planned(IReadOnlyList<Core.Geometry.Segment> segments, bool closed, DocumentTrajectory like, CornerMode corners)
+    {
+        var planned = TrajectoryPlanner.Plan(segments, closed, new TrajectoryOptions(like.MaxErrorMm) { SegmentLength = like.SegmentLengthMm, Corners = corners });
+        _findings.AddRange(TrajectoryFindings.NotKept(planned.Unproven, like.MaxErrorMm));
+        return planned.Trajectories;
+    }
+}

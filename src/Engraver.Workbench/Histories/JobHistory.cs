@@ -1,0 +1,162 @@
+using System.Globalization;
+using System.Text.Json;
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Histories;
+
+/// <summary>The index of every run and every program that was written: a folder with one file for each, so that several processes can write at a time and nothing is half written. The oldest ones go when there are too many.</summary>
+/// <remarks>Any thread.</remarks>
+public sealed class JobHistory
+{
+    /// <summary>Most entries that are kept.</summary>
+    public const int MostEntries = 1000;
+
+    private const string Ending = ".json";
+
+    /// <summary>Folder inside the index for files that are no entries.</summary>
+    private const string Aside = "unreadable";
+
+    private readonly Lock _guard = new();
+    private readonly string? _folder;
+    private readonly int _most;
+    private readonly List<HistoryEntry> _unkept = [];
+
+    /// <param name="folder">Null: the history ends with this object.</param>
+    /// <param name="most">Most entries.</param>
+    public JobHistory(string? folder, int most = MostEntries) => (_folder, _most) = (folder, most);
+
+    /// <summary>Raised after <see cref="Known"/> has become another one, on the thread that changed it.</summary>
+    public event EventHandler? Changed;
+
+    /// <summary>As it was when somebody looked last, with what this process has added since.</summary>
+    public HistoryReading Known { get; private set; } = new([], []);
+
+    /// <summary>The folder beside the journals of a folder; null for the operator's data folder.</summary>
+    public static string FolderIn(string? journals) => Path.Combine(journals ?? UserFiles.Folder, "history");
+
+    /// <summary>Adds an entry and lets the oldest go when there are too many.</summary>
+    /// <returns>The entry with its name, and why it could not be kept, without a full stop; null when it was.</returns>
+    public (HistoryEntry Entry, string? Failure) Add(HistoryEntry entry)
+    {
+        ArgumentNullException.ThrowIfNull(entry);
+        var named = entry with { Id = string.Create(CultureInfo.InvariantCulture, $"{entry.Date.UtcDateTime:yyyyMMdd-HHmmss-fff}-{Guid.NewGuid().ToString("N")[..6]}") };
+        return (named, Keep(named));
+    }
+
+    /// <summary>Writes an entry anew, as with the report that was made of it.</summary>
+    /// <returns>As for <see cref="Add"/>.</returns>
+    public string? Keep(HistoryEntry entry)
+    {
+        ArgumentNullException.ThrowIfNull(entry);
+        var failure = Write(entry);
+        lock (_guard)
+        {
+            if (_folder is null) Place(_unkept, entry);
+            var entries = Known.Entries.ToList();
+            Place(entries, entry);
+            Known = Known with { Entries = entries };
+        }
+
+        Changed?.Invoke(this, EventArgs.Empty);
+        return failure;
+    }
+
+    /// <summary>Reads the index. A file that is no entry is moved aside and told of; an entry of a later version stays where it is, unread.</summary>
+    public HistoryReading Look()
+    {
+        var (entries, findings) = (new List<HistoryEntry>(), new List<string>());
+        foreach (var file in Files())
+        {
+            if (Read(file, findings) is { } entry) entries.Add(entry);
+        }
+
+        lock (_guard)
+        {
+            entries.AddRange(_unkept);
+            Known = new HistoryReading([.. entries.OrderByDescending(entry => entry.Date).ThenByDescending(entry => entry.Id, StringComparer.Ordinal)], findings);
+        }
+
+        Changed?.Invoke(this, EventArgs.Empty);
+        return Known;
+    }
+
+    private static void Place(List<HistoryEntry> entries, HistoryEntry entry)
+    {
+        var at = entries.FindIndex(known => known.Id == entry.Id);
+        if (at >= 0) entries[at] = entry;
+        else entries.Insert(0, entry);
+    }
+
+    private string? Write(HistoryEntry entry)
+    {
+        if (_folder is null) return null;
+        try
+        {
+            Directory.CreateDirectory(_folder);
+            OutputFile.Write(PathOf(entry.Id), output => output.WriteLine(JsonSerializer.Serialize(entry, HistoryJson.Default.HistoryEntry)));
+            foreach (var old in Files().SkipLast(_most)) File.Delete(old);
+            return null;
+        }
+        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
+        {
+            return unwritable.Message.TrimEnd('.');
+        }
+    }
+
+    private HistoryEntry? Read(string file, List<string> findings)
+    {
+        try
+        {
+            var entry = JsonSerializer.Deserialize(File.ReadAllText(file), HistoryJson.Default.HistoryEntry) ?? throw new JsonException(Wording.Get("History.Empty"));
+            if (entry.Version == HistoryEntry.CurrentVersion) return entry with { Id = Path.GetFileNameWithoutExtension(file) };
+            findings.Add(Wording.Get("History.OtherVersion", file, entry.Version));
+        }
+        catch (FileNotFoundException)
+        {
+            // Another process has let it go meanwhile.
+        }
+        catch (JsonException broken)
+        {
+            findings.Add(SetAside(file, broken.Message));
+        }
+        catch (Exception unreadable) when (unreadable is IOException or UnauthorizedAccessException)
+        {
+            findings.Add(Wording.Get("History.Unreadable", file, unreadable.Message));
+        }
+
+        return null;
+    }
+
+    private string SetAside(string file, string why)
+    {
+        var aside = Path.Combine(_folder!, Aside, Path.GetFileName(file));
+        try
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(aside)!);
+            File.Move(file, aside, overwrite: true);
+            return Wording.Get("History.SetAside", file, why, aside);
+        }
+        catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
+        {
+            return Wording.Get("History.Unreadable", file, stuck.Message);
+        }
+    }
+
+    /// <summary>The oldest first: a name begins with the date.</summary>
+    private IEnumerable<string> Files() => _folder is not null && Directory.Exists(_folder) ? Directory.EnumerateFiles(_folder, "*" + Ending).Order(StringComparer.Ordinal) : [];
+
+    private string PathOf(string id) => Path.Combine(_folder!, id + Ending);
+}
+
+/// <summary>What the index holds.</summary>
+/// <param name="Entries">The newest first.</param>
+/// <param name="Findings">A sentence for each file that is no entry.</param>
+public sealed record HistoryReading(IReadOnlyList<HistoryEntry> Entries, IReadOnlyList<string> Findings)
+{
+    /// <summary>The entry of a name, or of a number that counts from the newest, 1; null when there is none.</summary>
+    public HistoryEntry? Find(string word) =>
+        Entries.FirstOrDefault(entry => entry.Id == word) ?? (int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out var number) && number >= 1 && number <= Entries.Count ? Entries[number - 1] : null);
+
+    /// <summary>The entries in which a word is found; all of them without one.</summary>
+    public HistoryReading Holding(string? word) => word is null ? this : this with { Entries = [.. Entries.Where(entry => entry.Holds(word))] };
+}

@@ -1,0 +1,43 @@
+using Engraver.Workbench.Files;
+
+namespace Engraver.Workbench.Machines.Runs;
+
+/// <summary>The file beside a journal in which stands what was said to the controller: by it the run can be replayed.</summary>
+public static class KeptConversation
+{
+    private const string Ending = ".wire";
+
+    /// <summary>Runs whose conversations are kept in the operator's own folder; that of a long job is tens of megabytes.</summary>
+    private const int MostKept = 20;
+
+    /// <summary>The file of a journal.</summary>
+    public static string PathOf(string journal) => journal + Ending;
+
+    /// <summary>Begins the file of a journal; beside a stream there is no place for it.</summary>
+    /// <returns>The file, or why there is none; neither beside a stream.</returns>
+    internal static (StreamWriter? File, string? Failure) Begin(string journal)
+    {
+        if (FileKind.IsStream(journal)) return (null, null);
+        try
+        {
+            return (new StreamWriter(PathOf(journal), append: false) { NewLine = "\n" }, null);
+        }
+        catch (Exception unwritable) when (unwritable is IOException or UnauthorizedAccessException)
+        {
+            return (null, unwritable.Message.TrimEnd('.'));
+        }
+    }
+
+    /// <summary>Deletes the oldest of a folder, so that there is room for one more.</summary>
+    internal static void MakeRoom(string folder)
+    {
+        try
+        {
+            foreach (var old in new DirectoryInfo(folder).EnumerateFiles("*.jsonl" + Ending).OrderByDescending(file => file.LastWriteTimeUtc).Skip(MostKept - 1)) old.Delete();
+        }
+        catch (Exception stuck) when (stuck is IOException or UnauthorizedAccessException)
+        {
+            // Somebody reads it: the next run tries again.
+        }
+    }
+}

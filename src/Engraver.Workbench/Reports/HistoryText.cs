@@ -1,0 +1,30 @@
+using System.Globalization;
+using Engraver.Workbench.Histories;
+
+namespace Engraver.Workbench.Reports;
+
+/// <summary>The history of jobs for people.</summary>
+public static class HistoryText
+{
+    /// <summary>A line for each entry; times of day as they are here.</summary>
+    /// <param name="entries">Each with the number by which the operator may name it.</param>
+    public static void Write(TextWriter output, IEnumerable<(int Number, HistoryEntry Entry)> entries, TimeZoneInfo here)
+    {
+        ArgumentNullException.ThrowIfNull(output);
+        ArgumentNullException.ThrowIfNull(entries);
+        foreach (var (number, entry) in entries)
+        {
+            var what = entry.Mode is { } mode ? $"{entry.Kind} {mode} {entry.Address}" : $"{entry.Kind} {entry.Target}";
+            output.WriteLine(string.Join("  ", new[] { $"{number,4}", Date(entry, here), Path.GetFileName(entry.Drawing), what, entry.Outcome, Figures(entry) }.Where(part => part.Length > 0)));
+        }
+    }
+
+    /// <summary>When it began, by the clock here.</summary>
+    public static string Date(HistoryEntry entry, TimeZoneInfo here)
+    {
+        ArgumentNullException.ThrowIfNull(entry);
+        return Wording.Get("History.Moment", TimeZoneInfo.ConvertTime(entry.Date, here));
+    }
+
+    private static string Figures(HistoryEntry entry) => string.Create(CultureInfo.InvariantCulture, $"{(entry.Seconds is { } seconds ? $"{seconds:0.0} s" : "")}{(entry.MaxDeviation is { } deviation ? $"  {deviation:0.0000} mm" : "")}").Trim();
+}

@@ -1,0 +1,157 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Machines;
+using Engraver.Core.Motion;
+using Engraver.Core.Plots;
+using Engraver.Workbench.Certificates;
+using Engraver.Workbench.Documents;
+using Engraver.Workbench.Machines.Runs;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Reports.Pages;
+
+/// <summary>A job as one page of HTML that needs nothing else: pictures of the path, of the speed and of the run, the sheet of times, lengths and costs, the list before the start, the certificate, the findings, the settings.</summary>
+public static class JobReportPage
+{
+    /// <summary>The usual file of a drawing's page.</summary>
+    public static string PathOf(string drawing) => Path.ChangeExtension(drawing, null) + ".report.html";
+
+    /// <summary>Writes it; LF line ends, numbers invariant. The same report gives the same bytes.</summary>
+    /// <param name="here">For times of day.</param>
+    public static void Write(JobReport report, TimeZoneInfo here, TextWriter output)
+    {
+        ArgumentNullException.ThrowIfNull(report);
+        ArgumentNullException.ThrowIfNull(output);
+        using var page = new PageWriter(output);
+        page.Begin(Path.GetFileName(report.Job.Drawing.FileName));
+        page.Paragraph(Path.GetFullPath(report.Job.Drawing.FileName), "code");
+        page.Paragraph(Wording.Get("JobReport.Made", Time(report.Now, here)), "quiet");
+        page.Paragraph(Verdict(report), "verdict");
+        Pictures(report, page);
+        Sheet(report, page);
+        if (report.Run is { } run) Run(report, run, here, page);
+        page.Section("certificate", Wording.Get("JobReport.Certificate"), () => Certificate(report.Certificate, here, page));
+        page.Section("findings", Wording.Get("JobReport.Findings"), () => Findings(report.Findings, page));
+        page.Section("settings", Wording.Get("JobReport.Settings"), () => Settings(report, page));
+        page.Finish();
+    }
+
+    private static string Verdict(JobReport report) => report switch
+    {
+        { Run: { } run } => Wording.Get("JobReport.VerdictRun", run.Outcome, run.Kind),
+        { Motion: null } => Wording.Get("JobReport.VerdictNothing"),
+        _ => Wording.Get("JobReport.VerdictPlanned"),
+    };
+
+    private static void Pictures(JobReport report, PageWriter page)
+    {
+        var (job, title) = (report.Job, Path.GetFileName(report.Job.Drawing.FileName));
+        page.Section("path", Wording.Get("JobReport.Path"), () => page.Figure("picture", output => SvgPlotWriter.Write(PlotModel.FromPath(job.Toolpath, title), output)));
+        if (report.Motion is { } motion) page.Section("speed", Wording.Get("JobReport.Speed"), () => page.Figure("chart", output => SpeedPicture.Write(motion, output)));
+        if (report.Trace is { } trace) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => page.Figure("picture", output => SvgPlotWriter.Write(RunPlot.Create(job.Analysed, trace, RunMeasure.Deviation, title), output)));
+        else if (report.TraceProblem is { } problem) page.Section("deviation", Wording.Get("JobReport.Deviation"), () => page.Paragraph(problem));
+    }
+
+    /// <summary>The figures stand under their names in <c>plan --json</c>.</summary>
+    private static void Sheet(JobReport report, PageWriter page) => page.Section("sheet", Wording.Get("JobReport.Sheet"), () => page.Inside("sheet", () =>
+    {
+        var (times, sequence, has) = (report.Times, report.Job.Sequence, report.Program is not null);
+        double? Planned(double seconds) => has ? seconds : null;
+        MotionPeaks? peaks = report.Program is { } program ? MotionPeaks.From(program) : null;
+        page.Inside("", () => page.Pairs(
+        [
+            PagePair.Of(Wording.Get("JobReport.SecondsTotal"), "seconds.total", Planned(times.Total), "0.0"),
+            PagePair.Of(Wording.Get("JobReport.SecondsCutting"), "seconds.cutting", Planned(times.Cutting), "0.0"),
+            PagePair.Of(Wording.Get("JobReport.SecondsRapid"), "seconds.rapid", Planned(times.Rapid), "0.0"),
+            PagePair.Of(Wording.Get("JobReport.SecondsDwell"), "seconds.dwell", Planned(times.Dwell), "0.0"),
+            PagePair.Of(Wording.Get("JobReport.CutLength"), "cutLength", sequence.PathLength, "0.00"),
+            PagePair.Of(Wording.Get("JobReport.Travel"), "travel", sequence.Travel, "0.00"),
+        ]));
+        page.Inside("", () => page.Pairs(
+        [
+            new PagePair(Wording.Get("JobReport.Contours"), Wording.Get("JobReport.ContourCount", sequence.Contours, sequence.Closed, sequence.Open), Style: "number"),
+            PagePair.Of(Wording.Get("JobReport.Segments"), "segments", report.Program?.SegmentCount ?? 0, "0"),
+            PagePair.Of(Wording.Get("JobReport.PeakSpeed"), "peakSpeed", peaks?.Speed, "0.00"),
+            PagePair.Of(Wording.Get("JobReport.PeakAcceleration"), "peakAxisAcceleration", peaks?.AxisAcceleration, "0"),
+            .. report.Cost is { } cost ? Costs(cost) : [],
+        ]));
+    }));
+
+    private static IEnumerable<PagePair> Costs(JobCost cost) =>
+    [
+        PagePair.Of(Wording.Get("JobReport.Cost"), "cost", cost.Total, "0.00"),
+        PagePair.Of(Wording.Get("JobReport.CostTime"), "costParts.time", cost.Time, "0.00"),
+        PagePair.Of(Wording.Get("JobReport.CostLength"), "costParts.length", cost.Length, "0.00"),
+        PagePair.Of(Wording.Get("JobReport.CostStarts"), "costParts.starts", cost.Starts, "0.00"),
+    ];
+
+    private static void Run(JobReport report, Histories.HistoryEntry run, TimeZoneInfo here, PageWriter page)
+    {
+        page.Section("run", Wording.Get("JobReport.Run"), () => page.Pairs(
+        [
+            new PagePair(Wording.Get("JobReport.Date"), Time(run.Date, here)),
+            new PagePair(Wording.Get("JobReport.Outcome"), run.Outcome, "outcome"),
+            new PagePair(Wording.Get("JobReport.Sentence"), run.Sentence),
+            new PagePair(Wording.Get("JobReport.Machine"), $"{run.Address} {run.Mode}"),
+            PagePair.Of(Wording.Get("JobReport.SecondsRun"), "seconds", run.Seconds, "0.0"),
+            PagePair.Of(Wording.Get("JobReport.MaxDeviation"), "maxDeviation", run.MaxDeviation, "0.0000"),
+            PagePair.Of(Wording.Get("JobReport.Tolerance"), "tolerance", RunJudge.Tolerances(report.Job).Deviation, "0.0000"),
+            PagePair.Of(Wording.Get("JobReport.Missing"), "missingLength", run.MissingLength, "0.####"),
+            new PagePair(Wording.Get("JobReport.Journal"), run.Journal ?? "–", Style: "code"),
+        ]));
+        page.Section("checks", Wording.Get("JobReport.Checks"), () =>
+        {
+            if (run.Checks is not { } checks) page.Paragraph(Wording.Get("JobReport.NoChecks"));
+            else page.Table([Wording.Get("JobReport.State"), Wording.Get("JobReport.Looked")], checks.Select(check => (string[])[Wording.Get(!check.Ok ? "JobReport.NotOk" : check.Warning ? "JobReport.Look" : "JobReport.Ok"), check.Sentence]));
+        });
+    }
+
+    private static void Certificate(CertificateStanding standing, TimeZoneInfo here, PageWriter page)
+    {
+        page.Paragraph(SettingWording.OnConsole(standing.Sentence) + ".");
+        if (standing.Certificate is not { } certificate) return;
+        page.Pairs(
+        [
+            new PagePair(Wording.Get("JobReport.Standing"), Wording.Get("ReportStanding." + standing.State), "standing"),
+            new PagePair(Wording.Get("JobReport.Issued"), $"{Time(certificate.Issued, here)}, {certificate.IssuedBy}"),
+            new PagePair(Wording.Get("JobReport.Target"), certificate.Program.Target, "program.target"),
+            PagePair.Of(Wording.Get("JobReport.MaxDeviation"), "certificate.maxDeviation", certificate.MaxDeviation, "0.0000"),
+            PagePair.Of(Wording.Get("JobReport.Tolerance"), "certificate.tolerance", certificate.Tolerance, "0.0000"),
+            PagePair.Of(Wording.Get("JobReport.Missing"), "certificate.missingLength", certificate.MissingLength, "0.####"),
+            PagePair.Of(Wording.Get("JobReport.Extra"), "certificate.extraLength", certificate.ExtraLength, "0.####"),
+            new PagePair(Wording.Get("JobReport.Limits"), certificate.Limits is { } box ? Box(box) : "–"),
+            PagePair.Of(Wording.Get("JobReport.SecondsTotal"), "certificate.plannedSeconds", certificate.PlannedSeconds, "0.0"),
+            new PagePair(Wording.Get("JobReport.DrawingHash"), certificate.Drawing.Sha256 ?? "–", "drawing.sha256", Style: "code"),
+            new PagePair(Wording.Get("JobReport.ProgramHash"), certificate.Program.Sha256, "program.sha256", Style: "code"),
+            new PagePair(Wording.Get("JobReport.SettingsHash"), certificate.Settings.Sha256, "settings.sha256", Style: "code"),
+            new PagePair(Wording.Get("JobReport.ProfileHash"), certificate.Profile.Sha256, "profile.sha256", Style: "code"),
+        ]);
+    }
+
+    private static string Box(CertifiedLimits box)
+    {
+        var fits = !box.Fits ? Wording.Get("JobReport.FitsNot") : box.TravelX is null && box.TravelY is null ? Wording.Get("JobReport.NoTravel") : Wording.Get("JobReport.Fits");
+        return Wording.Get("JobReport.Box", box.MinX, box.MaxX, box.MinY, box.MaxY, fits);
+    }
+
+    private static void Findings(IReadOnlyList<Diagnostic> findings, PageWriter page)
+    {
+        if (findings.Count == 0) page.Paragraph(Wording.Get("JobReport.NoFindings"));
+        else page.Table([Wording.Get("JobReport.Id"), Wording.Get("JobReport.Severity"), Wording.Get("JobReport.Line"), Wording.Get("JobReport.Finding")], findings.Select(found => (string[])[found.Id, Wording.Get("ReportSeverity." + found.Severity), found.Source.Line > 0 ? found.Source.Line.ToString(CultureInfo.InvariantCulture) : "", found.Message]));
+    }
+
+    private static void Settings(JobReport report, PageWriter page)
+    {
+        var (settings, machine) = (report.Job.Settings, report.Job.Settings.Machine);
+        page.Pairs(
+        [
+            .. SettingWords.Of(settings).Select(one => new PagePair(SettingTable.All.First(setting => setting.Key == one.Key).Name, one.Value, "settings." + one.Key)),
+            new PagePair(Wording.Get("JobReport.Feed"), string.Create(CultureInfo.InvariantCulture, $"{machine.FeedMmPerMinute:0.###}")),
+            new PagePair(Wording.Get("JobReport.Rapid"), string.Create(CultureInfo.InvariantCulture, $"{machine.RapidMmPerMinute:0.###}")),
+            new PagePair(Wording.Get("JobReport.Counts"), string.Create(CultureInfo.InvariantCulture, $"{machine.Scale.X:0.###} × {machine.Scale.Y:0.###}")),
+            new PagePair(Wording.Get("JobReport.ProfileHash"), JobIdentity.OfProfile(machine), "profile", Style: "code"),
+        ]);
+    }
+
+    private static string Time(DateTimeOffset moment, TimeZoneInfo here) => Wording.Get("JobReport.Moment", TimeZoneInfo.ConvertTime(moment, here));
+}

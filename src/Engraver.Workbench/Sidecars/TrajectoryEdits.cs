@@ -1,0 +1,57 @@
+using System.Globalization;
+using Engraver.Core.Diagnostics;
+using Engraver.Core.Drawings;
+using Engraver.Core.Verification;
+
+namespace Engraver.Workbench.Sidecars;
+
+/// <summary>Which trajectories follow what is no longer drawn so.</summary>
+public sealed class TrajectoryEdits
+{
+    private readonly Drawing _drawing;
+    private readonly Dictionary<string, List<int>> _entities = new(StringComparer.OrdinalIgnoreCase);
+
+    public TrajectoryEdits(Drawing drawing)
+    {
+        ArgumentNullException.ThrowIfNull(drawing);
+        _drawing = drawing;
+        for (var index = 0; index < drawing.Entities.Count; index++)
+        {
+            if (drawing.Entities[index].Handle is not 0 and var handle) Add(handle.ToString("X", CultureInfo.InvariantCulture), index);
+        }
+    }
+
+    /// <summary>Entities with these handles, in the order of the drawing; null when one of the handles is gone. Those of a block have one handle together.</summary>
+    public IReadOnlyList<int>? EntitiesOf(IReadOnlyList<string> handles)
+    {
+        ArgumentNullException.ThrowIfNull(handles);
+        return handles.All(_entities.ContainsKey) ? [.. handles.SelectMany(handle => _entities[handle]).Distinct().Order()] : null;
+    }
+
+    /// <summary>Fingerprint of the entities with these handles as they are drawn now; empty when one of them is gone or there is none.</summary>
+    public string DrawnOf(IReadOnlyList<string> handles) => EntitiesOf(handles) is { Count: > 0 } entities
+        ? DrawnFingerprint.Of([.. entities.SelectMany(index => Enumerable.Range(_drawing.Entities[index].FirstPart, _drawing.Entities[index].PartCount)).Select(part => _drawing.SegmentOf(_drawing.Parts[part]))])
+        : "";
+
+    /// <summary>True when what the trajectory was made from has been moved, changed or erased since.</summary>
+    public bool IsStale(DocumentTrajectory one)
+    {
+        ArgumentNullException.ThrowIfNull(one);
+        return one.Origin is { } origin && origin.Drawn != DrawnOf(one.Handles);
+    }
+
+    /// <summary>A warning where trajectories no longer follow the drawing, with the first of them.</summary>
+    public static IEnumerable<Diagnostic> Findings(Drawing drawing, IReadOnlyList<DocumentTrajectory> trajectories)
+    {
+        if (!trajectories.Any(one => one.Origin is not null)) yield break;
+        var edits = new TrajectoryEdits(drawing);
+        DocumentTrajectory[] stale = [.. trajectories.Where(edits.IsStale)];
+        if (stale.Length > 0) yield return TrajectoryRules.SourceEdited.At(default, FactText.Of(stale.Length), stale[0].Name);
+    }
+
+    private void Add(string handle, int index)
+    {
+        if (_entities.TryGetValue(handle, out var known)) known.Add(index);
+        else _entities[handle] = [index];
+    }
+}

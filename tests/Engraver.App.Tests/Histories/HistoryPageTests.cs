@@ -1,0 +1,47 @@
+using Avalonia.Controls;
+using Avalonia.Input;
+using Avalonia.VisualTree;
+using Engraver.App.Histories;
+
+namespace Engraver.App.Tests.Histories;
+
+[Collection(DesktopCollection.Name)]
+public sealed class HistoryPageTests(DesktopFixture fixture)
+{
+    [Fact]
+    public Task Jobs_are_listed_searched_and_opened_with_their_settings_again() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCMAXERR", "0.004", "CNCSIM");
+        here.Open("paper-001.dxf");
+        here.Enter("CNCMAXERR", "0.001", "CNCSIM");
+        here.Show("History");
+        here.Until(() => Rows(here).Count == 2);
+        Assert.Equal([("paper-001.dxf", "complete", "simulation"), ("gasket.dxf", "complete", "simulation")], Rows(here).Select(row => (row.Drawing, row.Outcome, row.Kind)));
+
+        here.Click(here.Find<TextBox>("HistorySearchBox"));
+        here.Hands.Type("gasket");
+        here.Until(() => Rows(here).Count == 1);
+        var row = here.Window.GetVisualDescendants().OfType<ListBoxItem>().First(item => item.DataContext is HistoryRow);
+        here.Click(row);
+        here.Click(here.Find<Button>("HistoryRerunButton"));
+        here.Until(() => !here.Desk.IsBusy && here.Commands.Document.Current.Settings.MaxErrorMm == 0.004);
+        Assert.Equal("gasket.dxf", Path.GetFileName(here.Commands.Document.Current.Drawing!.FileName));
+    });
+
+    [Fact]
+    public Task Twice_on_a_job_opens_its_drawing() => fixture.WithOperator(here =>
+    {
+        here.Open("gasket.dxf");
+        here.Enter("CNCSIM");
+        here.Open("paper-001.dxf");
+        here.Show("History");
+        here.Until(() => Rows(here).Count == 1);
+        var row = here.Window.GetVisualDescendants().OfType<ListBoxItem>().First(item => item.DataContext is HistoryRow);
+        here.Click(row);
+        here.Click(row);
+        here.Until(() => !here.Desk.IsBusy && Path.GetFileName(here.Commands.Document.Current.Drawing!.FileName) == "gasket.dxf");
+    });
+
+    private static IReadOnlyList<HistoryRow> Rows(Operator here) => ((HistoryModel)here.Find<ListBox>("HistoryList").DataContext!).Rows;
+}

@@ -1,0 +1,49 @@
+using System.Text.Json;
+
+namespace Engraver.Cli.Tests.Verbs;
+
+/// <summary>Each test looks for a drawing of its own, for all of them write into one index.</summary>
+public class HistoryVerbTests
+{
+    [Fact]
+    public async Task Every_run_and_every_program_is_in_it_with_every_field()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.WithFile("history-own.dxf", await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001")));
+        var run = JsonText.Of(await CliRun.RunAsync("run", drawing, "--connect", "sim:", "--json", "--max-error", "0.005", "--journal", folder.PathOf("a.jsonl")));
+        await CliRun.RunAsync("post", drawing, "--target", "agie", "-o", folder.PathOf("job.txt"));
+        await CliRun.RunAsync("run", drawing, "--connect", "tcp://127.0.0.1:1", "--journal", folder.PathOf("b.jsonl"));
+        var listed = await CliRun.RunAsync("history", "--json", "--search", drawing);
+        var entries = JsonText.Of(listed).GetProperty("entries").EnumerateArray().ToList();
+
+        Assert.Equal((ExitCode.Done, ""), (listed.ExitCode, listed.Error));
+        Assert.Equal(["entries", "findings"], JsonText.Of(listed).EnumerateObject().Select(field => field.Name));
+        Assert.Equal(
+            ["id", "date", "kind", "drawing", "drawingSha256", "target", "mode", "address", "outcome", "sentence", "seconds", "plannedSeconds", "maxDeviation", "missingLength", "journal", "program", "report", "settings"],
+            entries[0].EnumerateObject().Select(field => field.Name));
+        Assert.Equal(["linkLost", "written", "complete"], entries.Select(entry => Word(entry, "outcome")));
+        Assert.Equal((drawing, "run", "stream", "galil", folder.PathOf("a.jsonl")), (Word(entries[2], "drawing"), Word(entries[2], "kind"), Word(entries[2], "mode"), Word(entries[2], "target"), Word(entries[2], "journal")));
+        Assert.Equal(["tcp://127.0.0.1:1", null, "sim:"], entries.Select(entry => Word(entry, "address")));
+        Assert.Equal(run.GetProperty("seconds").GetDouble(), entries[2].GetProperty("seconds").GetDouble());
+        Assert.Equal(run.GetProperty("maxDeviation").GetDouble(), entries[2].GetProperty("maxDeviation").GetDouble());
+        Assert.Equal("0.005", Word(entries[2].GetProperty("settings"), "max-error"));
+        Assert.Equal(("post", "agie", folder.PathOf("job.txt")), (Word(entries[1], "kind"), Word(entries[1], "target"), Word(entries[1], "program")));
+    }
+
+    [Fact]
+    public async Task The_last_ones_are_lines_with_their_numbers()
+    {
+        using var folder = new TemporaryFolder();
+        var drawing = folder.WithFile("history-lines.dxf", await File.ReadAllTextAsync(SampleDrawing.PathOf("paper-001")));
+        foreach (var target in new[] { "galil", "cldata" }) await CliRun.RunAsync("post", drawing, "--target", target, "-o", folder.PathOf(target));
+        var all = await CliRun.RunAsync("history", "--search", "HISTORY-LINES");
+        var last = await CliRun.RunAsync("history", "--search", "history-lines", "--last", "1");
+        var bad = await CliRun.RunAsync("history", "--last", "0");
+
+        Assert.Equal(2, all.Out.TrimEnd().Split('\n').Length);
+        Assert.EndsWith("history-lines.dxf  post cldata  written", Assert.Single(last.Out.TrimEnd().Split('\n')), StringComparison.Ordinal);
+        Assert.Equal(ExitCode.Usage, bad.ExitCode);
+    }
+
+    private static string? Word(JsonElement entry, string field) => entry.GetProperty(field).GetString();
+}

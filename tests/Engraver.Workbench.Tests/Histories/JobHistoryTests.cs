@@ -1,0 +1,120 @@
+using System.Globalization;
+using Engraver.Core.Machines;
+using Engraver.TestKit;
+using Engraver.Workbench.Histories;
+using Engraver.Workbench.Settings;
+
+namespace Engraver.Workbench.Tests.Histories;
+
+/// <summary>The index of jobs: nothing half written, several writers at a time, a bounded number of entries, and what is no entry is kept aside.</summary>
+public sealed class JobHistoryTests : IDisposable
+{
+    private static readonly DateTimeOffset s_now = new(2026, 11, 23, 9, 0, 0, TimeSpan.Zero);
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("engraver-history-");
+
+    private string Index => Path.Combine(_folder.FullName, "history");
+
+    [Fact]
+    public void An_entry_comes_back_with_every_field_and_its_settings()
+    {
+        var settings = new DrawingSettings { Layers = ["A"], MaxErrorMm = 0.003, Machine = MachineProfile.Default with { FeedMmPerMinute = 321.0 } };
+        var entry = Entry("part.dxf", s_now, settings) with { Kind = "run", Mode = "calls", Address = "sim:", Outcome = "deviated", Sentence = "It left the path.", Seconds = 1.5, PlannedSeconds = 1.25, MaxDeviation = 0.1, MissingLength = 2.0, Journal = "/j", Report = "/r", Checks = [new(true, true, "Look.")] };
+        var (kept, failure) = new JobHistory(Index).Add(entry);
+        var back = Assert.Single(new JobHistory(Index).Look().Entries);
+
+        Assert.Null(failure);
+        Assert.Equal(kept.Id, back.Id);
+        Assert.Equal(entry.Checks, back.Checks);
+        Assert.Equal(entry with { Id = kept.Id, Checks = null, Settings = back.Settings, Profile = back.Profile }, back with { Checks = null });
+        Assert.Equal((321.0, 0.003, "A"), (back.ToSettings().Machine.FeedMmPerMinute, back.ToSettings().MaxErrorMm, Assert.Single(back.ToSettings().Layers!)));
+        Assert.Equal(SettingWords.Of(settings), SettingWords.Of(back.ToSettings()));
+    }
+
+    [Fact]
+    public void The_newest_is_the_first_and_is_found_by_number_name_and_word()
+    {
+        var history = new JobHistory(Index);
+        foreach (var (name, hours) in new[] { ("late.dxf", 2), ("early.dxf", 0), ("middle.dxf", 1) }) history.Add(Entry(name, s_now.AddHours(hours)));
+        var reading = new JobHistory(Index).Look();
+
+        Assert.Equal(["late.dxf", "middle.dxf", "early.dxf"], reading.Entries.Select(entry => Path.GetFileName(entry.Drawing)));
+        Assert.Same(reading.Entries[1], reading.Find("2"));
+        Assert.Same(reading.Entries[2], reading.Find(reading.Entries[2].Id));
+        Assert.All(["0", "4", "-1", "x", ""], word => Assert.Null(reading.Find(word)));
+        Assert.Equal("early.dxf", Path.GetFileName(Assert.Single(reading.Holding("EARLY").Entries).Drawing));
+        Assert.Equal("middle.dxf", Path.GetFileName(Assert.Single(reading.Holding("2026-11-23 10:00").Entries).Drawing));
+        Assert.Empty(reading.Holding("nothing of the kind").Entries);
+    }
+
+    [Fact]
+    public async Task Several_writers_at_a_time_lose_nothing()
+    {
+        const int Writers = 4;
+        const int Each = 25;
+        await Task.WhenAll(Enumerable.Range(0, Writers).Select(writer => Task.Run(() =>
+        {
+            var history = new JobHistory(Index);
+            for (var i = 0; i < Each; i++) Assert.Null(history.Add(Entry(string.Create(CultureInfo.InvariantCulture, $"{writer}-{i}.dxf"), s_now)).Failure);
+        })));
+        var reading = new JobHistory(Index).Look();
+
+        Assert.Empty(reading.Findings);
+        Assert.Equal(Writers * Each, reading.Entries.Select(entry => entry.Drawing).Distinct().Count());
+        Assert.Empty(Directory.EnumerateFiles(Index, "*.tmp"));
+    }
+
+    [Fact]
+    public void The_oldest_go_when_there_are_too_many()
+    {
+        var history = new JobHistory(Index, most: 3);
+        for (var day = 0; day < 5; day++) history.Add(Entry(string.Create(CultureInfo.InvariantCulture, $"{day}.dxf"), s_now.AddDays(day)));
+
+        Assert.Equal(["4.dxf", "3.dxf", "2.dxf"], new JobHistory(Index).Look().Entries.Select(entry => Path.GetFileName(entry.Drawing)));
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("{\"date\": 7}")]
+    [InlineData("null")]
+    [InlineData("{\"version\": 1, \"date\": \"2026-11-23T09:00:00Z\"")]
+    public void What_is_no_entry_is_kept_aside_and_told_once_and_the_others_are_read(string text)
+    {
+        var history = new JobHistory(Index);
+        history.Add(Entry("good.dxf", s_now));
+        File.WriteAllText(Path.Combine(Index, "20261123-080000-000-bad.json"), text);
+        var reading = history.Look();
+
+        Assert.Equal("good.dxf", Path.GetFileName(Assert.Single(reading.Entries).Drawing));
+        Assert.Contains("20261123-080000-000-bad.json", Assert.Single(reading.Findings), StringComparison.Ordinal);
+        Assert.Equal(text, File.ReadAllText(Path.Combine(Index, "unreadable", "20261123-080000-000-bad.json")));
+        Assert.Empty(history.Look().Findings);
+    }
+
+    [Fact]
+    public void An_entry_of_a_later_version_stays_where_it_is()
+    {
+        var history = new JobHistory(Index);
+        var kept = history.Add(Entry("a.dxf", s_now) with { Version = 2 }).Entry;
+
+        Assert.Empty(new JobHistory(Index).Look().Entries);
+        Assert.Contains("version 2", Assert.Single(new JobHistory(Index).Look().Findings), StringComparison.Ordinal);
+        Assert.True(File.Exists(Path.Combine(Index, kept.Id + ".json")));
+    }
+
+    [Fact]
+    public void An_index_that_cannot_be_written_is_said_and_without_a_folder_it_lives_in_memory()
+    {
+        File.WriteAllText(Index, "a file where the folder should be");
+        var (_, failure) = new JobHistory(Index).Add(Entry("a.dxf", s_now));
+        var memory = new JobHistory(null);
+        memory.Add(Entry("a.dxf", s_now));
+
+        Assert.NotNull(failure);
+        Assert.Equal("a.dxf", Path.GetFileName(Assert.Single(memory.Known.Entries).Drawing));
+        Assert.Single(memory.Look().Entries);
+    }
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    private static HistoryEntry Entry(string name, DateTimeOffset date, DrawingSettings? settings = null) => HistoryEntry.OfPost(Path.Combine(RepositoryFolder.Samples, name), settings ?? new DrawingSettings(), "galil", null, date);
+}
