@@ -64,7 +64,7 @@ public static class PostTable
         }
 
         page.Append("\n| Option | Meaning | Value | Default | Of |\n|---|---|---|---|---|\n");
-        foreach (var option in Options) page.Append("| ").AppendJoin(" | ", $"`--{option.Name}`", option.Summary, option.Form, option.Default, string.Join(", ", Having(option))).Append(" |\n");
+        foreach (var option in Options) page.Append("| ").AppendJoin(" | ", $"`--{option.Name}`", option.Summary, option.Form.Replace("|", "\\|", StringComparison.Ordinal), option.Default, string.Join(", ", Having(option))).Append(" |\n");
         return page.ToString();
     }
 

@@ -7,6 +7,12 @@ namespace Engraver.TestKit.Programs;
 /// <summary>G-code as a test reads it: whatever can be read is followed in plan, nothing is checked.</summary>
 public static partial class GcodeLines
 {
+    /// <summary>Radii that differ by less, mm, are one: a rounded place.</summary>
+    private const double SameRadius = 2e-5;
+
+    /// <summary>In so many lines, which leave an arc of 100 mm by less than a micrometre.</summary>
+    private const int Chords = 1000;
+
     /// <summary>What is cut while a tool is switched on by M3 or M8; null when a number cannot be read.</summary>
     public static IReadOnlyList<Segment>? Cuts(string text)
     {
@@ -27,19 +33,29 @@ public static partial class GcodeLines
             if (!words.ContainsKey('X') && !words.ContainsKey('Y') && !words.ContainsKey('I') && !words.ContainsKey('J')) continue;
             var end = new Point2D(words.GetValueOrDefault('X', place.X), words.GetValueOrDefault('Y', place.Y));
             if (isOn && motion < 2) cuts.Add(Segment.FromLine(place, end));
-            else if (isOn) cuts.Add(Arc(place, end, new Point2D(place.X + words.GetValueOrDefault('I'), place.Y + words.GetValueOrDefault('J')), motion == 2));
+            else if (isOn) cuts.AddRange(Arc(place, end, new Point2D(place.X + words.GetValueOrDefault('I'), place.Y + words.GetValueOrDefault('J')), motion == 2));
             place = end;
         }
 
         return cuts;
     }
 
-    private static Segment Arc(Point2D start, Point2D end, Point2D centre, bool clockwise)
+    /// <summary>Round the centre with a radius that goes evenly from that of the start to that of the end, where the two are not quite the same (rs274-hpgl.md 1.3).</summary>
+    private static IEnumerable<Segment> Arc(Point2D start, Point2D end, Point2D centre, bool clockwise)
     {
         var (from, to) = ((start - centre).Direction.Degrees, (end - centre).Direction.Degrees);
         var sweep = clockwise ? from - to : to - from;
         sweep = start == end ? 360.0 : sweep <= 0.0 ? sweep + 360.0 : sweep > 360.0 ? sweep - 360.0 : sweep;
-        return Segment.FromArc(new ArcSegment(centre, centre.DistanceTo(start), Angle.FromDegrees(from), Angle.FromDegrees(clockwise ? -sweep : sweep)));
+        if (clockwise) sweep = -sweep;
+        var (first, last) = (centre.DistanceTo(start), centre.DistanceTo(end));
+        if (Math.Abs(last - first) < SameRadius) return [Segment.FromArc(new ArcSegment(centre, first, Angle.FromDegrees(from), Angle.FromDegrees(sweep)))];
+        Point2D At(int i)
+        {
+            var (radius, turned) = (first + ((last - first) * i / Chords), (from + (sweep * i / Chords)) * Math.PI / 180.0);
+            return new Point2D(centre.X + (radius * Math.Cos(turned)), centre.Y + (radius * Math.Sin(turned)));
+        }
+
+        return Enumerable.Range(0, Chords).Select(i => Segment.FromLine(At(i), At(i + 1)));
     }
 
     [GeneratedRegex(@"\(.*?\)|;.*")]
